@@ -11,7 +11,7 @@ pub(crate) fn create_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> 
     #[cfg(unix)]
     {
         use std::{fs, os::unix::fs::PermissionsExt};
-        // permissions of the file that is replaced, or the default ones of a new file
+        // copy the permissions of the replaced file; a new file gets the default permissions
         let permissions = fs::metadata(path)
             .ok()
             .filter(fs::Metadata::is_file)

@@ -1,7 +1,7 @@
 //! Separator of a table of text.
 
-/// Separator of the cells of a table: that of a line `sep=;`, or the most frequent of tab, semicolon
-/// and comma in the head. Returns the text after such a line.
+/// Separator of the cells of a table, and the text after a line `sep=;`. The separator is stated in
+/// this line; otherwise it is the most frequent of tab, semicolon and comma in the head.
 pub(crate) fn detect_separator(text: &str) -> (u8, &str) {
     let text = text.trim_start_matches('\u{feff}');
     if let Some(rest) = text.strip_prefix("sep=") {

@@ -22,7 +22,7 @@ pub enum Error {
         /// How to list the known names.
         advice: String,
     },
-    /// A coefficient of another aerodynamic law than that of the setup.
+    /// A coefficient of an aerodynamic law that the setup does not use.
     #[error(
         "'{name}' is a coefficient of {owners}, but this setup uses the law '{law}'; set aero.law \
          too"
@@ -168,7 +168,7 @@ pub enum Error {
     Twice {
         /// The key, dotted.
         key: String,
-        /// The line of the first.
+        /// The line of the first occurrence.
         line: usize,
     },
     /// A key of a setup file with a value of the wrong type.
@@ -441,7 +441,7 @@ pub(crate) fn nearest<'a>(
         .iter()
         .map(|(similarity, _)| *similarity)
         .max_by(f64::total_cmp)?;
-    // of equally similar names the one that looks most similar: o like 0, l like 1
+    // among equally similar names, prefer the one that looks most similar: o like 0, l like 1
     let glyphs = |text: &str| text.replace('0', "o").replace('1', "l");
     let by_glyphs = |known: &str| similarity(&glyphs(name), &glyphs(known));
     similarities
@@ -450,8 +450,9 @@ pub(crate) fn nearest<'a>(
         .max_by(|a, b| by_glyphs(a.1).total_cmp(&by_glyphs(b.1)))
 }
 
-/// Jaro–Winkler similarity of two names, 0 to 1. Names of the same group are compared without it; a
-/// name without its group ("loft") is compared with the last part too; case does not count.
+/// Jaro–Winkler similarity of two names, 0 to 1. Names of the same group are compared without the
+/// group; a name without its group ("loft") is compared with the last part too; case does not
+/// count.
 fn similarity(given: &str, known: &str) -> f64 {
     if given.eq_ignore_ascii_case(known) {
         return 1.0;

@@ -3,7 +3,7 @@
 use crate::number::{Number, Numbers, Vector};
 use crate::parameters::Setup;
 
-/// η, rad/s: spins below it count as none. In the air |ω| is √(ω·ω + η²), which has derivatives at
+/// η, rad/s: smaller spins count as zero. In the air |ω| is √(ω·ω + η²), which has derivatives at
 /// zero spin (docs/model.md, eq. 14).
 pub const LEAST_SPIN: f64 = 1e-6;
 

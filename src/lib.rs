@@ -4,7 +4,7 @@
 //!
 //! ```text
 //!   maximise   carry(x)          x: loft λ, attack angle ε, or any other parameters, rad, m, kg, s
-//!   subject to low ≤ x ≤ high    what the club maker and the golfer can do
+//!   subject to low ≤ x ≤ high    limits of club and golfer
 //! ```
 //!
 //! where carry is the distance to the landing point of a ball that a rigid clubhead has struck
@@ -39,13 +39,13 @@
 //! | the parts of a sweep that is divided among processes and machines (feature `parquet`) | `parts` |
 //! | results to bytes (feature `reports`) | `report` |
 //! | published studies, computed anew (feature `reports`) | `reproduce` |
-//! | questions asked of a drive; measured shots | [`study`], [`shots`] |
-//! | very many drives; points that stand in files; statistics of a sweep | [`batch`], [`table`], [`statistics`] |
-//! | a bound-constrained minimiser that knows no golf; derivatives by name | [`optimize`], [`derivative`] |
+//! | studies of a drive; measured shots | [`study`], [`shots`] |
+//! | batches of drives; tables of points; statistics of a sweep | [`batch`], [`table`], [`statistics`] |
+//! | a constrained optimizer, independent of golf; derivatives by name | [`optimize`], [`derivative`] |
 //! | setup → impact → flight → outcomes | [`drive`] |
 //! | rigid bodies; equation of motion and landing | [`impact`], [`flight`] |
 //! | bounces and rolling | [`ground`] |
-//! | the ball as it leaves; laws of drag and lift; wind | [`launch`], [`aerodynamics`], [`atmosphere`] |
+//! | launch of the ball; laws of drag and lift; wind | [`launch`], [`aerodynamics`], [`atmosphere`] |
 //! | every parameter, declared once | [`parameters`] |
 //! | numbers, quantity strings, errors | [`number`], [`units`], [`error`] |
 

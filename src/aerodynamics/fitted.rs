@@ -41,7 +41,7 @@ pub struct Fitted {
 }
 
 impl Fitted {
-    /// No known range: a law without data, or whose source does not describe them.
+    /// No known range: a law without data, or with data that its source does not describe.
     pub const UNKNOWN: Self = Self {
         spin_ratio: None,
         spin: None,
@@ -110,8 +110,8 @@ impl Fitted {
         std::array::from_fn(|k| [flown[k][0] < ranges[k][0], flown[k][1] > ranges[k][1]])
     }
 
-    /// True if spin ratio, spin, Reynolds number and airspeed are within all known ranges. Always in
-    /// a vacuum (Reynolds number 0).
+    /// True if spin ratio, spin, Reynolds number and airspeed are within all known ranges. Always
+    /// true in a vacuum (Reynolds number 0).
     #[inline]
     pub fn holds(&self, [spin_ratio, spin, reynolds, speed]: [f64; 4]) -> bool {
         let is_in = |range: Option<[f64; 2]>, value: f64| {

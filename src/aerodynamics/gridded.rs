@@ -5,7 +5,8 @@ use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
 use crate::parameters::{Axis, AxisVariable, Grid};
 
 /// C_D and C_L of a grid, times their factors. Beyond the edges of the grid, speed and spin are
-/// clamped. Below its least spin, the lift is that at the edge times 1 − (1 − ω/ω_least)³.
+/// clamped. Below the least spin of the grid, the lift is the lift at the edge times 1 − (1 −
+/// ω/ω_least)³.
 #[inline(always)]
 pub(super) fn grid_coefficients<T: Numbers>(
     grid: &'static Grid,

@@ -4,11 +4,13 @@ use crate::parameters::Lyu;
 
 /// Spin ratios of the measurements.
 const MEASURED: [f64; 2] = [0.045, 0.32];
-/// Width of the clamp of the spin ratio above: the parabola has a negative lift above s = 0.61.
+/// Width of the upper clamp of the spin ratio. Without it the lift would be negative above s =
+/// 0.61.
 const HELD_OVER: f64 = 0.04;
 
 /// Centre and width, in Re/10⁵, of the transition between the two parabolas of the drag. Both are
-/// valid for 0.75 < Re/10⁵ < 1 and differ by at most 0.02 there; the width is a quarter of it.
+/// valid for 0.75 < Re/10⁵ < 1 and differ there by at most 0.02; the width is a quarter of this
+/// interval.
 const BETWEEN: f64 = 0.875;
 const WIDTH: f64 = 0.06;
 

@@ -3,8 +3,8 @@ use super::{AerodynamicLaw, Coefficients, Published, Stream};
 use crate::number::{Numbers, inlined};
 use crate::parameters::MacdonaldHanzely;
 
-/// Spin ratio, below that of any drive, below which a cubic replaces the lift, as the law has a lift
-/// without spin.
+/// Spin ratio below which a cubic replaces the lift coefficient, because the law gives lift without
+/// spin. No drive has a smaller spin ratio.
 const SMOOTH_BELOW: f64 = 0.02;
 
 /// C_D = cd_speed/v, C_L = cl_speed/v: forces proportional to the speed, independent of the spin

@@ -1,5 +1,5 @@
-//! Laws of drag and lift of a spinning ball (docs/model.md, eq. 14), one file a law. The coefficients
-//! of the laws, with names, ranges and sources, are in the parameter table.
+//! Laws of drag and lift of a spinning ball (docs/model.md, eq. 14), one file per law. The
+//! coefficients of the laws, with names, ranges and sources, are in the parameter table.
 //!
 //! F_D = ½ ρ A C_D |v|², F_L = ½ ρ A C_L |v|².
 
@@ -96,11 +96,12 @@ pub struct Published {
 
 /// A law of drag and lift. Two methods are required.
 pub trait AerodynamicLaw<T: Numbers> {
-    /// C_D and C_L in this flow. C_L must tend to 0 with the spin, as the direction of the lift
-    /// vanishes.
+    /// C_D and C_L in this flow. C_L must tend to 0 with the spin, because the lift has no
+    /// direction without spin.
     ///
-    /// All laws are inlined into the equation of motion. A long law calls [`Numbers::not_inlined`] with
-    /// a `move` closure, so that it does not slow down the others (`src/number/mod.rs`, "Pipelines").
+    /// All laws are inlined into the equation of motion. A long law calls [`Numbers::not_inlined`]
+    /// with a `move` closure, so that it does not slow down the others (`src/number/mod.rs`,
+    /// "Pipelines").
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T>;
 
     /// True if C_D has a slope in |ω| at zero spin, so that outcomes have a corner there.

@@ -3,10 +3,10 @@ use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above};
 use crate::parameters::NaruoMizota;
 
-/// Spin ratios of the measurements. Below, a cubic replaces the lift, as the formula has a lift
-/// without spin.
+/// Spin ratios of the measurements. Below this range a cubic replaces the lift coefficient, because
+/// the formula gives lift without spin.
 const MEASURED: [f64; 2] = [0.03, 1.13];
-/// Width of the clamp of the spin ratio above, which bounds the fourth powers.
+/// Width of the upper clamp of the spin ratio, which bounds the fourth powers.
 const HELD_OVER: f64 = 0.2;
 
 /// C_D = cd0 + cd1 s + … + cd4 s⁴, C_L = cl0 + cl1 s + … + cl4 s⁴: Naruo, Mizota & Shimozono

@@ -3,14 +3,14 @@ use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
 use crate::parameters::Nathan;
 
-/// Ends, in Re/10⁵, of the fall of the drag without spin from cd_low to cd_high.
+/// Values of Re/10⁵ between which the drag coefficient without spin falls from cd_low to cd_high.
 const FALLS: [f64; 2] = [0.5, 1.0];
 /// Width of the rounded corners at both ends, in Re/10⁵.
 const ROUNDED: f64 = 0.05;
 
-/// With r = Re/10⁵, C_D = cd_s s + cd_low for r < 0.5, cd_high for r > 1 and on a line between,
-/// with its corners rounded over 0.05 in r; C_L = cl_amp s^cl_exp. Nathan's calculator of golf
-/// trajectories, fitted to the averages of seven clubs.
+/// With r = Re/10⁵, C_D = cd_s s + c, with c = cd_low for r < 0.5, c = cd_high for r > 1 and c
+/// linear between, with corners rounded over 0.05 in r; C_L = cl_amp s^cl_exp. Nathan's calculator
+/// of golf trajectories, fitted to the averages of seven clubs.
 impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {

@@ -53,7 +53,7 @@ pub(super) fn power<T: Numbers>(factor: T, exponent: T, s: T) -> T {
     )
 }
 
-/// C_L = c₀ + c₁ s + c₂ s² …, replaced by the cubic for s < join, as the polynomial has a lift
+/// C_L = c₀ + c₁ s + c₂ s² …, replaced by the cubic for s < join, because the polynomial gives lift
 /// without spin.
 #[inline(always)]
 pub(super) fn polynomial<T: Numbers, const N: usize>(c: [T; N], join: f64, s: T) -> T {

@@ -3,15 +3,15 @@ use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
 use crate::parameters::UsgaItr;
 
-/// Lowest spin ratio of the measured shots. Below, a cubic replaces the lift, as the formula has a
-/// lift without spin.
+/// Lowest spin ratio of the measured shots. Below it a cubic replaces the lift coefficient, because
+/// the formula gives lift without spin.
 const SMOOTH_BELOW: f64 = 0.042;
-/// Start and width of the clamp of the spin ratio, which bounds the square in the drag: the formula
-/// is for s < 0.3.
+/// Start and width of the upper clamp of the spin ratio, which bounds the square in the drag: the
+/// formula holds for s < 0.3.
 const LARGEST: f64 = 0.3;
 const HELD_OVER: f64 = 0.1;
-/// Start and width of the clamp of Re/10⁵ below: 1/r² makes the lift negative there. Shots were
-/// measured from 0.8 on.
+/// Start and width of the lower clamp of Re/10⁵: 1/r² makes the lift negative below. The slowest
+/// measured shots had 0.8.
 const SMALLEST: f64 = 0.6;
 const HELD_UNDER: f64 = 0.2;
 

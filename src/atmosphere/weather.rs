@@ -4,7 +4,8 @@ use crate::parameters::Air;
 /// 0 °C, K.
 const FREEZING: f64 = 273.15;
 
-/// Temperature, K, if other weather is given without it: 25 °C, TrackMan's normalised air.
+/// Temperature, K, if pressure, altitude or humidity is given without it: 25 °C, TrackMan's
+/// normalised air.
 const DEFAULT_TEMPERATURE: f64 = FREEZING + 25.0;
 
 /// Density and viscosity of the air (docs/model.md, eqs. 12a–12d).

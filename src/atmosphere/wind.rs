@@ -1,9 +1,10 @@
 use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Ground, Wind};
 
-/// ℓ, m: height below which the logarithmic profile is smoothed towards the ground. A step of 0.01 s
-/// resolves it (carry within some micrometres: docs/model.md, eq. 16), but not the pure logarithm
-/// with its scale of some millimetres, the roughness (carry within some millimetres).
+/// ℓ, m: height below which the logarithmic profile is smoothed towards the ground. A step of 0.01
+/// s resolves this height: carry is accurate to some micrometres (docs/model.md, eq. 16). The pure
+/// logarithm varies over the roughness, some millimetres; carry would be accurate to some
+/// millimetres only.
 const SMOOTHING_HEIGHT: f64 = 0.5;
 
 /// Velocity of the air over the ground, uniform or a function of height (docs/model.md, eq. 15).

@@ -83,8 +83,8 @@ impl OverNumbers for LaneFlight<'_, '_> {
 }
 
 impl LaneBatch<'_> {
-    /// Partitions the rows into those that fly, with their upward speed at launch, and those that
-    /// need scalar evaluation. A ball launched into the ground gets its status here.
+    /// Partitions the rows into flying rows, with their upward speed at launch, and rows that need
+    /// scalar evaluation. A ball launched into the ground gets its status here.
     #[inline(always)]
     fn partition<V: Lanes<Lane = f64>>(&mut self) -> Partition {
         let batch = self.batch;
@@ -146,7 +146,8 @@ impl LaneBatch<'_> {
         let has_run = any(|outcome| outcome.needs_run());
         let has_head = any(|outcome| outcome.group() == OutcomeGroup::Head);
         let fitted = batch.setup.law.fitted();
-        // parameters without a column are equal in all rows; the swept ones are set for each group
+        // parameters without a column are equal in all rows; the swept parameters are set for each
+        // group
         let mut setup = batch.setup.constant::<J>();
         self.seed_parameters(&mut setup);
         let directions: Vec<Option<usize>> = batch

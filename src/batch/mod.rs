@@ -2,7 +2,7 @@
 //! a quasi-random sequence or a table of points ([`table`](crate::table)).
 //!
 //! ```text
-//!   points ──chunks──▶ drives, side by side ──in order──▶ whoever takes the rows
+//!   points ──chunks──▶ drives, side by side ──in order──▶ sink
 //! ```
 //!
 //! Points are read in chunks of [`CHUNK`] rows, a bounded number of chunks is in flight at a time,

@@ -17,7 +17,7 @@ pub trait Points {
     /// Moves to a row, from which [`read`](Self::read) continues.
     ///
     /// # Errors
-    /// Those of reading the rows before it.
+    /// Errors of reading the rows before it.
     fn seek(&mut self, row: u64) -> Result<()>;
 
     /// Appends up to `most` rows to `values`, SI, with a value for each parameter. Returns the

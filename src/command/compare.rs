@@ -57,7 +57,8 @@ impl Pair {
     /// The requests of the two drives.
     ///
     /// # Errors
-    /// If the command line states no difference; those of [`SetupArgs::request`] for each drive.
+    /// If the command line states no difference; the errors of [`SetupArgs::request`] for each
+    /// drive.
     pub fn requests(&self) -> Result<[Request; 2]> {
         let own = [&self.set_a, &self.set_b, &self.launch_a, &self.launch_b];
         if self.other.is_none() && own.iter().all(|options| options.is_empty()) {

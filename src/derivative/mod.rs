@@ -26,7 +26,7 @@ pub fn gradient(setup: &Setup<f64>, of: Outcome, wrt: &[&'static Parameter]) -> 
 ///
 /// ```
 /// use longdrive::{Outcome, Setup, derivative};
-/// // in a vacuum carry = v² sin 2θ/g, and air density is what bends it away from that
+/// // in a vacuum (air density 0) carry = v² sin 2θ/g
 /// let mut setup = Setup::preset("mae494").unwrap();
 /// setup.set("air.density", "0 kg/m^3").unwrap();
 /// let gravity = [setup.variable("gravity").unwrap()];

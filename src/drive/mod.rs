@@ -39,8 +39,8 @@ impl<T: Number> Drive<T> {
     /// Computes the drive of a setup: values over `f64`, exact derivatives over dual numbers.
     /// Parameters are not checked against their ranges here ([`Setup::validate`] does this), except
     /// the step: with an invalid step a flight might never end. The setup determines method and
-    /// step of the integration; [`accuracy`](crate::study::accuracy()) finds others for an error
-    /// tolerance.
+    /// step of the integration; [`accuracy`](crate::study::accuracy()) finds a method and a step
+    /// for an error tolerance.
     ///
     /// ```
     /// use longdrive::{Drive, Outcome, Setup};
@@ -61,7 +61,7 @@ impl<T: Number> Drive<T> {
         Self::without_step_check(setup)
     }
 
-    /// [`new`](Self::new) for any number of steps.
+    /// Like [`new`](Self::new), without the check of the step: any number of steps is allowed.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new), except the error for the step.

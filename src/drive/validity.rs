@@ -33,7 +33,7 @@ pub(crate) fn any_face() -> String {
 }
 
 /// Angle between the path of a landing ball and the ground, rad, if the ball bounces and the angle
-/// is smaller than that of any measured bounce. The two slopes are those of the ground.
+/// is smaller than that of any measured bounce. `slopes` are the two slopes of the ground.
 pub(crate) fn flat_landing_angle<T: Number>(slopes: [f64; 2], landed: &Landed<T>) -> Option<f64> {
     landed
         .rest
@@ -154,11 +154,11 @@ impl ExceededCount {
 /// Share of drives, from 0 to 1, that exceed each validity limit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ExceededShare {
-    /// Share outside the ranges of the law.
+    /// Share of drives outside the ranges of the law.
     pub law: f64,
-    /// Share struck outside any face.
+    /// Share of drives struck outside any face.
     pub face: f64,
-    /// Share that lands flatter than any measured bounce.
+    /// Share of drives that land flatter than any measured bounce.
     pub flat: f64,
 }
 

@@ -35,9 +35,9 @@ pub(crate) struct Step<'n, T> {
 pub(crate) type Observer<'o, T> = Option<&'o mut dyn FnMut(f64, &Step<'_, T>)>;
 
 impl<T: Numbers> Step<'_, T> {
-    /// Defect of a step of length h, m (docs/model.md, eq. 16a): its difference from Hermite's
-    /// quadrature between its ends, times (|Δv|/|v_r|)⁴. A step's defect is O(h⁹), the sum over a
-    /// flight O(h⁸).
+    /// Defect of a step of length h, m (docs/model.md, eq. 16a): the difference between the step
+    /// and Hermite's quadrature over the step, times (|Δv|/|v_r|)⁴. The defect of a step is O(h⁹),
+    /// the sum over a flight O(h⁸).
     #[inline(always)]
     pub fn defect(&self, h: f64) -> T {
         let (a0, a1) = (self.from.rate.acceleration, self.to.rate.acceleration);

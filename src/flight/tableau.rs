@@ -42,7 +42,7 @@ const DP8_ROWS: &[Weights] = & [
 pub(super) const MOST_STAGES: usize = 12;
 
 /// An explicit Runge–Kutta method for x″ = a(t, x, x′). Positions, like velocities, are weighted
-/// sums of accelerations. The weights of the positions follow from those of the velocities.
+/// sums of accelerations. The weights of the positions follow from the weights of the velocities.
 #[derive(Debug)]
 pub(super) struct Tableau {
     /// Largest relative change of the airspeed by drag and lift within a step. Larger changes are

@@ -2,9 +2,9 @@
 //!
 //! This list is the only place that names them, and a test compares it with docs/architecture.md.
 //! Each number below is compiled once at each [`Level`](super::Level) of the processor: five
-//! numbers at three levels on x86-64. Two more numbers reach the same code through the public
-//! generics: `f64` ([`Drive::new`](crate::Drive::new)), which is the number of the baseline, and
-//! `num_dual::Dual64` (`study::certificate`), one more copy.
+//! numbers at three levels on x86-64. Two more numbers reach this code through public generics:
+//! `f64` ([`Drive::new`](crate::Drive::new)), which the baseline level uses too, and
+//! `num_dual::Dual64` (`study::certificate`), which adds one copy.
 
 use super::{Derivatives, Jet, Lanes, Mixed};
 

@@ -1,7 +1,7 @@
 use super::{Jet, Number};
 
-/// Access to derivatives by direction. The directions of the outer jet come first, those of its
-/// inner jets follow.
+/// Access to derivatives by direction. The directions of the outer jet come first, the directions
+/// of its inner jets follow.
 pub(crate) trait Derivatives: Number {
     /// First derivative in one direction.
     fn first(&self, direction: usize) -> f64;

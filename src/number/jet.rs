@@ -47,7 +47,7 @@ fn filled<B: Copy, const K: usize>(number: B) -> [B; K] {
 
 /// Dual number: a value with its first derivatives in `K` directions. `Jet<2>` contains plain
 /// numbers; with lanes as `B` each lane is one drive, or one set of directions. A nested jet has
-/// second derivatives: [`Jet<1, Jet<1>>`](Mixed) has one.
+/// second derivatives: [`Jet<1, Jet<1>>`](Mixed) has one second derivative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet<const K: usize, B = f64> {
     /// Value.

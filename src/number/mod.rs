@@ -8,12 +8,13 @@
 //!
 //! # Inlining
 //!
-//! A function is compiled for a vector unit (`target_feature`) only if it is inlined into one that
-//! is. Everything from a `Task` down to the instructions is therefore `#[inline(always)]`, and so
-//! are closures (macro `inlined!`: the attribute may stand on an argument, but not on the right
-//! side of a `let`). Code too large to inline at each use goes through [`Numbers::not_inlined`],
-//! which calls a function compiled for the same instructions. Code that is not inlined elsewhere
-//! silently falls back to baseline instructions, which is several times slower.
+//! A function is compiled for a vector unit (`target_feature`) only if it is inlined into a
+//! function that is. Everything from a `Task` down to the instructions is therefore
+//! `#[inline(always)]`, and so are closures (macro `inlined!`: the attribute is allowed on an
+//! argument, but not on the right side of a `let`). Code too large to inline at each use goes
+//! through [`Numbers::not_inlined`], which calls a function compiled for the same instructions.
+//! Code that is not inlined elsewhere silently falls back to baseline instructions, which is
+//! several times slower.
 //!
 //! # Pipelines
 //!
@@ -113,8 +114,8 @@ pub trait Numbers:
     fn without_derivatives(self) -> Self;
     /// True where the value is finite.
     fn is_finite(self) -> Self::Mask;
-    /// Gathers `N` constants of a table per lane: `entry` returns those at the values of (`self`,
-    /// `other`). The result has zero derivatives.
+    /// Gathers `N` constants of a table per lane: `entry` returns the constants at the values of
+    /// (`self`, `other`). The result has zero derivatives.
     fn gather<const N: usize>(
         self,
         other: Self,

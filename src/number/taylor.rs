@@ -26,8 +26,8 @@ impl Taylor {
         self.value.is_finite() && derivatives.all(|d| d.is_finite())
     }
 
-    /// Checks that there are `count` first derivatives, and `count` rows of second ones if there
-    /// are any.
+    /// Checks that there are `count` first derivatives, and `count` rows of second derivatives if
+    /// there are any.
     ///
     /// # Panics
     /// If the numbers differ; the message names both.

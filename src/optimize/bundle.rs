@@ -24,7 +24,7 @@ impl Bundle {
         self.0.iter().all(|point| point.has_dimensions(n, m))
     }
 
-    /// Adds a candidate, and keeps the nearest point of each other side near `at`.
+    /// Adds a candidate. Keeps the nearest point of each other side of a kink near `at`.
     pub fn update(&mut self, scaling: &Scaling, at: &Point, candidate: Option<Point>) {
         let is_side = |point: &Point| {
             scaling.distance(point, at) <= NEARBY && are_sides_of_a_kink(scaling, at, point)
@@ -57,8 +57,8 @@ impl Bundle {
     }
 
     /// Terms of the piecewise model: the second-order expansion of each other side, in scaled
-    /// variables, moved to `at`. Its value there is at most f, because at a kink that stalls a
-    /// search f is the maximum of its sides.
+    /// variables, moved to `at`. At `at` each expansion is at most f, because at a kink that stalls
+    /// a search f is the maximum of its sides.
     pub fn max_terms(&self, scaling: &Scaling, at: &Point, hessian: &DMatrix<f64>) -> Vec<MaxTerm> {
         if self.0.is_empty() {
             return vec![];

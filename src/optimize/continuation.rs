@@ -10,7 +10,7 @@ const SHORTEST: f64 = 1.0 / 65_536.0;
 /// A step is halved if the distance between its predicted and its corrected optimum, in units of
 /// the variables' ranges, exceeds this.
 pub(crate) const TOO_FAR: f64 = 0.02;
-/// The next step is doubled if that distance is below this.
+/// The next step is doubled if the distance of [`TOO_FAR`] is below this.
 const NEAR: f64 = 0.002;
 /// Trust-region radius of the corrector. It keeps the search on the followed optimum.
 pub(crate) const RADIUS: f64 = 0.05;
@@ -58,7 +58,8 @@ impl AdaptiveStep {
     }
 }
 
-/// Predictor: the optimum after a change of the parameter, from its derivatives, within its bounds.
+/// Predictor: the optimum after a change of the parameter, to first order (`rates` is dx*/dp),
+/// projected on the bounds.
 pub(crate) fn predicted(x: &[f64], rates: &[f64], change: f64, bounds: &Bounds) -> Vec<f64> {
     let moved: Vec<f64> = x
         .iter()
@@ -85,7 +86,7 @@ pub(crate) fn relative_distance(x: &[f64], predicted: &[f64], bounds: &Bounds) -
     parts.fold(0.0, f64::max)
 }
 
-/// Locates the first point, within a tolerance, at which `is_as_before` is false. `guess` predicts
+/// Locates, within a tolerance, the first point at which `is_as_before` is false. `guess` predicts
 /// the location; `next` computes the point at a location from an earlier point. If `next` fails,
 /// the last computed point is returned.
 pub(crate) fn locate_change<P>(

@@ -1,9 +1,9 @@
 use super::null_space::null_space;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-/// Smallest eigenvalue kept by the reflection, relative to the largest.
+/// Smallest eigenvalue after a reflection, relative to the largest.
 const FLOOR: f64 = 1e-8;
-/// The Hessian is first raised by its own size, then by this factor more at each attempt.
+/// Growth factor of the raise from one attempt to the next. The first raise is the Hessian's size.
 const GROWTH: f64 = 4.0;
 /// Maximum number of attempts. A larger raise makes the sum numerically singular.
 const MOST_RAISES: u32 = 15;
@@ -87,7 +87,7 @@ pub(super) fn convexify(
 }
 
 /// The Hessian reflected on the tangents of the active constraints, with the Hessian's size as
-/// curvature along their normals.
+/// curvature along the normals of these constraints.
 fn reflected_along(
     hessian: &DMatrix<f64>,
     active: &[DVector<f64>],

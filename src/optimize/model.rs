@@ -130,8 +130,8 @@ impl Model<'_> {
         }
     }
 
-    /// Writes the quadratic program in scaled variables: the term of the point itself, the terms of
-    /// nearby kinks' other sides, and the linearised constraints.
+    /// Writes the quadratic program in scaled variables: the model at the iterate, the models of
+    /// the other sides of nearby kinks, and the linearised constraints.
     fn write_program(
         &self,
         value: impl Fn(usize) -> f64,
@@ -194,8 +194,8 @@ impl Model<'_> {
     }
 
     /// Step of least squared violation within the normal part of the trust region. If the
-    /// second-order model of the violation rises along it (from wall to wall of a narrow valley,
-    /// say), the curvature of the constraints is added and the step computed again.
+    /// second-order model of the violation rises along it (for a step across a narrow valley, say),
+    /// the curvature of the constraints is added and the step computed again.
     fn least_violation(&self, program: &QuadraticProgram, solver: &mut QpSolver) -> LeastViolation {
         let (n, m) = (program.low.len(), program.rows.len());
         let mut elastic = elastic(program, NORMAL_PART * self.radius);
@@ -335,7 +335,7 @@ impl Model<'_> {
     fn trial_coordinate(&self, step: &Step, i: usize) -> f64 {
         let (bounds, scale) = (&self.scaling.domain.variables, self.scaling.scale[i]);
         let (x, d, low, high) = (self.point.x[i], step.d[i], bounds.low[i], bounds.high[i]);
-        // rounding of bound / scale × scale may end short of the bound
+        // bound / scale × scale may round to a value short of the bound
         let nearly = 1.0 - 4.0 * f64::EPSILON;
         let to = x + d * scale;
         match step.sides[i] {

@@ -37,7 +37,7 @@ pub struct Observers {
     pub end: Option<Callback<Solution>>,
     /// Interrupt flag: once true, all searches end with their best points so far.
     pub interrupt: Arc<AtomicBool>,
-    /// Saves the searches, and resumes those saved before.
+    /// Checkpoint that saves the searches, and from which they resume.
     pub checkpoint: Option<Arc<Checkpoint>>,
 }
 

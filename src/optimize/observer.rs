@@ -46,7 +46,7 @@ impl Default for Observer {
 }
 
 /// Complete state of a search between two iterations. A search resumed from it gives the same bits
-/// as one that was never stopped.
+/// as an uninterrupted search.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Snapshot {
     pub(super) iterations: u64,

@@ -46,8 +46,8 @@ impl State {
         })
     }
 
-    /// Steps down the gradient of f in the other variables, then back onto the constraints. Returns
-    /// true, with the search restarted there, if the new point has a lower objective.
+    /// Steps down the gradient of f in the other variables, then back onto the constraints. If the
+    /// new point has a lower objective, restarts the search there and returns true.
     pub fn step_across_bound(
         &mut self,
         pair: &RedundantBound,

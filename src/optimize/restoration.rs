@@ -27,8 +27,8 @@ const MOVE_BELOW: f64 = 1.0 - 1e-6;
 
 impl State {
     /// Minimises the violation by least squares from points spread over the box, up to the first
-    /// feasible result. Returns true, with the search restarted at the best result, if the
-    /// violation fell.
+    /// feasible result. If the violation fell, restarts the search at the best result and returns
+    /// true.
     pub fn restore(
         &mut self,
         options: &Options,

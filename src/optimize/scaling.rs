@@ -52,7 +52,8 @@ pub struct Residual {
     pub stationarity: f64,
     /// Feasibility maxⱼ |vⱼ|/γⱼ, with vⱼ the violation of constraint j.
     pub feasibility: f64,
-    /// Complementarity maxⱼ |λⱼ| times the distance from the limit that λⱼ belongs to, over φ.
+    /// Complementarity maxⱼ |λⱼ| dⱼ/φ, with dⱼ the distance of cⱼ from the limit with multiplier
+    /// λⱼ.
     pub complementarity: f64,
 }
 
@@ -65,8 +66,8 @@ impl Residual {
     }
 }
 
-/// The variable along which the Lagrangian falls most, relative to the variable's distance from 0.
-/// A large value far from 0 shows divergence.
+/// Variable with the largest first-order reduction of the Lagrangian if it moved by its distance
+/// from 0. A large reduction far from 0 shows divergence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Outward {
     /// Index of the variable.

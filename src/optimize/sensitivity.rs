@@ -126,7 +126,7 @@ fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
 /// [`Bounds::scale`]. Returns a basis of the tangents, a column each, and the reduced Hessian.
 ///
 /// # Panics
-/// If the domain is not that of the solution, or the solution has no Hessian.
+/// If the domain is not the solution's, or the solution has no Hessian.
 pub fn reduced_hessian(solution: &Solution, domain: &Domain) -> (DMatrix<f64>, DMatrix<f64>) {
     let active_set = ActiveSet::new(solution, domain);
     let scale = domain.variables.scale(&solution.x);
@@ -392,8 +392,8 @@ struct Margin {
 }
 
 impl Margin {
-    /// Fraction of a parameter change `delta` after which the distance is 0; `None` if the whole
-    /// change does not use up the distance.
+    /// Fraction of a parameter change `delta` after which the distance is 0; `None` if it stays
+    /// positive.
     fn used_up_after(&self, delta: f64) -> Option<f64> {
         let reduction = -self.rate * delta;
         let is_used_up = reduction > 0.0 && self.distance.is_finite() && self.distance <= reduction;

@@ -43,7 +43,7 @@ pub struct Solution {
     pub evaluations: u64,
     /// Work counters.
     pub effort: Effort,
-    /// First iterate: the start, or the best of some other points if f is undefined there.
+    /// First iterate: the start, or the best of some other points if f is undefined at the start.
     pub initial_point: Vec<f64>,
     /// Reason why the functions are undefined at the start, if they are.
     pub undefined_at_start: Option<String>,

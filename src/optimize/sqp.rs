@@ -45,8 +45,8 @@ pub struct Sqp {
     pub(super) progress: Progress,
 }
 
-/// Serializable progress of a search. A search resumed from it gives the same bits as one that was
-/// never stopped.
+/// Serializable progress of a search. A search resumed from it gives the same bits as an
+/// uninterrupted search.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Progress {
     pub state: Option<State>,
@@ -100,8 +100,8 @@ impl Sqp {
             // Δ from the ratio of actual to predicted reduction
             state.update_radius(&trial.step, &trial.reduction);
         }
-        // λ ← multipliers of the quadratic program, also after a rejected step: they bring the
-        // curvature of newly active constraints into the next model
+        // λ ← multipliers of the quadratic program, also after a rejected step: the multipliers
+        // bring the curvature of newly active constraints into the next model
         state.multipliers.clone_from(&trial.step.multipliers);
         // x ← x + d
         let other = match trial.point {
@@ -119,7 +119,7 @@ impl Sqp {
         self.interrupt.load(Ordering::Relaxed)
     }
 
-    /// Verdict after an interrupted evaluation. The point is the last iterate that was completed.
+    /// Verdict after an interrupted evaluation. The result is the last completed iterate.
     fn interrupted_by(
         &mut self,
         error: Error,
@@ -256,7 +256,7 @@ fn with_iteration_info(mut info: SqpState, state: &State, accepted: bool) -> Sqp
 
 /// Evaluates the functions at x. The inner error means that they are undefined there (a wrong shape
 /// or a non-finite value counts as undefined); the outer error is argmin's and ends an interrupted
-/// search. After an interrupt an evaluation's failure counts as the interrupt.
+/// search. An evaluation that fails after an interrupt counts as interrupted.
 fn evaluate(
     problem: &mut Counted<ProblemRef<'_>>,
     interrupt: &AtomicBool,

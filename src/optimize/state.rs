@@ -72,7 +72,7 @@ pub(super) struct State {
     solver: QpSolver,
     pub counters: Counters,
     pub effort: Effort,
-    /// Reason why the functions were undefined, at the last trial point at which they were.
+    /// Reason from the last trial point at which the functions were undefined.
     pub undefined_reason: Option<String>,
     #[serde(skip)]
     workspace: Workspace,
@@ -326,8 +326,8 @@ impl State {
         } else if reduction.is_good() && step.is_limited_by(self.radius) {
             self.radius = (GROW * self.radius).min(MAX_RADIUS);
         }
-        // reflected curvature does not belong to f: it limits the step as a trust region does, and
-        // is relaxed in the same way
+        // reflected curvature is not curvature of f: it limits the step as a trust region does, and
+        // is relaxed as a trust region is
         let is_exact = step.is_reflected && reduction.is_exact();
         self.reflection = if is_exact {
             (SHRINK * self.reflection).max(MIN_REFLECTION)

@@ -203,11 +203,13 @@ pub(super) fn is_diverging(outward: Option<&Outward>, tolerance: f64) -> bool {
     outward.is_some_and(|outward| outward.distance >= FAR && outward.rate > tolerance)
 }
 
-/// Unbounded: the constraints are satisfied, no bound or constraint lies ahead, and either a
-/// variable is at 1e15 scales and doubling it would still reduce the objective by 1e-3 of its size
-/// (a function bounded below cannot: its derivative falls faster than 1/x), or the objective is
-/// below −1e60 times its initial size (with constraints, which may still curve, −1e200) and still
-/// falls.
+/// Unbounded: the constraints are satisfied, no bound or constraint lies ahead, and one of these
+/// holds:
+///
+/// - A variable is 1e15 scales from 0, and doubling it would still reduce the objective by 1e-3 of
+///   its size. A function bounded below cannot do this: its derivative falls faster than 1/x.
+/// - The objective still falls, and is below −1e60 times its initial size (−1e200 with constraints,
+///   which may still curve).
 pub(super) fn unbounded_test(outward: Option<&Outward>, state: &State) -> Option<Verdict> {
     const FARTHEST: f64 = 1e15;
     const RATE: f64 = 1e-3;

@@ -3,7 +3,7 @@
 use super::qp::StepSource;
 use super::scaling::Point;
 
-/// A trial step: solution of the quadratic program, with the quantities of its model.
+/// A trial step: solution of the quadratic program, with the quantities that the model predicts.
 #[derive(Clone)]
 pub(super) struct TrialStep {
     /// Trial point x + d. A variable that ends at a bound equals the bound exactly.

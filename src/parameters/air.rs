@@ -9,7 +9,7 @@ use crate::units::Message;
 /// `replaced` follow from it.
 #[derive(Debug, PartialEq)]
 pub struct Ways {
-    /// Name of what they describe: `air`, `wind`.
+    /// Name of the described quantity: `air`, `wind`.
     pub name: &'static str,
     by: &'static [&'static str],
     replaced: &'static [&'static str],
@@ -45,7 +45,7 @@ impl Ways {
             .any(|names| names.contains(&parameter.name))
     }
 
-    /// The parameters that a setup uses: those of `by` that are set, else `replaced`.
+    /// The parameters that a setup uses: the set parameters of `by`, else `replaced`.
     pub(crate) fn given_in(&self, setup: &Setup<f64>) -> Vec<&'static Parameter> {
         let set = |names: &[&str]| -> Vec<&'static Parameter> {
             let rows = names.iter().filter_map(|name| setup.parameter(name).ok());
@@ -83,7 +83,7 @@ pub(crate) fn is_reset(name: &str, text: &str) -> bool {
     is_unset(text) && WAYS.iter().any(|ways| ways.replaced.contains(&name))
 }
 
-/// True if a parameter follows from another one, if that is set.
+/// True if `other`, once set, determines the parameter `name`.
 #[cfg(feature = "cli")]
 pub(crate) fn follows_from(name: &str, other: &str) -> bool {
     WAYS.iter()
@@ -144,7 +144,8 @@ pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> 
 
 impl Setup<f64> {
     /// Refuses given parameters that others replace: density and viscosity follow from the weather
-    /// if any of it is set, and the components of the wind from its speed and direction.
+    /// if any weather parameter is set, and the components of the wind from its speed and
+    /// direction.
     ///
     /// ```
     /// let mut setup = longdrive::Setup::default();
@@ -212,7 +213,8 @@ impl Setup<f64> {
         ))
     }
 
-    /// Refuses weather and wind, set or among these names, that are given twice or in part.
+    /// Refuses weather or wind that is given twice or incompletely, by set parameters and these
+    /// names together.
     ///
     /// # Errors
     /// [`Error::Together`].

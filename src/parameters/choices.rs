@@ -20,7 +20,7 @@ impl Golfer {
     /// Both hands.
     pub const ALL: &'static [Self] = &[Self::Right, Self::Left];
 
-    /// Its name in `golfer`.
+    /// Name in `golfer`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Right => "right",
@@ -54,8 +54,8 @@ impl Golfer {
 /// points of a rotating head have different velocities (docs/model.md, eq. 1a).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum SpeedOf {
-    /// The centre of mass. Radars measure the centre of the head's outline, within millimetres of
-    /// it.
+    /// The centre of mass. Radars measure the centre of the head's outline, which is within
+    /// millimetres of the centre of mass.
     #[default]
     CentreOfMass,
     /// The centre of the face, where the markers of camera systems are.
@@ -69,7 +69,7 @@ impl SpeedOf {
     /// All points.
     pub const ALL: &'static [Self] = &[Self::CentreOfMass, Self::FaceCentre];
 
-    /// Its name in `swing.speed_of`.
+    /// Name in `swing.speed_of`.
     pub fn name(self) -> &'static str {
         match self {
             Self::CentreOfMass => "centre-of-mass",
@@ -102,7 +102,7 @@ pub enum Method {
     /// The classical Runge–Kutta method, order 4 (Kutta 1901).
     #[default]
     Rk4,
-    /// Dormand & Prince's method of order 8 with 12 evaluations a step (Hairer, Nørsett & Wanner
+    /// Dormand & Prince's method of order 8 with 12 evaluations per step (Hairer, Nørsett & Wanner
     /// 1993, DOP853).
     DormandPrince8,
 }
@@ -127,7 +127,7 @@ impl Method {
         }
     }
 
-    /// Evaluations of the force a step.
+    /// Evaluations of the force per step.
     pub fn stages(self) -> u32 {
         match self {
             Self::Rk4 => 4,

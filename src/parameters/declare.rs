@@ -45,8 +45,8 @@
 //! ```
 //!
 //! `parameter_struct!` writes this for one struct. `parameter_groups!` calls it for each group and
-//! writes [`Setup`](super::Setup), with one field a group; `law_coefficients!` calls it for each
-//! law and writes [`Law`](super::Law), with one variant a law. `slot!` selects between the three
+//! writes [`Setup`](super::Setup), with one field per group; `law_coefficients!` calls it for each
+//! law and writes [`Law`](super::Law), with one variant per law. `slot!` selects between the three
 //! kinds of fields.
 
 use super::Range;
@@ -59,7 +59,7 @@ use std::hash::{Hash, Hasher};
 pub enum Kind {
     /// Always has a value.
     Required,
-    /// May be unset; its documentation gives the meaning of that.
+    /// May be unset; its documentation says what unset means.
     Optional,
     /// A setting of the computation, without derivatives.
     Setting,
@@ -214,7 +214,7 @@ macro_rules! slot {
     };
 }
 
-/// A struct with one public field a row, and functions that iterate over its rows.
+/// A struct with one public field per row, and functions that iterate over its rows.
 macro_rules! parameter_struct {
     ($(#[doc = $doc:literal])* $Group:ident, $law:expr, {
         $( $(#[doc = $field_doc:literal])+ $field:ident : $kind:ident $(<$of:ident>)? $(or $unset:literal)? =
@@ -277,7 +277,7 @@ macro_rules! parameter_struct {
     };
 }
 
-/// The groups of a setup, a struct each, and `Setup` with one field a group and the law.
+/// The groups of a setup, a struct each, and `Setup` with one field per group and the law.
 macro_rules! parameter_groups {
     ($( $(#[doc = $doc:literal])* $group:ident : $Group:ident $rows:tt )+) => {
         $( parameter_struct! { $(#[doc = $doc])* $Group, None, $rows } )+
@@ -349,8 +349,8 @@ macro_rules! law_coefficients {
     ($d:tt $( $(#[doc = $doc:literal])* $name:literal : $Law:ident $rows:tt )+) => {
         $( parameter_struct! { $(#[doc = $doc])* $Law, Some($name), $rows } )+
 
-        /// An aerodynamic law with its coefficients. Its formulas are in
-        /// [`aerodynamics`](crate::aerodynamics), one file a law.
+        /// An aerodynamic law with its coefficients. The formulas are in
+        /// [`aerodynamics`](crate::aerodynamics), one file per law.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub enum Law<T> {
             $( $(#[doc = $doc])* $Law($Law<T>), )+
@@ -378,12 +378,12 @@ macro_rules! law_coefficients {
         }
 
         impl<T: Copy> Law<T> {
-            /// The law's name.
+            /// Name of the law.
             pub fn name(&self) -> &'static str {
                 match self { $( Self::$Law(_) => $name, )+ Self::Table(_) => TABLE_LAW }
             }
 
-            /// Its formulas of drag and lift, as text.
+            /// Formulas of drag and lift, as text.
             pub fn formula(&self) -> &'static str {
                 match self { $( Self::$Law(_) => concat!($($doc),*).trim_ascii(), )+ Self::Table(_) => Table::FORMULA }
             }

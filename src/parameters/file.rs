@@ -26,7 +26,7 @@ struct Item<'a> {
 }
 
 impl Item<'_> {
-    /// True if it resets a replaceable parameter (`none`).
+    /// True if the item resets a replaceable parameter (`none`).
     fn is_reset(&self) -> bool {
         self.value
             .as_str()
@@ -39,9 +39,9 @@ impl Item<'_> {
 pub struct SetupFile {
     /// The setup.
     pub setup: Setup<f64>,
-    /// The preset that it starts from: [`DEFAULT_PRESET`] where the file names none.
+    /// The preset that the file starts from: [`DEFAULT_PRESET`] if the file names none.
     pub preset: &'static Preset,
-    /// Parameters that the file gives, in its order.
+    /// Parameters that the file gives, in the order of the file.
     pub given: Vec<&'static Parameter>,
     /// True if the file gives flight.method or flight.step.
     pub gives_step: bool,
@@ -51,7 +51,7 @@ impl SetupFile {
     /// Reads a setup file.
     ///
     /// # Errors
-    /// [`Error::File`] if it cannot be opened; those of [`Setup::from_toml`].
+    /// [`Error::File`] if it cannot be opened; the errors of [`Setup::from_toml`].
     pub fn open(path: &Path) -> Result<Self> {
         let file = path.display().to_string();
         match std::fs::read_to_string(path) {
@@ -68,7 +68,7 @@ impl SetupFile {
     /// relative to its folder.
     ///
     /// # Errors
-    /// Those of [`Setup::from_toml`].
+    /// The errors of [`Setup::from_toml`].
     pub fn read(text: &str, file: &str) -> Result<Self> {
         let table = DeTable::parse(text).map_err(|error| Error::Toml {
             file: file.into(),
@@ -153,7 +153,7 @@ impl Setup<f64> {
     /// Reads a setup file.
     ///
     /// # Errors
-    /// Those of [`SetupFile::open`].
+    /// The errors of [`SetupFile::open`].
     pub fn from_file(path: &Path) -> Result<Self> {
         SetupFile::open(path).map(|file| file.setup)
     }

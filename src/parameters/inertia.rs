@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use nalgebra::Matrix3;
 
 impl Parameter {
-    /// True if it is an entry of the inertia tensor, whose entries are checked together.
+    /// True for an entry of the inertia tensor. All entries are checked together.
     pub(crate) fn is_of_inertia(&self) -> bool {
         self.name.starts_with("club.inertia")
     }
@@ -47,7 +47,7 @@ impl Club<f64> {
         }
     }
 
-    /// Warning about a violated triangle inequality: of a rigid body, the sum of two principal
+    /// Warning about a violated triangle inequality: for a rigid body, the sum of two principal
     /// moments is at least the third.
     pub(super) fn triangle_warning(&self) -> Option<String> {
         let [a, b, c] = self.principal_moments();

@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 const GROUP: &str = "launch.";
 
 impl super::Parameter {
-    /// True if it is a parameter of swing, strike, club or impact: without effect if the launch is
+    /// True for a parameter of swing, strike, club or impact. It has no effect if the launch is
     /// given.
     pub fn is_of_strike(&self) -> bool {
         ["swing.", "strike.", "club.", "impact."]
@@ -15,12 +15,12 @@ impl super::Parameter {
             .any(|group| self.name.starts_with(group))
     }
 
-    /// True if it is a parameter of the ball, on which impact and flight depend.
+    /// True for a parameter of the ball, on which impact and flight depend.
     pub(crate) fn is_of_ball(&self) -> bool {
         self.name.starts_with("ball.")
     }
 
-    /// True if it is a launch condition.
+    /// True for a launch condition.
     pub fn is_of_launch(&self) -> bool {
         self.name.starts_with(GROUP)
     }
@@ -34,8 +34,8 @@ impl<T: Copy> LaunchConditions<T> {
 }
 
 impl Setup<f64> {
-    /// Checks that the launch conditions that are set or among these names are complete: either
-    /// none, or ball speed, launch angle, and the spin in one form.
+    /// Checks that the launch conditions (set, or among these names) are complete: none, or ball
+    /// speed, launch angle and one form of the spin.
     ///
     /// # Errors
     /// [`Error::Launch`] with the missing or duplicate condition.
@@ -76,8 +76,8 @@ impl Setup<f64> {
         }
     }
 
-    /// Unsets the other form of the spin: for backspin and sidespin, total spin and axis; and vice
-    /// versa.
+    /// Unsets the other form of the spin: total spin and axis for a given backspin, backspin and
+    /// sidespin for a given total spin.
     pub fn replace_spin(&mut self, given: &super::Parameter) {
         match given.name {
             "launch.backspin" => (self.launch.spin, self.launch.spin_axis) = (None, None),

@@ -53,7 +53,7 @@ impl Range {
     /// Every finite number.
     pub const FINITE: Self = Self::between(f64::NEG_INFINITY, f64::INFINITY);
 
-    /// True if a value is in the range. NaN is not; infinity is if it is an included end.
+    /// True if a value is in the range. NaN never is; infinity is if it is an included end.
     pub fn contains(self, value: f64) -> bool {
         let above = value > self.low || (self.low_included && value == self.low);
         let below = value < self.high || (self.high_included && value == self.high);

@@ -121,7 +121,7 @@ impl Parameter {
         })
     }
 
-    /// The value as text in SI, and in the display unit if that is another one.
+    /// The value as text in SI, and in the display unit if it differs.
     fn show_twice(&self, value: f64) -> String {
         let si = self.quantity.show(value, self.quantity.si);
         let same = self.unit == self.quantity.si || !value.is_finite();
@@ -132,7 +132,7 @@ impl Parameter {
         }
     }
 
-    /// A value as text, with the given text if that is in neither of the units shown.
+    /// A value as text, with the given text appended if its unit is neither of the units shown.
     fn with_given_text(&self, shown: String, text: &str) -> String {
         let is_another = |unit: &str| {
             ![self.quantity.si, self.unit]
@@ -273,7 +273,7 @@ impl Setup<f64> {
     /// Applies settings in order, but law and turf before their numbers.
     ///
     /// # Errors
-    /// Those of [`set`](Self::set).
+    /// The errors of [`set`](Self::set).
     pub fn set_all<'a>(
         &mut self,
         settings: impl IntoIterator<Item = (&'a str, &'a str)> + Clone,
@@ -285,8 +285,8 @@ impl Setup<f64> {
         self.set_each(&settings)
     }
 
-    /// [`set_all`](Self::set_all) for triples of name, text, and whether a number without a unit is
-    /// SI, like a bare number in a setup file.
+    /// Like [`set_all`](Self::set_all), for triples of a name, a text, and true if a number without
+    /// a unit is SI (as in a setup file).
     ///
     /// ```
     /// use longdrive::Setup;
@@ -296,7 +296,7 @@ impl Setup<f64> {
     /// ```
     ///
     /// # Errors
-    /// Those of [`set`](Self::set).
+    /// The errors of [`set`](Self::set).
     pub fn set_each(&mut self, settings: &[(&str, &str, bool)]) -> Result<()> {
         let of = |wanted: &'static str| settings.iter().filter(move |(name, ..)| *name == wanted);
         for (name, text, bare) in of(TABLE) {
@@ -309,7 +309,7 @@ impl Setup<f64> {
             self.apply_text(name, text, *bare)?;
         }
         refuse_idle_turf(|known| settings.iter().any(|(name, ..)| *name == known))?;
-        // last: a reset needs the parameter that replaces this one
+        // resets last: a reset needs the parameter that replaces this one
         let is_reset = |(name, text, _): &&(&str, &str, bool)| is_reset(name, text);
         let numbers = || {
             settings
@@ -369,7 +369,7 @@ impl Setup<f64> {
     /// set are kept.
     ///
     /// # Errors
-    /// Those of [`LawTable::open`].
+    /// The errors of [`LawTable::open`].
     pub fn set_table(&mut self, path: &Path) -> Result<()> {
         let read = LawTable::open(path)?;
         match &mut self.law {
@@ -379,8 +379,8 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Sets a parameter to an SI value. `None` unsets an optional parameter, and resets one that
-    /// others replace to its default.
+    /// Sets a parameter to an SI value. `None` unsets an optional parameter, and resets a parameter
+    /// that others replace to its default.
     ///
     /// # Errors
     /// [`Error::OutOfRange`]; [`Error::OtherLaw`] for a coefficient of another law;
@@ -401,7 +401,8 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// The error for a coefficient of another law, which may have the name of one of this law.
+    /// The error for a coefficient of another law, which may share its name with a coefficient of
+    /// this law.
     fn of_other_law(&self, parameter: &Parameter) -> Error {
         let owners = parameter.law.unwrap_or_default().into();
         Error::OtherLaw {
@@ -411,7 +412,8 @@ impl Setup<f64> {
         }
     }
 
-    /// Resets a parameter that others replace to its default, which is not used.
+    /// Resets a parameter to its default. The default is not used, because other parameters replace
+    /// this one.
     pub(crate) fn reset(&mut self, parameter: &Parameter) {
         if let (Some(Slot::Required(place)), Some(default)) =
             (self.slot(parameter), parameter.default_value())
@@ -432,11 +434,11 @@ impl Setup<f64> {
         self.check_air(&[])
     }
 
-    /// [`validate`](Self::validate) for a setup whose launch, weather or wind is completed by the
-    /// columns of a table.
+    /// Like [`validate`](Self::validate), for a setup whose launch, weather or wind is completed by
+    /// the columns of a table.
     ///
     /// # Errors
-    /// Those of [`validate`](Self::validate).
+    /// The errors of [`validate`](Self::validate).
     pub fn validate_but_launch(&self) -> Result<()> {
         for parameter in self.parameters() {
             if let Some(value) = self.value(parameter) {
@@ -461,8 +463,8 @@ impl Setup<f64> {
     /// The parameter of this name, if it can be varied and outcomes differentiated by it.
     ///
     /// # Errors
-    /// Those of [`parameter`](Self::parameter); [`Error::NotVariable`] for a setting, the law, an
-    /// unset parameter or an infinite radius.
+    /// The errors of [`parameter`](Self::parameter); [`Error::NotVariable`] for a setting, the law,
+    /// an unset parameter or an infinite radius.
     pub fn variable(&self, name: &str) -> Result<&'static Parameter> {
         let refuse = |reason: String| {
             Err(Error::NotVariable {
@@ -515,8 +517,8 @@ impl Setup<f64> {
     /// infinite in this setup.
     ///
     /// # Errors
-    /// Those of [`parameter`](Self::parameter); [`Error::NotVariable`] for a setting, the law, and a
-    /// parameter that others replace.
+    /// The errors of [`parameter`](Self::parameter); [`Error::NotVariable`] for a setting, the law,
+    /// and a parameter that others replace.
     pub fn column(&self, name: &str) -> Result<&'static Parameter> {
         match self.parameter(name) {
             Ok(parameter)
@@ -531,7 +533,7 @@ impl Setup<f64> {
     /// Checks that a parameter is a [`variable`](Self::variable) of this setup.
     ///
     /// # Errors
-    /// Those of [`variable`](Self::variable); [`Error::OtherLaw`].
+    /// The errors of [`variable`](Self::variable); [`Error::OtherLaw`].
     pub(crate) fn check_variable(&self, parameter: &Parameter) -> Result<()> {
         self.check_found(parameter, self.variable(parameter.name)?)
     }
@@ -539,7 +541,7 @@ impl Setup<f64> {
     /// Checks that a parameter may be a [`column`](Self::column) of this setup.
     ///
     /// # Errors
-    /// Those of [`column`](Self::column); [`Error::OtherLaw`].
+    /// The errors of [`column`](Self::column); [`Error::OtherLaw`].
     pub(crate) fn check_column(&self, parameter: &Parameter) -> Result<()> {
         self.check_found(parameter, self.column(parameter.name)?)
     }

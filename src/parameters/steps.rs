@@ -2,7 +2,7 @@ use super::declare::Parameter;
 use super::table::FlightConditions;
 use crate::error::{Error, Result};
 
-/// Largest number of steps of a flight; they take tens of seconds.
+/// Largest number of steps of a flight. Such a flight takes tens of seconds.
 const MOST_STEPS: f64 = 1e8;
 
 impl<T> FlightConditions<T> {

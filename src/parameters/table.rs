@@ -21,11 +21,11 @@ parameter_groups! {
         /// Attack angle: the velocity's angle above horizontal (Winfield & Tan's swing elevation).
         attack_angle: T = "swing.attack_angle", "ε", ANGLE in "deg", Range::within_degrees(90.0),
             "-0.9 deg", "TrackMan, PGA TOUR averages 2023, driver";
-        /// Horizontal direction of the velocity, + outwards: to the right, of a left-hander to the
-        /// left.
+        /// Horizontal direction of the velocity, + outwards: to the right, or to the left for a
+        /// left-hander.
         path: T = "swing.path", "χ", ANGLE in "deg", Range::within_degrees(90.0),
             "0 deg", "straight swing";
-        /// Yaw of the head, + open: to the right, of a left-hander to the left.
+        /// Yaw of the head, + open: to the right, or to the left for a left-hander.
         face_angle: T = "swing.face_angle", "ψ", ANGLE in "deg", Range::within_degrees(90.0),
             "0 deg", "square face";
         /// Forward lean of the shaft, which reduces the loft.
@@ -41,7 +41,7 @@ parameter_groups! {
         shaft_droop: Option<T> or 0.0 = "swing.shaft_droop", "δ_s", ANGLE in "deg",
             Range::within_degrees(45.0),
             "none", "a rigid shaft; drivers are taken to droop by 1 to 4 deg, docs/sources.md";
-        /// Growth of bend and droop with the head speed V: they are in proportion to V to this
+        /// Exponent of bend and droop in the head speed V: both are proportional to V to this
         /// power; unset: 0.
         shaft_growth: Option<T> or 0.0 = "swing.shaft_growth", "p_s", NUMBER in "",
             Range::from_to(0.0, 4.0),
@@ -116,49 +116,45 @@ parameter_groups! {
         face_semi_axis: Option<T> = "club.face_semi_axis", "P_k", LENGTH in "mm",
             Range::above_to(0.0, f64::INFINITY),
             "none", "√(R_b R_r): a sphere where bulge and roll are equal";
-        /// Centre of mass above the centre of the face, along the face; strikes are measured from
-        /// that centre; unset: 0.
+        /// Centre of mass above the centre of the face, along the face; strikes are then measured
+        /// from the centre of the face; unset: 0.
         cg_high: Option<T> or 0.0 = "club.cg_high", "c₁", LENGTH in "mm", Range::from_to(-0.1, 0.1),
             "none", "the centre of mass lies behind the centre of the face";
-        /// Centre of mass towards the toe from the centre of the face; strikes are measured from
-        /// that centre; unset: 0.
+        /// Centre of mass towards the toe from the centre of the face; strikes are then measured
+        /// from the centre of the face; unset: 0.
         cg_toe: Option<T> or 0.0 = "club.cg_toe", "c₂", LENGTH in "mm", Range::from_to(-0.1, 0.1),
             "none", "the centre of mass lies behind the centre of the face";
-        /// Mass of the first movable weight, beside club.mass; unset: 0.
+        /// Mass of the first movable weight, in addition to club.mass; unset: 0.
         weight_1_mass: Option<T> or 0.0 = "club.weight_1.mass", "M₁", MASS in "g",
             Range::from_to(0.0, 0.5),
             "none", "no movable weight";
-        /// Place of the first movable weight: behind the face, along the normal at its centre;
-        /// unset: 0.
+        /// Position of the first movable weight behind the face, along the normal at the face
+        /// centre; unset: 0.
         weight_1_depth: Option<T> or 0.0 = "club.weight_1.depth", "d₁", LENGTH in "mm",
             Range::from_to(-0.1, 0.5),
             "none", "no movable weight";
-        /// Place of the first movable weight: towards the toe from the centre of the face; unset:
-        /// 0.
+        /// Position of the first movable weight towards the toe from the face centre; unset: 0.
         weight_1_toe: Option<T> or 0.0 = "club.weight_1.toe", "y₁", LENGTH in "mm",
             Range::from_to(-0.2, 0.2),
             "none", "no movable weight";
-        /// Place of the first movable weight: above the centre of the face, along the face; unset:
-        /// 0.
+        /// Position of the first movable weight above the face centre, along the face; unset: 0.
         weight_1_high: Option<T> or 0.0 = "club.weight_1.high", "x₁", LENGTH in "mm",
             Range::from_to(-0.2, 0.2),
             "none", "no movable weight";
-        /// Mass of the second movable weight, beside club.mass; unset: 0.
+        /// Mass of the second movable weight, in addition to club.mass; unset: 0.
         weight_2_mass: Option<T> or 0.0 = "club.weight_2.mass", "M₂", MASS in "g",
             Range::from_to(0.0, 0.5),
             "none", "no movable weight";
-        /// Place of the second movable weight: behind the face, along the normal at its centre;
-        /// unset: 0.
+        /// Position of the second movable weight behind the face, along the normal at the face
+        /// centre; unset: 0.
         weight_2_depth: Option<T> or 0.0 = "club.weight_2.depth", "d₂", LENGTH in "mm",
             Range::from_to(-0.1, 0.5),
             "none", "no movable weight";
-        /// Place of the second movable weight: towards the toe from the centre of the face; unset:
-        /// 0.
+        /// Position of the second movable weight towards the toe from the face centre; unset: 0.
         weight_2_toe: Option<T> or 0.0 = "club.weight_2.toe", "y₂", LENGTH in "mm",
             Range::from_to(-0.2, 0.2),
             "none", "no movable weight";
-        /// Place of the second movable weight: above the centre of the face, along the face; unset:
-        /// 0.
+        /// Position of the second movable weight above the face centre, along the face; unset: 0.
         weight_2_high: Option<T> or 0.0 = "club.weight_2.high", "x₂", LENGTH in "mm",
             Range::from_to(-0.2, 0.2),
             "none", "no movable weight";
@@ -182,8 +178,8 @@ parameter_groups! {
         /// Coefficient of restitution along the face normal.
         restitution: T = "impact.restitution", "e", NUMBER in "", Range::from_to(0.0, 1.0),
             "0.83", "USGA limit 0.822 + 0.008, which modern drivers reach";
-        /// Growth of the restitution with the speed at which face and ball close along the normal;
-        /// the restitution is then that at 160 ft/s, the speed of the USGA's test; unset: 0.
+        /// Change of the restitution with the closing speed along the normal; if set,
+        /// impact.restitution holds at 160 ft/s, the speed of the USGA's test; unset: 0.
         restitution_slope: Option<T> or 0.0 = "impact.restitution_slope", "e_v", PER_SPEED in "s/m",
             Range::from_to(-0.1, 0.1),
             "none",
@@ -198,8 +194,8 @@ parameter_groups! {
         /// Coefficient of friction; unset: the ball never slips.
         friction: Option<T> = "impact.friction", "μ_f", NUMBER in "", Range::from_to(0.0, 100.0),
             "none", "a driver does not slip, docs/sources.md";
-        /// Scale of the gear effect: of the speed at which the face moves along itself as the push
-        /// on it turns the head; unset: 1, rigid bodies.
+        /// Scale of the gear effect: a factor on the velocity along the face that the turning head
+        /// causes; unset: 1, rigid bodies.
         gear_scale: Option<T> = "impact.gear_scale", "g", NUMBER in "", Range::from_to(0.0, 2.0),
             "0.75",
             "measured drives: 0.75 ± 0.2 of the gear effect of rigid bodies, docs/sources.md";
@@ -232,7 +228,7 @@ parameter_groups! {
         spin: Option<T> = "launch.spin", "|ω_0|", ANGULAR_VELOCITY in "rpm",
             Range::from_to(0.0, 1e5),
             "none", "the club strikes the ball";
-        /// Tilt of the spin axis at launch, + right, beside the total spin; unset: 0.
+        /// Tilt of the spin axis at launch, + right, in addition to the total spin; unset: 0.
         spin_axis: Option<T> or 0.0 = "launch.spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg",
             Range::within_degrees(180.0),
             "none", "a level axis";
@@ -240,28 +236,28 @@ parameter_groups! {
 
     /// The air.
     air: Air {
-        /// Density; 0 is a vacuum. Where temperature, pressure, altitude or humidity is set, it
-        /// follows from them.
+        /// Density; 0 is a vacuum. If temperature, pressure, altitude or humidity is set, the
+        /// density follows from them.
         density: T = "air.density", "ρ", DENSITY in "kg/m^3", Range::from_to(0.0, 1000.0),
             "1.184 kg/m^3", "25 °C at sea level, TrackMan's normalised air";
-        /// Dynamic viscosity. Where temperature, pressure, altitude or humidity is set, it follows
-        /// from the temperature.
+        /// Dynamic viscosity. If temperature, pressure, altitude or humidity is set, the viscosity
+        /// follows from the temperature.
         viscosity: T = "air.viscosity", "μ", VISCOSITY in "Pa s", Range::above_to(0.0, 1.0),
             "1.837e-5 Pa s", "Sutherland's formula at 25 °C, docs/sources.md";
-        /// Temperature; unset: 25 °C where other weather is set.
+        /// Temperature; unset: 25 °C if other weather is set.
         temperature: Option<T> = "air.temperature", "T", TEMPERATURE in "K",
             Range::from_to(183.15, 333.15),
             "none", "density and viscosity are given; the range is −90 to 60 °C";
-        /// Pressure on the course, as a barometer shows it there and not as reduced to sea level;
-        /// unset: that of the altitude where other weather is set.
+        /// Pressure on the course, not reduced to sea level; unset: the pressure of the altitude if
+        /// other weather is set.
         pressure: Option<T> = "air.pressure", "p", PRESSURE in "hPa",
             Range::from_to(22_000.0, 115_000.0),
             "none", "density and viscosity are given; the range is that of the altitudes";
-        /// Altitude above sea level, of which the pressure is that of the standard atmosphere;
-        /// unset: 0 m where other weather is set.
+        /// Altitude above sea level, from which the standard atmosphere gives the pressure; unset:
+        /// 0 m if other weather is set.
         altitude: Option<T> = "air.altitude", "H", LENGTH in "m", Range::from_to(-1000.0, 11_000.0),
             "none", "density and viscosity are given; the troposphere of ISO 2533 ends at 11 km";
-        /// Relative humidity; unset: dry air where other weather is set.
+        /// Relative humidity; unset: dry air if other weather is set.
         humidity: Option<T> = "air.humidity", "h_r", NUMBER in "", Range::from_to(0.0, 1.0),
             "none", "density and viscosity are given";
     }
@@ -291,13 +287,13 @@ parameter_groups! {
         /// Downrange component: + tail wind, − head wind.
         downrange: T = "wind.downrange", "w_z", SPEED in "m/s", Range::from_to(-150.0, 150.0),
             "0 m/s", "calm";
-        /// Speed along the ground, in place of wind.right and wind.downrange, below 0 the other
-        /// way; unset: the wind is given by wind.right and wind.downrange.
+        /// Horizontal speed, in place of wind.right and wind.downrange; negative for the opposite
+        /// direction; unset: wind.right and wind.downrange give the wind.
         speed: Option<T> = "wind.speed", "w_h", SPEED in "m/s", Range::from_to(-150.0, 150.0),
             "none", "the components are given";
         /// Direction that the wind comes from, clockwise from the target line: 0° is a head wind,
-        /// 90° from the right, 180° a tail wind; unset: the wind is given by wind.right and
-        /// wind.downrange.
+        /// 90° from the right, 180° a tail wind; unset: wind.right and wind.downrange give the
+        /// wind.
         from: Option<T> = "wind.from", "β", ANGLE in "deg",
             Range::from_to((-360.0_f64).to_radians(), 360.0_f64.to_radians()),
             "none", "the components are given";
@@ -315,7 +311,7 @@ parameter_groups! {
         /// Height of the landing area above the tee.
         height: T = "ground.height", "h_g", LENGTH in "m", Range::from_to(-10000.0, 10000.0),
             "0 m", "level ground";
-        /// Restitution of the turf for a slow impact, of which a fast one has less; unset: the ball
+        /// Restitution of the turf for a slow impact; a fast impact has less; unset: the ball
         /// embeds where it lands and does not run.
         restitution: Option<T> = "ground.restitution", "e_g", NUMBER in "",
             Range::from_to(0.0, 1.0),
@@ -324,17 +320,17 @@ parameter_groups! {
         friction: T = "ground.friction", "μ_g", NUMBER in "", Range::above_to(0.0, 10.0),
             "0.4", "Penner (2002)";
         /// Compliance of the turf: Penner's tilt of the crater that a ball digs at 18.6 m/s and
-        /// 44.4° from the vertical, of which less is left the flatter it comes in.
+        /// 44.4° from the vertical, with less tilt for flatter impacts.
         compliance: T = "ground.compliance", "θ_g", ANGLE in "deg",
             Range::from_to(0.0, 60.0_f64.to_radians()),
             "15.4 deg", "Penner (2002), from what Haake (1987) measured on greens";
-        /// Deceleration of a rolling ball on level ground, over that of gravity.
+        /// Deceleration of a rolling ball on level ground, in units of gravity.
         rolling: T = "ground.rolling", "ρ_g", NUMBER in "", Range::above_to(0.0, 10.0),
             "1", "Penner (2001), of drives on a fairway; on a green 0.094 (Penner 2002)";
-        /// Slope of the landing area downrange, + uphill, about where the ball lands.
+        /// Slope of the landing area downrange from the landing point, + uphill.
         slope: T = "ground.slope", "β_z", ANGLE in "deg", Range::within_degrees(45.0),
             "0 deg", "level ground";
-        /// Slope of the landing area to the right, + rising, about where the ball lands.
+        /// Slope of the landing area to the right of the landing point, + rising.
         side_slope: T = "ground.side_slope", "β_y", ANGLE in "deg", Range::within_degrees(45.0),
             "0 deg", "level ground";
     }
@@ -377,7 +373,7 @@ law_coefficients! { $
             "2.48e-3 s/rad", "Robinson & Robinson (2013) as the MAE 494 report uses it";
     }
 
-    /// Constant drag, lift in proportion to the spin ratio: C_D = cd, C_L = cl_slope s.
+    /// Constant drag, lift proportional to the spin ratio: C_D = cd, C_L = cl_slope s.
     "linear": Linear {
         /// Drag coefficient.
         cd: T = "aero.cd", "cd", NUMBER in "", Range::from_to(0.0, 100.0),
@@ -397,9 +393,10 @@ law_coefficients! { $
         cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE, "0.18", "Smits & Smith (1994)";
         /// Amplitude of the drag coefficient's variation with the Reynolds number.
         cd3: T = "aero.cd3", "cd3", NUMBER in "", Range::FINITE, "0.06", "Smits & Smith (1994)";
-        /// Reynolds number at which that variation starts.
+        /// Reynolds number at which the sine in the drag coefficient starts.
         re1: T = "aero.re1", "re1", NUMBER in "", Range::FINITE, "9e4", "Smits & Smith (1994)";
-        /// Half its period in the Reynolds number.
+        /// Half the period of the sine in the drag coefficient, as a difference of Reynolds
+        /// numbers.
         re2: T = "aero.re2", "re2", NUMBER in "", Range::above_to(0.0, 1e12),
             "2e5", "Smits & Smith (1994)";
         /// Lift coefficient at s = 1.
@@ -483,7 +480,7 @@ law_coefficients! { $
         /// Height of the part of the lift coefficient that saturates with spin.
         cl_hill: T = "aero.cl_hill", "cl_hill", NUMBER in "", Range::FINITE,
             "0.240357", "longdrive: fit, docs/validation.md";
-        /// Value of x at which that part is half its height.
+        /// Value of x at which the saturating part of the lift coefficient is half its height.
         cl_half: T = "aero.cl_half", "cl_half", NUMBER in "", Range::above_to(0.0, 100.0),
             "0.0587927", "longdrive: fit, docs/validation.md";
         /// Slope in x of the part of the lift coefficient that does not saturate.
@@ -492,13 +489,13 @@ law_coefficients! { $
         /// Speed at which the lift coefficient is largest.
         cl_speed: T = "aero.cl_speed", "cl_speed", SPEED in "m/s", Range::from_to(-1000.0, 1000.0),
             "41.74701 m/s", "longdrive: fit, docs/validation.md";
-        /// Distance from that speed at which it is half of its maximum.
+        /// Distance from cl_speed at which the lift coefficient is half its maximum.
         cl_width: T = "aero.cl_width", "cl_width", SPEED in "m/s", Range::above_to(0.0, 1000.0),
             "27.33617 m/s", "longdrive: fit, docs/validation.md";
     }
 
-    /// Forces in proportion to the speed v, whatever the spin: C_D = cd_speed/v, C_L = cl_speed/v
-    /// (smoothed below s = 0.02).
+    /// Forces proportional to the speed v, independent of the spin: C_D = cd_speed/v, C_L =
+    /// cl_speed/v (smoothed below s = 0.02).
     "macdonald-hanzely": MacdonaldHanzely {
         /// Speed at which the drag coefficient is 1.
         cd_speed: T = "aero.cd_speed", "cd_speed", SPEED in "m/s", Range::from_to(0.0, 1000.0),
@@ -543,8 +540,8 @@ law_coefficients! { $
             "-0.2158", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
     }
 
-    /// With r = Re/10⁵, C_D = cd_s s + cd_low for r < 0.5, cd_s s + cd_high for r > 1, and on a
-    /// line between (corners rounded over 0.05); C_L = cl_amp s^cl_exp (smoothed below s = 0.001).
+    /// With r = Re/10⁵, C_D = cd_s s + cd_low for r < 0.5, cd_s s + cd_high for r > 1, and linear
+    /// between (corners rounded over 0.05); C_L = cl_amp s^cl_exp (smoothed below s = 0.001).
     "nathan": Nathan {
         /// Drag coefficient without spin for Re < 5e4.
         cd_low: T = "aero.cd_low", "cd_low", NUMBER in "", Range::from_to(0.0, 100.0),
@@ -563,7 +560,7 @@ law_coefficients! { $
             "0.4", "Nathan (2023), docs/sources.md";
     }
 
-    /// With r = Re/10⁵, C_D goes smoothly from cd_low0 + cd_low1 r + cd_low2 r² to cd_high0 +
+    /// With r = Re/10⁵, C_D changes smoothly from cd_low0 + cd_low1 r + cd_low2 r² to cd_high0 +
     /// cd_high1 r + cd_high2 r² about r = 0.875; C_L = cl1 s + cl2 s² (s held above 0.32).
     "lyu": Lyu {
         /// Drag coefficient below r = 0.875, the part that does not change with the Reynolds
@@ -623,9 +620,9 @@ law_coefficients! { $
             "-0.0122", "US patent 6186002, test ball, docs/sources.md";
     }
 
-    /// Splines through a grid of speeds and spins, in proportion to which C_D = cd_factor D(v, |ω|)
-    /// and C_L = cl_factor L(v, |ω|) (13.7 to 88.1 m/s, 2000 to 6000 rpm, held beyond; lift falls
-    /// to 0 below 2000 rpm).
+    /// Splines D and L through a grid of speeds and spins: C_D = cd_factor D(v, |ω|) and C_L =
+    /// cl_factor L(v, |ω|) (13.7 to 88.1 m/s, 2000 to 6000 rpm, held beyond; lift falls to 0 below
+    /// 2000 rpm).
     "bearman-harvey": BearmanHarvey {
         /// Factor of the drag coefficient of the grid.
         cd_factor: T = "aero.cd_factor", "cd_factor", NUMBER in "", Range::from_to(0.0, 100.0),
@@ -651,7 +648,7 @@ parameter_struct! {
 /// The law of a user's own table (`aero.table`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Table<T> {
-    /// Factors of its drag and lift coefficients.
+    /// Factors of the drag and lift coefficients.
     pub factors: TableFactors<T>,
     /// The table.
     pub table: &'static LawTable,
@@ -688,7 +685,7 @@ impl Law<f64> {
 }
 
 impl<T> Law<T> {
-    /// The user's own table, if this is its law.
+    /// The user's own table, if this law is a table.
     pub fn table(&self) -> Option<&'static LawTable> {
         match self {
             Self::Table(law) => Some(law.table),

@@ -67,7 +67,7 @@ pub static TURFS: &[Preset] = &[
 ];
 
 impl super::Parameter {
-    /// True if it affects the run only, not the flight.
+    /// True if the parameter affects the run only, not the flight.
     pub fn affects_only_run(&self) -> bool {
         self.name.starts_with(GROUP) && self.name != HEIGHT
     }

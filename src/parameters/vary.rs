@@ -28,16 +28,16 @@ impl Vary {
     ///
     /// # Errors
     /// [`Error::SearchRange`] for a text that is not a range, and for a reversed or infinite range;
-    /// those of [`Setup::variable`] and [`Parameter::read`].
+    /// the errors of [`Setup::variable`] and [`Parameter::read`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         Self::read_of(text, |name| setup.variable(name))
     }
 
-    /// [`read`](Self::read) for a parameter that need not have a value in the setup, since each
-    /// drive gives one.
+    /// Like [`read`](Self::read), for a parameter that need not have a value in the setup, since
+    /// each drive gives one.
     ///
     /// # Errors
-    /// Those of [`read`](Self::read) and [`Setup::column`].
+    /// The errors of [`read`](Self::read) and [`Setup::column`].
     pub fn read_column(setup: &Setup<f64>, text: &str) -> Result<Self> {
         Self::read_of(text, |name| setup.column(name))
     }
@@ -52,7 +52,7 @@ impl Vary {
     /// The setup with a start value for each varied parameter that is unset.
     ///
     /// # Errors
-    /// Those of [`Setup::set_value`].
+    /// The errors of [`Setup::set_value`].
     pub fn initialised(setup: &Setup<f64>, vary: &[Self]) -> Result<Setup<f64>> {
         let mut initialised = *setup;
         for vary in vary

@@ -71,10 +71,10 @@ impl Checked {
     }
 }
 
-/// Checks the footers of a folder of parts: valid, missing and faulty files. The sweep is `wanted`
-/// (with the number of parts and the instructions of the files), or else that of most files. With
-/// `contents`, also reads the rows, compares them with the SHA-256 in each footer, and computes the
-/// SHA-256 of the set.
+/// Checks the footers of a folder of parts: valid, missing and faulty files. The sweep to check is
+/// `wanted`, completed by the number of parts and the instructions of the files; without `wanted`
+/// it is the sweep of most files. With `contents`, also reads the rows, compares them with the
+/// SHA-256 in each footer, and computes the SHA-256 of the set.
 ///
 /// # Errors
 /// [`Error::Results`] for a folder that cannot be read, or without a readable part.

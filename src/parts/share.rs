@@ -11,7 +11,7 @@ pub fn most_parts(rows: u64) -> u64 {
 }
 
 /// Rows of part K of M, from 0: whole blocks of [`CHUNK`] rows, divided as evenly as possible. Of B
-/// blocks it has those from ⌊(K − 1)B/M⌋ to ⌊K B/M⌋ − 1.
+/// blocks, part K has the blocks ⌊(K − 1)B/M⌋ to ⌊K B/M⌋ − 1.
 ///
 /// ```
 /// use longdrive::parts::rows_of;

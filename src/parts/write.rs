@@ -36,7 +36,7 @@ impl Dataset {
     /// and best rows.
     ///
     /// # Errors
-    /// [`Error::Together`] for more parts than blocks of rows; those of [`SummarySpec::new`].
+    /// [`Error::Together`] for more parts than blocks of rows; errors of [`SummarySpec::new`].
     pub fn new(
         batch: Batch,
         points: &dyn Points,
@@ -75,7 +75,7 @@ impl Dataset {
     ///
     /// # Errors
     /// [`Error::Results`] for a part of another sweep in the folder, for another file of this name
-    /// (`overwrite` replaces it), and for a file that cannot be written; those of
+    /// (`overwrite` replaces it), and for a file that cannot be written; errors of
     /// [`rows_of`](Self::rows_of) and [`Batch::run`].
     pub fn write(
         &self,
@@ -190,7 +190,8 @@ impl Dataset {
         file.write(&bytes).map_err(unwritten)
     }
 
-    /// The manifest of the existing file, if it is this part, or the reason why it is not.
+    /// The manifest of the existing file, if it is this part, or the reason why the file is not
+    /// this part.
     fn found(&self, part: u64, path: &Path) -> Result<Manifest, String> {
         let advice = "take another folder, or replace it with `overwrite`";
         let footer = Footer::read(path).map_err(|reason| format!("{reason}; {advice}"))?;

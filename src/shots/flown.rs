@@ -108,9 +108,9 @@ impl Flown {
         self.block.outcome(self.flights[row]?, outcome)
     }
 
-    /// Predicted − measured, SI; `None` without a measurement. Lateral outcomes are not compared if
-    /// launch direction or spin axis is assumed, nor outcomes of the roll-out unless the ground is
-    /// declared as that of the shots.
+    /// Predicted − measured, SI; `None` without a measurement. Lateral outcomes are compared unless
+    /// launch direction or spin axis is assumed, and outcomes of the roll-out only if the setup's
+    /// ground is declared to be the ground of the shots.
     pub fn residual(&self, row: usize, outcome: usize) -> Option<f64> {
         let (of, shot) = (self.of[outcome], &self.shots[row]);
         let has_no_ground = of.needs_run() && !self.is_on_their_ground;

@@ -16,12 +16,13 @@ use std::sync::atomic::Ordering;
 #[derive(Clone, Debug)]
 pub struct Flying {
     batch: Batch,
-    /// True if the ground is that of the shots: roll-outs are compared.
+    /// True if the setup describes the ground of the shots, so that roll-outs are compared.
     is_on_their_ground: bool,
 }
 
 /// Range of launches for the choice of method and step. It does not depend on the table, so that
-/// predictions do not depend on other rows. Drives outside that need a smaller step get one.
+/// predictions do not depend on other rows. Drives outside the range get a smaller step if they
+/// need one.
 const USUAL: [(&str, f64, f64, &str); 5] = [
     ("launch.ball_speed", 60.0, 200.0, "mph"),
     ("launch.launch_angle", 2.0, 35.0, "deg"),
@@ -98,7 +99,8 @@ impl Flying {
         })
     }
 
-    /// Declares the ground as that of the shots, so that total, run and lateral total are compared.
+    /// Declares that the setup describes the ground of the shots, so that total, run and lateral
+    /// total are compared.
     #[must_use]
     pub fn on_their_ground(self) -> Self {
         Self {

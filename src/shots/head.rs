@@ -333,7 +333,7 @@ impl ExportHead {
     }
 }
 
-/// Interprets the unknown columns of an export that are rest positions.
+/// Interprets the unknown columns of an export that hold rest positions.
 fn add_totals(setup: &Setup<f64>, head: &mut Head) -> Result<()> {
     if head.format.is_export {
         for at in 0..head.columns.len() {
@@ -386,7 +386,7 @@ const TOTALS: [(&str, Outcome); 11] = [
     ("est total flat side", Outcome::LateralTotal),
 ];
 
-/// The column of a rest position, if its head is one.
+/// The column of a rest position, if the head names one.
 fn total(
     setup: &Setup<f64>,
     name: &str,

@@ -58,7 +58,7 @@ impl Interpretation {
 }
 
 /// TrackMan: `Condition` states altitude and temperature. They determine the air of each row,
-/// unless a column states the density or the setup the weather.
+/// unless a column states the density or the setup gives the weather.
 fn weather_of_rows(
     setup: &Setup<f64>,
     plain: &[String],

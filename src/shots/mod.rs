@@ -6,7 +6,7 @@
 //! ```
 //!
 //! Rows are processed in the order of the file in chunks, so memory does not grow with their
-//! number. No row is dropped: one that cannot be flown has a [`Refusal`].
+//! number. No row is dropped: a row that cannot be flown has a [`Refusal`].
 //!
 //! ```
 //! use longdrive::shots::{Flying, Shots};

@@ -191,7 +191,7 @@ impl Shots {
         }
     }
 
-    /// Parameters of each row: those of a launch, then those of further columns.
+    /// Parameters of each row: the launch parameters, then the parameters of further columns.
     pub fn parameters(&self) -> &[&'static Parameter] {
         &self.parameters
     }
@@ -209,7 +209,7 @@ impl Shots {
         }
     }
 
-    /// Uses the setup's air for every row, even if the export states another.
+    /// Uses the setup's air for every row, even if the export states other air.
     pub fn in_given_air(&mut self) {
         let (Layout::Export(export), Rows::Table(rows)) = (&mut self.layout, &mut self.rows) else {
             return;

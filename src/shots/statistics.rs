@@ -85,9 +85,9 @@ pub struct Band {
 pub struct Refused {
     /// Number of rows.
     pub count: u64,
-    /// Line of the first one.
+    /// Line of the first refused row.
     pub line: u64,
-    /// Reason of the first one.
+    /// Reason of the first refused row.
     pub reason: String,
 }
 
@@ -114,7 +114,7 @@ pub struct ShotStatistics {
     pub noted: u64,
     /// Landed drives outside the validity limits of the model.
     pub beyond: ExceededCount,
-    /// Number of landed drives with a spin ratio above that of drivers.
+    /// Number of landed drives with a spin ratio above the spin ratio of drivers.
     pub lofted: u64,
     /// Predicted and measured values, for checks of units and signs.
     comparison: Comparison,

@@ -45,7 +45,7 @@ const SLOW: f64 = 22.0;
 pub(super) struct Comparison {
     /// Ratios predicted/measured of each outcome.
     ratios: Vec<Vec<f64>>,
-    /// Number of rows with clear sides, and of those with opposite sides.
+    /// Number of rows with clear sides, and number of rows with opposite sides.
     sides: [usize; 2],
     /// Measured carry over ball speed.
     carries: Vec<f64>,

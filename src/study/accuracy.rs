@@ -32,8 +32,8 @@ impl Accuracy {
 
 /// Method for every tolerance: the method of highest order needs the fewest force evaluations.
 const METHOD: Method = Method::DormandPrince8;
-/// Fraction of the tolerance allowed as error of the compared drives; the rest covers the drives
-/// between them.
+/// Largest error of the compared drives, as a fraction of the tolerance. The margin is for all
+/// other drives in the ranges.
 const SAFETY: f64 = 0.25;
 /// Longest trial step, s. Each further trial step is shorter by the factor 2^(−1/4).
 const LONGEST_STEP: f64 = 1.6;
@@ -42,7 +42,7 @@ const STEPS: i32 = 36;
 /// s.
 const REFERENCE: f64 = 1.0 / 4.0;
 const SHORTEST_REFERENCE: f64 = 1e-3;
-/// Number of points within the ranges.
+/// Number of sampled points inside the ranges.
 const INSIDE: u64 = 64;
 /// Number of drives tested first. If a step fails for one of them, the other drives are not tested.
 const FIRST: usize = 16;
@@ -56,9 +56,9 @@ const PHASES: u32 = 8;
 const ROUNDING: f64 = 1e-12;
 
 /// The longest step for which all lengths among the outcomes have errors below `tolerance` (m), for
-/// the setup and for drives at the ends of the ranges and within. The step is fixed in advance and
-/// independent of the drive, so outcomes stay smooth. Without a length among the outcomes, carry is
-/// tested.
+/// the setup and for drives at the ends of the ranges and inside them. The step is fixed in advance
+/// and independent of the drive, so outcomes stay smooth. Without a length among the outcomes,
+/// carry is tested.
 ///
 /// ```
 /// use longdrive::{Outcome, Setup, study::accuracy};
@@ -201,14 +201,14 @@ impl Sample {
     /// Refines the reference if it is too coarse for a step.
     fn refine(&mut self, step: f64) -> Result<()> {
         if self.reference > (REFERENCE * step).max(SHORTEST_REFERENCE) {
-            // also for the following steps
+            // the following steps use the finer reference too
             self.reference = (0.5 * REFERENCE * step).max(SHORTEST_REFERENCE);
             self.exact = self.flown(self.reference)?;
         }
         Ok(())
     }
 
-    /// Adds the further drives to the test; false if there are none.
+    /// Adds the drives not tested yet; false if there are none.
     fn test_all(&mut self) -> Result<bool> {
         if self.further.is_empty() {
             return Ok(false);
@@ -229,7 +229,7 @@ impl Sample {
     ) -> Result<std::result::Result<StepErrors, FailingDrive>> {
         let with = |status| (0..self.exact.rows()).find(|&row| self.exact.status(row) == status);
         match (with(Status::Landed), with(Status::Diverged)) {
-            // a further drive may land
+            // a drive not tested yet may land
             (None, _) if !self.further.is_empty() => {
                 return Ok(Ok(StepErrors {
                     error: 0.0,
@@ -338,7 +338,7 @@ fn points(setup: &Setup<f64>, ranges: &[Vary]) -> Vec<f64> {
                 }),
         );
     }
-    // points within: the shortest flights, with the fewest steps, are rarely at a corner
+    // points inside the ranges: the shortest flights, with the fewest steps, are rarely at a corner
     for k in 0..INSIDE {
         let at = |(i, range): (usize, &Vary)| {
             range.low + (range.high - range.low) * sobol::coordinate(k, i, 0)

@@ -354,8 +354,8 @@ impl Follower<'_> {
     }
 
     /// Computes the first optimum: at the low end of the range, or at the first of a few trial
-    /// values that has an optimum; bisection then locates where the optima begin. Also returns the
-    /// reason why there is no optimum before.
+    /// values that has an optimum; bisection then locates where the optima begin. Also returns why
+    /// there is no optimum at smaller values.
     fn first(&self) -> Result<(ChartPoint, Option<Message>)> {
         let Vary {
             parameter,

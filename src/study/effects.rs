@@ -176,7 +176,7 @@ fn change(of: Outcome, from: f64, to: f64) -> f64 {
     of.unwrap_angle(to, from) - from
 }
 
-/// Sort key of an effect: those with an uncertainty first, then by magnitude.
+/// Sort key of an effect: effects with an uncertainty first, then by magnitude.
 fn rank(effect: &Effect) -> (bool, f64) {
     match &effect.bar {
         Some(bar) => (true, bar.first_order.abs()),

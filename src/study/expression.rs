@@ -331,7 +331,7 @@ fn summands(sum: Piece<'_>) -> Vec<(f64, Piece<'_>)> {
         match c {
             '(' => depth += 1,
             ')' => depth -= 1,
-            // neither the sign of an exponent nor that of a power
+            // skip the sign of an exponent, and of a power
             '+' | '-' if depth == 0 && !matches!(before, Some('e' | 'E' | '^')) => {
                 let term = sum.slice(from..at);
                 if !(term.text.is_empty() && terms.is_empty()) {
@@ -424,7 +424,7 @@ impl Scope<'_> {
         Ok(terms)
     }
 
-    /// Refuses a quantity of another kind than that of the first term.
+    /// Refuses a quantity whose kind differs from the first term's.
     fn check_kind(&self, piece: Piece<'_>, found: Option<Quantity>, first: Quantity) -> Result<()> {
         let name = found.map_or("a quantity of another kind", |quantity| quantity.name);
         match self {
@@ -473,7 +473,7 @@ fn outcome_of_drive(piece: Piece<'_>) -> Result<Outcome> {
     })
 }
 
-/// Advice if a text is the name of a parameter, whose range limits it.
+/// Advice for a text that is the name of a parameter: limit the parameter's range instead.
 fn advice_on_parameter(text: &str) -> Option<String> {
     let found = Setup::<f64>::default().parameter(text);
     let is_parameter = matches!(found, Ok(_) | Err(Error::OtherLaw { .. }));

@@ -1,4 +1,4 @@
-//! Flatness of an optimum: the window of each parameter varied for a stated loss.
+//! Flatness of an optimum: how far each varied parameter can move within a stated loss.
 
 use super::optimum::Optimum;
 use super::problem::SearchProblem;
@@ -17,7 +17,8 @@ use nalgebra::DMatrix;
 pub struct Flatness {
     /// The allowed loss of the outcome, SI.
     pub loss: f64,
-    /// Window of each varied parameter, with all other parameters fixed at the optimum.
+    /// Window of each varied parameter: its interval within the allowed loss, with all other
+    /// parameters fixed at the optimum.
     pub windows: Vec<Window>,
     /// Directions of the free parameters in ascending order of curvature.
     pub directions: Vec<Direction>,
@@ -27,7 +28,7 @@ pub struct Flatness {
     pub ellipses: Vec<Ellipse>,
 }
 
-/// The interval of one parameter within the allowed loss, by drives.
+/// Interval of a parameter in which drives lose at most the allowed loss.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
     /// The lower end, SI.
@@ -57,7 +58,7 @@ pub enum Limit {
 /// units of their ranges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Direction {
-    /// Its component by each varied parameter, SI, of length 1 in units of the ranges.
+    /// Component along each varied parameter, SI. The length is 1 in units of the ranges.
     pub along: Vec<f64>,
     /// Distance along the direction at which the loss reaches the allowed loss to second order, in
     /// multiples of `along`.
@@ -84,8 +85,8 @@ pub struct Ellipse {
 const OF_SHORT_DRIVE: &str = "1 yd is more than a tenth of the carry of the best drive, so the \
                               loss that is allowed is 1 % of this carry";
 
-/// The carry of the best drive, SI, with a note, if 1 yd is more than a tenth of it, so that
-/// [`usual_loss`] is 1 % of it.
+/// Carry of the best drive, SI, with a note, if the drive is short: 1 yd is more than a tenth of
+/// its carry, so [`usual_loss`] is 1 % of the carry.
 pub fn short_drive(best: &Optimum) -> Option<(f64, &'static str)> {
     let carry = best
         .drive

@@ -1,5 +1,5 @@
-//! The objective of a search and its constraints: a weighted sum of measures of drives, and such a
-//! sum between limits.
+//! The objective of a search (a weighted sum of measures of drives) and its constraints (weighted
+//! sums between limits).
 
 use super::swings::{Measure, Strokes};
 use crate::drive::Outcome;

@@ -28,8 +28,8 @@ pub struct Landing {
 
 impl Landing {
     /// Landing of a setup with independently varying parameters. Default uncertainties count only
-    /// for the golfer's parameters (swing, strike and club, or a given launch); stated ones all
-    /// count.
+    /// for the golfer's parameters (swing, strike and club, or a given launch); all stated
+    /// uncertainties count.
     ///
     /// # Errors
     /// The errors of [`Drive::new`] and [`evaluate`]; [`Error::NoFlight`](crate::Error::NoFlight)

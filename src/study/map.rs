@@ -49,7 +49,7 @@ impl Map {
     }
 }
 
-/// Relative differences (or in one display unit) below this are rounding.
+/// Differences below this, relative to the value or in display units, are rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Gradient at a point of a map, SI.

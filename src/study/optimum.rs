@@ -68,7 +68,7 @@ impl Optimum {
     }
 
     /// The constraints at the optimum. Value and violation follow the exact definition of the goal;
-    /// the multiplier is that of the search.
+    /// the multiplier comes from the search.
     pub fn constraints(&self) -> Vec<(&Constraint, ConstraintValue)> {
         let all = self
             .search

@@ -23,7 +23,7 @@ pub struct Plane {
 
 impl Plane {
     /// Flies a setup with two of its parameters at the nodes of a grid. The setup need not have
-    /// values for them.
+    /// values for these two.
     ///
     /// # Errors
     /// The errors of [`Batch::new`].

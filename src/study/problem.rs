@@ -5,7 +5,7 @@
 //! ```
 //!
 //! One drive is one scenario. If its goals are outcomes they need no measures, and the drive's
-//! derivatives are those of the goals.
+//! derivatives are the derivatives of the goals.
 
 use super::cancellable::{each_until, stopped, stopped_before};
 use super::goal::Goal;
@@ -30,7 +30,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 pub(super) struct SearchProblem {
     /// The setup as given.
     set_up: Setup<f64>,
-    /// The setup with a value of every parameter varied.
+    /// The setup with a value for every varied parameter.
     setup: Setup<f64>,
     vary: Vec<&'static Parameter>,
     scenarios: Scenarios,
@@ -86,7 +86,7 @@ impl SearchProblem {
         Self::new(setup, search, &Arc::default())
     }
 
-    /// The goals, also if no parameter is varied.
+    /// The problem of a search that may vary no parameter, for the values of its goals.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new).
@@ -104,8 +104,8 @@ impl SearchProblem {
             }
         }
         let begun = Vary::initialised(setup, &search.vary)?;
-        // second derivatives of a goal with a kink or jump come from the few drives near it: no
-        // subset of the drives represents them
+        // second derivatives of a goal with a kink or jump come from the few drives near the kink
+        // or jump: no subset of the drives represents them
         let (part, represents) = if goals.iter().any(Goal::has_edge) {
             let count = scenarios.points.len();
             ((0..count).collect(), vec![1.0; count])
@@ -224,9 +224,8 @@ impl SearchProblem {
     }
 
     /// Second derivatives of the drives of the subset near `x`, each times the number of scenarios
-    /// that the drive represents. They are computed at the nearest point of a grid over the ranges,
-    /// so that they are computed only once near an optimum. They do not depend on the points
-    /// evaluated before.
+    /// that the drive represents. They are computed at the nearest point of a grid over the ranges:
+    /// only once near an optimum, and independently of the points evaluated before.
     fn second_derivatives(&self, x: &[f64]) -> std::result::Result<Arc<Seconds>, String> {
         let nearest: Vec<f64> = (0..x.len()).map(|i| self.on_the_grid(i, x[i])).collect();
         let cached = |seconds: &Option<Arc<Seconds>>| {
@@ -261,10 +260,10 @@ impl SearchProblem {
         Ok(found)
     }
 
-    /// The nearest point of the grid for second derivatives to a value of a parameter.
+    /// Value of parameter i on the grid for second derivatives that is nearest to `x`.
     fn on_the_grid(&self, i: usize, x: f64) -> f64 {
-        /// Cells over the range of a parameter. A drive's second derivatives change by about 1 %
-        /// from one to the next.
+        /// Number of grid cells over the range of a parameter. A drive's second derivatives change
+        /// by about 1 % from one cell to the next.
         const CELLS: f64 = 64.0;
         let [low, high] = [self.domain.variables.low[i], self.domain.variables.high[i]];
         let place = (CELLS * (x - low) / (high - low)).round() / CELLS;
@@ -378,8 +377,8 @@ impl SearchProblem {
         self.reported(&self.moved(x)?, x, stop)
     }
 
-    /// Goals with the setup's own design. A varied parameter without a value in the setup has no
-    /// value.
+    /// Goals with the setup's own design. A varied parameter without a value in the setup stays
+    /// without one.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).

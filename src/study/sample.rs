@@ -41,8 +41,8 @@ const ONE_IN: usize = 8;
 
 /// Compares the end of a search with a sample of the ranges. `search` starts from points that are
 /// better than the best solution so far. If few points are feasible, it also starts from the best
-/// of them, because the feasible region may be disconnected. `None` if `interrupt` became true
-/// before all points were evaluated.
+/// feasible points, because the feasible region may be disconnected. `None` if `interrupt` became
+/// true before all points were evaluated.
 pub(super) fn resample(
     problem: &SearchProblem,
     end: &Solution,

@@ -225,8 +225,8 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("aero.cl_slope", Amount::Part(0.1), LAW_LIFT),
 ];
 
-/// The given uncertainties, then defaults for the other parameters; those of the ground only for
-/// outcomes of the roll-out.
+/// The given uncertainties, then defaults for the other parameters; defaults of the ground are
+/// added only for outcomes of the roll-out.
 ///
 /// # Errors
 /// [`Error::Unreadable`] for a parameter that is given twice.

@@ -58,7 +58,7 @@ pub(super) fn status_of(solution: &Solution) -> &'static str {
     }
 }
 
-/// Text on the constraints that the nearest design violates, with its goals.
+/// Text on the constraints that the nearest design violates, with the goals of this design.
 pub(super) fn violated(
     constraints: &[Constraint],
     found: &Solution,

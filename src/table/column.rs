@@ -86,7 +86,7 @@ const LAUNCH: &str = "launch.";
 
 impl Column {
     /// Interprets a head: `carry [yd]`, `sigma carry [yd]`, `club.loft [deg]`, `stationary`,
-    /// `note`, or one of a launch monitor. `below` is its unit in a second line.
+    /// `note`, or a head of a launch monitor. `below` is the unit in the line below the head.
     ///
     /// Measured carry is the distance to the landing point, as launch monitors define it, not its
     /// component along the target line.

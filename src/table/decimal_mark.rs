@@ -72,7 +72,8 @@ impl DecimalMark {
         found
     }
 
-    /// True if a cell may contain decimals or thousands, in a table with the mark `of_table`.
+    /// True if the mark in a cell may separate decimals or thousands, in a table with the mark
+    /// `of_table`.
     pub fn is_ambiguous(of_table: Option<Self>, cell: &str) -> bool {
         if of_table == Some(Self::Point) {
             return false;

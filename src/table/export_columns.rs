@@ -177,7 +177,7 @@ pub(super) fn ignore_columns(
     remarks
 }
 
-/// Spin columns that others make redundant.
+/// Spin columns that other columns make redundant.
 fn redundant_spins(has: impl Fn(Outcome) -> bool) -> &'static [Outcome] {
     if has(Outcome::Spin) && (has(Outcome::SpinAxis) || !has(Outcome::Sidespin)) {
         &[Outcome::Backspin, Outcome::Sidespin]
@@ -188,7 +188,7 @@ fn redundant_spins(has: impl Fn(Outcome) -> bool) -> &'static [Outcome] {
     }
 }
 
-/// Heads of the columns that satisfy a condition, without empty ones.
+/// Heads of the columns that satisfy a condition, without empty heads.
 fn heads_of(columns: &[Column], is: impl Fn(&Column) -> bool) -> Vec<&str> {
     columns
         .iter()

@@ -146,7 +146,7 @@ impl Head {
         })
     }
 
-    /// Compares heads and units.
+    /// True if the head has these heads and units.
     pub fn is_like(&self, heads: &[String], units: Option<&[String]>) -> bool {
         self.heads == heads && self.units.as_deref() == units
     }
@@ -277,7 +277,7 @@ impl ColumnErrors {
         })
     }
 
-    /// Replaces the advice by that of another kind of table.
+    /// Replaces the advice by the advice for another kind of table.
     pub fn advised(self, advice: &str) -> Self {
         Self {
             reason: self.reason.replace(OF_SHOTS, advice),

@@ -8,7 +8,7 @@ use crate::units::Quantity;
 pub(super) struct CellNumber {
     /// Magnitude, or signed value if the cell has no side.
     pub number: f64,
-    /// Unit behind the number.
+    /// Unit after the number.
     pub unit: Option<String>,
     /// Side, in place of a sign.
     pub side: Option<Side>,

@@ -9,7 +9,8 @@ use std::io::{self, BufRead, Read};
 /// Maximum length of a line, bytes.
 const LONGEST: u64 = 1 << 20;
 
-/// Maximum number of lines of a record. A longer open quote is an error of its first line.
+/// Maximum number of lines of a record. A quote that stays open longer is an error of the first
+/// line.
 const MOST_LINES: usize = 32;
 
 /// A record.

@@ -269,7 +269,7 @@ impl HeadPlace {
     }
 }
 
-/// Refusal of a row whose number of cells differs from that of the head.
+/// Refusal of a row whose number of cells differs from the number of heads.
 pub(crate) fn miscounted<S: AsRef<str>>(row: &[S], heads: usize) -> Option<Refusal> {
     let filled = row
         .iter()

@@ -1,4 +1,4 @@
-//! C_D and C_L of Bearman & Harvey (1976): one row a spin, one column a speed.
+//! C_D and C_L of Bearman & Harvey (1976): a row for each spin, a column for each speed.
 
 // 0.3180 is a measured value, not 1/π
 #![allow(clippy::approx_constant)]

@@ -53,9 +53,9 @@ static GRID: LazyLock<Grid> = LazyLock::new(|| {
     }
 });
 
-/// C_D = cd_factor D(v, |ω|), C_L = cl_factor L(v, |ω|): bicubic splines through a grid read off the
-/// curves of Bearman & Harvey (1976). Below 2000 rpm, the least spin of the grid, the lift is that at
-/// 2000 rpm times 1 − (1 − |ω|/2000 rpm)³.
+/// C_D = cd_factor D(v, |ω|), C_L = cl_factor L(v, |ω|): bicubic splines through a grid read off
+/// the curves of Bearman & Harvey (1976). Below 2000 rpm, the least spin of the grid, the lift is
+/// the lift at 2000 rpm times 1 − (1 − |ω|/2000 rpm)³.
 impl<T: Numbers> AerodynamicLaw<T> for BearmanHarvey<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {

@@ -22,7 +22,7 @@ impl Side {
 /// A step h, and the difference quotient over it with its rounding error.
 pub(super) type Difference = (f64, Estimate);
 
-/// Order of the error term that remains with the most differences combined.
+/// Highest order of the remaining error term; it limits the number of differences combined.
 const MOST_POWER: u8 = 8;
 
 /// Derivative from differences.
@@ -34,9 +34,9 @@ pub struct Estimate {
     pub uncertainty: f64,
 }
 
-/// Best estimate of all runs of consecutive differences. It proceeds from small steps to large
-/// ones, and ends when an estimate is as accurate as `enough`, or when a larger step contradicts a
-/// smaller one beyond both error estimates.
+/// Best estimate of all runs of consecutive differences. The search proceeds from small steps to
+/// large ones, and ends when an estimate is as accurate as `enough`, or when a larger step
+/// contradicts a smaller one beyond both error estimates.
 pub(super) fn estimate(
     differences: &[Option<Difference>],
     side: Side,
@@ -68,8 +68,8 @@ pub(super) fn estimate(
     best
 }
 
-/// Extrapolates some differences to step 0. The truncation error is estimated by the change of the
-/// result if one difference is omitted.
+/// Extrapolates some differences to step 0. The estimate of the truncation error is the change of
+/// the result if one difference is omitted.
 fn extrapolated(differences: &[Difference], side: Side) -> Estimate {
     let all = at_zero(differences, side);
     let but_one = [&differences[1..], &differences[..differences.len() - 1]];

@@ -10,8 +10,9 @@ pub const FEW_STEPS: [i32; 12] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 19, 20, 21];
 /// off within a millionth) are not resolved.
 pub(super) const LEAST_STEP: f64 = 1e-6;
 
-/// Smallest assumed size of a function, relative to the numbers it is computed from. For a smaller
-/// size, the required resolution ([`Demand::FIRST`](super::Demand::FIRST)) would be below rounding.
+/// Smallest assumed size of a function, relative to the terms from which it is computed. For a
+/// smaller size, the required resolution ([`Demand::FIRST`](super::Demand::FIRST)) would be below
+/// rounding.
 const LEAST_LEFT: f64 = 1e-5;
 
 /// Range of steps at which second differences are pure rounding.
@@ -38,7 +39,7 @@ pub struct Ladder {
     pub centre: f64,
     /// Assumed size of f: |f(x)| or more.
     pub size: f64,
-    /// Size of the numbers that f is computed from, which determines its rounding: at least
+    /// Size of the terms from which f is computed, which determines its rounding error: at least
     /// [`size`](Self::size).
     pub rounded: f64,
     /// Samples, the largest step first.

@@ -12,7 +12,7 @@
 //! use longdrive::derivative::check::{Verdict, check};
 //! use longdrive::derivative::Taylor;
 //!
-//! // x² y³ at (2, 1), and the same with a derivative that is off by a millionth
+//! // x² y³ at (2, 1), and with a derivative that is wrong by a millionth
 //! let f = |x: &[f64], slip: f64| Taylor {
 //!     value: x[0] * x[0] * x[1].powi(3),
 //!     gradient: vec![2.0 * x[0] * x[1].powi(3) * slip, 3.0 * x[0] * x[0] * x[1] * x[1]],

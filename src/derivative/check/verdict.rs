@@ -56,8 +56,8 @@ impl Demand {
     };
 }
 
-/// Rounding error of the exact derivative, in units of s/scale, with s the size of the numbers that
-/// the function is computed from.
+/// Rounding error of the exact derivative, in units of s/scale, with s the size of the terms from
+/// which the function is computed.
 const OWN_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// One step of a V-curve: error of the central difference.
@@ -175,7 +175,7 @@ impl Ladder {
     }
 
     /// One-sided derivatives, if they differ by more than their error estimates and by more than
-    /// the rounding of the numbers behind the function over the smallest step.
+    /// the rounding of the function's terms over the smallest step.
     fn corner(&self) -> Option<[Option<f64>; 2]> {
         let (below, above) = (self.slope(Side::Below, 0.0)?, self.slope(Side::Above, 0.0)?);
         let distance = (above.value - below.value).abs();

@@ -1,8 +1,8 @@
 use crate::number::Taylor;
 use crate::optimize::problem::{Evaluation, Problem};
 
-/// Weighted sums of two functions of a problem, its objective and its last constraint function: one
-/// sum is the objective, the other replaces the last constraint.
+/// Problem made of weighted sums of two functions: the objective and the last constraint function
+/// of another problem. One sum is the objective; a second sum replaces the last constraint.
 pub(super) struct Combined<'a> {
     pub problem: &'a dyn Problem,
     /// Value subtracted from each function before the weighting.

@@ -30,7 +30,8 @@ pub(super) struct Compromise {
     pub derivatives: Option<(Solution, Response)>,
 }
 
-/// Plane of the two functions, each scaled from 0 at its minimum to 1 at that of the other.
+/// Plane of the two functions, each scaled to 0 at its own minimum and to 1 at the other function's
+/// minimum.
 pub(super) struct Plane<'a> {
     pub context: &'a FrontContext<'a>,
     pub zero: [f64; 2],
@@ -120,7 +121,7 @@ impl Plane<'_> {
                 self.zero[0] + a * self.span[0],
                 self.zero[1] + b * self.span[1],
             ],
-            // the multipliers of an optimum that is not isolated are not unique
+            // an optimum that is not isolated has no unique multipliers
             slope: response
                 .as_ref()
                 .and(slope)

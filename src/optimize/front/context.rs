@@ -15,7 +15,8 @@ use std::cell::Cell;
 
 /// A function counts as minimal if it is within this relative tolerance of its minimum.
 pub(super) const SAME: f64 = 1e-9;
-/// Tolerance on a function, relative to its span over the front, when its minimum is made unique.
+/// Allowed increase of a function above its minimum, relative to its span over the front, while the
+/// minimum of the other function selects one of several minimisers.
 const UNIQUE_WITHIN: f64 = 1e-7;
 /// A minimum is not isolated if its smallest curvature is below this, relative to the largest.
 const FLAT: f64 = 1e-9;
@@ -53,7 +54,7 @@ impl FrontContext<'_> {
         minimize_observed(problem, domain, from, options, observer)
     }
 
-    /// Minimum of one function without regard to the other.
+    /// Minimises one function and ignores the other.
     pub fn minimum_of(&self, function: usize, start: &[f64]) -> Result<Solution, FrontError> {
         let problem = Combined::minimized(self.problem, weights_of(function));
         let found = self.search(&problem, &self.domain, start, self.options)?;
@@ -92,7 +93,7 @@ impl FrontContext<'_> {
         Ok([self.values(&ends[0].x)?, self.values(&ends[1].x)?])
     }
 
-    /// If one function is also minimal at the minimum of the other, the front is that single point.
+    /// Returns the front as a single point, if one point minimises both functions.
     pub fn common_minimum(&self, ends: &[Solution; 2], values: [[f64; 2]; 2]) -> Option<Front> {
         let size = |k: usize| values[0][k].abs().max(values[1][k].abs());
         let is_minimal_at_both = |k: &usize| span_of(values, *k) <= SAME * size(*k);
@@ -173,7 +174,7 @@ impl FrontContext<'_> {
         {
             (domain.variables.low[i], domain.variables.high[i]) = (end.x[i], end.x[i]);
         }
-        // try without the limit first: if active bounds determine the minimum, it is not needed
+        // try without the limit first: it is not needed if active bounds determine the minimum
         let other = Combined::minimized(self.problem, weights_of(1 - k));
         let limited = Combined {
             constraint: Some(weights_of(k)),
@@ -217,7 +218,7 @@ pub(super) fn weights_of(k: usize) -> [f64; 2] {
     std::array::from_fn(|i| f64::from(u8::from(i == k)))
 }
 
-/// Increase of a function from its own minimum to that of the other.
+/// Increase of a function from its own minimum to the other function's minimum.
 pub(super) fn span_of(values: [[f64; 2]; 2], k: usize) -> f64 {
     values[1 - k][k] - values[k][k]
 }

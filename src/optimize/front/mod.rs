@@ -1,11 +1,11 @@
-//! Pareto front of two functions, from the minimum of one to that of the other, by continuation.
+//! Pareto front of two functions, by continuation from one function's minimum to the other's.
 //!
-//! Let a and b be the two functions, scaled to 0 at their own minimum and 1 at that of the other.
-//! The front is followed along s = a − b from −1 to 1: at each s, a + b is minimised subject to a −
-//! b = s (normal-boundary intersection, Das & Dennis 1998). The multiplier μ of this equality gives
-//! the slope of the front, da/db = −(1 − μ)/(1 + μ), and the KKT system gives dx/ds. The
-//! ε-constraint method, a bound ε on b, finds the same points, but dx/dε is infinite at an end in
-//! the interior of the bounds; dx/ds is not.
+//! Let a and b be the two functions, scaled to 0 at their own minimum and 1 at the other function's
+//! minimum. The front is followed along s = a − b from −1 to 1: at each s, a + b is minimised
+//! subject to a − b = s (normal-boundary intersection, Das & Dennis 1998). The multiplier μ of this
+//! equality gives the slope of the front, da/db = −(1 − μ)/(1 + μ), and the KKT system gives dx/ds.
+//! The ε-constraint method, a bound ε on b, finds the same points, but dx/dε is infinite at an end
+//! in the interior of the bounds; dx/ds is not.
 
 mod combined;
 mod compromise;

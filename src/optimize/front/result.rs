@@ -3,8 +3,8 @@ use crate::optimize::sensitivity::ActiveSet;
 use crate::optimize::solution::Solution;
 use crate::optimize::status::Status;
 
-/// Pareto front: nondominated compromises from the minimum of the first function to that of the
-/// second.
+/// Pareto front: nondominated compromises from the minimum of the first function to the minimum of
+/// the second.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Front {
     /// Points in order.

@@ -109,8 +109,8 @@ fn smallest_sum(path: &[PathPoint], knee: Option<&Compromise>) -> f64 {
         .fold(1.0, |least, place| f64::min(least, place.sum))
 }
 
-/// Converts a compromise to a point of the front. An end takes its active set from the search for
-/// its own function's minimum, because its multipliers vanish in the search for a compromise.
+/// Converts a compromise to a point of the front. An end takes its active set from the minimisation
+/// of a single function: in the search for a compromise its multipliers vanish.
 fn front_point(point: PathPoint, end_active_sets: &[ActiveSet; 2]) -> FrontPoint {
     let Compromise {
         at,
@@ -145,7 +145,7 @@ fn trace_from_both_ends(plane: &Plane<'_>, first: Compromise, second: Compromise
         context.distance(&place.x, &second.x) <= TOO_FAR && place.at >= 1.0 - STRAIGHT
     });
     if reaches_second {
-        // use the end from its own search
+        // replace the traced end by the result of the second function's minimisation
         let event = path
             .points
             .pop_if(|point| point.place.at >= 1.0)
@@ -174,7 +174,7 @@ fn trace_from_both_ends(plane: &Plane<'_>, first: Compromise, second: Compromise
     path
 }
 
-/// Joins two branches of a front; where they overlap, the better one remains.
+/// Joins two branches of a front, and keeps the better branch where they overlap.
 fn join_branches(mut path: Vec<PathPoint>, mut back: Vec<PathPoint>) -> Vec<PathPoint> {
     let (whole_path, whole_back) = (path.clone(), back.clone());
     path.retain(|point| !is_worse_than_branch(&point.place, &whole_back));
@@ -395,7 +395,7 @@ fn nondominated(
             .last_mut()
             .filter(|last| (last.place.at - point.place.at).abs() <= 2.0 * LOCATED);
         match duplicate {
-            // an end keeps the result of its own search
+            // prefer the result of a single function's minimisation at an end
             Some(last) if point.place.at >= 1.0 => *last = point,
             Some(last) if point.event.is_some() && last.place.at > -1.0 => *last = point,
             Some(_) => {}

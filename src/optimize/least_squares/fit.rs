@@ -36,9 +36,8 @@ const COSINE: &str = "cosine between the residuals and their slopes";
 pub enum Status {
     /// The sum is stationary within the bounds.
     Converged,
-    /// The sum is at a minimum that is not isolated: along some direction the residuals do not
-    /// change, or too little. The fit itself does not test this; `study::calibrate` does, from the
-    /// Jacobian.
+    /// The sum is at a minimum that is not isolated: along some direction the residuals hardly
+    /// change. The fit itself does not test this; `study::calibrate` does, from the Jacobian.
     Undetermined,
     /// The sum is at a minimum, but one residual is so large that the others have no influence. Set
     /// by `study::calibrate`, not by the fit.
@@ -133,8 +132,8 @@ pub fn fit(
     fit_observed(residuals, domain, start, options, &FitObserver::default())
 }
 
-/// Fits from every start in parallel; results by rising sum. The order does not depend on the
-/// number of threads. [`starts`](super::super::starts) spreads starts.
+/// Fits from every start in parallel; results sorted by increasing sum. The order does not depend
+/// on the number of threads. [`starts`](super::super::starts) creates starts.
 ///
 /// # Errors
 /// Errors of [`fit`]; [`Error::Optimizer`] without starts.

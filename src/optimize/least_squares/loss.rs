@@ -7,8 +7,8 @@ pub enum Loss {
     /// Squares: ½ r².
     #[default]
     Squares,
-    /// Huber (1964): ½ r² up to k, beyond it k |r| − ½ k². It limits the influence of outliers to
-    /// that of a residual k.
+    /// Huber (1964): ½ r² up to k, beyond it k |r| − ½ k². An outlier has no more influence than a
+    /// residual k.
     Huber(f64),
 }
 

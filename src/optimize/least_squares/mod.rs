@@ -47,7 +47,7 @@ pub trait Residuals {
     ///
     /// # Errors
     /// The reason, in a sentence, why the residuals are undefined at `x`. The fit then shortens its
-    /// step. If its [`interrupt`](FitObserver::interrupt) flag is set by then, it ends at the
+    /// step. If the [`interrupt`](FitObserver::interrupt) flag is set by then, the fit ends at the
     /// previous iterate.
     fn evaluate(&self, x: &[f64]) -> Result<Rows, String>;
 }
@@ -158,7 +158,7 @@ mod tests {
                 let e = (-b[1] * x).exp();
                 (b[0] * (1.0 - e), vec![1.0 - e, b[0] * x * e])
             },
-            // from (1, 1), its first published start, an unbounded search diverges to b₂ = ∞: see
+            // from (1, 1), the first published start, an unbounded search diverges to b₂ = ∞: see
             // the test within bounds
             starts: [&[100.0, 0.75], &[100.0, 0.75]],
             certified: &[2.138_094_088_9e2, 5.472_374_854_2e-1],
@@ -296,8 +296,8 @@ mod tests {
         );
     }
 
-    /// A nonlinear system with as many residuals as variables: at a zero of the residuals, which is
-    /// known to rounding only, the cosine carries no information.
+    /// A nonlinear system with as many residuals as variables: at its solution the residuals are
+    /// rounding errors, and the cosine carries no information.
     #[test]
     fn exact_zero_of_a_square_system_is_converged() {
         let curve = |x: &[f64]| {

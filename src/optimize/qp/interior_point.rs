@@ -69,7 +69,7 @@ impl ConeRow {
 
 /// Program in Clarabel's standard form, scaled: steps in units of the largest bound, the objective
 /// in units of its change over such a step, rows with a largest coefficient of 1. Clarabel's
-/// tolerances are absolute, so the scaling replaces its own equilibration.
+/// tolerances are absolute, so this scaling replaces Clarabel's equilibration.
 struct StandardForm {
     /// Number of variables. With several terms there is an epigraph variable t ≥ offsetₖ +
     /// gradientₖ · d.
@@ -107,7 +107,7 @@ impl InteriorPoint {
             solution.status,
             SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress
         );
-        // complementarity: the larger of multiplier z and slack s tells whether the constraint is
+        // complementarity: the larger of multiplier z and slack s shows whether the constraint is
         // active
         let first = form.equations.len();
         let mut active: Vec<(f64, ActiveConstraint)> = form

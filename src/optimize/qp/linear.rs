@@ -8,7 +8,8 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 const DEPENDENT: f64 = 1e-14;
 /// Eigenvalues below this, after equilibration, count as zero.
 const RANK: f64 = 1e-13;
-/// Equilibration ends when the largest entry of each row is within the square of this factor of 1.
+/// Equilibration ends when all its factors are between 1/4 and 4: the largest entry of each row is
+/// then between 1/16 and 16.
 const ALIKE: f64 = 4.0;
 /// Largest residual of dependent equations, relative to the largest right-hand side.
 const INCONSISTENT: f64 = 1e-9;
@@ -111,7 +112,7 @@ impl Equilibrated {
 }
 
 /// Equilibration factors of a symmetric matrix (Ruiz 2001): they bring the largest entry of each
-/// row to within [`ALIKE`] of 1.
+/// row near 1 (see [`ALIKE`]).
 fn equilibration_factors(matrix: &DMatrix<f64>) -> DVector<f64> {
     let n = matrix.nrows();
     let mut lengths = DVector::from_element(n, 1.0);
@@ -121,7 +122,7 @@ fn equilibration_factors(matrix: &DMatrix<f64>) -> DVector<f64> {
         for ((column, length), factor) in
             columns.zip(lengths.as_slice()).zip(factors.as_mut_slice())
         {
-            // all entries are finite
+            // cheaper than `f64::max`, which handles NaN: all entries are finite
             let larger = |most: f64, a: f64| if a > most { a } else { most };
             let entries = column
                 .iter()

@@ -68,7 +68,8 @@ impl KktSystem {
         }
     }
 
-    /// Adds the equation normal · d = limit of an active term or row, and its multiplier's column.
+    /// Adds the equation normal · d = limit of an active term or row, and the column of its
+    /// multiplier.
     fn add_equation(
         &mut self,
         at: usize,
@@ -89,7 +90,7 @@ impl KktSystem {
     }
 }
 
-/// Largest relative distance of Clarabel's solution from the exact one.
+/// Largest relative distance of Clarabel's solution from the polished solution.
 const NEARBY: f64 = 1e-6;
 /// Rounding error of a row's value, relative to its terms.
 const ROW_ROUNDING: f64 = 1e-11;
@@ -287,8 +288,8 @@ impl QuadraticProgram {
         system
     }
 
-    /// Corrects a working set from its candidate: a violated constraint becomes active, one whose
-    /// multiplier has the wrong sign inactive.
+    /// Corrects a working set from its candidate: a violated constraint becomes active, a
+    /// constraint whose multiplier has the wrong sign becomes inactive.
     fn corrected(&self, active: &WorkingSet, candidate: &Candidate) -> WorkingSet {
         let gradient = self.lagrangian_gradient(candidate);
         WorkingSet {

@@ -16,7 +16,7 @@ pub(in crate::optimize) struct QpSolver {
 const MOST_VIOLATION: f64 = 1e-6;
 
 impl QpSolver {
-    /// Solver whose first program of `n` variables, without rows, starts from no active bound.
+    /// Solver for programs of `n` variables without rows. Its first warm start has no active bound.
     pub fn from_no_active_bound(n: usize) -> Self {
         let active_set = WorkingSet {
             bounds: vec![Side::Inactive; n],

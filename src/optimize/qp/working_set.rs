@@ -31,8 +31,8 @@ impl WorkingSet {
             && self.max_terms.len() == program.max_terms.len()
     }
 
-    /// Working set of these constraints and of those that are always active: fixed variables,
-    /// equalities, and at least one term.
+    /// Working set of these constraints and of the constraints that are always active: fixed
+    /// variables, equalities, and at least one term.
     pub(super) fn new(
         program: &QuadraticProgram,
         active: impl IntoIterator<Item = ActiveConstraint>,

@@ -12,8 +12,8 @@ const FULL_LIFT: f64 = 0.02;
 /// line, rounded differently.
 const LEAST_DISTANCE: f64 = 1e-9;
 
-/// Width of the smooth clamp beyond the ends of an axis, as a part of the outer step. The splines
-/// are evaluated up to half of it beyond the last node.
+/// Width of the smooth clamp beyond the ends of an axis, as a fraction of the outermost interval.
+/// The splines are evaluated up to half this width beyond the last node.
 const CLAMP_WIDTH: f64 = 0.5;
 
 /// The grid of some nodes.
@@ -155,8 +155,8 @@ fn axis(variable: AxisVariable, lines: &[f64]) -> Axis {
     }
 }
 
-/// Checks that the splines are finite, and that their drag is not negative between the nodes and as
-/// far beyond them as they are evaluated.
+/// Checks that the splines are finite, and that their drag is not negative between the nodes and in
+/// the clamps beyond them.
 fn check_between_nodes(
     surface: &Surface,
     [columns, rows]: [usize; 2],

@@ -37,12 +37,12 @@ impl AxisVariable {
         }
     }
 
-    /// True if it belongs to the axis of the spin; else to the axis of the speed.
+    /// True for a variable of the spin axis, false for a variable of the speed axis.
     pub fn is_of_spin(self) -> bool {
         matches!(self, Self::SpinRatio | Self::Spin)
     }
 
-    /// Head of its column: `speed [m/s]`.
+    /// Head of the column: `speed [m/s]`.
     pub fn head(self) -> String {
         let (_, unit) = self.quantity();
         let name = self.names()[0];
@@ -57,7 +57,7 @@ impl AxisVariable {
 /// An axis of a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
-    /// Its variable.
+    /// Variable.
     pub variable: AxisVariable,
     /// First and last value, SI.
     pub ends: [f64; 2],

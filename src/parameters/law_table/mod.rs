@@ -93,18 +93,18 @@ impl LawTable {
         &self.file
     }
 
-    /// Its description in messages.
+    /// Description for messages.
     pub(crate) fn description(&self) -> &str {
         &self.description
     }
 
-    /// Its axes: speed and spin, or one of them.
+    /// The axes: speed and spin, or one of them.
     pub fn axes(&self) -> impl Iterator<Item = &Axis> {
         self.grid.axes()
     }
 
-    /// Its nodes in the order of the file: coordinates on the axes of speed and spin (0 without such
-    /// an axis), C_D, C_L.
+    /// The nodes in the order of the file: coordinates on the axes of speed and spin (0 without
+    /// such an axis), C_D, C_L.
     pub fn nodes(&self) -> &[[f64; 4]] {
         &self.nodes
     }

@@ -50,7 +50,7 @@ pub struct Calibration {
     /// Number of searches that ended at the smallest sum of squares (within a relative 1e-6).
     pub at_minimum: usize,
     /// Statuses of the other searches with their counts. Empty if the curvatures of optima were
-    /// renewed more than once, since then only the best search continues.
+    /// renewed more than once, because only the best search is then repeated.
     pub elsewhere: Vec<(Status, usize)>,
     /// Number of searches that were interrupted.
     pub stopped: usize,

@@ -226,7 +226,7 @@ pub fn calibrate(
     })
 }
 
-/// Starting points of the searches. At least at one of them, all rows can be computed.
+/// Starting points of the searches. All rows can be computed at one of them at least.
 fn starting_points(
     problem: &mut ShotResiduals<'_>,
     domain: &Domain,
@@ -263,7 +263,7 @@ fn no_start(problem: &ShotResiduals<'_>, own: &[f64], observer: &FitObserver) ->
     }
 }
 
-/// Searches from several starting points, with constant curvatures of optima at the end.
+/// Searches from several starting points, repeated with renewed curvatures of the optima.
 struct Searches {
     /// Fits in ascending order of the sum of squares.
     fits: Vec<Fit>,

@@ -69,7 +69,7 @@ impl HeldOut {
 ///
 /// # Errors
 /// [`Error::Calibration`] for fewer than 2 folds or more folds than rows, for a plan that does not
-/// fit the table, and for folds that leave a fit fewer values than parameters.
+/// fit the table, and for folds with fewer fitted values than parameters.
 pub fn check_folds(table: &ShotTable, plan: &FitPlan, folds: usize) -> Result<()> {
     let refuse = |reason: String| Err(Error::Calibration { reason });
     let rows = table.shots.len();

@@ -46,7 +46,7 @@ fn quantity(text: &str) -> Option<(Quantity, &'static str, f64)> {
 const AGREE: &str = "two radar units agree to about 0.5 % (golflaunchlab.com, a guide that names \
                      no test): {0.8 mph} of {165 mph}, rounded up";
 /// Launch angles: no source found.
-const TENTHS: &str = "assumed: three of the tenths of a degree that exports print";
+const TENTHS: &str = "assumed: three times the resolution of exports, 0.1°";
 /// Spin: no source found.
 const OF_SPIN: &str = "assumed: 4 % of a driver's 2500 rpm";
 /// Distances: difference between launch monitors for the same launch.
@@ -57,8 +57,8 @@ const APART: &str =
 const RUNS: &str = "the totals of two monitors on the same shots differ by {11.5 yd} (one standard \
                     deviation): {8 yd} each, docs/sources.md";
 /// Charts: published averages are rounded to whole yards and degrees.
-const ROUNDED: &str = "assumed: tables print whole units of length and whole degrees, and indoors \
-                       these are computed from the launch";
+const ROUNDED: &str = "assumed: tables print whole units of length and whole degrees; indoors \
+                       both are computed from the launch";
 
 /// All known or assumed uncertainties.
 const INSTRUMENTS: &[Instrument] = &[
@@ -135,7 +135,7 @@ const INSTRUMENTS: &[Instrument] = &[
     Instrument {
         outcome: Outcome::FlightTime,
         sigma: "0.1 s",
-        source: "assumed: tables print tenths of a second, and indoors these are computed from the \
+        source: "assumed: tables print tenths of a second; indoors times are computed from the \
                  launch",
     },
     Instrument {

@@ -39,8 +39,8 @@ fn reason(error: Error) -> String {
         // an unphysical parameter value diverges with any step size, so the advice to shorten the
         // step does not help
         Error::Diverged { time, .. } => format!(
-            "with these values of what is fitted the flight diverges at t = {} s: drag or lift is \
-             far too large",
+            "with these values of the fitted parameters the flight diverges at t = {} s: drag or \
+             lift is far too large",
             significant(time, 3)
         ),
         error => error.to_string(),
@@ -156,7 +156,7 @@ impl ShotResiduals<'_> {
         Ok(rows)
     }
 
-    /// The residuals of each shot with a setup, or its error.
+    /// Residuals of each shot flown with a setup, or the error of the shot.
     fn by_shot(&self, moved: &Setup<f64>) -> Result<Vec<Result<OfShot>>> {
         let all: Vec<_> = self.shots.iter().enumerate().collect();
         // the curvatures are missing before the first fit; then only the success of each shot is

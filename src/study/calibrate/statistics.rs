@@ -132,9 +132,11 @@ impl Columns {
             .collect()
     }
 
-    /// Returns direction `k` if the data do not determine it. This is so if its singular value is
-    /// 0, if one standard error along it exceeds a parameter's range, or if it is the largest
-    /// component of a standard error that exceeds this range.
+    /// Returns direction `k` if the data do not determine it, for one of three reasons:
+    ///
+    /// - its singular value is 0;
+    /// - one standard error along it exceeds the range of a parameter;
+    /// - it contributes most to a parameter's standard error that exceeds the range.
     fn undetermined(
         &self,
         k: usize,
@@ -306,7 +308,8 @@ fn check(rows: &Rows, n: usize) -> Result<()> {
     Ok(())
 }
 
-/// Covariance of all `n` parameters; `None` for those not in `free`, or undetermined.
+/// Covariance of all `n` parameters; `None` for parameters that are not in `free` or are
+/// undetermined.
 fn covariance(
     free: &Columns,
     n: usize,
@@ -426,7 +429,7 @@ mod tests {
                 (line.scale, line.degrees_of_freedom, line.probability),
                 (scale, 0, None)
             );
-            // variance of the slope: that of a difference of two values
+            // variance of the slope: variance of a difference of two values
             assert_eq!(
                 line.covariance[1][1].map(|variance| (variance - 2.0).abs() < 1e-12),
                 scale.map(|_| true)
@@ -465,7 +468,8 @@ mod tests {
             (None, None)
         );
 
-        // correlation 0.6: 1.12 and 0.56 along the two directions give a standard error of 1.25
+        // correlation 0.6: standard errors of 1.12 and 0.56 along the two directions combine to
+        // 1.25
         let rows = Rows {
             residuals: vec![0.3, -0.3],
             jacobian: vec![vec![1.0, 0.6], vec![0.0, 0.8]],

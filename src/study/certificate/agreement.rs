@@ -10,8 +10,7 @@ use num_dual::Dual64;
 /// Relative tolerance.
 const RELATIVE: f64 = 1e-9;
 
-/// Rounding tolerance, in units of the numbers that the outcome is computed from, divided by the
-/// parameter's scale.
+/// Rounding tolerance, relative to the magnitude of the outcome's terms over the parameter's scale.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A first derivative over jets compared with num-dual.

@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 
 /// Step sizes. An outcome evaluated within a single step (the apex) has errors that vary with its
-/// position in the step; neighbouring step sizes average that.
+/// position in the step; neighbouring step sizes average this effect.
 const LEVELS: Levels = Levels {
     coarsest: 16,
     count: 6,
@@ -243,8 +243,8 @@ impl Comparison<'_> {
     }
 }
 
-/// Flight time at the reference step. The setup's own step may leave an error comparable with the
-/// steps compared here, which would then end at the landing.
+/// Flight time at the reference step. With the setup's own step its error may be comparable with
+/// the steps compared here, and one of these steps could end at the landing.
 fn fine_flight_time(setup: &Setup<f64>, about: f64) -> Option<f64> {
     let mut setup = *setup;
     setup.flight.step = about / f64::from(REFERENCE);

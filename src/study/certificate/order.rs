@@ -74,8 +74,9 @@ pub(super) fn measure(
 }
 
 /// Measures the order of irregular errors, for which no fit works: only the largest error per level
-/// decreases with a power of the step. It must fall short over all levels and over the finest two,
-/// since coarse steps cross several joins at once and converge more slowly.
+/// decreases with a power of the step. It falls short only if it is too low over all levels and
+/// also over the finest two, because coarse steps cross several joins at once and converge more
+/// slowly.
 pub(super) fn measure_largest(
     samples: &[Errors],
     expected: u32,
@@ -233,7 +234,7 @@ mod tests {
 
     #[test]
     fn order_of_an_error_that_passes_through_zero() {
-        // h⁴ (1 − h/h₀) with a zero anywhere from far above the steps to far below
+        // h⁴ (1 − h/h₀) with a zero h₀ from far above the steps to far below
         for k in 0..60 {
             let zero = 10.0_f64.powf(-3.0 + 0.05 * f64::from(k));
             assert!(!falls_short(|h| h.powi(4) * (1.0 - h / zero), 4), "{zero}");
@@ -258,8 +259,7 @@ mod tests {
         }
     }
 
-    /// Peano kernel of Simpson's rule over a unit step for (t − θ)³/6 from θ on, and for one
-    /// continuous derivative less.
+    /// Error of Simpson's rule over a unit step (Peano kernel) for (t − θ)₊³/6 and for (t − θ)₊²/2.
     fn kernels(theta: f64) -> [f64; 2] {
         let (left, half) = (1.0 - theta, (0.5 - theta).max(0.0));
         [
@@ -268,8 +268,8 @@ mod tests {
         ]
     }
 
-    /// Joins with two continuous derivatives keep order 4; joins with one give order 3, which about
-    /// half of the sets detect.
+    /// Joins with two continuous derivatives keep order 4; joins with one continuous derivative
+    /// give order 3, which about half of the sets detect.
     #[test]
     fn order_of_the_largest_errors_across_joins() {
         let mut found = 0;

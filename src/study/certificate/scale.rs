@@ -40,9 +40,9 @@ fn usual(parameter: &Parameter) -> f64 {
     units * parameter.quantity.size_of(parameter.unit).unwrap_or(1.0)
 }
 
-/// Magnitude of the terms that an outcome is computed from, SI; its rounding error is relative to
-/// them. Lateral distance: the carry. Angle of a direction: 1. Spin from an impact: the ball speed
-/// divided by the ball radius.
+/// Magnitude of the terms that an outcome is computed from, SI; the outcome's rounding error is
+/// relative to this. Lateral distance: the carry. Angle of a direction: 1. Spin from an impact: the
+/// ball speed divided by the ball radius.
 pub(super) fn size(of: Outcome, setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
     let launch = &drive.launch;
     let made_of = match (&drive.flight, of.quantity()) {

@@ -61,8 +61,8 @@ pub struct Shares {
     /// Difference minus the sum of the shares, SI. At most `error`, unless a derivative is
     /// discontinuous on the path.
     pub remainder: f64,
-    /// Error estimate of a share, SI: rounding, 1e-11 of the outcome, for a smooth aerodynamic law,
-    /// up to 1e-8 for a piecewise one.
+    /// Error estimate of a share, SI. For a smooth aerodynamic law it is rounding (1e-11 of the
+    /// outcome), for a piecewise law at most 1e-8.
     pub error: f64,
 }
 
@@ -154,8 +154,8 @@ impl Comparison {
             .collect()
     }
 
-    /// Splits by parameter and, if the path between the launches differs, by launch condition, for
-    /// the outcomes that both drives have.
+    /// Splits of the outcomes that both drives have: by parameter and, if the launches have a path
+    /// of their own, by launch condition.
     fn splits(&self, of: &[Outcome]) -> (Split<'_>, Option<Split<'_>>) {
         let has = |of: &Outcome| self.drives.iter().all(|drive| of.value(drive).is_some());
         let of: Vec<Outcome> = of.iter().copied().filter(has).collect();

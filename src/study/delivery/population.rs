@@ -35,7 +35,7 @@ pub struct Recovered {
     /// Standard deviation over the swings.
     pub deviation: f64,
     /// Fraction of the prior variance that a single shot removes at the mean swing. The remaining
-    /// variance is that of the prior.
+    /// variance comes from the prior.
     pub variance_removed: f64,
     /// Standard uncertainty of the mean.
     pub mean_error: f64,
@@ -180,7 +180,7 @@ struct Solution {
     prior_factor: f64,
 }
 
-/// Computes the distribution for one prior factor, iterated until it is linearized about its own
+/// Computes the distribution for one prior factor, iterated until the linearization point is its
 /// mean.
 fn converged(
     setup: &Setup<f64>,
@@ -246,8 +246,8 @@ impl Solution {
                 of_mean,
                 of_variance,
             } = errors[i];
-            // along unidentified directions the prior mean may be wrong, and the prior deviation
-            // may or may not be present
+            // along unidentified directions the prior mean may be wrong, and the swings may scatter
+            // less than the prior
             let by_deviation = (variance + of_variance).max(0.0).sqrt() - variance.max(0.0).sqrt();
             Recovered {
                 parameter: unknown.parameter,

@@ -109,7 +109,7 @@ fn check(measured: &[Measurement], unknowns: &[Unknown]) -> Result<()> {
     Ok(())
 }
 
-/// Posterior of each unknown at `x`: covariance (JᵀJ + I)⁻¹ of the `free` ones, in units of the
+/// Posterior of each unknown at `x`: covariance (JᵀJ + I)⁻¹ of the `free` unknowns, in units of the
 /// prior.
 fn posteriors(
     jacobian: &DMatrix<f64>,

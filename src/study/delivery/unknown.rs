@@ -47,8 +47,8 @@ const CLUB_UNCERTAINTIES: [(&str, &str); 4] = [
 const REACH: f64 = 4.0;
 
 impl Unknown {
-    /// The unknown after a launch monitor measured it, with the monitor's uncertainty unless the
-    /// user gave one.
+    /// The unknown with a launch monitor's value as prior. The uncertainty is the monitor's, unless
+    /// the user gave one.
     pub fn measured_as(self, value: f64) -> Self {
         let Self {
             parameter,
@@ -109,7 +109,8 @@ fn search_range(parameter: &Parameter, value: f64, sigma: f64) -> Option<[f64; 2
 ///
 /// # Errors
 /// [`Error::Delivery`] for a parameter that does not affect the launch, or an empty search range;
-/// [`Error::Unreadable`] for an uncertainty given twice, or for a parameter that is not unknown.
+/// [`Error::Unreadable`] for an uncertainty given twice, or for a parameter that is not among the
+/// unknowns.
 pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<Vec<Unknown>> {
     for (i, sigma) in sigmas.iter().enumerate() {
         if sigmas[..i]

@@ -167,8 +167,8 @@ impl Design {
         });
     }
 
-    /// Enforces a rule on the head's inertia. `None` if the varied parameters change the inertia,
-    /// so that a constraint is needed; otherwise a check of the setup or the swings.
+    /// Checks a rule on the head's inertia, for the setup or the swings. `None` if the varied
+    /// parameters change the inertia: the search then needs a constraint.
     fn of_head(
         &mut self,
         setup: &Setup<f64>,

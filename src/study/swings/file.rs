@@ -28,8 +28,8 @@ impl Swings {
     ///
     /// # Errors
     /// [`Error::Unreadable`] for a file that cannot be opened; [`Error::Toml`] and
-    /// [`Error::InFile`], which name the line; as [`open_table`], [`Swings::distributed`] and
-    /// [`Swings::recorded`].
+    /// [`Error::InFile`], which name the line; the errors of [`open_table`],
+    /// [`Swings::distributed`] and [`Swings::recorded`].
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         if path
             .extension()

@@ -26,7 +26,7 @@ use std::sync::atomic::AtomicBool;
 /// let loft = setup.variable("club.loft").unwrap();
 /// let mean = GoalFunction::new(&setup, &Goal::read("mean(carry)", None).unwrap(), &[loft], scenarios).unwrap();
 /// let at_ten_degrees = mean.at(&[10.0_f64.to_radians()], Order::First).unwrap();
-/// assert!(at_ten_degrees.gradient[0] > 0.0); // of these swings the best loft is higher
+/// assert!(at_ten_degrees.gradient[0] > 0.0); // a higher loft is better for these swings
 /// ```
 pub struct GoalFunction {
     problem: SearchProblem,

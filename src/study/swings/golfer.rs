@@ -259,7 +259,7 @@ mod tests {
                 assert!((product - a[i][j]).abs() < 1e-15);
             }
         }
-        // three numbers cannot all be opposite to one another
+        // three numbers cannot all have strong negative correlations
         let opposite = [
             vec![1.0, -0.9, -0.9],
             vec![-0.9, 1.0, -0.9],

@@ -106,8 +106,8 @@ impl Measure {
     }
 
     /// Measure with smoothed kinks and jumps, from the values or gradients of its outcomes in each
-    /// scenario. To second order it uses those Hessians that the outcomes have. The result is 0 for
-    /// a parameter of the design, which has no outcomes.
+    /// scenario. The second order uses the Hessians of the outcomes that have one. The result is 0
+    /// for a parameter of the design, which has no outcomes.
     pub(in crate::study) fn smoothed(
         &self,
         drives: &[Vec<&Taylor>],
@@ -251,8 +251,8 @@ fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
 /// max over t of t − 1/α Σ wₖ φ(t − uₖ), φ(z) = (z + √(z² + 4ε²))/2 with uₖ = ±fₖ: for ε → 0 the
 /// mean of the lowest share α of uₖ.
 ///
-/// At the maximum the derivative by t is 0, so that gradients are those at fixed t. The Hessian
-/// includes the change of t.
+/// At the maximum the derivative by t is 0, so that the gradient equals the gradient at fixed t.
+/// The Hessian includes the change of t.
 fn lowest(
     drives: &[(&Taylor, f64)],
     sign: f64,

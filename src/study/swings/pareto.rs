@@ -25,7 +25,8 @@ pub struct ParetoSearch {
     pub options: Options,
 }
 
-/// The best compromises between two goals, from the best of the first to the best of the second.
+/// The best compromises between two goals, from the optimum of the first goal to the optimum of the
+/// second.
 #[derive(Clone, Debug)]
 pub struct Pareto {
     /// The search.
@@ -167,7 +168,7 @@ pub fn pareto(
         ended,
         interrupted,
     } = found.map_err(|error| named(error, &search, &problem))?;
-    // convert the slope of the minimized functions to that of the goals
+    // convert the slope of the minimized functions to the slope of the goals
     let sign = sense.sign() * against.sign();
     let point = |point: FrontPoint| search.point(&problem, point, sign);
     let points = points.into_iter().map(point).collect::<Result<Vec<_>>>()?;
@@ -189,7 +190,7 @@ pub fn pareto(
 
 impl ParetoSearch {
     /// A point of the front with its goals, also after an interrupt. `sign` converts the slope of
-    /// the minimized functions to that of the goals.
+    /// the minimized functions to the slope of the goals.
     fn point(&self, problem: &SearchProblem, point: FrontPoint, sign: f64) -> Result<ParetoPoint> {
         let never = AtomicBool::new(false);
         let values = problem.values_until(&point.x, &never)?;

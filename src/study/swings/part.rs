@@ -1,4 +1,4 @@
-//! Subset of the scenarios whose second derivatives represent those of all scenarios.
+//! Subset of the scenarios whose second derivatives represent all scenarios.
 
 use super::scenarios::{Rule, Scenarios};
 use nalgebra::{DMatrix, DVector};
@@ -118,7 +118,7 @@ mod tests {
         .unwrap()
     }
 
-    /// Means of quadratic functions over the subset equal those over all scenarios.
+    /// Means of quadratic functions over the subset equal the means over all scenarios.
     #[test]
     fn exact_means_of_quadratic_functions_over_a_part() {
         let all = scenarios(500);

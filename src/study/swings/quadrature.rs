@@ -53,7 +53,7 @@ fn rule_of(parts: &[[f64; 2]], density: &dyn Fn(f64) -> f64, nodes: usize) -> No
                 .into_iter()
                 .map(move |(x, weight)| (x, weight * (part[1] - part[0])))
         });
-    // between -1 and 1, where the polynomials stay small
+    // map x to [−1, 1], where the polynomials stay small
     let sampled: Nodes = sampled
         .map(|(x, weight)| ((x - middle) / half, weight * density(x)))
         .collect();
@@ -139,7 +139,8 @@ mod tests {
     }
 
     /// The rules reproduce the mean and the next three central moments, which have closed forms.
-    /// Those of the truncated normal distribution are as accurate as the library's error function.
+    /// The closed forms of the truncated normal distribution are as accurate as the library's error
+    /// function.
     #[test]
     fn moments_of_each_rule_by_closed_forms() {
         let all = [

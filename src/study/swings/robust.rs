@@ -105,7 +105,7 @@ impl Model {
         for (changes, reason) in USUAL {
             let mut changed = *setup;
             changed.set_all(changes)?;
-            // a launch that is given has no impact
+            // a given launch replaces the impact, so a change of the impact has no effect
             let is_idle = setup.launch.is_given()
                 && changes.iter().any(|(name, _)| name.starts_with("impact."));
             if changed != *setup && !is_idle {
@@ -130,8 +130,8 @@ pub struct Robust {
     pub search: Search,
     /// The models, each with its own best design.
     pub models: Vec<(Model, Optimum)>,
-    /// The loss of each model (row) with the best design of each (column), against its own best
-    /// design; `None` if a constraint is violated or a swing does not fly.
+    /// Loss of each model (row) with the best design of each model (column), relative to the row's
+    /// own best design; `None` if a constraint is violated or a swing does not fly.
     pub matrix: Vec<Vec<Option<f64>>>,
     /// Result of the search for the minimax design. Its variables are the design parameters and the
     /// greatest loss t.
@@ -144,8 +144,8 @@ pub struct Robust {
     pub goals: Vec<Vec<f64>>,
     /// The loss of each model with this design.
     pub losses: Vec<f64>,
-    /// The multiplier of the loss of each model. They sum to 1, and are 0 for models that lose less
-    /// than the greatest loss.
+    /// Multiplier of each model's loss. The multipliers sum to 1, and are 0 for models that lose
+    /// less than the greatest loss.
     pub shares: Vec<f64>,
     /// The loss of each model with the design as set up; `None` if a constraint is violated or a
     /// swing does not fly.
@@ -187,9 +187,9 @@ impl Robust {
         })
     }
 
-    /// The decrease of the greatest loss for each unit by which the lower bound of a variable is
-    /// lowered, and its upper bound raised: the multipliers, less the gains of each model's own best
-    /// design, weighted by [`shares`](Self::shares).
+    /// Decrease of the greatest loss per unit by which the lower bound of a variable is lowered,
+    /// and per unit by which its upper bound is raised: the multiplier minus the gains of the
+    /// models' own best designs, weighted by [`shares`](Self::shares).
     pub fn bound_prices(&self, variable: usize) -> [f64; 2] {
         let price = |multipliers: fn(&Solution) -> &[f64]| {
             let of_bests = self.shares.iter().zip(&self.models);
@@ -341,7 +341,7 @@ pub fn robust(
 /// The models, each with its own best design.
 ///
 /// # Errors
-/// [`Error::NotConverged`] for a model without one.
+/// [`Error::NotConverged`] for a model without a best design.
 fn best_of_each(
     models: Vec<Model>,
     search: &Search,

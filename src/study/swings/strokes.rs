@@ -9,7 +9,7 @@ use std::path::Path;
 /// through a table. It is C², and linear beyond the ends of the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Strokes {
-    /// Distances, m, rising.
+    /// Distances, m, ascending.
     distance: Vec<f64>,
     strokes: Vec<f64>,
     /// Second derivatives at the distances.

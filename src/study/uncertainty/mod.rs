@@ -166,7 +166,7 @@ impl OutcomeUncertainty {
         let totals: Option<f64> = others
             .map(|(_, indices)| Some(indices.as_ref()?.total.value))
             .sum();
-        // the sum of the other total indices is an upper bound; it is far better known if one index
+        // the sum of the other total indices is an upper bound, which is more accurate if one index
         // is close to 1
         let left = totals
             .filter(|most| *most < 1.0 - share.low)

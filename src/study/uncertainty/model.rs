@@ -63,8 +63,8 @@ pub struct Statistics {
     pub left_out: usize,
 }
 
-/// Sample of Saltelli's design: two independent sets A and B, and for each variable A with that
-/// variable from B.
+/// Sample of Saltelli's design: two independent sets A and B, and for each variable a copy of A
+/// with this variable from B.
 #[derive(Clone, Debug)]
 pub struct Design {
     /// A, B, then A with variable 1 from B, A with variable 2 from B …; one row per point.

@@ -31,7 +31,7 @@ impl Compared {
         Self::Spin,
     ];
 
-    /// Name, also of its data column.
+    /// Name, also of the data column.
     pub fn name(self) -> &'static str {
         match self {
             Self::Carry => "carry",

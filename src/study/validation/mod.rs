@@ -82,7 +82,7 @@ pub struct SetScores {
     pub set: &'static Set,
     /// Its cases.
     pub cases: Vec<Case>,
-    /// The laws in the order of [`Law::NAMES`], then a user's own.
+    /// The laws in the order of [`Law::NAMES`], then a user's own law.
     pub laws: Vec<LawScores>,
 }
 

@@ -13,7 +13,7 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 
 /// Reads the rows of a CSV file. Heads are parameters with units (`club.loft [deg]`,
-/// `impact.restitution`) or those of a launch monitor (`Ball Speed [mph]`). Commas, semicolons or
+/// `impact.restitution`) or heads of a launch monitor (`Ball Speed [mph]`). Commas, semicolons or
 /// tabs separate cells.
 pub(super) struct CsvRows {
     path: PathBuf,

@@ -32,9 +32,9 @@ pub(super) struct RecordBatches {
 
 /// Order of the record batches.
 enum Order {
-    /// A file lists their offsets in its footer.
+    /// A file lists the offsets of its record batches in the footer.
     Listed { starts: Vec<u64>, next: usize },
-    /// In a stream they follow one another, up to the end marker.
+    /// In a stream the record batches follow one another, up to the end marker.
     Following { first: u64, next: u64 },
 }
 
