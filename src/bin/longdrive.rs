@@ -1,4 +1,4 @@
-//! The program: its commands are those of [`longdrive::command`].
+//! The program: runs the commands of [`longdrive::command`].
 
 fn main() -> std::process::ExitCode {
     longdrive::command::main()

@@ -239,7 +239,7 @@ impl<'a> CrossValidation<'a> {
     }
 }
 
-/// Returns true if the values are fitted. After an interruption they are those of the last
+/// Returns true if the values are fitted. After an interruption they are the values of the last
 /// iteration.
 fn is_fitted(found: &Calibration) -> bool {
     found.is_minimum

@@ -67,7 +67,7 @@ impl Found {
     }
 
     /// All warnings. The host gets only the warnings about the deliveries, because it already has
-    /// those of the table.
+    /// the warnings of the table.
     fn warnings(&self) -> Vec<Message> {
         let mut warnings = vec![];
         if self.left_out > 0 {

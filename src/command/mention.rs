@@ -16,7 +16,7 @@ pub struct Argument<'a> {
     pub name: &'a str,
     /// The value, if the message gives one.
     pub value: Option<&'a str>,
-    /// True if it takes a value; `overwrite` takes none.
+    /// True if the argument takes a value; `overwrite` takes none.
     pub takes_value: bool,
 }
 

@@ -81,8 +81,8 @@ impl Target {
         })
     }
 
-    /// Writes the plot; `of_optima` are the warnings about its optima, in addition to those about
-    /// the drive of the setup.
+    /// Writes the plot; `of_optima` are the warnings about its optima, in addition to the warnings
+    /// about the setup's drive.
     pub fn written(
         &self,
         request: &Request,

@@ -5,14 +5,14 @@ use crate::parameters::{Parameter, Vary};
 use crate::study::Search;
 use crate::{Error, Result, Setup};
 
-/// Default ranges, divided by the settings of the command line: a stated parameter is held.
+/// The default ranges of a command. A parameter that the command line states is not varied.
 pub struct DefaultRanges {
     vary: Vec<Vary>,
     held: Vec<&'static Parameter>,
 }
 
 impl DefaultRanges {
-    /// Divides the default ranges of a command.
+    /// Separates the parameters to vary from the parameters that the command line states.
     pub fn new(ranges: Vec<Vary>, request: &Request) -> Self {
         let (held, vary): (Vec<_>, Vec<_>) = ranges
             .into_iter()
@@ -45,7 +45,7 @@ impl DefaultRanges {
         Ok(Self::new(vec![loft], request))
     }
 
-    /// The ranges without that of the parameter of a chart.
+    /// The ranges without the parameter of a chart.
     pub fn without(mut self, along: &Parameter) -> Self {
         self.vary.retain(|range| range.parameter.name != along.name);
         self

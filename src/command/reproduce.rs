@@ -40,7 +40,7 @@ pub fn run(args: &Reproduce) -> Result<Answer> {
 }
 
 /// Writes the report of a study if a folder is given, and returns the answer. The default units are
-/// those of the study.
+/// the study's.
 fn answer(
     report: &impl Report,
     units: System,
@@ -59,7 +59,7 @@ fn answer(
     })
 }
 
-/// The document for a system of units, from the two in [`System::ALL`].
+/// The document for a system of units, from its two versions in [`System::ALL`].
 pub fn chosen(documents: &[Document; 2], system: System) -> &Document {
     &documents[usize::from(system == System::ALL[1])]
 }

@@ -383,7 +383,7 @@ pub fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal>
     })
 }
 
-/// Ranges of the drives in a search: those of the varied parameters, and those of the swings.
+/// Ranges of the drives in a search: ranges of the varied parameters and of the swings.
 pub fn ranges(search: &Search) -> Vec<Vary> {
     swing_ranges(&search.vary, &search.scenarios)
 }

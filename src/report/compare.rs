@@ -52,8 +52,8 @@ pub struct DifferenceReport {
     /// The shares of the parameters that differ.
     pub by_parameter: Option<SharesReport>,
     /// The shares of the launch conditions and the other inputs of the flight. `null` for an
-    /// outcome of the launch, and if the setups state the launches: then these inputs are the
-    /// parameters.
+    /// outcome of the launch, and if the setups state the launches: the shares are then in
+    /// `by_parameter`.
     pub by_launch: Option<SharesReport>,
     /// The reason why the drives cannot be compared; `null` if they can.
     pub message: Option<String>,

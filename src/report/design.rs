@@ -29,7 +29,7 @@ pub struct Designed<'a> {
 }
 
 impl Designed<'_> {
-    /// The answer of `design`: that of the search, with the rules and limits.
+    /// The answer of `design`: the answer of the search, with the rules and limits.
     pub fn reply(&self, swings: Reply<OptimumReport>) -> Reply<OptimumReport> {
         let before = self
             .best

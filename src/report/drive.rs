@@ -109,7 +109,7 @@ impl Report for DriveReport<'_> {
     }
 
     /// The numbers of a launch monitor, then the flight. Each value is in the units of `system`,
-    /// then in those of the other system.
+    /// then in the units of the other system.
     fn document(&self, system: System) -> Document {
         let Self {
             setup_in_si, drive, ..

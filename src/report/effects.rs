@@ -23,7 +23,7 @@ pub struct EffectsReport<'a> {
     totals: Option<(Outcome, &'a Totals)>,
     /// Each outcome, in the order requested.
     pub outcomes: Vec<OutcomeEffects>,
-    /// The optimum, if the effects are those of its drive; `null` for the drive as set up.
+    /// The optimum, if the effects belong to the optimal drive; `null` for the drive as set up.
     pub at_optimum: Option<OptimumReport>,
 }
 
@@ -66,8 +66,8 @@ pub struct EffectReport {
 }
 
 impl<'a> EffectsReport<'a> {
-    /// The report of these effects: those of the drive as set up, or those of the optimum `best`.
-    /// `totals` are the optimized outcome and the sensitivities of its optimal value.
+    /// The report of these effects: effects on the drive as set up, or on the drive of the optimum
+    /// `best`. `totals` are the optimized outcome and the sensitivities of its optimal value.
     pub fn new(
         found: &'a [Effects],
         best: Option<&Optimum>,

@@ -31,7 +31,7 @@ pub struct OutcomeReport {
     pub gradient: Option<ByName<Number>>,
     /// The second derivatives; `null` if they were not requested.
     pub hessian: Option<Matrix>,
-    /// The reason why the drive does not have the outcome; `null` if it has.
+    /// The reason why the drive does not have the outcome; `null` if it has the outcome.
     pub message: Option<String>,
 }
 

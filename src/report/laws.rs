@@ -18,9 +18,9 @@ pub struct LawsReport {
 pub struct LawReport {
     #[serde(skip)]
     fitted_in_si: Fitted,
-    /// The name by which a setup chooses it.
+    /// The name of the law in setups.
     pub name: &'static str,
-    /// True for the law of a setup that states none.
+    /// True for the default law.
     pub is_default: bool,
     /// The authors.
     pub authors: &'static str,

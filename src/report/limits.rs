@@ -1,4 +1,4 @@
-//! Bounds and constraints at an optimum in words: the active ones, with their multipliers.
+//! Active bounds and constraints at an optimum in words, with their multipliers.
 
 use super::shown;
 use crate::optimize::{ConstraintValue, Status};

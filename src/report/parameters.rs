@@ -18,7 +18,7 @@ pub struct ParametersReport<'a> {
     pub law: &'static str,
     /// All laws.
     pub laws: &'static [&'static str],
-    /// The parameters of the setup, then those of the other laws.
+    /// The parameters of the setup, then the parameters of the other laws.
     pub parameters: Vec<ParameterReport>,
 }
 

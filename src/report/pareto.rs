@@ -33,7 +33,7 @@ pub struct ParetoReport<'a> {
     found: &'a Pareto,
     /// The two goals.
     pub goals: Vec<ParetoGoalReport>,
-    /// The points, from the optimum of the first goal to that of the second.
+    /// The points, from the optimum of the first goal to the optimum of the second.
     pub points: Vec<ParetoPointReport>,
     /// The index of the knee in `points`; `null` without one.
     pub knee: Option<usize>,

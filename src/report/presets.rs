@@ -64,7 +64,7 @@ impl Choices {
 }
 
 /// The values of a preset with their sources. For values that the preset does not change, the
-/// source is that of the parameter's default.
+/// source is the source of the parameter's default.
 pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> {
     let entry = |name: &str| preset.entries.iter().find(|entry| entry.name == name);
     let mut rows: Vec<_> = setup
@@ -102,8 +102,7 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> 
 }
 
 /// The values of a setup with their sources. They are in the units of `system`; without a system,
-/// in the spelling of input. A value that differs from that of the preset has the source "as
-/// given".
+/// in the spelling of input. A value that differs from the preset's has the source "as given".
 pub(super) fn sources(
     setup: &Setup<f64>,
     preset: &Preset,
@@ -165,7 +164,7 @@ pub(super) fn sources(
     Ok(rows)
 }
 
-/// A number or choice that differs from that of the preset, formatted for display.
+/// A number or choice that differs from the preset's, formatted for display.
 pub struct Change {
     /// The parameter; `None` for a choice.
     pub parameter: Option<&'static Parameter>,

@@ -67,7 +67,7 @@ impl Published {
         two_decimals(quantity, self.system.unit(unit), value)
     }
 
-    /// A computed number minus the printed one, with its sign.
+    /// A computed number minus the printed number, with its sign.
     pub fn difference(self, quantity: Quantity, unit: &'static str, difference: f64) -> String {
         signed(difference, self.computed(quantity, unit, difference))
     }

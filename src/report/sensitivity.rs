@@ -42,7 +42,8 @@ pub struct SensitivityReport {
 pub struct AnalysisReport {
     /// The derivatives of the optimum by each parameter.
     pub sensitivity: Option<ByName<SensitivityOf>>,
-    /// For each varied parameter, its range when it alone varies and costs at most the stated loss.
+    /// The window of each varied parameter: its range of at most the stated loss, with all other
+    /// parameters at the optimum.
     pub window: Option<ByName<WindowReport>>,
     /// The loss, SI.
     pub window_loss: Number,
@@ -67,7 +68,7 @@ pub struct SensitivityOf {
     pub message: Option<String>,
 }
 
-/// The range of a parameter that alone varies and costs at most the stated loss.
+/// The range of a parameter with at most the stated loss, with all other parameters at the optimum.
 #[derive(Clone, Debug, Serialize)]
 pub struct WindowReport {
     /// Lower end.
@@ -85,13 +86,13 @@ pub struct WindowReport {
 pub struct DirectionReport {
     /// The components of the direction, by parameter.
     pub along: ByName<Number>,
-    /// The multiple of the direction that costs the stated loss in the quadratic model.
+    /// The multiple of the direction at which the quadratic model has the stated loss.
     pub reach: Number,
     /// The losses of drives computed at this multiple, in both directions.
     pub losses: [Option<f64>; 2],
 }
 
-/// The ellipse of two parameters on which the quadratic model costs the stated loss.
+/// The ellipse in two parameters on which the quadratic model has the stated loss.
 #[derive(Clone, Debug, Serialize)]
 pub struct FlatEllipseReport {
     /// The parameters.

@@ -167,7 +167,7 @@ fn computed(parameter: &Parameter, value: f64) -> Message {
 }
 
 /// Largest distance from an end of a range, relative to the range, that counts as the end: a search
-/// that did not converge stops near it.
+/// that did not converge stops near the end.
 const AT_THE_END: f64 = 1e-6;
 
 /// A value of a varied parameter. It gets more digits if rounding would show it as an end of the

@@ -9,7 +9,7 @@ const MARGIN: usize = 2;
 
 /// A table without rules; the columns `right` are right-aligned. In a table that is too wide, the
 /// last column is wrapped if it contains text. Otherwise the table continues below with the
-/// remaining columns, after a repetition of the first one.
+/// remaining columns, after a repetition of the first column.
 pub(super) fn table(
     head: &[&str],
     right: &[usize],

@@ -17,8 +17,8 @@ pub struct LoopRow {
 }
 
 impl LoopRow {
-    /// Difference of the loop's carry at the step nearest to 1e-8 of the scale, which is what an
-    /// optimizer uses.
+    /// Difference of the loop's carry at the step nearest to 1e-8 of the scale, as optimizers use
+    /// it.
     pub fn small_difference(&self) -> Option<f64> {
         let distance = |step: f64| (step / self.scale / 1e-8).ln().abs();
         let nearest = self
@@ -29,7 +29,7 @@ impl LoopRow {
         nearest.map(|point| point.difference)
     }
 
-    /// True if this difference has the wrong sign.
+    /// True if [`small_difference`](Self::small_difference) has the wrong sign.
     pub fn has_wrong_sign(&self) -> bool {
         self.small_difference()
             .is_some_and(|difference| difference * self.check.exact < 0.0)

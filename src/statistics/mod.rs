@@ -13,7 +13,7 @@
 //! let speed = setup.variable("swing.speed").unwrap();
 //! let batch = Batch::new(&setup, &[speed], &[Outcome::BallSpeed], &[]).unwrap();
 //! let fastest = SummarySpec::new(&batch, &[], &[RankingSpec::read("ball_speed:1", true).unwrap()]).unwrap();
-//! // two blocks of rows, and what they are like together
+//! // two blocks of rows, and their merged summary
 //! let mut summary = fastest.of(&batch.evaluate(0, vec![40.0, 50.0]));
 //! summary.merge(&fastest.of(&batch.evaluate(2, vec![45.0])));
 //! assert_eq!((summary.rows(), summary.best[0].rows[0].row), (3, 1));

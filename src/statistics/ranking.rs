@@ -63,7 +63,7 @@ pub struct RankedRow {
     /// Value of the outcome.
     pub value: f64,
     /// Values of the swept parameters, by name. A value missing in a table of points is `None`; an
-    /// infinite one (a flat face) is the text `inf`.
+    /// infinite value (a flat face) is the text `inf`.
     pub point: BTreeMap<String, Option<Coordinate>>,
 }
 

@@ -6,8 +6,8 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Warning for an interrupted check of the validity limits.
-pub(super) const NOT_LOOKED_AT: &str = "the validity limits of the drives were not checked: the work was \
-                                        stopped before";
+pub(super) const NOT_LOOKED_AT: &str = "the validity limits of the drives were not checked: the \
+                                        work was stopped before";
 
 /// Applies `work` to each item in parallel, in order; `None` if `stop` became true before all items
 /// were started.

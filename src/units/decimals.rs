@@ -1,4 +1,4 @@
-//! Digits of displayed numbers, like those of a launch monitor.
+//! Digits of displayed numbers, as on a launch monitor.
 
 use super::spelling::{leading_number, with_unit};
 use super::{Quantity, significant};
@@ -43,7 +43,7 @@ impl Quantity {
         with_unit(&self.with(value, unit, fixed), unit)
     }
 
-    /// [`read_off`](Self::read_off) with one more decimal, for computed settings such as an
+    /// Like [`read_off`](Self::read_off), with one more decimal, for computed settings such as an
     /// optimum's loft.
     ///
     /// ```
@@ -123,7 +123,7 @@ pub fn counted_of(part: u64, all: u64, [one, several]: [&str; 2]) -> String {
     }
 }
 
-/// A number with these decimals; zero without a sign.
+/// A number with this many decimals; zero without a sign.
 pub(crate) fn fixed(number: f64, decimals: usize) -> String {
     let text = format!("{number:.decimals$}");
     if is_zero(&text) {

@@ -139,7 +139,7 @@ impl Quantity {
         }
     }
 
-    /// [`read`](Self::read), but a number without a unit is SI.
+    /// Like [`read`](Self::read), but a number without a unit is SI.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read), except a missing unit.
@@ -205,7 +205,7 @@ impl Quantity {
         }
     }
 
-    /// List of the valid units for messages: the usual ones, then the other symbols of this
+    /// List of the valid units for messages: the usual units, then the other symbols of this
     /// quantity.
     ///
     /// ```

@@ -240,8 +240,8 @@ fn stopped(tally: &ShotStatistics, target: &Target) -> String {
     }
 }
 
-/// The reason why no row flies: that of the first row, and the assumed units of columns without
-/// units.
+/// The reason why no row flies: the reason of the first row, and the assumed units of columns
+/// without units.
 fn nothing(tally: &ShotStatistics, remarks: &[Message]) -> Option<String> {
     (tally.flown == 0 && tally.rows > 0).then(|| {
         let first = tally.refused.values().min_by_key(|refused| refused.line);

@@ -7,7 +7,7 @@ use crate::drive::OutcomeGroup;
 use crate::shots::Flying;
 use crate::{Error, Outcome, Result, Setup};
 
-/// The outcomes to compute; "all" means those of the flight.
+/// The outcomes to compute; "all" means all outcomes of the flight.
 pub fn asked(args: &Fly) -> Result<Vec<Outcome>> {
     let is_all = args.of.iter().any(|name| name.trim() == "all");
     let of = outcomes(&args.of)?;

@@ -232,7 +232,7 @@ impl Request {
     }
 
     /// The arguments that give this setup to another command: the source and its settings, except
-    /// those of the parameters `without`.
+    /// the settings of the parameters `without`.
     pub fn as_arguments(&self, without: &[&Parameter]) -> Vec<String> {
         let mut words = vec![self.source.argument.clone()];
         for setting in &self.stated {

@@ -34,8 +34,8 @@ impl Request {
             .map_or(setup, |found| found.applied_to(&setup)))
     }
 
-    /// Method and step for many drives. The tolerance is that of `--tolerance`, or one micrometre;
-    /// `None` if `flight.method` and `flight.step` of the setup apply.
+    /// Method and step for many drives. The tolerance is `--tolerance`, or one micrometre; `None`
+    /// if `flight.method` and `flight.step` of the setup apply.
     ///
     /// # Errors
     /// The errors of [`within_tolerance`](Self::within_tolerance).

@@ -114,7 +114,7 @@ impl Journal {
     }
 
     /// Creates a journal atomically. A journal that another program is writing is never replaced;
-    /// another one is replaced only with `overwrite`.
+    /// any other journal is replaced only with `overwrite`.
     pub fn begin(of: &Path, identity: &Identity, overwrite: bool) -> io::Result<Self> {
         let path = Self::path(of);
         let replaced = if overwrite {
@@ -163,7 +163,7 @@ impl Journal {
         lock(&file)?;
         let mut text = String::new();
         file.read_to_string(&mut text)?;
-        // its sweep ended after the journal was opened
+        // the sweep ended after its journal was opened
         if text.is_empty() {
             return Ok(None);
         }

@@ -220,7 +220,7 @@ impl<'a> CalibrationReport<'a> {
         self.interrupted
     }
 
-    /// The status of the fit; `interrupted` if a fit of the cross-validation was.
+    /// The status of the fit; `interrupted` if a fit of the cross-validation was interrupted.
     pub fn status(&self) -> Status {
         if self.is_interrupted() {
             Status::Interrupted

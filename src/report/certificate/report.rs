@@ -93,7 +93,7 @@ pub struct CheckReport {
     pub sides: Option<[Option<f64>; 2]>,
 }
 
-/// A derivative compared with the one from `num_dual::Dual64`.
+/// A derivative compared with the derivative from `num_dual::Dual64`.
 #[derive(Clone, Debug, Serialize)]
 pub struct AgreementReport {
     /// `pass` or `fail`.
@@ -227,7 +227,7 @@ pub struct LoopCheck {
     pub parameter: &'static str,
     /// The finite difference with a step of 1e-8.
     pub difference: Number,
-    /// True if the sign differs from that of the derivative.
+    /// True if the sign differs from the sign of the derivative.
     pub sign_is_wrong: bool,
     /// The errors over the step.
     pub curve: Curve,

@@ -151,7 +151,7 @@ fn failure_of_second(row: &Row) -> Option<String> {
     ))
 }
 
-/// A first derivative that differs from that of num-dual.
+/// A first derivative that differs from num-dual's.
 fn disagreement(row: &Row) -> Option<String> {
     let found = &row.num_dual;
     if found.holds() {
@@ -169,8 +169,8 @@ fn disagreement(row: &Row) -> Option<String> {
     ))
 }
 
-/// The agreement of the first derivatives from jets with those from num-dual: the largest
-/// difference relative to its tolerance.
+/// The agreement of first derivatives from jets and from num-dual: the largest difference relative
+/// to its tolerance.
 fn agreement(rows: &[Row]) -> Option<String> {
     let part = |row: &&Row| row.num_dual.difference / row.num_dual.tolerance.max(f64::MIN_POSITIVE);
     let worst = rows.iter().max_by(|a, b| part(a).total_cmp(&part(b)))?;

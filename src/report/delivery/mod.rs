@@ -43,7 +43,7 @@ pub struct DeliveryReport<'a> {
 pub struct DeliveryOptions {
     /// True for launches from a table, false for a single launch.
     pub is_table: bool,
-    /// Number of rows that an interruption left out.
+    /// Number of rows that were not computed because of an interruption.
     pub left_out: usize,
 }
 
@@ -105,7 +105,7 @@ pub struct ExplainedReport {
     pub measured: f64,
     /// The standard uncertainty of the measured value.
     pub standard_uncertainty: f64,
-    /// The value of the most probable delivery.
+    /// The value computed from the most probable delivery.
     pub computed: f64,
     /// The difference between the two, in units of the standard uncertainty.
     pub residual: f64,
@@ -137,7 +137,7 @@ pub struct SpreadReport {
 pub struct PopulationReport {
     /// Number of shots.
     pub shots: usize,
-    /// The factor on the assumed deviation for the spread of unidentified changes.
+    /// Factor on the prior deviation along the directions that the shots do not identify.
     pub kept: f64,
     /// The launch outcomes, measured and computed from the distribution.
     pub launches: Vec<LaunchMoments>,

@@ -3,7 +3,7 @@ use crate::report::shown::{self, words};
 use crate::study::{Difference, Share, Shares};
 use crate::units::{System, counted};
 
-/// Maximum number of bars of each split. The note counts the smaller ones.
+/// Maximum number of bars of each split. The note counts the smaller bars.
 const MOST: usize = 12;
 
 /// The difference of an outcome between two drives as bars, one for each share, the largest on top.

@@ -89,7 +89,8 @@ pub(super) fn tilt_arrows(face: &Face, name: String, largest: f64) -> Layer {
 }
 
 /// The face of a club from the front, at true scale: the strike, the sweet spot, the strike of the
-/// longest carry, contours of the carry lost relative to it, and the tilt of the spin axis.
+/// longest carry, contours of the carry lost relative to the longest carry, and the tilt of the
+/// spin axis.
 pub fn face_figure(face: &Face, system: System) -> Figure {
     let seen = |at: [f64; 2]| seen(face, at);
     let [wide, tall] = face.half;

@@ -23,7 +23,7 @@ pub enum Coefficient {
     Lift,
 }
 
-/// Ranges of spin ratio and Reynolds number, about twice those of a drive.
+/// Ranges of spin ratio and Reynolds number, about twice the ranges of a drive.
 const SPIN_RATIOS: [f64; 2] = [0.0, 0.4];
 const REYNOLDS: [f64; 2] = [4e4, 2.4e5];
 
@@ -165,7 +165,7 @@ impl LawPlot {
         Stream::new(spin, speed, self.radius, self.per_speed)
     }
 
-    /// Measured points behind the law whose other variable is near the constant.
+    /// Measured points of the law's source, with the other variable near its constant value.
     fn measured_points(&self, law: &Law<f64>) -> Vec<[f64; 2]> {
         let [low, high] = self.range;
         let which = self.of as usize;
@@ -230,7 +230,7 @@ impl Curve {
         drawn.get(drawn.len() * part / parts).map(|at| **at)
     }
 
-    /// The solid and the dashed line, as far as they have points.
+    /// The solid and the dashed line. A line without points is omitted.
     fn layers(self, plot: &LawPlot, law: &Law<f64>, i: usize) -> Vec<Layer> {
         let fitted = law.fitted();
         let [first, last] = plot.range.map(|at| plot.stream(at));
@@ -283,7 +283,7 @@ fn pieces(curve: &[([f64; 2], bool)], within: bool) -> Vec<[f64; 2]> {
     points
 }
 
-/// The published points behind a law.
+/// The published points to which a law was fitted.
 fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec<Measured> {
     let of_speed = |speed: f64, spin: f64, values: [f64; 2]| Measured {
         spin_ratio: Some(spin * radius / speed),

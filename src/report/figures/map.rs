@@ -17,13 +17,12 @@ pub struct OnMap<'a> {
     pub limits: &'a [(Constraint, Map)],
     /// The optimum, if one was found.
     pub best: Option<&'a Optimum>,
-    /// The region that loses little and satisfies every bound and constraint.
+    /// The region in which drives lose little and satisfy every bound and constraint.
     pub region: Option<&'a Region>,
 }
 
 /// A map with its gradients, the constraints as lines with their forbidden side hatched, the drive
-/// as set up, and the optimum with the region that loses little. Texts are in the units of
-/// `system`.
+/// as set up, and the optimum with the region of little loss. Texts are in the units of `system`.
 pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     let Map {
         of,

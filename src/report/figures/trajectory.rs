@@ -233,7 +233,7 @@ fn add_target_line(figure: &mut Figure, [left, right]: [f64; 2]) {
 }
 
 /// The sentence about the totals; empty without a roll-out. Totals have no marks, because their
-/// labels would overlap those of the carry.
+/// labels would overlap the labels of the carry.
 fn note_of_totals(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>], system: System) -> String {
     let total = |(one, run): (&NamedDrive, &Vec<[f64; 2]>)| {
         if run.is_empty() {

@@ -28,7 +28,7 @@ pub(super) struct Frame<'a> {
 }
 
 impl Frame<'_> {
-    /// The HTML of the page. It has a switch of units if a text in it differs between them.
+    /// The HTML of the page, with a switch of units if a text differs between the systems.
     pub fn page(self) -> String {
         let Self {
             title,

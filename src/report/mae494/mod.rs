@@ -24,7 +24,7 @@ pub struct Mae494Report<'a> {
     found: &'a Mae494,
     /// `mae494`.
     pub study: &'static str,
-    /// The optimum in the report's table, which has an error.
+    /// The optimum of the report's regression, which evaluates its polynomial with wrong powers.
     pub slipped_optimum: DeliveryPoint,
     /// The optimum of the report's model.
     pub optimum: OptimumRow,
@@ -34,7 +34,7 @@ pub struct Mae494Report<'a> {
     pub table2: Vec<TableRow>,
     /// The loft with the best average carry.
     pub average: AverageReport,
-    /// The optimum of the fitted polynomial.
+    /// The optimum of the report's regression.
     pub regression: RegressionReport,
     /// The energy of club and ball.
     pub energy: EnergyReport,
@@ -82,14 +82,14 @@ pub struct AverageReport {
     pub rows: Vec<LoftCarry>,
 }
 
-/// The maximum of the fitted polynomial, for each fit.
+/// The maximum of the report's polynomial in loft, for three choices of powers.
 #[derive(Clone, Debug, Serialize)]
 pub struct RegressionReport {
-    /// The fit that includes the erroneous row of the table.
+    /// The maximum with the wrong powers, as in the report's listing.
     pub slipped: PeakReport,
-    /// The fit of the report.
+    /// The maximum with the fitted powers.
     pub as_fitted: PeakReport,
-    /// The fit by ordinary least squares.
+    /// The maximum of the polynomial with the powers 0 to 4 through the same points.
     pub ordinary: PeakReport,
 }
 
@@ -212,9 +212,9 @@ pub struct NoiseReport {
     pub slopes: Vec<SlopesReport>,
     /// Number of lofts where the sign of the difference is wrong.
     pub wrong_signs: usize,
-    /// The largest error for shorter time steps.
+    /// The finite difference of the loop for shorter time steps.
     pub shorter_steps: Vec<ShorterStep>,
-    /// The largest error for longer steps of the finite differences.
+    /// The finite differences for longer steps of the loft.
     pub longer_differences: Vec<LongerDifference>,
     /// Carry over a small range of loft.
     pub zoom: Vec<LandingReport>,
@@ -318,7 +318,7 @@ pub struct EndReport {
 /// The numbers in the printed report.
 #[derive(Clone, Debug, Serialize)]
 pub struct PrintedReport {
-    /// The last row of Table 1.
+    /// The printed optimum at the attack angle of the regression: the last row of Table 1.
     pub slipped_optimum: Option<DeliveryPoint>,
     /// The optimum.
     pub optimum: DeliveryPoint,

@@ -101,7 +101,8 @@ fn tiles(findings: &Findings<'_>, yours: Option<f64>, best: Option<f64>) -> Mark
     }
 }
 
-/// The changes from the drive as set up to the optimal one, and the active bounds and constraints.
+/// The changes from the drive as set up to the optimal drive, and the active bounds and
+/// constraints.
 fn lines(findings: &Findings<'_>, best: &Optimum) -> Vec<Markup> {
     let search = &best.search;
     let varied = search.vary.iter().enumerate().map(|(i, vary)| {

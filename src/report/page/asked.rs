@@ -10,8 +10,8 @@ use crate::report::shown;
 use crate::units::{System, counted};
 use maud::{Markup, html};
 
-/// Maximum number of changes in the title. If there are more, it names one less and counts the
-/// others.
+/// Maximum number of changes in the title. If there are more, the title names one change less and
+/// counts the others.
 const NAMED: usize = 3;
 
 /// The title of the page: the setup or the stated launch, and the first changes.

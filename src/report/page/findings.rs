@@ -45,7 +45,7 @@ pub struct Findings<'a> {
     pub map: Option<&'a Map>,
     /// The constraints, each with the map of its outcome.
     pub limits: &'a [(Constraint, Map)],
-    /// The region of the map that loses little compared with the optimum.
+    /// The region of the map in which drives lose little compared with the optimum.
     pub region: Option<&'a Region>,
     /// The optimum along a parameter.
     pub chart: Option<&'a Chart>,

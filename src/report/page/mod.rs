@@ -117,7 +117,7 @@ fn strikes(findings: &Findings<'_>) -> Vec<Pair> {
         .collect()
 }
 
-/// A plot without units in its texts.
+/// The plot twice, because its texts have no units.
 fn alike(figure: &Figure) -> Pair {
     in_each(|_| figure.clone())
 }

@@ -150,7 +150,7 @@ fn limits(best: &Optimum) -> Markup {
     }
 }
 
-/// The uncertainties behind the bars, with their sources.
+/// The uncertainties that the bars show, with their sources.
 pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     let Some(first) = effects.first() else {
         return html! {};

@@ -11,7 +11,7 @@ use plotters::element::{PathElement, Rectangle, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontStyle, IntoFont, RGBColor, ShapeStyle, TextStyle};
 
-/// Plotters has integer coordinates. This number of them makes a pixel, so that curves are smooth.
+/// Plotters has integer coordinates. This many make a pixel, so that curves are smooth.
 pub(super) const FINE: i32 = 10;
 
 /// Size of the text, pixels.
@@ -108,7 +108,7 @@ impl Labels<'_, '_> {
         ]
     }
 
-    /// True if a rectangle overlaps no occupied one.
+    /// True if a rectangle overlaps no occupied rectangle.
     pub fn is_free(&self, [low, high]: [[f64; 2]; 2]) -> bool {
         let apart = |other: &[[f64; 2]; 2]| {
             (0..2).any(|axis| high[axis] < other[0][axis] || low[axis] > other[1][axis])

@@ -1,5 +1,5 @@
-//! Contour lines. Plotters has none. The `contour` crate computes them with marching squares:
-//! unlike coloured cells, they are smooth at any size and in print.
+//! Contour lines, which Plotters does not have. The `contour` crate computes them with marching
+//! squares: unlike coloured cells, they are smooth at any size and in print.
 
 use super::figure::Field;
 use crate::units::System;
@@ -203,9 +203,9 @@ struct Interval {
     is_last: bool,
 }
 
-/// The intervals that need finer levels: the interval that covers most of the map, and those of its
-/// neighbours that cover much, as far as the number of lines allows. `None` if no interval is
-/// dense, or if a single dense one lies between coarser ones.
+/// The intervals that need finer levels: the interval that covers most of the map, and its dense
+/// neighbours, as far as the number of lines allows. `None` if no interval is dense, or if a single
+/// dense interval lies between coarser intervals.
 fn dense_stretch(
     intervals: &[Interval],
     dense: f64,

@@ -22,7 +22,7 @@ pub struct Figure {
     pub layers: Vec<Layer>,
     /// True if lines have their names next to them, in place of a legend.
     pub names_on_lines: bool,
-    /// Further views, drawn after this one. Views without contours show the data of this one.
+    /// Further views, drawn after this one. Views without contours show the data of this view.
     pub panels: Vec<Figure>,
     /// Number of views side by side, if the picture is wide enough.
     pub columns: usize,

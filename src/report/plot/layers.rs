@@ -100,12 +100,12 @@ pub(super) fn draw(
                 0.22,
             )
         }
-        // drawn with the names of the rows
+        // bars are drawn with the names of the rows
         Layer::Bars { .. } => Ok(()),
         Layer::Contours(field) => ground(area, plane, palette, field, grounds),
-        // drawn with its label, because one is omitted without the other
+        // a mark is drawn with its label: neither appears alone
         Layer::Mark { .. } => Ok(()),
-        // drawn after the labels, which have precedence
+        // arrows are drawn after the labels, which have precedence
         Layer::Arrows { name, .. } if !name.is_empty() => Ok(()),
         Layer::Arrows { arrows, .. } => {
             pixels(plane, arrows).try_for_each(|[from, to]| arrow(area, from, to, color))

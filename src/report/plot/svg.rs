@@ -203,7 +203,7 @@ fn axes(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, is_map: bool) -> 
         .map_err(failed)
 }
 
-/// CSS rules that change the colours of light pictures inside `inside` to those of dark ones.
+/// CSS rules that give dark colours to the light pictures inside `inside`.
 pub fn dark_rules(inside: &str) -> String {
     let mut rules = String::new();
     for (light, dark) in LIGHT.all().into_iter().zip(DARK.all()) {

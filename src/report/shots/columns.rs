@@ -54,9 +54,9 @@ pub(super) fn head(added: &Added) -> Vec<u8> {
     (heads.collect::<Vec<_>>().join(",") + "\n").into_bytes()
 }
 
-/// The launch of a shot, SI. The spin and its axis are those of the flight, or the stated values of
-/// a shot that is not flown. Assumed values are omitted: in another run they would be measured
-/// zeros.
+/// The launch of a shot, SI. The spin and its axis come from the flight; for a shot that is not
+/// flown they are the stated values. Assumed values are omitted: in another run they would be
+/// measured zeros.
 pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
     match shot.launch() {
         Some(&[speed, angle, direction, back, side]) => {

@@ -179,7 +179,8 @@ impl Copied {
         } else if shot.has_cells_of_head && self.export.added().is_empty() {
             bytes.extend_from_slice(shot.text.as_bytes());
         } else {
-            // omit the cells that an earlier run added, and empty cells after those of the head
+            // omit the cells that an earlier run added, and empty cells beyond the columns of the
+            // head
             for (at, cell) in self.own(&self.export.cells(&shot.text)).enumerate() {
                 if at > 0 {
                     bytes.push(separator);

@@ -12,7 +12,7 @@ use parquet::data_type::ByteArray;
 /// Number of rows in a row group.
 const ROWS: usize = 32 * CHUNK;
 
-/// The names of the launch, in the order of [`launch`].
+/// The column names of the launch, in the order of [`launch`].
 const LAUNCH: [&str; 5] = [
     "ball_speed",
     "launch_angle",

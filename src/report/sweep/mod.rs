@@ -30,7 +30,7 @@ impl Columns {
     }
 
     /// # Panics
-    /// If a block has other numbers.
+    /// If a block has other numbers of parameters, outcomes or derivatives.
     #[track_caller]
     fn expect(&self, block: &Block) {
         let (here, there) = (self.0, block.columns());

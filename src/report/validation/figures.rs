@@ -7,7 +7,7 @@ use crate::shots::FLOOR;
 use crate::study::validation::{Case, Compared, Computation, LawScores, Score, SetScores};
 use crate::units::Quantity;
 
-/// The independent law for comparison with the default one.
+/// The independent law for comparison with the default law.
 pub(super) const ALTERNATIVE: &str = "ferguson";
 
 /// The speed on the horizontal axis of residuals.

@@ -31,7 +31,7 @@ pub struct SetReport {
     pub about: &'static str,
     /// The air of the drives.
     pub air: &'static str,
-    /// The quantities that the source does not state.
+    /// Limits of the data, and effects that no law can reproduce.
     pub misses: &'static str,
     /// The drives.
     pub cases: Vec<CaseReport>,

@@ -168,7 +168,7 @@ fn given(number: f64, unit: &str) -> String {
         .to_owned()
 }
 
-/// True if the spin is within that of the paper's flights.
+/// True if the spin is at most the largest spin of the paper's flights.
 fn is_flown(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> bool {
     spin_ratio * speed / found.setup.ball.radius <= MOST_SPIN
 }

@@ -49,7 +49,7 @@ pub struct Energy {
 pub struct Subsystems {
     /// Launch at the optimum of the whole system.
     pub whole: Launched,
-    /// Best launch of the flight alone at that ball speed.
+    /// Best launch of the flight alone at the ball speed of [`whole`](Self::whole).
     pub flight: Launched,
     /// Best delivery of the impact alone (maximum ball speed) at the attack angle of the optimum,
     /// with its carry.

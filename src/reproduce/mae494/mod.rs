@@ -2,9 +2,9 @@
 //! (1994).
 //!
 //! The report's flight loop overshoots the ground, which makes carry discontinuous; its optimizer
-//! failed on the resulting steps, and a regression replaced it. Here the report's constants are
-//! used in Winfield & Tan's equations (preset `mae494`), and every printed optimum is compared with
-//! the exact one.
+//! failed on the resulting steps, and a regression replaced the optimizer. Here the report's
+//! constants are used in Winfield & Tan's equations (preset `mae494`), and every printed optimum is
+//! compared with the exact one.
 
 mod average;
 mod delivery;
@@ -37,7 +37,7 @@ use crate::units::System;
 /// Reproduction of the report.
 #[derive(Clone, Debug)]
 pub struct Mae494 {
-    /// The optimum over both angles, compared with the recommended one.
+    /// The optimum over both angles, compared with the recommended optimum.
     pub optimum: Row,
     /// Table 1: best loft at each attack angle.
     pub table1: Vec<Row>,

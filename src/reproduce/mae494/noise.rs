@@ -16,7 +16,7 @@ pub struct Noise {
     pub difference: f64,
     /// Carry by loft near 10°, at attack angle 0°.
     pub zoom: Vec<Landings>,
-    /// The jumps in this range.
+    /// The jumps of the carry in [`zoom`](Self::zoom).
     pub teeth: Sawtooth,
     /// Derivatives of carry by loft at attack angle 0°.
     pub slopes: Vec<Slopes>,
@@ -32,11 +32,11 @@ pub struct Noise {
 pub struct Landings {
     /// Loft, rad.
     pub loft: f64,
-    /// End of the report's loop, m.
+    /// Carry at the end of the report's loop, m.
     pub overshot: f64,
-    /// Interpolated between the last two steps of the loop, m.
+    /// Carry interpolated between the last two steps of the loop, m.
     pub interpolated: f64,
-    /// Smooth landing, m.
+    /// Carry of the smooth landing, m.
     pub smooth: f64,
 }
 

@@ -24,7 +24,7 @@ pub struct End {
     pub start: Delivery,
     /// End point, with the carry of the smooth landing.
     pub at: Delivery,
-    /// Number of flights; one with exact derivatives counts once.
+    /// Number of flights; a flight with exact derivatives counts once.
     pub flights: u64,
     /// Termination message of the method.
     pub message: String,

@@ -1,4 +1,4 @@
-//! Counter-example: the flight loop of the report's listing. It demonstrates its failure; no result
+//! Counter-example: the flight loop of the report's listing, to demonstrate its failure. No result
 //! of this library uses it.
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
@@ -19,7 +19,8 @@ pub(in super::super) struct Stop {
 }
 
 /// Flies in steps of `step` s until the height is negative, as in the listing: explicit Euler for
-/// the velocity (its `ode45` integrates a constant), and the position moves with the new velocity.
+/// the velocity (the `ode45` of the listing integrates a constant), and the position moves with the
+/// new velocity.
 ///
 /// # Errors
 /// The errors of [`strike`]; [`Error::NoFlight`] if the ball is airborne at the time limit.

@@ -10,8 +10,8 @@ use nalgebra::{DMatrix, DVector};
 pub struct Mean {
     /// Lofts 7, 8 … 12°, rad, with mean carry, m.
     pub rows: Vec<(f64, f64)>,
-    /// Maximum of the quintic polynomial through them, as in the paper: loft, rad, and mean carry,
-    /// m.
+    /// Maximum of the quintic polynomial through these means, as in the paper: loft, rad, and mean
+    /// carry, m.
     pub by_polynomial: (f64, f64),
     /// Points of the polynomial between the first and last loft.
     pub polynomial: Vec<(f64, f64)>,
