@@ -1,4 +1,4 @@
-//! How accurate derivatives and how certain outcomes are.
+//! Options of the commands on accuracy and uncertainty.
 
 use super::SearchArgs;
 use super::SetupArgs;
@@ -51,8 +51,8 @@ pub struct SensitivityArgs {
     #[arg(long)]
     pub no_defaults: bool,
 
-    /// Compute the slopes and effects at the optimum of a search, and show the slopes of the
-    /// optimum beside those of the drive.
+    /// Compute the slopes and effects at the optimum of a search, and show the total derivatives of
+    /// the optimum too.
     #[arg(long)]
     pub at_optimum: bool,
 

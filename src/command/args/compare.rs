@@ -1,4 +1,4 @@
-//! Two drives beside each other.
+//! Options of `compare`: two drives.
 
 use super::SetupArgs;
 
@@ -13,19 +13,20 @@ pub struct Pair {
     #[arg(value_name = "SETUP_B")]
     pub other: Option<String>,
 
-    /// Set a parameter of a alone, in place of --set; --set and --launch are for both. Repeatable.
+    /// Set a parameter of drive a only, in place of --set. --set and --launch apply to both drives.
+    /// Repeatable.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set_a: Vec<String>,
 
-    /// Set a parameter of b alone, in place of --set, e.g. club.loft=10.5deg. Repeatable.
+    /// Set a parameter of drive b only, in place of --set, e.g. club.loft=10.5deg. Repeatable.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set_b: Vec<String>,
 
-    /// The launch conditions of a, as in --launch.
+    /// The launch conditions of drive a, as in --launch.
     #[arg(long, value_name = "NAME=VALUE,…", value_delimiter = ',')]
     pub launch_a: Vec<String>,
 
-    /// The launch conditions of b, as in --launch.
+    /// The launch conditions of drive b, as in --launch.
     #[arg(long, value_name = "NAME=VALUE,…", value_delimiter = ',')]
     pub launch_b: Vec<String>,
 }

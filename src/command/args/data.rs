@@ -24,13 +24,13 @@ pub struct Calibrate {
     )]
     pub fit: Vec<String>,
 
-    /// Limit the influence of outliers to that of a residual of 1.345 σ (Huber's loss).
+    /// Use Huber's loss: an outlier has no more influence than a residual of 1.345 σ.
     #[arg(long)]
     pub huber: bool,
 
-    /// Search from this many starts, spread evenly over the ranges of what is fitted; the first is
-    /// the setup's own. Give the ranges: without one it is all that is allowed, where few drives
-    /// fly.
+    /// Search from this many starts: the setup's own values, then points spread evenly over the
+    /// fitted ranges. State these ranges: the default is the whole allowed range, in which few
+    /// drives fly.
     #[arg(
         long,
         value_name = "N",
@@ -40,8 +40,8 @@ pub struct Calibrate {
     )]
     pub starts: u32,
 
-    /// Cross-validate: fit K times, each time without a K-th of the rows, and show how well those
-    /// rows are predicted.
+    /// Cross-validate: fit K times, each time without a K-th of the rows, and show the prediction
+    /// errors of the omitted rows.
     #[arg(
         long,
         value_name = "K",
@@ -98,7 +98,7 @@ pub struct DeliveryArgs {
     #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
     pub launch_direction: Option<String>,
 
-    /// The measured spin in all, e.g. 2686rpm; with --spin-axis.
+    /// The measured total spin, e.g. 2686rpm; with --spin-axis.
     #[arg(long, value_name = "SPIN", allow_hyphen_values = true)]
     pub spin: Option<String>,
 
@@ -116,28 +116,29 @@ pub struct DeliveryArgs {
     pub sidespin: Option<String>,
 
     /// Measured shots as CSV, one row per shot, as a launch monitor exports them or as calibrate
-    /// reads them. What a row states of the club is taken as measured too.
+    /// reads them. Club values in a row count as measured too.
     #[arg(long, value_name = "FILE")]
     pub shots: Option<PathBuf>,
 
     /// A parameter to find and its range, e.g. club.loft=4deg..20deg. Repeatable [default: the
-    /// speed, attack angle, shaft lean, path and face angle of the swing, and where the face
-    /// strikes the ball].
+    /// speed, attack angle, shaft lean, path and face angle of the swing, and the impact point on
+    /// the face].
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub vary: Vec<String>,
 
-    /// How well a parameter is known before the shot: the standard uncertainty of its value in the
-    /// setup, e.g. swing.attack_angle=1deg. Repeatable.
+    /// The prior standard uncertainty of a parameter about its value in the setup, e.g.
+    /// swing.attack_angle=1deg. Repeatable.
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 
-    /// Write the setup with the delivery found into this file; of several shots, with their mean.
+    /// Write the setup with the delivery into this file; for several shots, with their mean
+    /// delivery.
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
-    /// Write the swings behind the shots into this file, for "longdrive optimize --swings": as a
-    /// table, a row for each shot (.csv), or as distributions with correlations, without the errors
-    /// of the launch monitor (.toml).
+    /// Write the swings that explain the shots into this file, for "longdrive optimize --swings": a
+    /// table with a row for each shot (.csv), or distributions with correlations, without the
+    /// errors of the launch monitor (.toml).
     #[arg(long, value_name = "FILE", requires = "shots")]
     pub swings: Option<PathBuf>,
 
@@ -176,8 +177,8 @@ pub struct Validate {
     #[arg(long, conflicts_with = "json")]
     pub csv: bool,
 
-    /// Write the comparison too: into this folder as a page (index.html) and Markdown with pictures
-    /// and their data, or, where the name ends in .csv, every law on every drive into this file.
+    /// Write the comparison to this folder, as a page (index.html) and Markdown with pictures and
+    /// their data; or, to a name that ends in .csv, every law on every drive.
     #[arg(long, short, value_name = "DIR or FILE.csv")]
     pub output: Option<PathBuf>,
 

@@ -7,9 +7,9 @@ use std::path::PathBuf;
 
 #[derive(clap::Args)]
 pub struct Fly {
-    /// Shots, a row each: the CSV export of a launch monitor, any CSV with columns such as
+    /// Shots, one per row: the CSV export of a launch monitor, any CSV with columns such as
     /// "ball_speed [mph]", "launch_angle [deg]" and "backspin [rpm]", or messages of GSPro Open
-    /// Connect as JSON (one a line, or an array); "-" is standard input. See
+    /// Connect as JSON (one per line, or an array); "-" is standard input. See
     /// docs/launch-monitors.md.
     #[arg(value_name = "SHOTS", required_unless_present = "listen")]
     pub shots: Option<PathBuf>,
@@ -17,8 +17,7 @@ pub struct Fly {
     #[command(flatten)]
     pub setup_args: SetupArgs,
 
-    /// The outcomes to predict, separated by commas: those of the flight; "all" for every one of
-    /// them.
+    /// The outcomes of the flight to predict, separated by commas; "all" for every one.
     #[arg(
         long,
         value_name = "OUTCOME,…",
@@ -27,9 +26,9 @@ pub struct Fly {
     )]
     pub of: Vec<String>,
 
-    /// The file to write the rows into; its ending says in which format (.csv, .jsonl, .parquet;
-    /// .json for Open Connect). "-" is standard output. With --json and without a file only the
-    /// summary is printed.
+    /// The file for the rows; its extension selects the format (.csv, .jsonl, .parquet; .json for
+    /// Open Connect). "-" is standard output. With --json and without a file only the summary is
+    /// printed.
     #[arg(
         long,
         short,
@@ -39,7 +38,7 @@ pub struct Fly {
     )]
     pub output: PathBuf,
 
-    /// The format, whatever the name of the file ends in [default for standard output: csv].
+    /// The format, whatever the extension of the file [default for standard output: csv].
     #[arg(long, value_enum, conflicts_with = "listen")]
     pub format: Option<FlyFormat>,
 
@@ -47,7 +46,7 @@ pub struct Fly {
     #[arg(long, conflicts_with = "listen")]
     pub overwrite: bool,
 
-    /// The number of threads (0: as many as there are processors). The results do not depend on it.
+    /// The number of threads (0: one per processor). The results do not depend on it.
     #[arg(
         long,
         value_name = "N",
@@ -57,8 +56,8 @@ pub struct Fly {
     )]
     pub threads: usize,
 
-    /// Answer shots that are sent as messages of GSPro Open Connect over TCP, until Ctrl-C, in
-    /// place of those of a file; 0 takes a free port.
+    /// Listen on this TCP port instead of reading a file, and answer messages of GSPro Open Connect
+    /// until Ctrl-C; 0 selects a free port.
     #[arg(
         long,
         value_name = "PORT",
@@ -69,7 +68,8 @@ pub struct Fly {
     )]
     pub listen: Option<u16>,
 
-    /// The address to listen on. Any other than the default lets other machines in.
+    /// The address to listen on. Any address other than the default accepts connections from other
+    /// machines.
     #[arg(
         long,
         value_name = "ADDRESS",
@@ -79,20 +79,19 @@ pub struct Fly {
     pub address: IpAddr,
 }
 
-/// How flown shots are written.
+/// Format of flown shots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum FlyFormat {
-    /// The columns of the table as they are, with what is predicted in further columns.
+    /// The columns of the table, unchanged, then columns of predictions.
     Csv,
-    /// The columns of a launch monitor, whatever the shots were read from, with what is predicted
-    /// in further columns.
+    /// The columns of a launch monitor, for any kind of input, then columns of predictions.
     LaunchMonitor,
     /// One JSON object per row and line, in SI.
     #[value(alias = "ndjson")]
     Jsonl,
     /// One message of GSPro Open Connect per row and line.
     OpenConnect,
-    /// Apache Parquet, in SI, with what each row states and the row as it was read.
+    /// Apache Parquet, in SI: the stated values, the predictions and the original row.
     #[cfg(feature = "parquet")]
     Parquet,
 }

@@ -39,8 +39,8 @@ pub struct Sweep {
     pub seed: u32,
 
     /// Take the points from a table (.csv, .parquet, or Arrow IPC: .arrow, .arrows, .feather): a
-    /// column for each parameter; in CSV in the unit that its head names, as in "club.loft [deg]",
-    /// in the others in SI.
+    /// column for each parameter, in CSV with its unit in the head, as in "club.loft [deg]", in
+    /// other formats in SI.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["over", "sample", "seed"])]
     pub points: Option<PathBuf>,
 
@@ -62,10 +62,9 @@ pub struct Sweep {
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub wrt: Vec<String>,
 
-    /// Write one part of the sweep, K of M, as a Parquet file into the folder that -o names: each
-    /// process of a job array another part, e.g. --part 17/1000. Parts are counted from 1. A part
-    /// has the same bytes whichever machine computes it, and however often; one that is there
-    /// already stays.
+    /// Write part K of M of the sweep as a Parquet file into the folder of -o, e.g. --part 17/1000;
+    /// each process of a job array writes another part. Parts are counted from 1. The bytes of a
+    /// part depend neither on the machine nor on repetition. An existing part is kept.
     #[arg(
         long,
         value_name = "K/M",
@@ -75,8 +74,8 @@ pub struct Sweep {
     )]
     pub part: Option<PartOf>,
 
-    /// Look through the parts in this folder: whether all are there, and what all rows together are
-    /// like. Nothing is computed. With the options of the sweep its parts are also compared with
+    /// Check the parts in this folder: list missing and damaged parts, and summarize all rows.
+    /// Nothing is computed. If the options of the sweep are given, the parts are compared with
     /// them.
     #[arg(
         long,
@@ -99,27 +98,28 @@ pub struct Sweep {
     )]
     pub histogram: Vec<String>,
 
-    /// With --part: keep the rows with the highest values of an outcome by themselves too, e.g.
+    /// With --part: also store the rows with the highest values of an outcome in the summary, e.g.
     /// carry:10. Repeatable.
     #[arg(long, value_name = "OUTCOME:N")]
     pub highest: Vec<String>,
 
-    /// With --part: the same of the lowest values.
+    /// With --part: also store the rows with the lowest values of an outcome in the summary.
+    /// Repeatable.
     #[arg(long, value_name = "OUTCOME:N")]
     pub lowest: Vec<String>,
 
-    /// The instructions of the processor to compute with [default: the most that it has]. Drives
-    /// computed with others agree to rounding only: where the machines of a cluster differ, name
-    /// those that all of them have.
+    /// The instruction set to compute with [default: the widest of this processor]. Results of
+    /// different instruction sets agree to rounding only: on a cluster of different machines, name
+    /// one that all of them have.
     #[arg(long, value_name = "NAME", value_parser = instructions())]
     pub instructions: Option<Level>,
 
-    /// The file to write; its ending says in which format (.csv, .jsonl, .parquet). "-" is standard
-    /// output.
+    /// The file to write; its extension selects the format (.csv, .jsonl, .parquet). "-" is
+    /// standard output.
     #[arg(long, short, value_name = "FILE", default_value = "-")]
     pub output: PathBuf,
 
-    /// The format, whatever the name of the file ends in [default for standard output: csv].
+    /// The format, whatever the extension of the file [default for standard output: csv].
     #[cfg_attr(feature = "parquet", arg(long, value_enum))]
     #[cfg_attr(
         not(feature = "parquet"),
@@ -141,8 +141,8 @@ pub struct Sweep {
     #[arg(long, value_name = "SIZE")]
     pub max_size: Option<String>,
 
-    /// The number of threads (0: as many as there are processors); no more are used than there is
-    /// work for, nor than 256. The results do not depend on it.
+    /// The number of threads (0: one per processor), at most 256 and no more than there is work
+    /// for. The results do not depend on it.
     #[arg(
         long,
         value_name = "N",
@@ -153,7 +153,7 @@ pub struct Sweep {
     pub threads: usize,
 }
 
-/// Reads the instructions of a processor.
+/// Parser of instruction sets.
 fn instructions() -> impl TypedValueParser<Value = Level> {
     let named = |name: String| Level::ALL.into_iter().find(|known| known.name() == name);
     PossibleValuesParser::new(Level::ALL.map(Level::name))
@@ -163,7 +163,7 @@ fn instructions() -> impl TypedValueParser<Value = Level> {
 /// A part of a sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PartOf {
-    /// Its number, from 1.
+    /// Number of the part, from 1.
     pub part: u64,
     /// Number of parts.
     pub parts: u64,
@@ -188,7 +188,7 @@ impl PartOf {
     }
 }
 
-/// How rows are written.
+/// Format of the rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Format {
     /// Comma-separated values; a missing value is an empty cell.
@@ -201,7 +201,7 @@ pub enum Format {
     Parquet,
 }
 
-/// Reads a format where there is no Parquet.
+/// Parser of formats in a build without Parquet.
 #[cfg(not(feature = "parquet"))]
 fn without_parquet(text: &str) -> Result<Format, String> {
     if text == "parquet" {

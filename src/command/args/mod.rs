@@ -1,6 +1,6 @@
-//! What can be asked on the command line.
+//! Arguments of the command line.
 
-// what stands here is the help, where "carry [yd]" is the head of a column and no link
+// these doc comments are help texts, in which "carry [yd]" is a column head, not a link
 #![allow(rustdoc::broken_intra_doc_links)]
 
 mod certainty;
@@ -73,26 +73,27 @@ pub enum Command {
     Optimize(Optimize),
     /// Sensitivity of the optimum, and how flat it is.
     ///
-    /// How the optimum depends on every other parameter, and what its bounds and constraints cost.
+    /// How the optimum depends on every other parameter, and the price of its bounds and
+    /// constraints.
     OptimumSensitivity(OptimumSensitivity),
     /// Design head and face under the Rules of Golf.
     ///
-    /// For swings that vary: the best bulge, roll, loft, inertia or movable weights, with what
-    /// each rule costs.
+    /// For swings that vary: the best bulge, roll, loft, inertia or movable weights, with the price
+    /// of each rule.
     Design(DesignArgs),
     /// Fit parameters to measured shots.
     ///
-    /// With their uncertainties, and what the data do not determine.
+    /// With their uncertainties, and the combinations of parameters that the data do not determine.
     Calibrate(Calibrate),
     /// Find the swing and strike behind a measured launch.
     ///
-    /// And what the launch does not determine of them.
+    /// With the combinations of parameters that the launch does not determine.
     Delivery(DeliveryArgs),
     /// The optimum along a parameter, such as club speed.
     Chart(ChartArgs),
     /// The best compromises between two goals.
     ///
-    /// Such as carry and dispersion, with what one costs of the other.
+    /// Such as carry and dispersion, with the rate of exchange between them.
     Pareto(ParetoArgs),
     /// The design that loses least, whichever model is true.
     ///
@@ -107,11 +108,12 @@ pub enum Command {
     Report(Report),
     /// Compute very many drives to CSV, JSON Lines or Parquet.
     ///
-    /// The points are those of a grid, a quasi-random sequence or a table.
+    /// At the points of a grid, a quasi-random sequence or a table.
     Sweep(Sweep),
     /// Fly the shots of a launch monitor.
     ///
-    /// From a CSV export or GSPro Open Connect: predicted flights beside the measured ones.
+    /// From a CSV export or GSPro Open Connect: predicted flights, compared with the measured
+    /// flights.
     Fly(Fly),
     /// Reproduce a published study, number by number.
     Reproduce(Reproduce),
@@ -121,7 +123,7 @@ pub enum Command {
     Validate(Validate),
     /// Check every derivative against finite differences.
     ///
-    /// And what the derivatives rest on; exit status 1 if a check fails.
+    /// Also checks smoothness, convergence and the landing; exit status 1 if a check fails.
     Verify(Verify),
     /// Effect of each parameter on the outcomes.
     ///
@@ -139,7 +141,7 @@ pub enum Command {
     Presets(Presets),
     /// List the laws of drag and lift.
     ///
-    /// Authors, formula, ball, source, and the range each was fitted to.
+    /// Authors, formula, ball, source, and fitted range of each law.
     Laws(Laws),
     /// Print a script for completion in a shell.
     Completions(Completions),
@@ -193,7 +195,7 @@ impl Command {
         "laws",
     ];
 
-    /// The command among arguments that could not be read.
+    /// The command in arguments that could not be parsed.
     pub fn named_in(words: &[OsString]) -> Option<&'static str> {
         words
             .iter()
@@ -233,7 +235,7 @@ impl Command {
         }
     }
 
-    /// Its name on the command line.
+    /// Name on the command line.
     pub fn name(&self) -> &'static str {
         self.asked().0
     }

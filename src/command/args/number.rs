@@ -1,8 +1,9 @@
-//! Whole numbers given to options, refused in this program's words.
+//! Whole numbers as values of options, with this program's error messages.
 
 use std::ops::RangeInclusive;
 
-/// Reads a whole number of a range; `example` is how the option may be written.
+/// Parser of a whole number in a range; `example` is a valid use of the option, for the error
+/// message.
 pub fn whole<T: TryFrom<u64>>(
     range: RangeInclusive<u64>,
     example: &'static str,

@@ -1,14 +1,14 @@
-//! Two goals that are weighed against each other.
+//! Options of `pareto`: two goals.
 
 use super::number::whole;
 use super::{SetupArgs, SwingsArgs};
 use std::path::PathBuf;
 
-/// The two goals and what may change.
+/// The two goals and the varied parameters.
 #[derive(clap::Args)]
 pub struct ParetoAsked {
-    /// A goal to maximize: an outcome, or over many swings what of it, e.g. "mean(carry)". Give two
-    /// goals in all, with --maximize and --minimize.
+    /// A goal to maximize: an outcome, or over many swings a statistic of it, e.g. "mean(carry)".
+    /// Give two goals in total, with --maximize and --minimize.
     #[arg(long, value_name = "GOAL")]
     pub maximize: Vec<String>,
 
@@ -26,7 +26,8 @@ pub struct ParetoAsked {
     #[arg(long, value_name = "CONSTRAINT", allow_hyphen_values = true)]
     pub subject_to: Vec<String>,
 
-    /// The number of points, spread evenly from the best of one goal to the best of the other.
+    /// The number of points, spread evenly from the optimum of one goal to the optimum of the
+    /// other.
     #[arg(
         long,
         value_name = "N",

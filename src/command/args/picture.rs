@@ -31,17 +31,17 @@ pub enum PlotKind {
     Vcurve(PlotVcurve),
     /// Laws of drag and lift over the spin ratio or the Reynolds number, with measured points.
     Laws(PlotLaws),
-    /// Where the drive and the best one land, from above at true scale, with the ellipses that hold
-    /// half and 95 % of the landings.
+    /// The landings of the drive and of the optimum from above, at true scale, with the ellipses of
+    /// half and of 95 % of the landings.
     Fairway(PlotFairway),
     /// The club face from the front: the strike, the sweet spot, rings of carry lost, and the side
     /// to which the spin axis tilts.
     Face(PlotFace),
-    /// Carry, lateral, ball speed and spin axis over the club face, of the drive as set up and of
-    /// the best one, or of two designs.
+    /// Carry, lateral, ball speed and spin axis over the club face, for the drive as set up and for
+    /// the optimum, or for two designs.
     Strike(PlotStrike),
-    /// Carry over launch angle and backspin at the drive's ball speed, with its launch and the best
-    /// one.
+    /// Carry over launch angle and backspin at the drive's ball speed, with the launches of the
+    /// drive and of the optimum.
     Launch(PlotLaunch),
 }
 
@@ -65,7 +65,7 @@ impl PlotKind {
     }
 }
 
-/// How a plot is drawn.
+/// Options of a picture.
 #[derive(clap::Args)]
 pub struct Drawing {
     /// The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
@@ -92,7 +92,7 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// The options given about how a picture looks.
+    /// The stated options on the appearance of a picture.
     pub fn look(&self) -> Vec<&'static str> {
         let given = [("`dark`", self.dark), ("`width`", self.width.is_some())];
         given
@@ -103,7 +103,7 @@ impl Drawing {
     }
 }
 
-/// Where a trajectory is seen from.
+/// View of a trajectory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Seen {
     /// From the side.
@@ -112,7 +112,7 @@ pub enum Seen {
     Top,
 }
 
-/// What laws are drawn over.
+/// Horizontal axis of a plot of laws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum LawsOver {
     /// Over the spin ratio.
@@ -121,7 +121,7 @@ pub enum LawsOver {
     Reynolds,
 }
 
-/// The coefficient that is drawn.
+/// The coefficient to draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Drawn {
     /// The drag coefficient.
@@ -130,12 +130,12 @@ pub enum Drawn {
     Cl,
 }
 
-/// Which uncertainties a tornado shows.
+/// The uncertainties in a tornado plot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Moved {
-    /// What you control: delivery, strike and club, or the launch where it is given.
+    /// Parameters that you control: delivery, strike and club, or a stated launch.
     Control,
-    /// What the model does not know: its coefficients, the air, the wind and the ground.
+    /// Uncertain inputs of the model: coefficients, ball, air, wind and ground.
     Model,
     /// Both in one picture.
     All,
@@ -149,8 +149,8 @@ pub struct PlotLaws {
     #[command(flatten)]
     pub drawing: Drawing,
 
-    /// The laws, separated by commas; "table" for your own of --set aero.table. Without: all of
-    /// them.
+    /// The laws, separated by commas; "table" for your own table of --set aero.table [default: all
+    /// laws].
     #[arg(long, value_name = "LAW,…", value_delimiter = ',')]
     pub laws: Vec<String>,
 
@@ -158,15 +158,15 @@ pub struct PlotLaws {
     #[arg(long, value_enum, default_value_t = Drawn::Cd)]
     pub show: Drawn,
 
-    /// What to draw it over.
+    /// The horizontal axis.
     #[arg(long, value_enum, default_value_t = LawsOver::SpinRatio)]
     pub over: LawsOver,
 
-    /// The Reynolds number, over the spin ratio [default: 1.5e5].
+    /// The constant Reynolds number of a plot over the spin ratio [default: 1.5e5].
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
     pub reynolds: Option<String>,
 
-    /// The spin ratio, over the Reynolds number [default: 0.1].
+    /// The constant spin ratio of a plot over the Reynolds number [default: 0.1].
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
     pub spin_ratio: Option<String>,
 }
@@ -195,7 +195,7 @@ pub struct PlotFairway {
     #[command(flatten)]
     pub drawing: Drawing,
 
-    /// How much a parameter of the golfer varies from drive to drive, one standard deviation, e.g.
+    /// The standard deviation of a parameter of the golfer from drive to drive, e.g.
     /// swing.face_angle=2deg. Repeatable; other parameters of swing, strike and club have the
     /// default uncertainties of "longdrive sensitivity".
     #[arg(long, value_name = "NAME=AMOUNT")]
@@ -219,8 +219,8 @@ pub struct PlotStrike {
     #[command(flatten)]
     pub search: SearchArgs,
 
-    /// A preset or setup file of another design, drawn beside this one in place of the best one,
-    /// e.g. best.toml of "longdrive optimize -o".
+    /// A preset or setup file of another design to draw in place of the optimum, e.g. best.toml of
+    /// "longdrive optimize -o".
     #[arg(long, value_name = "SETUP")]
     pub after: Option<String>,
 
@@ -337,7 +337,7 @@ pub struct PlotVcurve {
     pub of: Vec<String>,
 
     /// The parameters, separated by commas. Without: loft and attack angle, or the launch
-    /// conditions where these are given.
+    /// conditions if they are given.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub wrt: Vec<String>,
 }
@@ -367,7 +367,7 @@ pub struct Report {
 
     /// The parameter to follow the optimum along, with its range [default:
     /// swing.speed=80mph..130mph; with --launch, launch.ball_speed=120mph..190mph; around the
-    /// drive's own speed where that lies outside].
+    /// drive's own speed if this is outside of the range].
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub along: Option<String>,
 }

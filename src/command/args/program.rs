@@ -1,4 +1,4 @@
-//! What every command takes, and the commands about the program itself.
+//! Options of every command, and the commands about the program itself.
 
 use crate::units::System;
 use std::path::PathBuf;
@@ -7,8 +7,8 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Options of every command")]
 pub struct Shown {
-    /// The units that results are shown in as text, in plots and on pages [default: us; reproduce:
-    /// those of the study]. JSON and CSV are in SI units and radians.
+    /// The units of results in texts, plots and pages [default: us; reproduce: the units of the
+    /// study]. JSON and CSV are in SI units and radians.
     #[arg(long, value_enum, global = true)]
     pub units: Option<Units>,
 

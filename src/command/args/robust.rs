@@ -26,13 +26,13 @@ pub struct RobustArgs {
     )]
     pub starts: u32,
 
-    /// A model beside the setup as it is: its changes, e.g. "aero.law=ferguson" or
+    /// A model in addition to the setup itself: changes of the setup, e.g. "aero.law=ferguson" or
     /// "impact.friction=0.3,impact.gear_scale=0.5". Repeatable [default: the laws launch-monitor
-    /// and ferguson, a friction of 0.3 and half the gear effect, each alone].
+    /// and ferguson, a friction of 0.3 and half the gear effect, each as its own model].
     #[arg(long, value_name = "NAME=VALUE,…", allow_hyphen_values = true)]
     pub model: Vec<String>,
 
-    /// The loss beside the best for each model that is allowed [default: 1 yd for a distance].
+    /// The allowed loss of each model against its own best design [default: 1 yd for a distance].
     #[arg(long, value_name = "AMOUNT", allow_hyphen_values = true)]
     pub within: Option<String>,
 

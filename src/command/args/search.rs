@@ -62,7 +62,7 @@ pub struct SwingsArgs {
     /// Search for the best over many swings: a TOML file with [distributions] and [[correlations]],
     /// or a table (CSV, Parquet, Arrow) of recorded swings, a column for each parameter. Goals are
     /// then written like "mean(carry)", "std(lateral)", "lowest(carry, 10%)", "within(lateral,
-    /// 15yd)" or "mean(carry) - 0.5*std(lateral)", and --vary is the loft alone by default.
+    /// 15yd)" or "mean(carry) - 0.5*std(lateral)", and by default only the loft is varied.
     #[arg(long, value_name = "FILE")]
     pub swings: Option<PathBuf>,
 
@@ -96,9 +96,8 @@ pub struct SwingsArgs {
     )]
     pub seed: Option<u32>,
 
-    /// A CSV table of the strokes that are expected from a distance, with the columns "distance
-    /// [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after
-    /// this drive.
+    /// A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
+    /// "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
     #[arg(long, value_name = "FILE")]
     pub strokes: Option<PathBuf>,
 }
@@ -154,8 +153,7 @@ pub struct DesignArgs {
     #[command(flatten)]
     pub optimize: Optimize,
 
-    /// The rules that hold the design: those of golf (moment of inertia, volume, spring effect,
-    /// ball), or none.
+    /// The rules for the design: golf (moment of inertia, volume, spring effect, ball) or none.
     #[arg(long, value_name = "RULES", default_value = "golf", value_parser = ["golf", "none"])]
     pub rules: String,
 }
@@ -181,7 +179,7 @@ pub struct OptimumSensitivity {
     pub change: Vec<String>,
 
     /// The loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for
-    /// a distance, or 1 % of the carry where that is below 10 yd; 1 % of the outcome otherwise].
+    /// a distance, or 1 % of the carry if that is below 10 yd; 1 % of the outcome otherwise].
     #[arg(long, value_name = "AMOUNT", allow_hyphen_values = true)]
     pub loss: Option<String>,
 }
@@ -198,9 +196,9 @@ pub struct ChartArgs {
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub along: String,
 
-    /// The values of that parameter at which the optimum is computed, separated by commas, e.g.
-    /// 90mph,100mph,110mph; --along may then be the name alone [default: as many values as the
-    /// curve needs].
+    /// The values of the parameter of --along at which the optimum is computed, separated by
+    /// commas, e.g. 90mph,100mph,110mph; --along then needs only the name [default: as many values
+    /// as the curve needs].
     #[arg(
         long,
         value_name = "VALUE,…",

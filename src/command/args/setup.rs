@@ -1,12 +1,12 @@
-//! What every question starts from, and the questions about one drive.
+//! Options on the setup, and the commands on one drive.
 
 pub use crate::parameters::DEFAULT_PRESET as SETUP;
 
 /// Arguments about the setup, of every command with drives.
 #[derive(Clone, clap::Args)]
 pub struct SetupArgs {
-    /// A preset's name, a TOML file, or - for the text of one on standard input. A file that names
-    /// no preset starts from tour-average.
+    /// A preset's name, a TOML file, or - to read TOML from standard input. A file that names no
+    /// preset starts from tour-average.
     #[arg(value_name = "SETUP", default_value = SETUP)]
     pub setup: String,
 
@@ -22,11 +22,11 @@ pub struct SetupArgs {
     #[arg(long, value_name = "NAME=VALUE,…", value_delimiter = ',')]
     pub launch: Vec<String>,
 
-    /// Choose the method and the time step so that every length asked for is within this length of
-    /// its exact value (1um if no length is given), at the least cost; they are chosen once, before
-    /// the first drive. Commands that fly many drives (sweep, optimize, chart, calibrate,
-    /// uncertainty, report, maps) do so by themselves, for 1um, unless the setup or --set gives
-    /// flight.method or flight.step.
+    /// Choose the cheapest method and time step with which every requested length is within this
+    /// length of its exact value (1um if no length is given). The choice is made once, before the
+    /// first drive. Commands that fly many drives (sweep, optimize, chart, calibrate, uncertainty,
+    /// report, maps) do this by default, for 1um, unless the setup or --set gives flight.method or
+    /// flight.step.
     #[arg(
         long,
         value_name = "LENGTH",
@@ -36,8 +36,8 @@ pub struct SetupArgs {
     )]
     pub tolerance: Option<String>,
 
-    /// Integrate by flight.method and flight.step of the setup, also where the command would choose
-    /// them.
+    /// Integrate by flight.method and flight.step of the setup, even if the command would choose
+    /// others.
     #[arg(long, conflicts_with = "tolerance")]
     pub own_step: bool,
 
@@ -67,7 +67,7 @@ pub struct Gradient {
     pub of: Vec<String>,
 
     /// The parameters, separated by commas; "all" for every one that has a value in this setup.
-    /// Without: loft and attack angle, or the launch conditions where these are given.
+    /// Without: loft and attack angle, or the launch conditions if they are given.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub wrt: Vec<String>,
 
@@ -93,7 +93,7 @@ pub struct Presets {
     pub json: bool,
 }
 
-/// A user's own law beside the published ones.
+/// A user's own law, in addition to the published laws.
 #[derive(clap::Args)]
 pub struct OwnLaw {
     /// Take your own table of drag and lift too, with its factors: aero.table=mine.csv,
