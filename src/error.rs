@@ -231,7 +231,7 @@ pub enum Error {
     OfDrive {
         /// The drive: "drive a".
         drive: &'static str,
-        /// Its error.
+        /// The error of this drive.
         source: Box<Error>,
     },
     /// An outcome, or its derivative, that does not exist for this drive.

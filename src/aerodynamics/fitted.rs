@@ -35,8 +35,8 @@ pub struct Fitted {
     pub speed: Option<[f64; 2]>,
     /// Description of the data it was fitted to.
     pub to: &'static str,
-    /// For each of [`ranges`](Self::ranges), whether the variable is clamped below and above it.
-    /// Otherwise the law is extrapolated.
+    /// For each of [`ranges`](Self::ranges): true if the variable is clamped below the range, and
+    /// above the range. Otherwise the law is extrapolated.
     pub held: [[bool; 2]; 4],
 }
 

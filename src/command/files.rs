@@ -56,7 +56,7 @@ impl Rule {
     }
 
     /// The destination of a setup file, if the rule allows it. The file is TOML, and its extension
-    /// must not be that of another format.
+    /// must not belong to another format.
     ///
     /// # Errors
     /// The errors of [`file`](Self::file); the extension of another format.

@@ -56,7 +56,7 @@ impl DefaultRanges {
         &self.held
     }
 
-    /// The reason why no range is left; `None` if there is one.
+    /// The reason why no range is left; `None` if a range is left.
     pub fn reason(&self) -> Option<String> {
         if !self.vary.is_empty() {
             return None;

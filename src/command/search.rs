@@ -66,7 +66,8 @@ impl SearchArgs {
         Ok(search)
     }
 
-    /// The parameters of the default search that are held, because the command line states them.
+    /// The parameters of the default search that are not varied, because the command line states
+    /// them.
     ///
     /// # Errors
     /// The errors of [`DefaultRanges::longest_drive`].

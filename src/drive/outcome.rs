@@ -65,7 +65,7 @@ macro_rules! outcomes {
         }
 
         impl Outcome {
-            /// Outcomes of drives, then those of the head.
+            /// Outcomes of drives, then outcomes of the head.
             const EVERY: &'static [Self] = &[$( Self::$Outcome ),+];
 
             /// The part of a drive that the outcome describes.
@@ -276,8 +276,7 @@ impl Outcome {
         self.of(drive).ok().filter(|value| value.is_finite())
     }
 
-    /// True if the outcome is an angle between −180° and 180°, which jumps from one end to the
-    /// other.
+    /// True if the outcome is an angle between −180° and 180°, which jumps between these ends.
     fn is_direction(self) -> bool {
         matches!(self, Self::LaunchDirection | Self::SpinAxis)
     }

@@ -33,7 +33,7 @@ pub(crate) fn any_face() -> String {
 }
 
 /// Angle between the path of a landing ball and the ground, rad, if the ball bounces and the angle
-/// is smaller than that of any measured bounce. `slopes` are the two slopes of the ground.
+/// is smaller than in any measured bounce. `slopes` are the two slopes of the ground.
 pub(crate) fn flat_landing_angle<T: Number>(slopes: [f64; 2], landed: &Landed<T>) -> Option<f64> {
     landed
         .rest

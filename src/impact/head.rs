@@ -86,7 +86,7 @@ impl<T: Numbers> Head<T> {
         let half = (a + b + c) * 0.5;
         let (xx, yy, zz) = (half - a, half - b, half - c);
         let second = xx * yy - xy * xy;
-        // the off-diagonal entries of S are those of −I
+        // the off-diagonal entries of S equal the off-diagonal entries of −I
         let third = zz * second - xx * (yz * yz) - yy * (xz * xz) - xy * xz * yz * 2.0;
         let over = half.recip();
         [xx, second * over, third * over * over]

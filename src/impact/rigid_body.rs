@@ -322,7 +322,7 @@ impl<T: Number> Collision<T> {
     /// Two perpendicular unit tangents of the face at the contact point.
     fn tangents(&self) -> [Vector<T>; 2] {
         let n = self.normal;
-        // perpendicular to whichever of two axes is farther from the normal
+        // a direction perpendicular to the axis that is farther from the normal
         let across = if n.y.re().abs() < 0.9 {
             Vector::new(n.z, T::zero(), -n.x)
         } else {

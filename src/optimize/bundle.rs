@@ -57,8 +57,8 @@ impl Bundle {
     }
 
     /// Terms of the piecewise model: the second-order expansion of each other side, in scaled
-    /// variables, moved to `at`. At `at` each expansion is at most f, because at a kink that stalls
-    /// a search f is the maximum of its sides.
+    /// variables, moved to `at`. There each expansion is at most f, because at a kink that stalls a
+    /// search f is the maximum of its sides.
     pub fn max_terms(&self, scaling: &Scaling, at: &Point, hessian: &DMatrix<f64>) -> Vec<MaxTerm> {
         if self.0.is_empty() {
             return vec![];

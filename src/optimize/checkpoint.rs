@@ -1,4 +1,5 @@
-//! Checkpoint file of several searches: results of those that have ended, snapshots of the others.
+//! Checkpoint file of several searches: results of the searches that have ended, snapshots of the
+//! running searches.
 
 use super::observer::Snapshot;
 use super::solution::Solution;

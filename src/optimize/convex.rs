@@ -8,7 +8,7 @@ const GROWTH: f64 = 4.0;
 /// Maximum number of attempts. A larger raise makes the sum numerically singular.
 const MOST_RAISES: u32 = 15;
 /// Raise before a reflection, relative to the Hessian's size. It separates the eigenvalues of the
-/// active normals from those of the tangents.
+/// active normals from the eigenvalues of the tangents.
 const APART: f64 = 100.0;
 
 /// Changes that made a Hessian positive definite.

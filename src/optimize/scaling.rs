@@ -72,7 +72,7 @@ impl Residual {
 pub(super) struct Outward {
     /// Index of the variable.
     pub variable: usize,
-    /// Its value.
+    /// Value of the variable.
     pub at: f64,
     /// Distance from 0, in units of the variable's scale.
     pub distance: f64,

@@ -17,9 +17,9 @@ pub struct Preset {
 pub struct PresetEntry {
     /// The parameter.
     pub name: &'static str,
-    /// Its value.
+    /// Value, with its unit.
     pub value: &'static str,
-    /// Its source.
+    /// Source of the value.
     pub source: &'static str,
 }
 

@@ -477,7 +477,7 @@ law_coefficients! { $
         /// Relative growth of the drag coefficient with speed, quadratic in u.
         cd_v2: T = "aero.cd_v2", "cd_v2", NUMBER in "", Range::from_to(0.0, 100.0),
             "0.139425", "longdrive: fit, docs/validation.md";
-        /// Height of the part of the lift coefficient that saturates with spin.
+        /// Height of the saturating part of the lift coefficient.
         cl_hill: T = "aero.cl_hill", "cl_hill", NUMBER in "", Range::FINITE,
             "0.240357", "longdrive: fit, docs/validation.md";
         /// Value of x at which the saturating part of the lift coefficient is half its height.

@@ -21,8 +21,8 @@ pub(super) fn note(text: &str) -> String {
     indented(text, 3 * INDENT, 3 * INDENT)
 }
 
-/// Reasons for omissions, each once with all its names: "gravity, air.density: the reason". They
-/// are sorted by their first name in the input.
+/// Reasons for omissions, each reason once with all its names: "gravity, air.density: the reason".
+/// They are sorted by their first name in the input.
 pub fn by_reason<'a>(reasons: impl IntoIterator<Item = (&'a str, String)>) -> Vec<String> {
     let mut all: Vec<(String, String)> = vec![];
     for (name, reason) in reasons {

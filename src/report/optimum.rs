@@ -45,7 +45,7 @@ pub struct OptimumReport {
     pub iterations: u64,
     /// Evaluations of objective and constraints with derivatives.
     pub evaluations: u64,
-    /// The work on the quadratic programs of the steps.
+    /// Counters of the quadratic programs that were solved for the steps.
     pub steps: Effort,
     /// The local optima of a search from several starts, best first; `null` for a single
     /// start.

@@ -63,7 +63,7 @@ impl Ending {
         message: None,
     };
 
-    /// The status for several outcomes, each of which was found or has an error.
+    /// The status of several outcomes, each with a result or an error.
     pub(super) fn of_each<'a>(errors: impl Iterator<Item = Option<&'a Error>>) -> Self {
         let errors: Vec<Option<&Error>> = errors.collect();
         let all = errors.len();

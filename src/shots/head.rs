@@ -27,7 +27,7 @@ pub(super) struct Read {
 pub(super) struct ExportHead {
     pub separator: u8,
     pub heads: Vec<String>,
-    /// Units in a line below the head, if there is one.
+    /// Units in a line below the head; `None` without this line.
     pub units: Option<Vec<String>>,
     pub maker: Option<&'static str>,
     pub read: Vec<Read>,
@@ -294,7 +294,7 @@ impl ExportHead {
         self.remarks.extend(remarks.into_iter().map(Message::from));
     }
 
-    /// Remark on repeated columns, of which the first is used.
+    /// Remark on repeated columns: only the first of them is used.
     fn given_twice(&self, columns: &[Column]) -> Option<String> {
         let twice = self.read.iter().flat_map(|first| {
             let is_again = |(at, column): &(usize, &Column)| {

@@ -23,7 +23,7 @@ impl Export {
         &self.head.heads
     }
 
-    /// Units in a line below the heads, if there is one.
+    /// Units in a line below the heads; `None` without this line.
     pub fn units(&self) -> Option<&[String]> {
         self.head.units.as_deref()
     }

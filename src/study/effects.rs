@@ -12,7 +12,7 @@ use crate::parameters::{Parameter, Setup};
 pub struct Effects {
     /// The outcome, f.
     pub of: Outcome,
-    /// Its value, SI.
+    /// Value of the outcome, SI.
     pub value: f64,
     /// Effects of all parameters. Parameters with an uncertainty come first, by magnitude of the
     /// effect; the others follow, by elasticity.

@@ -10,7 +10,7 @@ pub struct NamedDrive {
     pub name: String,
     /// The drive.
     pub drive: Drive<f64>,
-    /// Its path.
+    /// The path of the drive.
     pub path: Trajectory,
 }
 

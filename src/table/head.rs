@@ -58,7 +58,7 @@ pub(crate) struct Head {
     pub columns: Vec<Column>,
     /// Format of the table.
     pub format: Format,
-    /// Cells of the line of units, if there is one.
+    /// Cells of the line of units; `None` without this line.
     pub units: Option<Vec<String>>,
     /// Remarks on ignored columns.
     pub remarks: Vec<Message>,

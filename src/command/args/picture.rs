@@ -137,7 +137,7 @@ pub enum Moved {
     Control,
     /// Uncertain inputs of the model: coefficients, ball, air, wind and ground.
     Model,
-    /// Both in one picture.
+    /// Both kinds in one picture.
     All,
 }
 

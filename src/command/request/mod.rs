@@ -166,7 +166,7 @@ impl Request {
     }
 
     /// Adds these values to a setup, each only if its parameter has no value. A note tells the
-    /// user; `how` is its verb.
+    /// user; `how` is the verb of the note.
     ///
     /// # Errors
     /// The errors of [`setup`](Self::setup).

@@ -23,7 +23,7 @@ const OFTEN: Duration = Duration::from_secs(1);
 const BLOCKS: u64 = 16;
 
 /// The output file of a sweep that can be resumed: `FILE.part` until all rows are present, then
-/// `FILE`. It always contains whole rows. The rows in the journal's count equal the rows of an
+/// `FILE`. It always contains whole rows. The journal counts only rows that equal the rows of an
 /// uninterrupted run, byte for byte.
 pub struct ResumableFile<'a> {
     files: Files,

@@ -40,7 +40,7 @@ pub(crate) trait Task {
 }
 
 impl Level {
-    /// All levels, by register width. A processor has only those of its architecture.
+    /// All levels, by register width. A processor has only the levels of its architecture.
     pub const ALL: [Self; 5] = [
         Self::Baseline,
         Self::Neon,

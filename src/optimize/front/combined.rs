@@ -9,7 +9,7 @@ pub(super) struct Combined<'a> {
     pub zero: [f64; 2],
     /// Weights in the objective.
     pub objective: [f64; 2],
-    /// Weights in the constraint, if there is one.
+    /// Weights in the constraint; `None` without a constraint.
     pub constraint: Option<[f64; 2]>,
 }
 

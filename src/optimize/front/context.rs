@@ -139,7 +139,7 @@ impl FrontContext<'_> {
     }
 
     /// If a minimum is not isolated (the function does not depend on a variable, say), selects
-    /// among the minimisers the one that is best for the other function.
+    /// among the minimisers the minimiser that is best for the other function.
     pub fn isolated_minimum(
         &self,
         k: usize,

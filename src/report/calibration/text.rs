@@ -190,7 +190,7 @@ fn estimated(estimate: &Estimate, reach: f64, system: System) -> Vec<String> {
     vec![parameter.name.into(), show(*value), error, interval]
 }
 
-/// χ², and the way in which the standard errors depend on it.
+/// χ², and how the standard errors depend on χ².
 fn chi_square(statistics: &Statistics, stated: Uncertainties) -> String {
     let chi = significant(statistics.chi_square, 5);
     let dof = statistics.degrees_of_freedom;

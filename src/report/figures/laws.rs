@@ -218,8 +218,8 @@ impl Curve {
         }
     }
 
-    /// The point at the fraction `part`/`parts` of the curve, within the fitted range if there is
-    /// one.
+    /// The point at the fraction `part`/`parts` of the curve, within the fitted range if it is
+    /// known.
     fn at(&self, part: usize, parts: usize) -> Option<[f64; 2]> {
         let points = if self.within.is_empty() {
             &self.beyond

@@ -18,7 +18,7 @@ pub enum Causes {
     Control,
     /// Uncertain inputs of the model: coefficients, ball, air, wind and ground.
     Model,
-    /// Both.
+    /// Parameters that the golfer controls, and uncertain inputs of the model.
     All,
 }
 

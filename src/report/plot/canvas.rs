@@ -43,7 +43,7 @@ pub(super) fn stroke(color: RGBColor, width: f64) -> ShapeStyle {
     color.stroke_width(fine(width) as u32)
 }
 
-/// A font with a size in pixels. (Plotters' sizes are 1.24 times those of SVG.)
+/// A font with a size in pixels. (A size of Plotters is 1.24 times the size in SVG.)
 pub(super) fn font(size: f64, color: RGBColor, is_bold: bool) -> TextStyle<'static> {
     let style = if is_bold {
         FontStyle::Bold

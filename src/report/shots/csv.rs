@@ -1,4 +1,4 @@
-//! Predictions of shots, in columns after those of the export.
+//! Predictions of shots, in columns after the columns of the export.
 
 use crate::drive::Outcome;
 use crate::shots::{Export, Flown, size};

@@ -13,7 +13,8 @@ const ITERATIONS: u64 = 200;
 /// Minimizes with argmin's L-BFGS from `start`: returns the best point and the termination message.
 ///
 /// argmin's L-BFGS has no bounds, so the substitution x = middle + half the width · sin u removes
-/// them. It also fails where the function is undefined, so a drive that does not fly has carry 0.
+/// them. L-BFGS also fails where the function is undefined, so a drive that does not fly has carry
+/// 0.
 pub(super) fn search_by_lbfgs(objective: &Objective, start: &[f64]) -> (Vec<f64>, String) {
     let bounds = &objective.domain.variables;
     let half = |i: usize| 0.5 * (bounds.high[i] - bounds.low[i]);

@@ -10,7 +10,7 @@ use crate::parameters::{Parameter, Setup};
 pub struct Estimate {
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// Its value.
+    /// The fitted value.
     pub value: f64,
     /// Standard error; `None` if the data do not determine the value, or the value lies on a bound.
     pub standard_error: Option<f64>,

@@ -9,7 +9,7 @@ use crate::units::{Digits, Message, Quantity};
 pub struct Instrument {
     /// The outcome.
     pub outcome: Outcome,
-    /// Its standard uncertainty with unit: `0.3 deg`.
+    /// Standard uncertainty of the outcome, with unit: `0.3 deg`.
     pub sigma: &'static str,
     /// Source, or "assumed" with the reasoning if no source was found. Braces enclose lengths and
     /// speeds, which are printed in the user's units.

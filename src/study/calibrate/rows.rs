@@ -243,7 +243,7 @@ impl Rows {
     pub fn table(mut self, reading: Reading) -> Result<ShotTable> {
         let left_out = self.rejected();
         if self.shots.is_empty() {
-            // the first incomplete row explains best what is missing, except in an export
+            // the first incomplete row shows best what is missing, except in an export
             if let Some(first) = self.first_incomplete {
                 return Err(first);
             }

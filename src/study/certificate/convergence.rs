@@ -259,13 +259,14 @@ struct Expected {
     limited_by_law: Option<u32>,
 }
 
-/// Expected orders p of value and gradient: those of the method, limited by interpolation and
+/// Expected orders p of value and gradient: the orders of the method, limited by interpolation and
 /// joins.
 /// - Dense output of degree 7: the error is h⁸ in a position and h⁷ in its derivatives. In a
 ///   velocity, and in a root of a velocity, the order is one less.
 /// - Apex: within a step, the velocity error is h^p times a function of the position in the step.
-///   The apex moves through the step at a rate 1/h, so its derivatives have errors h^(p−1). Here the
-///   steps are chosen so that the landing lies in the middle of a step, where this function is flat.
+///   The apex moves through the step at a rate 1/h, so its derivatives have errors h^(p−1). Here
+///   the steps are chosen so that the landing lies in the middle of a step, where this function is
+///   flat.
 /// - Join of a law with k continuous derivatives: error h^(k+2) times a function of the join's
 ///   position in the step, which also moves at a rate 1/h; the derivative has an error h^(k+1).
 fn expected(setup: &Setup<f64>, of: Outcome) -> Expected {

@@ -74,8 +74,8 @@ pub(super) fn measure(
 }
 
 /// Measures the order of irregular errors, for which no fit works: only the largest error per level
-/// decreases with a power of the step. It falls short only if it is too low over all levels and
-/// also over the finest two, because coarse steps cross several joins at once and converge more
+/// decreases with a power of the step. The order falls short only if it is too low over all levels
+/// and also over the finest two, because coarse steps cross several joins at once and converge more
 /// slowly.
 pub(super) fn measure_largest(
     samples: &[Errors],

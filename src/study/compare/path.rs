@@ -46,7 +46,7 @@ impl Cause {
 pub struct Share {
     /// The cause.
     pub cause: Cause,
-    /// Its share, SI.
+    /// Share of the cause, SI.
     pub amount: f64,
 }
 

@@ -14,8 +14,8 @@ type Slopes = Option<Vec<Vec<f64>>>;
 pub(super) struct Split<'a> {
     path: &'a Path,
     of: Vec<Outcome>,
-    /// Drives along the path: first with the discrete parameters of drive a, then with those of
-    /// drive b.
+    /// Drives along the path: first with the discrete parameters of drive a, then with the discrete
+    /// parameters of drive b.
     sides: [Side; 2],
 }
 

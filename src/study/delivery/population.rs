@@ -15,7 +15,7 @@ use nalgebra::{DMatrix, DVector};
 pub struct Population {
     /// The unknowns.
     pub spreads: Vec<Recovered>,
-    /// Their correlation matrix, row by row.
+    /// Correlation matrix of the unknowns, row by row.
     pub correlations: Vec<Vec<f64>>,
     /// Number of shots from which the distribution was estimated.
     pub shots: usize,

@@ -13,7 +13,7 @@ pub struct Posterior {
     pub unknown: Unknown,
     /// The most probable value.
     pub value: f64,
-    /// Its standard uncertainty; `None` if the value lies on a bound.
+    /// Standard uncertainty of the value; `None` if the value lies on a bound.
     pub sigma: Option<f64>,
     /// Fraction of the prior variance that the shot removes: 1 if the launch determines the
     /// parameter, 0 if it carries no information. `None` if the value lies on a bound.

@@ -137,7 +137,7 @@ fn posteriors(
     Ok(unknowns.iter().enumerate().map(posterior).collect())
 }
 
-/// The residuals of the measurements, then those of the priors.
+/// The residuals of the measurements, then the residuals of the priors.
 fn rows(taylors: &[Taylor], measured: &[Measurement], unknowns: &[Unknown], x: &[f64]) -> Rows {
     let (mut residuals, mut jacobian) = (vec![], vec![]);
     for (taylor, measurement) in taylors.iter().zip(measured) {

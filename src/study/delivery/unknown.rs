@@ -104,8 +104,8 @@ fn search_range(parameter: &Parameter, value: f64, sigma: f64) -> Option<[f64; 2
     (low < high && range.contains(low) && range.contains(high)).then_some([low, high])
 }
 
-/// The unknowns with their priors: those of `vary`, or the default ones if it is empty. `sigmas`
-/// overrides the default uncertainties.
+/// The unknowns with their priors: the parameters of `vary`, or the default unknowns if `vary` is
+/// empty. `sigmas` overrides the default uncertainties.
 ///
 /// # Errors
 /// [`Error::Delivery`] for a parameter that does not affect the launch, or an empty search range;

@@ -46,7 +46,7 @@ pub enum Enforcement {
 pub struct ConstraintState {
     /// The constraint.
     pub constraint: DesignConstraint,
-    /// Its value, SI; `None` if unknown.
+    /// Value of the limited quantity, SI; `None` if unknown.
     pub value: Option<f64>,
     /// Distance to the nearer limit, SI; negative if violated.
     pub margin: Option<f64>,

@@ -16,7 +16,7 @@ pub enum Swings {
     Recorded {
         /// The parameters that were recorded.
         parameters: Vec<&'static Parameter>,
-        /// Their values, SI, a row for each swing.
+        /// Values of the parameters, SI, a row for each swing.
         rows: Vec<Vec<f64>>,
     },
 }

@@ -29,7 +29,7 @@ pub enum Rule {
 pub struct Scenarios {
     /// The parameters with a value in each scenario.
     pub parameters: Vec<&'static Parameter>,
-    /// Their values, SI, a row for each scenario.
+    /// Values of the parameters, SI, a row for each scenario.
     pub points: Vec<Vec<f64>>,
     /// The weight of each scenario; they sum to 1.
     pub weights: Vec<f64>,

@@ -260,7 +260,7 @@ fn truncated_moments(ends: [f64; 2]) -> [f64; 5] {
 pub struct Uncertain {
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// Its distribution, SI.
+    /// The distribution of the parameter, SI.
     pub distribution: Distribution,
 }
 

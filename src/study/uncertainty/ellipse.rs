@@ -70,7 +70,8 @@ mod tests {
     #[test]
     fn exact_points_in_a_flat_ellipse_and_in_a_point() {
         let flat = LandingEllipse::new(0.95, [0.0, 200.0], [[0.0, 0.0], [0.0, 4.0]]);
-        // 95 % of a normal distribution lie within 1.960 standard deviations, here 2
+        // 95 % of a normal distribution lie within 1.960 standard deviations; the standard
+        // deviation here is 2
         assert!(flat.contains([0.0, 203.919]) && !flat.contains([0.0, 203.921]));
         // and of a bivariate one within √(−2 ln 0.05) = 2.448
         let round = LandingEllipse::new(0.95, [0.0, 200.0], [[4.0, 0.0], [0.0, 4.0]]);

@@ -119,9 +119,9 @@ pub struct OutcomeUncertainty {
 pub struct Slopes {
     /// Mean of (∂f/∂p)², SI.
     pub mean_square: f64,
-    /// C · mean((∂f/∂p)²) / variance, C the Poincaré constant of the distribution. It bounds the
-    /// total index for the true mean and variance; this is an estimate from the sample, with its
-    /// interval.
+    /// C · mean((∂f/∂p)²) / variance, C the Poincaré constant of the distribution. With the true
+    /// mean and variance it is an upper bound of the total index; the sample gives an estimate with
+    /// an interval.
     pub bound: Interval,
 }
 
@@ -145,9 +145,9 @@ impl OutcomeUncertainty {
             .is_none_or(|sampled| sampled.deviation.value > 0.0)
     }
 
-    /// The parameter to measure first: the one with the largest first-order index, with the mean
-    /// standard deviation that remains once it is known. `None` if the outcome does not vary, or no
-    /// index is positive.
+    /// The parameter to measure first: the parameter with the largest first-order index, and the
+    /// mean standard deviation that remains once this parameter is known. `None` if the outcome
+    /// does not vary, or no index is positive.
     pub fn measure_first(&self, inputs: &[Uncertain]) -> Option<(&'static Parameter, f64)> {
         let sampled = self.sampled.as_ref()?;
         let share = |(at, indices): (usize, &Option<Indices>)| Some((at, indices.as_ref()?.first));

@@ -80,7 +80,7 @@ pub struct LawScores {
 pub struct SetScores {
     /// The set.
     pub set: &'static Set,
-    /// Its cases.
+    /// The cases of the set.
     pub cases: Vec<Case>,
     /// The laws in the order of [`Law::NAMES`], then a user's own law.
     pub laws: Vec<LawScores>,

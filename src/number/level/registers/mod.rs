@@ -3,7 +3,7 @@
 //! Only [`Level`](super::Level) can name a register type. It does so after detecting the
 //! processor's features (AVX2, AVX-512), or where every processor of the architecture (NEON) or of
 //! the build (WebAssembly) has the instructions. All other code is generic over the lane type of a
-//! [`Task`](super::Task). Every `unsafe` here relies on that.
+//! [`Task`](super::Task). Every `unsafe` here relies on this choice.
 #![allow(unsafe_code)]
 // an operation may be unsafe on one architecture only
 #![allow(unused_unsafe)]
