@@ -96,7 +96,8 @@ impl Batch {
             name: "the largest defect of a drive".into(),
             value: format!("{defect} m"),
             range: "0 m < …".into(),
-            advice: "take that of study::accuracy, or infinity for the setup's own step".into(),
+            advice: "use the defect of study::accuracy, or infinity for the setup's own step"
+                .into(),
         })
     }
 
@@ -108,8 +109,8 @@ impl Batch {
         let most = Level::here();
         if !level.is_here() {
             let reason = format!(
-                "this processor does not have them; the most it has is {most}. Take `instructions` \
-                 {most} on every machine, or a machine that has {level}"
+                "this processor does not have them; its widest instruction set is {most}. Use \
+                 `instructions` {most} on every machine, or a machine with {level}"
             );
             return Err(Error::Together {
                 given: format!("the instructions {level}"),

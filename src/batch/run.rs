@@ -107,8 +107,8 @@ impl Batch {
             return Ok(());
         }
         let given = format!(
-            "Points::read, asked for at most {most} rows, tells of {rows} and appends {values} \
-             values"
+            "Points::read was called for at most {most} rows, returned {rows} and appended \
+             {values} values"
         );
         let reason = format!(
             "it must append {parameters} values for each row, and no more rows than asked for"

@@ -32,7 +32,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     let stop = interrupt::stops(BEST_SO_FAR);
     request.note_starts(&setup, &search.vary);
     if !at.is_sorted_by(|a, b| a < b) {
-        tell("the values of `at` are taken in rising order, each once");
+        tell("the values of `at` are used in ascending order, each once");
     }
     let chart = follow(&setup, &search, along, &at, &stop);
     interrupt::ends();
@@ -130,7 +130,7 @@ impl ChartArgs {
     fn places(&self, setup: &Setup<f64>) -> Result<(Vary, Vec<f64>)> {
         if !self.along.contains('=') && self.at.is_empty() {
             let reason =
-                "write NAME=LOW..HIGH, for example swing.speed=80mph..130mph, or give the places \
+                "write NAME=LOW..HIGH, for example swing.speed=80mph..130mph, or give the values \
                  with `at`"
                     .into();
             return Err(Error::SearchRange {
@@ -145,8 +145,8 @@ impl ChartArgs {
             }
             let name = along.parameter.name;
             let source = format!(
-                "`along` gives a range, and `at` the places; for the range leave `at` out, for the \
-                 places write `along {name}`"
+                "`along` gives a range, and `at` gives values; for the range leave `at` out, for \
+                 the values write `along {name}`"
             );
             return Err(Error::Unreadable {
                 name: "`at`".into(),

@@ -72,7 +72,7 @@ impl Found {
         let mut warnings = vec![];
         if self.left_out > 0 {
             let rows = counted(self.left_out as u64, "row");
-            warnings.push(format!("interrupted: {rows} were not looked at").into());
+            warnings.push(format!("interrupted: {rows} were not computed").into());
         }
         warnings.extend(bound_warnings(&self.all, system()));
         let population = self.population.iter().flatten();
@@ -121,7 +121,7 @@ fn of_shots(
         .filter(|remark| !table.warnings.contains(remark));
     remarks.for_each(|remark| tell(&remark.in_units(system())));
     tell(&format!(
-        "{}: of each row the launch is used, and not the flight",
+        "{}: only the launch of each row is used, not the flight",
         table.file
     ));
     let (measured, assumed): (Vec<_>, Vec<_>) = unknowns
@@ -296,9 +296,9 @@ impl SwingsFile {
         let (text, note) = match population {
             _ if self.is_table => {
                 let note = format!(
-                    "wrote {swings} into {file}: what a shot does not tell of a swing is drawn \
-                     towards what was known before, so that these scatter less than the golfer; a \
-                     name that ends in .toml gives the distribution"
+                    "wrote {swings} into {file}: what a shot does not identify is drawn towards \
+                     the prior, so these swings scatter less than the golfer's; a name that ends \
+                     in .toml gives the distribution"
                 );
                 (recovered_csv(&found.all)?, note)
             }
@@ -318,7 +318,7 @@ impl SwingsFile {
             ));
         }
         tell(&format!(
-            "the design that is best over them: {}",
+            "the best design over these swings: {}",
             optimize_over(self.destination.path(), setup_words)
         ));
         Ok(None)
@@ -346,7 +346,7 @@ fn note_assumed(unknowns: &[Unknown]) {
                 shown(unknown.sigma),
             );
             tell(&format!(
-                "known before: {name} = {value} ± {sigma} (one standard deviation); {source}"
+                "prior: {name} = {value} ± {sigma} (one standard deviation); {source}"
             ));
         }
     }
@@ -360,7 +360,7 @@ fn note_measured(setup: &Setup<f64>, unknowns: &[Unknown]) {
         let sigma = parameter_text(unknown.parameter, measured.sigma, system());
         let source = measured.source.unwrap_or("as given");
         tell(&format!(
-            "known before: {name} as each row has it ± {sigma} (one standard deviation); {source}"
+            "prior: {name} as in each row ± {sigma} (one standard deviation); {source}"
         ));
     }
 }
@@ -443,8 +443,8 @@ fn refuse_step(args: &SetupArgs) -> Result<()> {
         (None, true) => "`own_step`",
         (None, false) => return Ok(()),
     };
-    let source = "delivery looks at the impact alone and flies nothing, so that this has no \
-                  effect; leave it out";
+    let source = "delivery computes only the impact and no flight, so this has no effect; leave it \
+                  out";
     Err(Error::Unreadable {
         name: option.into(),
         source: source.into(),

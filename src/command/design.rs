@@ -21,7 +21,7 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     let setup = request.setup()?;
     let mut notes = vec![];
     if setup.launch.is_given() {
-        let source = "it gives the ball as it leaves, which no club strikes: there is nothing to \
+        let source = "it gives the launch, so no club strikes the ball and there is nothing to \
                       design; leave it out, or give the swing";
         return Err(Error::Unreadable {
             name: request.launch_from(),
@@ -31,7 +31,8 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     if !search.swings.is_given() {
         search.swings.refuse_correlation()?;
         notes.push(format!(
-            "the swings vary as those of {GOLFER}, about what is set up; yours: `swings FILE`"
+            "the swings scatter like those of {GOLFER}, about the setup's swing; for yours give \
+             `swings FILE`"
         ));
     }
     let swings = if search.swings.is_given() {
@@ -55,8 +56,7 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     request.note_starts(&setup, &asked.vary);
     if search.search.maximize.is_none() && search.search.minimize.is_none() {
         notes.push(format!(
-            "nothing was asked for: the design with the largest {GOAL} is sought; another: \
-             `maximize GOAL`"
+            "default goal: the largest {GOAL}; for another give `maximize GOAL`"
         ));
     }
     if search.search.vary.is_empty() {

@@ -65,8 +65,8 @@ impl Rule {
         match ending_of_a_file(path).filter(|ending| ending != "toml") {
             Some(ending) => {
                 let reason = format!(
-                    "a setup file is written in TOML, and .{ending} is the ending of another kind \
-                     of file; use .toml"
+                    "a setup file is written in TOML, and .{ending} is the extension of another \
+                     format; use .toml"
                 );
                 Err(refused(path, &reason))
             }
@@ -157,7 +157,7 @@ impl Rule {
             in_a_folder(path)?;
             if let Some(ending) = ending_of_a_file(path) {
                 let reason = format!(
-                    "this is to be a folder, and .{ending} is the ending of a file; name a folder"
+                    "a folder is needed, and .{ending} is the extension of a file; name a folder"
                 );
                 return Err(refused(path, &reason));
             }

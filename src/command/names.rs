@@ -58,7 +58,7 @@ pub fn variables(
             .filter(|row| !all.contains(row));
         let left_out: Vec<_> = left_out.map(|row| row.name).collect();
         tell(&format!(
-            "left out, without a value to differentiate by in this setup: {}",
+            "left out, because they have no value in this setup: {}",
             left_out.join(", ")
         ));
         let (idle, all): (Vec<_>, Vec<_>) = all
@@ -67,7 +67,7 @@ pub fn variables(
         if !idle.is_empty() {
             let idle: Vec<_> = idle.iter().map(|row| row.name).collect();
             tell(&format!(
-                "left out, without effect on what is asked for: {}",
+                "left out, because they do not affect the requested outcomes: {}",
                 idle.join(", ")
             ));
         }

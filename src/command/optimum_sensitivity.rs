@@ -21,8 +21,8 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     } = &args.optimize;
     swings.refuse_stray()?;
     if swings.is_given() {
-        let source =
-            "the sensitivity of an optimum is that of one drive; leave it out, or use \"optimize\"";
+        let source = "the sensitivity of an optimum is computed for one drive; leave it out, or use \
+             \"optimize\"";
         return Err(Error::Unreadable {
             name: "`swings` or `distribution`".into(),
             source: source.into(),

@@ -211,9 +211,8 @@ impl ParetoAsked {
             Error::Unreadable {
             name: "the goals".into(),
             source: format!(
-                "{} given, and a front is between two; give two with `maximize` and `minimize`, \
-                 for example `maximize carry` `minimize \
-                 apex_height`",
+                "{} given, and a front has two goals; give two with `maximize` and `minimize`, for \
+                 example `maximize carry` `minimize apex_height`",
                 if all.len() == 1 { "one is".into() } else { format!("{} are", all.len()) }
             )
             .into(),
@@ -261,8 +260,8 @@ impl Output {
             _ => {
                 return Err(refused(
                     path,
-                    "its ending does not say what to write; use .csv for all points or .toml for \
-                     the setup at one",
+                    "its extension does not name a format; use .csv for all points or .toml for \
+                     the setup at one point",
                 ));
             }
         };

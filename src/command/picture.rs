@@ -43,7 +43,7 @@ impl Format {
             Some("csv") => Ok(Self::Csv),
             _ => Err(Error::Plot {
                 name: file.display().to_string(),
-                reason: "its ending does not name a format; use .svg or .png for a picture, or \
+                reason: "its extension does not name a format; use .svg or .png for a picture, or \
                          .csv for its data"
                     .into(),
             }),
@@ -67,7 +67,7 @@ impl Target {
     pub fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &Drawing) -> Result<Self> {
         let format = Format::of(&drawing.output)?;
         if let (Format::Csv, [option, ..]) = (format, drawing.look().as_slice()) {
-            let source = "it is about pictures, and a .csv file has only the data; leave it out, \
+            let source = "it applies to pictures, and a .csv file has only the data; leave it out, \
                           or write a .svg or .png file";
             return Err(Error::Unreadable {
                 name: (*option).into(),

@@ -93,8 +93,8 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
     let target = Target::beside(inputs, &args.drawing)?;
     let given = args.search.given();
     if let (Some(_), [option, ..]) = (&after, given.as_slice()) {
-        let source =
-            "`after` gives the other design, so that none is looked for; leave one of the two out";
+        let source = "`after` gives the other design, so no optimum is searched for; leave one of the two \
+             out";
         return Err(Error::Unreadable {
             name: (*option).into(),
             source: source.into(),
@@ -157,9 +157,9 @@ fn refuse_other_hand(before: &Setup<f64>, after: &Setup<f64>, drawing: &Drawing)
         return Ok(());
     }
     let reason = format!(
-        "the golfer is {} before and {} after, so that the toe is on opposite sides; give both \
-         setups the same golfer (`set` changes only the \
-         one before, a setup file of `after` has a line of its own: golfer = \"{}\")",
+        "the golfer is {} before and {} after, so the toe is on opposite sides; give both setups \
+         the same golfer (`set` changes only the first design; in the setup file of `after` write \
+         golfer = \"{}\")",
         before.golfer.name(),
         after.golfer.name(),
         before.golfer.name()

@@ -68,12 +68,12 @@ impl DefaultRanges {
                    launch.launch_angle=5deg..20deg`"
                 .into(),
             [name] => format!(
-                "nothing is left to vary: {name} is stated, so that it is held; to vary it, give \
-                 a range, for example `vary club.loft=4deg..20deg`"
+                "nothing is left to vary: {name} is stated, and so not varied; to vary it, give a \
+                 range, for example `vary club.loft=4deg..20deg`"
             ),
             _ => format!(
-                "nothing is left to vary: {} are stated, so that they are held; to vary them, \
-                 give a range, for example `vary club.loft=4deg..20deg`",
+                "nothing is left to vary: {} are stated, and so not varied; to vary them, give a \
+                 range, for example `vary club.loft=4deg..20deg`",
                 names.join(" and ")
             ),
         })

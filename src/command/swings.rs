@@ -248,8 +248,8 @@ pub fn found(args: &Optimize, request: &Request, asked: Asked) -> Result<Found> 
     if let Some(share) = best.beyond_strokes.filter(|share| *share > 0.0) {
         let percent = (100.0 * share).max(0.1);
         warnings.push(Message::from(format!(
-            "the balls of {percent:.1} % of the swings end where the table of strokes does not \
-             reach; it is continued straight there"
+            "the balls of {percent:.1} % of the swings end outside of the table of strokes, where \
+             it is extrapolated linearly"
         )));
     }
     warn(&warnings);
@@ -346,8 +346,8 @@ pub fn refuse_idle_strokes<'a>(
     mut goals: impl Iterator<Item = &'a Goal>,
 ) -> Result<()> {
     if strokes.is_some() && goals.all(|goal| goal.strokes().next().is_none()) {
-        let source = "no goal asks for strokes; write for example `minimize \"strokes(400yd)\"`, \
-                      or leave it out";
+        let source = "no goal uses strokes; write for example `minimize \"strokes(400yd)\"`, or \
+                      leave it out";
         return Err(Error::Unreadable {
             name: "`strokes`".into(),
             source: source.into(),

@@ -91,7 +91,7 @@ impl Point<'_> {
             .err()
             .unwrap_or_else(|| Error::Undefined {
                 what: "the impact".into(),
-                reason: "it lies on the edge of where the club strikes the ball".into(),
+                reason: "the drive is at the limit at which the club strikes the ball".into(),
             })
     }
 }

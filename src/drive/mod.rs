@@ -119,7 +119,7 @@ impl Drive<f64> {
         if self.is_without_spin() && setup.law.has_corner_at_zero_spin() && has_air {
             corners.push(format!(
                 "the spin is {} rad/s: with the law {} outcomes have a corner at zero spin, and \
-                 derivatives here lie between those of its two sides",
+                 derivatives here lie between the two one-sided derivatives",
                 significant(spin, 2),
                 setup.law.name()
             ));
@@ -129,8 +129,8 @@ impl Drive<f64> {
             && (used - 1.0).abs() < 1e-9
         {
             corners.push(
-                "the contact is at the limit between sticking and slipping: derivatives are those \
-                 of one side"
+                "the contact is at the limit between sticking and slipping: derivatives are \
+                 one-sided"
                     .into(),
             );
         }

@@ -53,8 +53,8 @@ pub(super) fn with_flat_landing_warning(before: Message) -> Message {
             Digits::Significant(3),
         )
         .words(
-            ": how a ball bounces that lands so flat is assumed, not measured, so total, run and \
-             lateral total may be far off; prefer carry (docs/limitations.md)",
+            ": the bounce of so flat a landing is assumed, not measured, so total, run and lateral \
+             total may be far off; prefer carry (docs/limitations.md)",
         )
 }
 

@@ -129,8 +129,7 @@ pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> 
                 .map(|name| format!("`set {name}=none`"))
                 .collect();
             let reason = format!(
-                "{rule}; keep one of the two: leave one out, or take back what the setup gives \
-                 with {}",
+                "{rule}; keep one of the two: leave one out, or unset the setup's value with {}",
                 back.join(" ")
             );
             return Err(Error::Together {
@@ -230,9 +229,9 @@ impl Setup<f64> {
         if has("air.pressure", air.pressure) && has("air.altitude", air.altitude) {
             return refuse(
                 "air.pressure and air.altitude are both given",
-                "the altitude gives a pressure too, that of the standard atmosphere; keep one of \
-                 the two: leave one out, or take back what the setup gives with `set \
-                 air.altitude=none` or `set air.pressure=none`",
+                "the altitude gives a pressure too, by the standard atmosphere; keep one of the \
+                 two: leave one out, or unset the setup's value with `set air.altitude=none` or \
+                 `set air.pressure=none`",
             );
         }
         match [has("wind.speed", wind.speed), has("wind.from", wind.from)] {
@@ -279,7 +278,7 @@ impl Setup<f64> {
         let low = stated.append_value("wind.reference_height = ".into(), wind.reference_height);
         (wind.reference_height <= roughness).then(|| {
             low.words(
-                " is not above wind.roughness: a logarithmic profile says nothing of the wind there",
+                " is not above wind.roughness: a logarithmic profile does not define the wind there",
             )
         })
     }

@@ -90,7 +90,7 @@ impl SpeedOf {
             .ok_or_else(|| {
                 let names = Self::ALL.iter().map(|point| point.name());
                 let advice =
-                    "the speed of the club is that of its centre-of-mass or of its face-centre";
+                    "the speed of the club is the speed of its centre-of-mass or its face-centre";
                 Error::unknown(SPEED_OF, name, names, advice)
             })
     }

@@ -54,8 +54,8 @@ impl Club<f64> {
         (a + b < c * (1.0 - 1e-12)).then(|| {
             format!(
                 "club.inertia: no rigid body has the principal moments {a:.4e}, {b:.4e} and \
-                 {c:.4e} kg m^2 (the sum of the two smaller must be at least the largest); the drive is computed \
-                 with them all the same"
+                 {c:.4e} kg m^2 (the sum of the two smaller must be at least the largest); the \
+                 drive is computed with them anyway"
             )
         })
     }

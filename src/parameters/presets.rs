@@ -56,7 +56,7 @@ pub static PRESETS: &[Preset] = &[
     Preset {
         name: "modern-driver",
         about: "A 460 cc driver of the 2020s at 110 mph in 25 °C sea-level air, with drag and lift \
-                fitted to what launch monitors predict",
+                fitted to launch monitors' predictions",
         entries: &[],
     },
     Preset {

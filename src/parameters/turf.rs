@@ -83,10 +83,10 @@ pub(super) fn refuse_idle_turf(is_given: impl Fn(&str) -> bool) -> Result<()> {
         return Ok(());
     }
     let names = names.join(", ");
-    let given = format!("{TURF} is given beside all of its numbers ({names})");
+    let given = format!("{TURF} is given together with all of its numbers ({names})");
     let reason = format!(
-        "a number that is given comes before that of the turf, so that the turf says nothing; \
-         delete {TURF}, or delete the numbers that it is to give"
+        "stated numbers override the turf's, so the turf has no effect; delete {TURF}, or delete \
+         the numbers that it should give"
     );
     Err(Error::Together { given, reason })
 }
@@ -187,7 +187,7 @@ mod tests {
                 .to_string();
             let says = "ground.turf is given beside all of its numbers (ground.restitution, \
                         ground.friction, ground.compliance, ground.rolling): a number that is \
-                        given comes before that of the turf, so that the turf says nothing; \
+                        given comes before that of the turf, so that the turf has no effect; \
                         delete ground.turf, or delete the numbers that it is to give";
             assert_eq!(message, format!("a.toml:3:1: {says}"));
             let remedied = text(restitution).replace("turf = 'firm'\n", "");
@@ -206,7 +206,7 @@ mod tests {
                 .set_all(settings.clone())
                 .unwrap_err()
                 .to_string()
-                .contains("the turf says nothing")
+                .contains("the turf has no effect")
         );
         settings.remove(0);
         assert!(Setup::default().set_all(settings).is_ok());

@@ -76,7 +76,7 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> 
         })
         .collect();
     let law = entry(LAW).map_or(
-        "fitted to what launch monitors predict; smooth, with the right apex and descent",
+        "fitted to launch monitors' predictions; smooth, with the right apex and descent",
         |entry| entry.source,
     );
     let method = entry(METHOD).map_or("the classical method, which the sources use", |entry| {

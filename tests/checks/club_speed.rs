@@ -283,7 +283,7 @@ fn the_point_is_read_written_and_compared() {
                 "--set",
                 "swing.speed_of=face-centre",
             ],
-            "none is used",
+            "strike and impact are not used",
         ),
     ] {
         let told = longdrive(args);

@@ -232,7 +232,8 @@ fn jacobian_and_gradient_by_all_parameters() {
     assert!(rows[0]["gradient"].as_object().unwrap().len() > 35);
     let said = longdrive(&["gradient", "--wrt", "all"]);
     assert!(
-        said.err.contains("left out, without a value") && said.err.contains("ball.inertia"),
+        said.err.contains("left out, because they have no value")
+            && said.err.contains("ball.inertia"),
         "{}",
         said.err
     );

@@ -692,7 +692,8 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
         let said = longdrive(&[&DRIVES[..], &["--instructions", lacking.name()]].concat());
         assert_eq!(said.status, 2);
         assert!(
-            said.err.contains(&format!("the most it has is {most}")),
+            said.err
+                .contains(&format!("its widest instruction set is {most}")),
             "{}",
             said.err
         );

@@ -584,7 +584,7 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
         ),
         (
             vec!["optimize", "-o", "best.json"],
-            "a setup file is written in TOML, and .json is the ending of another kind",
+            "a setup file is written in TOML, and .json is the extension of another format",
         ),
         (
             vec!["robust", "-o", "best.csv"],
@@ -941,7 +941,7 @@ fn same_optima_at_chosen_points_as_in_single_searches() {
 
 #[test]
 fn unordered_and_duplicate_values_of_a_chart_are_reported() {
-    const TOLD: &str = "the values of --at are taken in rising order, each once";
+    const TOLD: &str = "the values of --at are used in ascending order, each once";
     for (at, is_told) in [
         ("90mph,100mph", false),
         ("100mph,90mph", true),

@@ -428,9 +428,7 @@ fn diverging_drives_are_reported_with_advice() {
     assert_eq!(said.status, 1, "{}", said.err);
     let told = said.err.replace("\n  ", " ");
     assert!(
-        told.contains(
-            "3 diverged; simulate with the values of one that diverged says what to change"
-        ),
+        told.contains("3 diverged; simulate one of the diverged drives to see what to change"),
         "{told}"
     );
 }

@@ -284,7 +284,7 @@ fn remarks_and_warnings_fit_a_terminal() {
     for (args, begin) in [
         (
             &["gradient", "--wrt", "all"][..],
-            "left out, without a value",
+            "left out, because they have no value",
         ),
         (&["uncertainty", "--samples", "8"], "default uncertainty: "),
         (

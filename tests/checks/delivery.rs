@@ -499,7 +499,7 @@ fn bad_arguments_of_delivery_are_refused_with_advice() {
         ),
         (given(&["--backspin", "2000rpm"]), "the spin is given twice"),
         (given(&["--shots", "none.csv"]), "give one of the two"),
-        (given(&["--own-step"]), "flies nothing"),
+        (given(&["--own-step"]), "no flight, so this has no effect"),
         (given(&["--launch-direction", "3"]), "has no unit"),
     ] {
         let args: Vec<&str> = args.iter().map(String::as_str).collect();

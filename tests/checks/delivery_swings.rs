@@ -378,7 +378,7 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
     // the next command has the setup of the swings
     let follows = |ran: &crate::command_line::Output| {
         let told = words(&ran.err);
-        told.split("the design that is best over them: longdrive ")
+        told.split("the best design over these swings: longdrive ")
             .nth(1)
             .map(|rest| rest.split(" --swings ").next().unwrap().to_owned())
     };

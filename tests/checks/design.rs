@@ -442,7 +442,7 @@ fn assumptions_of_a_design_are_printed() {
     assert_eq!(said.status, 0, "{}", said.err);
     for part in [
         "Bliss & Langdown 2026",
-        "the design with the largest mean(carry) - 0.5*rms(lateral) is sought",
+        "default goal: the largest mean(carry) - 0.5*rms(lateral)",
         "varied by default: club.bulge_radius, club.roll_radius, club.loft",
         "the side spin of strikes off the centre is known to about 30 %",
         "moment of inertia",

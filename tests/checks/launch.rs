@@ -357,7 +357,7 @@ fn a_club_beside_a_launch_is_refused_by_name() {
                 is_partial
                     || said
                         .err
-                        .contains("swing, club, strike and impact none is used"),
+                        .contains("swing, club, strike and impact are not used"),
                 "{}",
                 said.err
             );

@@ -234,7 +234,7 @@ fn the_hand_is_read_written_and_compared() {
                 "--set",
                 "golfer=left",
             ],
-            "none is used",
+            "strike and impact are not used",
         ),
     ] {
         let told = longdrive(args);

@@ -354,7 +354,7 @@ fn bad_goals_of_a_front_say_what_is_wrong() {
     let cases: [(Vec<&str>, &str); 10] = [
         (
             vec!["--maximize", "carry"],
-            "one is given, and a front is between two",
+            "one is given, and a front has two goals",
         ),
         (vec![], "0 are given"),
         (

@@ -120,12 +120,12 @@ fn points_with_wrong_numbers_of_values_are_refused_after_the_rows_before() {
     for (mut points, says) in [
         (
             short,
-            "asked for at most 10 rows, tells of 10 and appends 10 values: it must append 2 values \
+            "called for at most 10 rows, returned 10 and appended 10 values: it must append 2 values \
              for each row",
         ),
         (
             long,
-            "asked for at most 1024 rows, tells of 1029 and appends 2058 values",
+            "called for at most 1024 rows, returned 1029 and appended 2058 values",
         ),
     ] {
         let error = simulate_batch(

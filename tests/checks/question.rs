@@ -201,7 +201,7 @@ fn two_answers_to_one_question_are_refused_with_what_to_write() {
                 "--at",
                 "95mph",
             ],
-            "for the places write --along swing.speed",
+            "for the values write --along swing.speed",
         ),
         (
             vec![

@@ -803,12 +803,12 @@ fn bad_plots_and_folders_get_messages_that_help() {
         (
             vec!["plot", "trajectory", "-o", &csv, "--dark"],
             2,
-            vec!["--dark", "it is about pictures"],
+            vec!["--dark", "it applies to pictures"],
         ),
         (
             vec!["plot", "tornado", "-o", &csv, "--width", "300"],
             2,
-            vec!["--width", "it is about pictures"],
+            vec!["--width", "it applies to pictures"],
         ),
         (
             vec![

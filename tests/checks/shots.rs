@@ -845,7 +845,7 @@ fn the_command_writes_rows_and_their_prediction_errors() {
         (vec!["fly", &shots, "--address", "0.0.0.0"], "--listen"),
         (
             vec!["fly", &shots, "--listen", "0"],
-            "trackman.csv are both given: beside --listen the one file is the setup of all \
+            "trackman.csv are both given: with --listen the file is the setup of all \
              messages",
         ),
         (

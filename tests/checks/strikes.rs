@@ -224,7 +224,7 @@ fn two_designs_are_side_by_side_on_the_face() {
         ),
         (
             vec!["--after", &after, "--vary", "club.loft=8deg..12deg"],
-            "none is looked for",
+            "no optimum is searched for",
         ),
         (vec!["--after", "no-such.toml"], "no-such.toml"),
     ] {

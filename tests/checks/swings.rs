@@ -824,13 +824,13 @@ fn parameters_without_swings_are_reported() {
     let said = longdrive(&[&strokes[..], &speed].concat());
     assert!(
         said.err
-            .contains("100.0 % of the swings end where the table"),
+            .contains("100.0 % of the swings end outside of the table"),
         "{}",
         said.err
     );
     let stray = longdrive(&[&["optimize", "--strokes", &table][..], &speed].concat());
     assert!(
-        stray.status == 2 && stray.err.contains("no goal asks for strokes"),
+        stray.status == 2 && stray.err.contains("no goal uses strokes"),
         "{}",
         stray.err
     );

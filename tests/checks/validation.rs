@@ -375,7 +375,7 @@ fn a_name_that_ends_in_csv_gets_the_rows_and_other_files_are_refused() {
     for command in [&["validate"][..], &["reproduce", "winfield-tan"]] {
         let said = longdrive(&[command, &["-o", &place("page.html")]].concat());
         assert!(
-            said.status == 2 && said.err.contains(".html is the ending of a file"),
+            said.status == 2 && said.err.contains(".html is the extension of a file"),
             "{}",
             said.err
         );

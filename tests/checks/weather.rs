@@ -624,7 +624,7 @@ fn contradictory_weather_settings_are_refused() {
                 && said
                     .err
                     .trim_end()
-                    .ends_with(&format!("setup gives with {remedy}")),
+                    .ends_with(&format!("setup's value with {remedy}")),
             "{}",
             said.err
         );

@@ -51,7 +51,7 @@ struct Summary {
 fn both_given(file: &Path, why: &str) -> Error {
     let file = file.display();
     let source = format!(
-        "beside `listen` the one file is the setup of all messages, and {file} is not one ({why}); \
+        "with `listen` the file is the setup of all messages, and {file} is not a setup ({why}); \
          to fly the shots of {file} leave `listen` out"
     );
     Error::Unreadable {

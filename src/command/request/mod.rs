@@ -316,8 +316,8 @@ impl Request {
         {
             Some(setting) => {
                 let source = format!(
-                    "{why}: of the parameters of swing, club, strike and impact none is used; \
-                     leave it out, or give the drive by its club"
+                    "{why}: the parameters of swing, club, strike and impact are not used; leave \
+                     it out, or give the drive by its club"
                 );
                 Err(Error::Unreadable {
                     name: setting.named(),
@@ -490,8 +490,8 @@ impl OwnLaw {
                 .map(Setting::to_string)
                 .collect::<Vec<_>>()
                 .join(" "),
-            source: "this command takes every law as it is published; `set` gives it your own \
-                     table beside them, and the table's factors: `set aero.table=mine.csv`"
+            source: "this command uses every law as published; `set` only adds your own table and \
+                     its factors: `set aero.table=mine.csv`"
                 .into(),
         };
         let mut setup = Setup::default();

@@ -109,7 +109,7 @@ fn refuse_options_of_parts(args: &Sweep) -> Result<()> {
     match options.into_iter().find(|(_, given)| !given.is_empty()) {
         Some((option, _)) => Err(Error::Together {
             given: option.into(),
-            reason: "it is kept with a part of a sweep; add `part 1/1` for a sweep in one part"
+            reason: "it applies only to a part of a sweep; add `part 1/1` for a sweep in one part"
                 .into(),
         }),
         None => Ok(()),
@@ -178,7 +178,7 @@ fn no_outcome(summary: &Summary, tally: &StatusCounts, of: &[Outcome]) -> String
         .counts()
         .any(|(status, count)| status == Status::Diverged && count > 0);
     let diverged = if has_diverged {
-        "; simulate with the values of one that diverged says what to change"
+        "; simulate one of the diverged drives to see what to change"
     } else {
         ""
     };

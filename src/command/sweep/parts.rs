@@ -78,7 +78,7 @@ pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
         CheckScope::Launch,
     ));
     let there = (!is_new)
-        .then(|| "it was there already, whole and of the same sweep, and stays".to_owned());
+        .then(|| "it existed already, complete and of the same sweep, and is kept".to_owned());
     if request.is_json() {
         let body = OfPart {
             folder: folder.display().to_string(),
@@ -200,8 +200,8 @@ fn wanted(args: &Sweep) -> Result<Option<SweepDefinition>> {
             Some(_) => Err(Error::Together {
                 given: "`check` with `instructions`".into(),
                 reason:
-                    "say what was swept too (`over` or `points`), or leave `instructions` out: the \
-                     answer names them"
+                    "give the swept parameters too (`over` or `points`), or leave `instructions` \
+                     out: the answer names them"
                         .into(),
             }),
         };
@@ -236,12 +236,12 @@ fn said(checked: &Checked) -> Vec<String> {
             question.instructions
         ),
         false if *present == question.parts => format!(
-            "{} are there and sound, but not alone: take out the files that are no part of the \
+            "{} are present and valid, but not alone: remove the files that are no part of the \
              sweep",
             counted(*present, "part")
         ),
         false => format!(
-            "not complete: {present} of {} are there and sound",
+            "not complete: {present} of {} are present and valid",
             counted(question.parts, "part")
         ),
     }];
@@ -255,8 +255,7 @@ fn said(checked: &Checked) -> Vec<String> {
     );
     if !unfinished.is_empty() {
         said.push(format!(
-            "{} of writers that are at work or were killed; where none is at work they can be \
-             deleted",
+            "{} of writers that are running or were killed; delete them if no writer is running",
             counted(unfinished.len() as u64, "file")
         ));
     }

@@ -219,7 +219,7 @@ impl Report for DeliveryReport<'_> {
             let rows = counted(left_out as u64, "row");
             return Ending {
                 status: "interrupted",
-                message: Some(format!("interrupted before {rows} were looked at")),
+                message: Some(format!("interrupted before {rows} were computed")),
             };
         }
         let found = all.iter().filter_map(Delivery::explained).count();
