@@ -95,7 +95,7 @@ def test_a_value_on_its_bound_is_told(shots: dict[str, Any]) -> None:
         for one in fitted(shots, "aero.cd0=0.3..0.6")[1]
     )
     assert any(
-        "aero.cd0 ended at 0, the end of what it may be" in one
+        "aero.cd0 ended at 0, the end of its allowed values" in one
         for one in fitted({**shots, "carry [m]": carries(0.0) + 20})[1]
     )
 
@@ -107,7 +107,7 @@ def test_an_interval_that_reaches_below_no_drag_is_told(shots: dict[str, Any]) -
     low, _ = found.estimates["aero.cd0"]["interval_95"]
     assert low < 0
     assert any(
-        "the 95 % interval of aero.cd0" in one and "reaches beyond what it may be (0 ≤ … ≤ 100)" in one
+        "the 95 % interval of aero.cd0" in one and "reaches beyond its allowed range (0 ≤ … ≤ 100)" in one
         for one in told
     )
 

@@ -87,7 +87,7 @@ def test_mentions_are_written_as_arguments(text: str, words: str) -> None:
         (lambda: longdrive.sensitivity(maximize="carry"), "add at_optimum=True"),
         (
             lambda: longdrive.chart(along="club.loft=5deg..9deg", vary={"club.loft": (0.1, 0.2)}),
-            "take it out of those",
+            "take it out of",
         ),
         (lambda: longdrive.design("tour-average"), 'rules="none"'),
         (lambda: longdrive.Setup({"club.lofft": 1}), r"longdrive\.parameters\(\) lists them all"),

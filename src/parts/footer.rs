@@ -111,7 +111,7 @@ impl Footer {
             Hash::of_file(file, self.data).map_err(|error| read_error_text(&error))?;
         if data != self.part.data {
             return Err(
-                "its rows are not those that were written: their SHA-256 is not that in its footer"
+                "its rows have changed: their SHA-256 differs from the SHA-256 in its footer"
                     .into(),
             );
         }

@@ -100,8 +100,8 @@ impl Dataset {
         let unwritten = |error: io::Error| {
             let why = Error::why_unwritten(&error);
             results(format!(
-                "it cannot be written ({why}); nothing of it is left. Put that right, then ask for \
-                 part {part} again"
+                "it cannot be written ({why}); nothing of it is kept. Correct this, then repeat \
+                 part {part}"
             ))
         };
         let mut file = Unfinished::new(create_beside(&path).map_err(unwritten)?);
@@ -197,12 +197,12 @@ impl Dataset {
         let footer = Footer::read(path).map_err(|reason| format!("{reason}; {advice}"))?;
         if let Some(difference) = self.question.difference(&footer.question) {
             return Err(format!(
-                "it is there, of another sweep ({difference}); {advice}"
+                "it exists and belongs to another sweep ({difference}); {advice}"
             ));
         }
         if footer.part.part != part {
             return Err(format!(
-                "it is there, and is part {} under a wrong name; {advice}",
+                "it exists and is part {} under a wrong name; {advice}",
                 footer.part.part
             ));
         }
@@ -237,7 +237,7 @@ impl Dataset {
                 file: other.display().to_string(),
                 reason: format!(
                     "it belongs to another sweep ({difference}), and a folder holds the parts of \
-                     one; take another folder, or the same question"
+                     one sweep; take another folder, or the same sweep"
                 ),
             }),
         }

@@ -306,7 +306,8 @@ fn add_shares(
     );
     if !at_once.is_empty() {
         remarks.push(format!(
-            "changed at once, halfway between a and b, since there are no values between: {at_once}"
+            "changed in one step, halfway between a and b, since there are no values between: \
+             {at_once}"
         ));
     }
     let remainder = shown::change(of, split.remainder, system);

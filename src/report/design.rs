@@ -169,7 +169,7 @@ impl Designed<'_> {
         let goal = &self.best.search.of;
         let told = match (constraint.by, price, margin) {
             (Enforcement::Unknown, ..) => "not checked; it can be stated as a relation".into(),
-            (Enforcement::Value(_), _, Some(_)) => "met; nothing varied changes it".into(),
+            (Enforcement::Value(_), _, Some(_)) => "met; no varied parameter changes it".into(),
             (_, Some(price), _) => {
                 let amount = price
                     * constraint.step

@@ -171,7 +171,7 @@ fn uncertainties(effects: &Effects, bars: &[Bar], system: System) -> Table {
     let mut table = Table::new(head, rows).right(1..=5);
     let is_flown = bars.iter().all(|bar| bar.flown.iter().all(Option::is_some));
     let flown = if is_flown {
-        ", which the drives flown at −σ and +σ have in them"
+        ", which the drives at −σ and +σ include"
     } else {
         ""
     };

@@ -81,7 +81,7 @@ impl Objective {
             // an equation is active even if its multiplier is 0
             let price = match slopes.iter().any(|slope| *slope != 0.0) {
                 true => format!(", {} that the value is raised", price(gain)),
-                false => ", and nothing that is varied moves it".into(),
+                false => ", and no varied parameter changes it".into(),
             };
             return format!(
                 "equality: off by {off}{}",

@@ -202,7 +202,7 @@ fn notes(found: &Pareto, system: System) -> Vec<String> {
     if found.points.len() > 1 {
         let [of, by] = [first, second].map(|goal| system.unit(goal.unit));
         notes.push(format!(
-            "slope: what {} changes by for each unit of {}, along the front{}",
+            "slope: change of {} for each unit of {}, along the front{}",
             first.expression,
             second.expression,
             if of.is_empty() && by.is_empty() {
@@ -214,9 +214,9 @@ fn notes(found: &Pareto, system: System) -> Vec<String> {
     }
     match found.knee {
         Some(knee) => notes.push(format!(
-            "the knee is point {}: of all it lies farthest, {} % of the distance between the ends, \
-             off the straight line between them, with \
-             both goals scaled from one end to the other",
+            "the knee is point {}: it is the farthest, by {} % of the distance between the ends, \
+             from the straight line between the ends, with both goals scaled from one end to the \
+             other",
             knee + 1,
             significant(100.0 * found.bend, 2)
         )),

@@ -261,8 +261,8 @@ fn losses(found: &Robust, system: System) -> Table {
     Table::new(head, rows)
         .right(1..found.models.len() + 3)
         .with_caption(&format!(
-            "losses of {} beside the best for each model, by design; {} where the design breaks a \
-             limit, or a swing does not fly",
+            "losses of {} against each model's own best design, by design; {} if the design \
+             violates a limit, or a swing does not fly",
             goal.expression,
             shown::NONE
         ))

@@ -206,8 +206,8 @@ fn unknown(price: Option<&Price>) -> Vec<String> {
     });
     let error = match price.error() {
         Some(GoalError::Unknown(why)) => Some(format!(
-            "how far the best value is known is not known: of other swings of the same golfer one \
-             does not fly ({why})"
+            "the uncertainty of the best value is not known: one of the golfer's other swings does \
+             not fly ({why})"
         )),
         _ => None,
     };
@@ -278,8 +278,8 @@ pub(super) fn notes_text(best: &Optimum, over: OverSwings<'_>, system: System) -
         && best.solution.status == Status::Converged
     {
         notes.push(
-            "how well these swings tell the best design is not known: they are alike, or their \
-             resamples came to no optimum"
+            "how well these swings determine the best design is not known: they are equal, or the \
+             searches of their resamples found no optimum"
                 .into(),
         );
     }
@@ -313,7 +313,7 @@ fn designs(best: &Optimum, nominal: Option<&Nominal>) -> Vec<String> {
         })
     };
     let broken = |design: &str| {
-        format!("{design} breaks a limit, so that it is no alternative to the best one")
+        format!("{design} violates a limit, so it is no alternative to the best design")
     };
     if breaks(kept.flatten()) {
         notes.push(broken("the best design of the mean swing"));
@@ -332,8 +332,8 @@ fn smoothed_limits(best: &Optimum, system: System) -> Vec<String> {
         .filter(|((limit, at), smoothed)| limit.is_met(smoothed.value) && !limit.is_met(at.value))
         .map(|((limit, at), _)| {
             format!(
-                "the search keeps to {} with smoothed edges; over all swings it is outside by {}: \
-                 give a limit that is stricter by as much",
+                "the search meets {} with smoothed kinks and jumps; the exact value over all \
+                 swings violates it by {}: give a limit that is stricter by as much",
                 limit.expression,
                 shown::goal_difference(&limit.goal, at.violation.abs(), system)
             )
@@ -347,7 +347,7 @@ fn sampling(best: &Optimum, price: Option<&Price>, system: System) -> String {
     let all = &best.search.scenarios;
     let swings = counted(all.points.len() as u64, "swing");
     let taken = match all.rule {
-        Rule::Recorded => "as recorded, each as likely as any other",
+        Rule::Recorded => "as recorded, with equal probability",
         Rule::Quadrature(_) => "by Gauss's rules",
         Rule::Sequence { .. } => "of a quasi-random sequence",
     };

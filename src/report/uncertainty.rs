@@ -380,7 +380,7 @@ fn add_outcome(
     };
     if found.plan.samples < ENOUGH {
         document.list([Line::item(format!(
-            "shares of the variance are shown from {ENOUGH} points on; `samples` gives their number"
+            "shares of the variance need {ENOUGH} points or more; `samples` gives their number"
         ))]);
         return;
     }

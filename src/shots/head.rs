@@ -279,11 +279,8 @@ impl ExportHead {
         remarks.extend(self.air_remark().or_else(|| given_air(columns)));
         remarks.extend(self.given_twice(columns));
         if !self.added.is_empty() {
-            remarks.push(
-                "what an earlier 'fly' added to the rows is written anew (the columns \
-                          from Line on)"
-                    .into(),
-            );
+            remarks
+                .push("the columns that an earlier 'fly' added (from Line on) are replaced".into());
         }
         if !not_read.is_empty() {
             remarks.push(format!(

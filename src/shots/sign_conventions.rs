@@ -80,7 +80,7 @@ impl SignConventions {
             .map(|column| column.head.as_str())
             .collect();
         let (is, why) = match self.axis {
-            true => ("are", ": the balls curve to the other side than they say"),
+            true => ("are", ": the balls curve to the opposite side"),
             false => ("is", ", as Garmin's exports have it"),
         };
         (!names.is_empty())

@@ -128,9 +128,9 @@ impl Comparison {
         let [all, disagree] = self.sides;
         if all >= LEAST_NEAR_ONE && disagree as f64 >= MOST_DISAGREE * all as f64 {
             warnings.push(format!(
-                "{}: of {all} rows that end beside the target line {disagree} end on the other \
-                 side of it than predicted; its + may be to the left, or \
-                 that of the launch direction or the spin",
+                "{}: of {all} rows that end off the target line {disagree} end on the opposite \
+                 side of the prediction; positive values of this column, of the launch direction \
+                 or of the spin may be to the left",
                 name(Outcome::Lateral)
             ));
         }

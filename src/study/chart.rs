@@ -309,9 +309,8 @@ fn check(search: &Search, along: Vary, at: &[f64]) -> Result<()> {
     {
         let name = along.parameter.name;
         let source = format!(
-            "{name} is one of the parameters varied, so that the search chooses it; take it out of \
-             those (`vary`), or follow the optimum \
-             along another parameter"
+            "{name} is a varied parameter, so the search chooses it; take it out of `vary`, or \
+             follow the optimum along another parameter"
         );
         return Err(Error::Unreadable {
             name: format!("the chart along {name}"),

@@ -380,8 +380,7 @@ impl Scope<'_> {
         let is_constant = terms.iter().all(|term| term.measure == Measure::One);
         if is_constant {
             return Err(piece.error(format!(
-                "no parameter stands in it, so that nothing that is varied can change it; \
-                 {RELATION}"
+                "it contains no parameter, so no varied parameter can change it; {RELATION}"
             )));
         }
         let terms = terms.into_iter().map(|term| (term.weight, term.measure));
@@ -570,7 +569,7 @@ fn head_outcome(piece: Piece<'_>, name: &str) -> Result<Outcome> {
     match Outcome::named(name) {
         Ok(of) if of.group() == OutcomeGroup::Head => Ok(of),
         Ok(_) => Err(piece.error(format!(
-            "over many swings an outcome has many values; say what of them, for example \
+            "over many swings an outcome has many values; write a statistic of them, for example \
              mean({name}): {MEASURES}"
         ))),
         Err(_) => Err(piece.error(
@@ -599,7 +598,7 @@ impl<'a> Call<'a> {
             return Err(piece.error("its closing ) is missing"));
         };
         let weight_before =
-            format!("a weight stands before the measure, for example 0.5*{name}({inside})");
+            format!("a weight comes before the measure, for example 0.5*{name}({inside})");
         match behind.trim() {
             "" => {}
             behind if behind.starts_with('/') => {
@@ -609,7 +608,7 @@ impl<'a> Call<'a> {
                 return Err(piece.error(format!("a + or - is missing before '{behind}'")));
             }
             behind => {
-                let reason = format!("'{behind}' stands behind the ); {weight_before}");
+                let reason = format!("'{behind}' follows the ); {weight_before}");
                 return Err(piece.error(reason));
             }
         }
@@ -642,7 +641,7 @@ impl<'a> Call<'a> {
             }
             ("mean" | "std" | "rms" | "lowest" | "highest" | "within" | "strokes", _) => {
                 return Err(self.piece.error(format!(
-                    "it has not the values that it needs; there are {MEASURES}"
+                    "it does not have the arguments that it needs; there are {MEASURES}"
                 )));
             }
             _ => return Err(self.unknown()),

@@ -69,9 +69,8 @@ pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
     if search.vary.iter().any(|vary| vary.parameter == parameter) {
         let name = parameter.name;
         let source = format!(
-            "{name} is one of the parameters varied, so that the search chooses it; ask about \
-             another parameter, or take it out of those \
-             (`vary`)"
+            "{name} is a varied parameter, so the search chooses it; choose another parameter, or \
+             take it out of `vary`"
         );
         return Err(Error::Unreadable {
             name: format!("the sensitivity of the optimum to {name}"),
@@ -128,7 +127,7 @@ impl Change {
             if own == 0.0 {
                 let (name, unit) = (parameter.name, parameter.unit);
                 let reason = format!(
-                    "{name} is 0, of which no part changes anything; write an amount, for example \
+                    "{name} is 0, so a percentage of it is no change; write an amount, for example \
                      {name}=+1{unit}"
                 );
                 return Err(unreadable(reason.into()));

@@ -72,7 +72,7 @@ pub(super) fn violated(
             .map(|value| constraint.goal.quantity.show(value, constraint.goal.unit));
         let is_fixed = found.jacobian[j].iter().all(|slope| *slope == 0.0);
         let fixed = if is_fixed {
-            "nothing that is varied changes it at this design: "
+            "no varied parameter changes it at this design: "
         } else {
             ""
         };
@@ -264,11 +264,11 @@ impl Optimum {
         match self.idle().as_slice() {
             [] => found.clone(),
             [one] => format!(
-                "{found}; {one} has no effect worth telling: within its range it changes {goal} by \
+                "{found}; {one} has a negligible effect: within its range it changes {goal} by \
                  less than {little}"
             ),
             all => format!(
-                "{found}; {} have no effect worth telling: within its range each changes {goal} by \
+                "{found}; {} have a negligible effect: within its range each changes {goal} by \
                  less than {little}",
                 all.join(" and ")
             ),

@@ -86,7 +86,7 @@ pub(crate) fn air_of_rows(head: &str) -> String {
 
 /// Message for exports whose air the setup overrides.
 pub(crate) fn air_as_given(head: &str) -> String {
-    format!("the air is the one that is given, and not each row's, which the export states: {head}")
+    format!("the given air replaces the air of each row, which the export states: {head}")
 }
 
 /// Message for rows without usable air.

@@ -555,9 +555,9 @@ impl Column {
             && format!("{whole}.{decimals}").parse::<f64>().is_ok()
         {
             return format!(
-                "'{cell}' is {what}: decimals stand behind a comma only in tables whose cells are \
-                 separated by semicolons or tabs; \
-                 write {whole}.{decimals}, or separate the cells so"
+                "'{cell}' is {what}: a comma marks decimals only in tables whose cells are \
+                 separated by semicolons or tabs; write {whole}.{decimals}, or separate the cells \
+                 so"
             );
         }
         format!(

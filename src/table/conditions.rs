@@ -105,8 +105,8 @@ pub(crate) fn contradiction(
         return less.map(|(whole, part)| {
             format!(
                 "the {} ({}) is flown without a tilt, and the {} ({}) is not used: without spin \
-                 axis or sidespin the side that it is tilted to \
-                 is not known; add one of these, or leave one of the two spins out",
+                 axis or sidespin the side of the tilt is not known; add one of these, or leave \
+                 one of the two spins out",
                 name(Outcome::Spin),
                 Outcome::Spin.show(whole),
                 name(Outcome::Backspin),
@@ -189,7 +189,7 @@ fn spin_components(
         }
         (None, Some(_), None, Some(_)) => Err(Fault::invalid(
             Outcome::SpinAxis,
-            "beside a backspin the axis must be between −90° and 90°, since sidespin = backspin · \
+            "with a backspin the axis must be between −90° and 90°, since sidespin = backspin · \
              tan(axis); correct it, or give the sidespin",
         )),
         (Some(spin), _, Some(side), None) if side.abs() <= spin => {

@@ -211,6 +211,5 @@ fn unknown_columns(columns: &[Column]) -> Option<Message> {
         })
         .collect();
     let list = unknown.join(", ");
-    (!unknown.is_empty())
-        .then(|| format!("columns without a name here are left out: {list}").into())
+    (!unknown.is_empty()).then(|| format!("unknown columns are left out: {list}").into())
 }

@@ -470,7 +470,7 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
             &fit,
             vec![
                 "column 2",
-                "'sigma lateral' is the uncertainty of what has no",
+                "'sigma lateral' is the uncertainty of an outcome without",
             ],
         ),
         (
@@ -731,7 +731,7 @@ fn exact_fits_without_residuals_are_converged() {
         }
         assert_eq!(found["undetermined"].as_array().unwrap().len(), 0);
         assert!(
-            !text.contains("not determined") && text.contains("met to rounding"),
+            !text.contains("not determined") && text.contains("exact to rounding"),
             "{text}"
         );
         assert!(
@@ -981,10 +981,11 @@ fn starts_that_end_at_larger_sums_are_reported() {
         .collect::<Vec<_>>()
         .join(" ");
     assert_eq!(others, [("undefined", 5)], "{found}");
-    let told = "1 of 6 starts ended at this sum; 5 could not begin, for not every row flies there.";
+    let told = "1 of 6 starts ended at this sum; 5 could not begin, because some rows do not fly \
+                there.";
     assert!(said.contains(told), "{said}");
     assert!(
-        said.contains("with narrower ones more of them come to a minimum"),
+        said.contains("with narrower ranges more of the starts reach a minimum"),
         "{said}"
     );
 }

@@ -187,7 +187,7 @@ fn an_equation_is_reported_with_its_violation_and_never_as_inactive() {
     };
     let free = told("lateral == 0 yd");
     let words =
-        "lateral = 0 yd 0.0 yd equality: off by 0.00 yd, and nothing that is varied moves it";
+        "lateral = 0 yd 0.0 yd equality: off by 0.00 yd, and no varied parameter changes it";
     assert!(free.contains(words), "{free}");
     let held = told("apex_height == 30 yd");
     assert!(
@@ -486,9 +486,8 @@ fn refusals_of_variables_do_not_contradict_each_other() {
         "swing.attack_angle=+1deg",
     ]);
     let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
-    let words = "the sensitivity of the optimum to swing.attack_angle: swing.attack_angle is one \
-                 of the parameters varied, so that the search \
-                 chooses it; ask about another parameter";
+    let words = "the sensitivity of the optimum to swing.attack_angle: swing.attack_angle is a varied \
+                 parameter, so the search chooses it; choose another parameter";
     assert!(
         said.status == 2 && told.contains(words) && !told.contains("cannot be varied"),
         "{told}"
@@ -519,7 +518,7 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
         (vec!["optimize", "--checkpoint", "."], "it is not a file"),
         (
             vec!["optimum-sensitivity", "--wrt", "club.loft"],
-            "one of the parameters varied",
+            "is a varied parameter",
         ),
         (
             vec!["optimum-sensitivity", "--wrt", "swing.sped"],
@@ -527,7 +526,7 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
         ),
         (
             vec!["optimum-sensitivity", "--change", "club.loft=+1deg"],
-            "one of the parameters varied",
+            "is a varied parameter",
         ),
         (
             vec!["optimum-sensitivity", "--change", "swing.speed=+5kg"],
@@ -543,7 +542,7 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
         ),
         (
             vec!["optimum-sensitivity", "--change", "swing.path=+20%"],
-            "swing.path is 0, of which no part changes anything",
+            "swing.path is 0, so a percentage of it is no change",
         ),
         (vec!["optimum-sensitivity", "--loss", "0 yd"], "above 0"),
         (
@@ -606,7 +605,7 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
                 "--vary",
                 "club.loft=4deg..20deg",
             ],
-            "one of the parameters varied",
+            "is a varied parameter",
         ),
         (
             vec!["chart", "--along", "swing.speed=80mph.."],

@@ -443,12 +443,11 @@ fn parameters_limited_by_their_range_have_a_warning() {
             .iter()
             .map(|it| it.as_str().unwrap().to_owned());
         warnings
-            .filter(|it| it.contains("end of the range that it is sought in"))
+            .filter(|it| it.contains("end of its search range"))
             .collect::<Vec<_>>()
     };
     let found = at_ends(&[]);
-    let says = "swing.speed of 2 of 2 launches lies at the lower end of the range that it is \
-                sought in, 55";
+    let says = "swing.speed of 2 of 2 launches lies at the lower end of its search range, 55";
     assert!(found.iter().any(|it| it.starts_with(says)), "{found:?}");
     let nearer = at_ends(&["--set", "swing.speed=50mph"]);
     assert!(
@@ -483,10 +482,13 @@ fn bad_arguments_of_delivery_are_refused_with_advice() {
             given(&["--vary", "aero.cd0=0.1..0.2"]),
             "no launch depends on",
         ),
-        (given(&["--sigma", "club.loft=1deg"]), "it is not sought"),
+        (
+            given(&["--sigma", "club.loft=1deg"]),
+            "it is not an unknown",
+        ),
         (
             given(&["--vary", "club.loft=20deg..30deg"]),
-            "outside of the range",
+            "outside of its search range",
         ),
         (
             given(&[

@@ -278,7 +278,7 @@ fn a_relation_is_read_or_refused_with_its_position() {
         ),
         (
             "volume: 120 cm^3 + 20 cm^3 <= 460 cm^3",
-            "no parameter stands in it",
+            "it contains no parameter",
             "120",
         ),
         ("carry: club.mass <= 210 g", "\"mean(carry) <= …\"", "carry"),

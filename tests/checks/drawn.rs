@@ -267,9 +267,13 @@ fn an_equation_that_holds_everywhere_does_not_change_the_region() {
         (region.equation, rings(&with.2, false).len()),
         (None, rings(&without.2, false).len())
     );
-    let said = longdrive(&["optimize", "--subject-to", "lateral == 0 m"]).out;
+    let said = longdrive(&["optimize", "--subject-to", "lateral == 0 m"])
+        .out
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
     assert!(
-        said.contains("nothing that is varied moves it")
+        said.contains("no varied parameter changes it")
             && !said.contains("that the value is raised"),
         "{said}"
     );

@@ -228,7 +228,7 @@ fn a_front_of_two_parts_names_points_that_are_dominated() {
         .collect::<Vec<_>>()
         .join("; ");
     assert!(
-        said.contains("other designs are better from here on"),
+        said.contains("another branch of designs is better"),
         "{said}"
     );
     for pair in points.windows(2) {

@@ -362,8 +362,7 @@ fn every_shot_is_explained_by_its_stated_values() {
     );
     let table = ShotTable::open_launches(&Setup::default(), std::path::Path::new(&file)).unwrap();
     let told: Vec<String> = table.remarks.iter().map(ToString::to_string).collect();
-    let says =
-        "Club Path: not stated; what is known before the shot stands for it: row 2, row 3, row 4";
+    let says = "Club Path: not stated; the prior is used in its place: row 2, row 3, row 4";
     assert!(told.iter().any(|told| told == says), "{told:?}");
 }
 
@@ -509,7 +508,7 @@ fn implausible_units_are_warned_of() {
         ),
         (
             warned(text(1.0, yards, -7.0)),
-            "Side: of 6 rows that end beside the target line 6 end on the other side",
+            "Side: of 6 rows that end off the target line 6 end on the opposite side",
         ),
     ] {
         assert!(

@@ -539,7 +539,7 @@ fn ambiguous_decimal_and_thousands_marks_are_refused() {
         "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n\"165,5\",\"11,2\",\"2,600\"\n";
     let (_, all, _) = flown(quoted.as_bytes());
     let reason = &all[0].shots()[0].refusal().unwrap().reason;
-    let says = "Ball Speed: '165,5' is not a number: decimals stand behind a comma only in tables \
+    let says = "Ball Speed: '165,5' is not a number: a comma marks decimals only in tables \
                 whose cells are separated by semicolons or \
                 tabs; write 165.5, or separate the cells so";
     assert_eq!(reason, says);

@@ -129,7 +129,8 @@ fn same_air_of_each_row_in_calibrate_and_fly() {
     }
     table.in_given_air();
     assert!(
-        air(&table, 0).is_none() && told(&table).contains("the air is the one that is given"),
+        air(&table, 0).is_none()
+            && told(&table).contains("the given air replaces the air of each row"),
         "{}",
         told(&table)
     );
@@ -155,12 +156,14 @@ fn given_air_overrides_that_of_the_export() {
     let (given, told) = fly(&["--set", "air.density=1.3kg/m^3"]);
     close(given, carry(1.3), 250.0, 1e-5, "given");
     assert!(
-        told.contains("the air is the one that is given, and not each row's"),
+        told.split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ")
+            .contains("the given air replaces the air of each row"),
         "{told}"
     );
     let (cold, told) = fly(&["--set", "air.temperature=0degC"]);
-    let says = "the air is the one that is given, and not each row's, which the export states: Air \
-                Density";
+    let says = "the given air replaces the air of each row, which the export states: Air Density";
     let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         cold < own - 10.0 && words.matches("Air Density").count() == 1 && words.contains(says),

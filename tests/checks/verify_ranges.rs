@@ -273,7 +273,7 @@ fn no_order_is_required_where_the_spin_decays_within_a_step() {
         let told = found
             .not_examined
             .iter()
-            .any(|it| it.check.contains("convergence") && it.reason.contains("spin fades"));
+            .any(|it| it.check.contains("convergence") && it.reason.contains("decay of its spin"));
         assert_eq!(told, !is_measured, "{damping}: {:?}", found.not_examined);
     }
 }

@@ -100,8 +100,8 @@ fn agreement(of: Outcome, points: &[Point]) -> Figure {
             .collect(),
     ))
     .noted(
-        "The bars are the standard uncertainty of what was measured: that of the table, or of \
-            the instrument where it states none.",
+        "The bars are the standard uncertainties of the measured values: from the table, or from \
+         the instrument if the table states none.",
     );
     figure.aspect = 0.85;
     figure

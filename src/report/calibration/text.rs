@@ -49,7 +49,7 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
     for (status, count) in &found.elsewhere {
         text += &match status {
             Status::Undefined => {
-                format!("; {count} could not begin, for not every row flies there")
+                format!("; {count} could not begin, because some rows do not fly there")
             }
             _ => format!("; {count} ended at a larger sum ({status})"),
         };
@@ -66,8 +66,8 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
     };
     if found.elsewhere.iter().any(|(status, _)| !has_end(status)) {
         document.paragraph(
-            "Starts are spread over the ranges of the parameters: with narrower ones more of them \
-             come to a minimum.",
+            "Starts are spread over the ranges of the parameters: with narrower ranges more of the \
+             starts reach a minimum.",
         );
     }
 }
@@ -93,10 +93,10 @@ pub(super) fn estimates(
     document.heading("Estimates");
     if found.fit.status == Status::Interrupted {
         document.paragraph(if found.is_minimum {
-            "The fit was interrupted: these values are a minimum, and the searches that were \
-             stopped may have led to a lower one."
+            "The fit was interrupted: these values are a minimum, but the stopped searches might \
+             have found a lower minimum."
         } else {
-            "The fit was interrupted: these values are where it stood, not a minimum."
+            "The fit was interrupted: these values are its last point, not a minimum."
         });
     }
     document.table(
@@ -220,7 +220,7 @@ fn chi_square(statistics: &Statistics, stated: Uncertainties) -> String {
         }
     };
     let exact = if statistics.is_exact {
-        "; the data are met to rounding"
+        "; the fit is exact to rounding"
     } else {
         ""
     };

@@ -36,8 +36,8 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
     document.add(Table::new(head, explained).right([1, 2, 3, 4]));
     if !delivered.unidentified.is_empty() {
         let title = Line::flush(
-            "The launch does not tell these changes; each leaves it nearly as it is, and what was \
-             known before decides:",
+            "The launch does not determine these changes: each changes the launch hardly at all, \
+             and the prior decides:",
         );
         let changes = delivered
             .unidentified

@@ -59,7 +59,8 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
     }
     let [a, b] = difference.values;
     let mut note = format!(
-        "{} of b less that of a: {}, from {} to {}. The bars of a colour add up to it.",
+        "{} of b minus its value of a: {}, from {} to {}. The bars of a colour add up to this \
+         difference.",
         super::capital(&measure.label),
         measure.show_difference(difference.amount(), system),
         measure.show(a, system),

@@ -175,7 +175,7 @@ fn spread(landings: &[Landing], system: System) -> Option<String> {
     let Some(landing) = landings.iter().find(|landing| !landing.ellipses.is_empty()) else {
         let is_known = landings.iter().all(|landing| !landing.is_too_wide);
         return is_known
-            .then(|| "Nothing of the golfer is uncertain, so that there are no ellipses.".into());
+            .then(|| "No parameter of the golfer is uncertain, so there are no ellipses.".into());
     };
     let sigma = |sigma: &crate::study::Sigma| {
         let measure = Measure::parameter(sigma.parameter);
@@ -196,8 +196,8 @@ fn spread(landings: &[Landing], system: System) -> Option<String> {
 fn too_wide(landing: &Landing) -> String {
     format!(
         "{}: no ellipses are drawn: the standard deviation of the speed is more than a third of \
-         the speed, or an ellipse is larger than the \
-         carry, so that derivatives do not tell where the balls land.",
+         the speed, or an ellipse is larger than the carry, too much for derivatives to predict \
+         the landings.",
         capital(&landing.name)
     )
 }

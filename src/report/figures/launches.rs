@@ -82,8 +82,8 @@ pub fn launches_figure(map: &Launches, system: System) -> Figure {
         ));
     }
     notes.push(
-        "The map holds ball speed, launch direction and sidespin of the first; air and ball are \
-         those of the setup."
+        "The map has the ball speed, launch direction and sidespin of the first launch; air and \
+         ball are the setup's."
             .into(),
     );
     if map.plane.values[0].iter().any(Option::is_none) {

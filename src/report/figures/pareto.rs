@@ -100,7 +100,7 @@ pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
     let mut notes = vec![];
     if !slopes.is_empty() {
         let [first, second] = [first, second].map(|goal| shown::words(&goal.expression));
-        let what = format!("What {first} changes by for each unit of {second}");
+        let what = format!("Change of {first} for each unit of {second}");
         notes.push(format!("{what}, along the front: {}.", slopes.join(", ")));
     }
     notes.extend(found.no_knee().map(|why| format!("{}.", capital(&why))));

@@ -252,7 +252,7 @@ fn note_of_totals(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>], system: System) 
     }
     let within = Quantity::LENGTH.read_off_difference(TOTAL_WITHIN, system.unit("yd"));
     format!(
-        " Behind the carry the ball bounces and runs to its total, {}, which is known within \
+        " After the landing the ball bounces and runs to its total, {}, which is known within \
          {within} at best.",
         totals.join(" and ")
     )

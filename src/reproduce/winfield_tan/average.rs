@@ -102,5 +102,5 @@ impl Polynomial {
 }
 
 fn refused() -> Error {
-    Error::Optimizer("the polynomial through the averages has no top near the best loft".into())
+    Error::Optimizer("the polynomial through the averages has no maximum near the best loft".into())
 }

@@ -68,9 +68,8 @@ impl Calibration {
         Some(
             format!(
                 "the values miss the fit by {} of their standard uncertainties (root mean square; \
-                 χ² = {} with {} of freedom), where noise makes \
-                 1: the fitted model does not describe them, or their uncertainties are too small; \
-                 look at the largest residuals",
+                 χ² = {} with {} of freedom), where noise alone gives 1: the fitted model does not \
+                 describe them, or their uncertainties are too small; look at the largest residuals",
                 significant(off, 3),
                 significant(chi, 5),
                 counted(freedom as u64, "degree")
@@ -85,7 +84,9 @@ impl Calibration {
         if estimate.is_at_bound && estimate.is_determined {
             let ends = [parameter.range.low, parameter.range.high];
             let advice = match ends.contains(&estimate.value) {
-                true => "the end of what it may be: the fitted model does not describe the data",
+                true => {
+                    "the end of its allowed values: the fitted model does not describe the data"
+                }
                 false => {
                     "the end of its range: the sum would fall further beyond it; give it a wider \
                      range, or look at the data"
@@ -102,9 +103,8 @@ impl Calibration {
             let [low, high] = interval.map(show);
             let allowed = parameter.range.show(parameter.quantity, parameter.unit);
             format!(
-                "the 95 % interval of {name}, {low} to {high}, reaches beyond what it may be \
-                 ({allowed}): the data tell little of it; measure \
-                 more, or fit less"
+                "the 95 % interval of {name}, {low} to {high}, reaches beyond its allowed range \
+                 ({allowed}): the data hardly determine it; measure more, or fit fewer parameters"
             )
             .into()
         })

@@ -631,7 +631,7 @@ impl Reading {
             if self.is_launched {
                 return Err((
                     here(),
-                    "rows of launch conditions have no parameter to be best in",
+                    "rows of launch conditions cannot be optima in a parameter",
                 )
                     .into());
             }
@@ -726,7 +726,7 @@ fn without_totals(head: &mut Head) -> Option<Message> {
         |column: &Column| matches!(column.content, Content::Outcome(of) if of.needs_run());
     let remark = head
         .named(is_total)
-        .remark("where the ball comes to rest is not compared, since the ground is not known");
+        .remark("the rest position is not compared, since the ground is not known");
     for column in head.columns.iter_mut().filter(|column| is_total(column)) {
         column.content = Content::Note;
     }
@@ -754,7 +754,8 @@ fn check_columns(head: &Head) -> Result<(), (usize, String)> {
         };
         if head.columns.iter().all(|other| other.content != of) {
             let reason = format!(
-                "'{}' is the uncertainty of what has no column; add that column, or leave this out",
+                "'{}' is the uncertainty of an outcome without a column; add the column of the \
+                 outcome, or leave this out",
                 column.head
             );
             return Err((at, reason));

@@ -228,8 +228,7 @@ impl Rows {
         }
         for (why, rows) in std::mem::take(&mut self.not_stated) {
             let rows = rows.join(", ");
-            remarks
-                .push(format!("{why}; what is known before the shot stands for it: {rows}").into());
+            remarks.push(format!("{why}; the prior is used in its place: {rows}").into());
         }
         let messages = self.implausible.iter().chain(&self.contradictions);
         remarks.extend(messages.cloned().map(Message::from));

@@ -96,9 +96,8 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
         found.fit.status = Status::Misfit;
         found.fit.message = format!(
             "the values miss the fit by {} of their standard uncertainties (root mean square, with \
-             {} of freedom), where noise makes 1: the \
-             fitted model does not describe them, or their uncertainties are too small; look at \
-             the largest residuals",
+             {} of freedom), where noise alone gives 1: the fitted model does not describe them, \
+             or their uncertainties are too small; look at the largest residuals",
             significant(off, 3),
             counted(found.statistics.degrees_of_freedom as u64, "degree")
         );

@@ -298,8 +298,8 @@ impl Conditions {
             (
                 "convergence with the time step",
                 self.reason(
-                    "the flight cannot be followed, or the spin fades, within the steps that an \
-                     order shows at",
+                    "the steps at which an order shows are too long for this flight, or for the \
+                     decay of its spin",
                 ),
             ),
         ];

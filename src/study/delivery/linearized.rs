@@ -76,8 +76,8 @@ impl LinearizedLaunches {
             .collect();
         if samples.len() < PAIRS as usize {
             let reason = "the swings behind the shots would vary so much that more than half of \
-                          them are no strike; \
-                 name fewer parameters (`vary`), or what is known of them (`sigma`)";
+                          them are no strike; name fewer parameters (`vary`), or smaller \
+                          uncertainties (`sigma`)";
             return Err(Error::Delivery {
                 reason: reason.into(),
             });

@@ -132,7 +132,7 @@ pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<V
     if let Some(unused) = sigmas.iter().find(is_missing) {
         let names: Vec<_> = all.iter().map(|unknown| unknown.parameter.name).collect();
         let source = format!(
-            "it is not sought, so that this has no effect; sought are {}",
+            "it is not an unknown, so this has no effect; the unknowns are {}",
             names.join(", ")
         );
         return Err(Error::Unreadable {
@@ -219,8 +219,8 @@ fn varied_unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Resul
                 [low, high].map(|end| parameter.show(Some(end))),
             );
             return Err(refuse(format!(
-                "{name} = {value} is outside of the range {} .. {} that it is sought in; `set` it \
-                 to a value within",
+                "{name} = {value} is outside of its search range {} .. {}; `set` it to a value \
+                 within",
                 ends[0], ends[1]
             )));
         }

@@ -234,8 +234,8 @@ impl Design {
         };
         if limit.goal.quantity != rule.quantity() {
             return refuse(format!(
-                "a relation named '{name}' is held to the rule on the {}, which is about {}, and \
-                 this is {}; check the units, or give it another name",
+                "a relation named '{name}' must meet the rule on the {}, which limits {}, but this \
+                 is {}; check the units, or give it another name",
                 rule.name,
                 rule.quantity().name,
                 limit.goal.quantity.name
@@ -244,7 +244,7 @@ impl Design {
         let value = if rule.is_greatest { high } else { low };
         if value.is_infinite() {
             return refuse(format!(
-                "its {} limit is missing: a relation named '{name}' is held to the rule, {}; write \
+                "its {} limit is missing: a relation named '{name}' must meet the rule, {}; write \
                  such a limit, or give it another name",
                 if rule.is_greatest { "upper" } else { "lower" },
                 rule.expression()
@@ -405,8 +405,8 @@ impl Design {
         let most = Head::new(&setup.club).mass;
         let shown = Quantity::MASS.show(most, "g");
         self.notes.push(format!(
-            "the head may have as much mass as the one that is set up, \
-                                 {shown}; say how much with `subject_to \"head_mass <= 205 g\"`"
+            "the mass of the head is limited to the setup's, {shown}; for another limit use \
+             `subject_to \"head_mass <= 205 g\"`"
         ));
         self.limit(
             "mass budget",

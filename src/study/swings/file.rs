@@ -72,9 +72,8 @@ fn recorded(setup: &Setup<f64>, table: &mut dyn Points, path: &Path) -> Result<S
     for parameter in &parameters {
         if parameter.is_of_launch() && !setup.launch.is_given() {
             let reason = format!(
-                "it has {}, which is of the ball, and a table of swings has parameters of swing \
-                 and strike; `delivery()` with `shots` \
-                 finds the swings behind launches",
+                "it has {}, a quantity of the ball, but a table of swings has parameters of swing \
+                 and strike; `delivery()` with `shots` finds the swings behind launches",
                 parameter.name
             );
             return Err(refuse(reason));
@@ -131,8 +130,8 @@ fn read(setup: &Setup<f64>, text: &str, file: &str) -> Result<Swings> {
         }
     }
     if inputs.is_empty() {
-        let source = "it has nothing to distribute; write [distributions] and below it, for \
-                      example, swing.speed = \"normal(110 mph, 3 mph)\"";
+        let source = "it has no distribution; write [distributions] and below it, for example, \
+                      swing.speed = \"normal(110 mph, 3 mph)\"";
         return Err(Error::Unreadable {
             name: format!("the swings in {file}"),
             source: source.into(),
@@ -267,7 +266,7 @@ mod tests {
                  ['swing.path', 'swing.path']\ncoefficient = 0.5\n",
                 "with itself",
             ),
-            ("", "nothing to distribute"),
+            ("", "no distribution"),
         ] {
             let error = read(&setup, bad, "s.toml").unwrap_err().to_string();
             assert!(error.contains(said), "{bad}: {error}");

@@ -67,7 +67,7 @@ impl Correlation {
         };
         if one == other {
             return Err(refuse(
-                "a parameter has no correlation with itself to be given; name two".into(),
+                "a parameter cannot be correlated with itself; name two".into(),
             ));
         }
         if !(-1.0..=1.0).contains(&coefficient) {
@@ -146,9 +146,8 @@ impl Swings {
         let factor = factored(&matrix).map_err(|i| Error::Unreadable {
             name: "the correlations".into(),
             source: format!(
-                "they contradict each other: with those before it, {} cannot have all of its own \
-                 (the matrix is not positive \
-                 semi-definite); make them smaller",
+                "they contradict each other: with the correlations before it, {} cannot have all \
+                 of its correlations (the matrix is not positive semi-definite); make them smaller",
                 inputs[i].parameter.name
             )
             .into(),

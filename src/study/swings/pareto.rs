@@ -196,10 +196,7 @@ impl ParetoSearch {
         let values = problem.values_until(&point.x, &never)?;
         let active = self.active(&point.x, &point.active_set);
         let event = point.event.as_ref().map(|event| match event {
-            FrontEvent::Jump => {
-                "other designs are better from here on, which those before do not lead to"
-                    .to_owned()
-            }
+            FrontEvent::Jump => "from here on another branch of designs is better".to_owned(),
             FrontEvent::Changed { before } => changed(&active, &self.active(&point.x, before)),
         });
         Ok(ParetoPoint {

@@ -268,8 +268,8 @@ pub fn robust(
     follow: &Observers,
 ) -> Result<Robust> {
     if models.len() < 2 {
-        let reason = "one design for several models needs two or more; give `model` once for each \
-                      beside the setup";
+        let reason = "one design for several models needs two models or more; give `model` once \
+                      for each model other than the setup";
         return Err(Error::Unreadable {
             name: "`model`".into(),
             source: reason.into(),

@@ -59,9 +59,9 @@ impl Uncertainty {
         let outside = self.part_of(|status| status == Status::OutOfRange);
         let outside = (outside > MANY).then(|| {
             format!(
-                "{} % of the drives have a value outside of what is allowed and are left out: \
-                 mean, deviation and shares are of the others; \
-                 cut the distribution, as in truncated(MEAN,DEVIATION,LOW,HIGH)",
+                "{} % of the drives have a value outside of its allowed range and are left out: \
+                 mean, deviation and shares are of the other drives; cut the distribution, as in \
+                 truncated(MEAN,DEVIATION,LOW,HIGH)",
                 percent(outside)
             )
         });
@@ -73,8 +73,8 @@ impl Uncertainty {
         );
         let missing = (flies && missing > MANY).then(|| {
             format!(
-                "{} % of the drives do not land: mean, deviation and shares of a flight are of \
-                 those that do, and are no longer those of the distributions",
+                "{} % of the drives do not land: mean, deviation and shares of a flight are of the \
+                 drives that land, which are not a sample of the distributions",
                 percent(missing)
             )
         });
