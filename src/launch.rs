@@ -39,7 +39,8 @@ impl<T: Numbers> Launch<T> {
     /// ```
     /// use longdrive::launch::Launch;
     /// let launch = Launch::with_conditions(70.0, 0.2, 0.1, 300.0, -50.0);
-    /// assert!((launch.ball_speed() - 70.0_f64).abs() < 1e-12 && (launch.launch_direction() - 0.1).abs() < 1e-15);
+    /// assert!((launch.ball_speed() - 70.0_f64).abs() < 1e-12);
+    /// assert!((launch.launch_direction() - 0.1).abs() < 1e-15);
     /// assert!((launch.backspin() - 300.0).abs() < 1e-12 && (launch.sidespin() + 50.0).abs() < 1e-12);
     /// ```
     #[inline(always)]

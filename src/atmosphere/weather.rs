@@ -24,7 +24,8 @@ impl<T: Numbers> AirState<T> {
     /// use longdrive::{Setup, atmosphere::AirState};
     /// let mut setup = Setup::default();
     /// assert_eq!(AirState::of(&setup.air).density, 1.184);
-    /// setup.set_all([("air.temperature", "10 degC"), ("air.altitude", "1609 m"), ("air.humidity", "40 %")]).unwrap();
+    /// let air = [("air.temperature", "10 degC"), ("air.altitude", "1609 m"), ("air.humidity", "40 %")];
+    /// setup.set_all(air).unwrap();
     /// assert!((AirState::of(&setup.air).density - 1.0246).abs() < 1e-4);
     /// ```
     #[inline(always)]

@@ -15,7 +15,8 @@
 //!
 //! let setup = Setup::default();
 //! let axis = |text| Axis::read(&setup, text).unwrap();
-//! let mut grid = Grid::new(vec![axis("club.loft=8deg..12deg:3"), axis("swing.speed=40..50 m/s:2")]).unwrap();
+//! let axes = vec![axis("club.loft=8deg..12deg:3"), axis("swing.speed=40..50 m/s:2")];
+//! let mut grid = Grid::new(axes).unwrap();
 //! let mut rows = vec![];
 //! simulate_batch(&setup, &mut grid, &[Outcome::BallSpeed], &Run::default(), |block| {
 //!     rows.extend((0..block.rows()).map(|row| (block.point(row).to_vec(), block.outcome(row, 0))));

@@ -49,7 +49,7 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
 }
 
 /// The deliveries found. Several deliveries also have a population.
-struct Found {
+struct Deliveries {
     all: Vec<Delivery>,
     population: Option<Result<Population>>,
     /// The measurement, as the first line of a setup file names it.
@@ -60,7 +60,7 @@ struct Found {
     of_table: Vec<Message>,
 }
 
-impl Found {
+impl Deliveries {
     /// The number of deliveries that explain their measured launch.
     fn explained(&self) -> usize {
         self.all.iter().filter_map(Delivery::explained).count()
@@ -83,10 +83,14 @@ impl Found {
 }
 
 /// The delivery of one measured launch.
-fn of_launch(setup: &Setup<f64>, launched: &Setup<f64>, unknowns: &[Unknown]) -> Result<Found> {
+fn of_launch(
+    setup: &Setup<f64>,
+    launched: &Setup<f64>,
+    unknowns: &[Unknown],
+) -> Result<Deliveries> {
     note_assumed(unknowns);
     let found = delivery(setup, &launches(launched), unknowns)?;
-    Ok(Found {
+    Ok(Deliveries {
         all: vec![Delivery {
             row: 1,
             found: Ok(found),
@@ -104,7 +108,7 @@ fn of_shots(
     requests: &Requests,
     setup: &Setup<f64>,
     unknowns: &[Unknown],
-) -> Result<Found> {
+) -> Result<Deliveries> {
     let table = ShotTable::open_launches(setup, file)?;
     let given: Vec<_> = setup
         .parameters()
@@ -131,7 +135,7 @@ fn of_shots(
     note_measured(setup, &measured);
     let all = deliveries(setup, &table, unknowns, &interrupt::stops(BEST_SO_FAR));
     let population = Population::of(setup, &all, unknowns, |parameter| table.gives(parameter));
-    Ok(Found {
+    Ok(Deliveries {
         left_out: table.shots.len() - all.len(),
         all,
         population: Some(population),
@@ -155,7 +159,7 @@ fn read_unknowns(args: &DeliveryArgs, setup: &Setup<f64>) -> Result<Vec<Unknown>
     unknowns(setup, &vary, &sigmas)
 }
 
-fn answer(args: &DeliveryArgs, found: &Found, warnings: Vec<Message>) -> Answer {
+fn answer(args: &DeliveryArgs, found: &Deliveries, warnings: Vec<Message>) -> Answer {
     let population = found
         .population
         .as_ref()
@@ -204,7 +208,7 @@ impl Outputs {
     /// Writes the setup with the delivery. Returns true if a file was written.
     fn write_setup(
         &self,
-        found: &Found,
+        found: &Deliveries,
         request: &Request,
         setup: &Setup<f64>,
         warnings: &mut Vec<Message>,
@@ -237,7 +241,7 @@ impl Outputs {
     /// setup to another command. Returns false if the swings were requested but not written.
     fn write_swings(
         &self,
-        found: &Found,
+        found: &Deliveries,
         setup_words: impl Fn() -> Vec<String>,
         warnings: &mut Vec<Message>,
     ) -> Result<bool> {
@@ -278,7 +282,7 @@ impl SwingsFile {
     /// Writes the swings that explain the shots, or returns the reason why it cannot.
     fn write(
         &self,
-        found: &Found,
+        found: &Deliveries,
         population: &Result<Population>,
         setup_words: Vec<String>,
     ) -> Result<Option<Message>> {

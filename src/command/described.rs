@@ -10,8 +10,10 @@ const OF_THE_PROGRAM: [&str; 3] = ["completions", "man", "help"];
 ///
 /// ```
 /// let commands = longdrive::command::described();
-/// let optimize = commands.as_array().unwrap().iter().find(|command| command["name"] == "optimize").unwrap();
-/// let vary = optimize["options"].as_array().unwrap().iter().find(|option| option["name"] == "vary").unwrap();
+/// let mut commands = commands.as_array().unwrap().iter();
+/// let optimize = commands.find(|command| command["name"] == "optimize").unwrap();
+/// let mut options = optimize["options"].as_array().unwrap().iter();
+/// let vary = options.find(|option| option["name"] == "vary").unwrap();
 /// assert_eq!((&vary["takes"], &vary["value"]), (&"several".into(), &"NAME=LOW..HIGH".into()));
 /// ```
 pub fn described() -> Value {

@@ -4,7 +4,7 @@ use crate::command::args::DesignArgs;
 use crate::command::interrupt;
 use crate::command::output::{Answer, system};
 use crate::command::ranges::DefaultRanges;
-use crate::command::swings::{Asked, found, sought};
+use crate::command::swings::{SwingsSearch, found, sought};
 use crate::parameters::Parameter;
 use crate::report::Designed;
 use crate::study::design::{Design, GOLFER, golfer, improvements, usual_vary};
@@ -73,7 +73,7 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     let found = found(
         search,
         &request,
-        Asked {
+        SwingsSearch {
             setup,
             swings,
             search: design.search.clone(),

@@ -32,7 +32,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let own = request.setup_with_starts(&search.vary)?;
     let search = search.search(&request, &own)?;
     let setup = request.for_many(own, &search.vary)?;
-    let asked = Asked::new(args, &setup, &search)?;
+    let asked = AnalysisRequest::new(args, &setup, &search)?;
     let output = args.optimize.destination(&request)?;
     let optima = work.run(&setup, &search)?;
     let best = &optima.best;
@@ -86,14 +86,14 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
 }
 
 /// The requested derivatives and changes.
-struct Asked {
+struct AnalysisRequest {
     wrt: Vec<&'static Parameter>,
     changes: Vec<Change>,
     /// The loss of `--loss`, in the SI unit of the outcome.
     loss: Option<f64>,
 }
 
-impl Asked {
+impl AnalysisRequest {
     fn new(args: &OptimumSensitivity, setup: &Setup<f64>, search: &Search) -> Result<Self> {
         let wrt = variables(setup, &args.wrt, &search.outcomes())?;
         let changes = args
@@ -117,13 +117,13 @@ impl Asked {
 }
 
 /// Sensitivities, flatness, and the effects of the requested changes.
-struct Found {
+struct Analyses {
     sensitivities: Vec<(&'static Parameter, Result<Sensitivity>)>,
     flatness: Flatness,
     changes: Vec<Changed>,
 }
 
-impl Found {
+impl Analyses {
     fn analysis<'a>(&'a self, best: &'a Optimum) -> Analysis<'a> {
         Analysis {
             best,
@@ -143,9 +143,9 @@ impl Found {
 /// Analyses an optimum; `integrated` chooses the integration step of a changed setup.
 fn analyse(
     best: &Optimum,
-    asked: &Asked,
+    asked: &AnalysisRequest,
     integrated: &dyn Fn(Setup<f64>) -> Result<Setup<f64>>,
-) -> Result<Found> {
+) -> Result<Analyses> {
     let wrt: Vec<_> = asked
         .wrt
         .iter()
@@ -167,7 +167,7 @@ fn analyse(
         .collect::<Result<Vec<_>>>()?;
     let flatness = flatness(best, loss)?;
     spinner.finish_and_clear();
-    Ok(Found {
+    Ok(Analyses {
         sensitivities: sensitivities?,
         flatness,
         changes,

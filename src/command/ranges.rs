@@ -56,7 +56,7 @@ impl DefaultRanges {
         &self.held
     }
 
-    /// The reason why no range is left; `None` if a range is left.
+    /// The reason why `vary` is empty; `None` if it has a range.
     pub fn reason(&self) -> Option<String> {
         if !self.vary.is_empty() {
             return None;
@@ -82,7 +82,7 @@ impl DefaultRanges {
     /// The ranges to vary.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] if no range is left.
+    /// [`Error::Unreadable`] if there are no ranges.
     pub fn vary(self) -> Result<Vec<Vary>> {
         match self.reason() {
             None => Ok(self.vary),

@@ -1,6 +1,6 @@
 //! The command that runs on a thread: its host, and its output options.
 
-use super::args::Shown;
+use super::args::OutputOptions;
 use super::host::{Host, Kind};
 use super::mention::with_mentions;
 use super::terminal::Terminal;
@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// A command with its host.
 pub struct Running {
     pub host: Arc<dyn Host>,
-    shown: Option<Shown>,
+    shown: Option<OutputOptions>,
     /// The arguments, without the name of the program.
     words: Vec<OsString>,
     /// Warnings about the input and automatic choices, from before the work of the command.
@@ -28,9 +28,9 @@ thread_local! {
 }
 
 /// Removes the command from its thread, also after a panic.
-struct Ended;
+struct PopOnDrop;
 
-impl Drop for Ended {
+impl Drop for PopOnDrop {
     fn drop(&mut self) {
         RUNNING.with_borrow_mut(|all| all.pop());
     }
@@ -39,13 +39,13 @@ impl Drop for Ended {
 /// Runs `work` as a command of this thread.
 pub fn within<T>(
     host: Arc<dyn Host>,
-    shown: Option<Shown>,
+    shown: Option<OutputOptions>,
     words: &[OsString],
     work: impl FnOnce() -> T,
 ) -> T {
     let words = words.get(1..).unwrap_or_default().to_vec();
     RUNNING.with_borrow_mut(|all| all.push(Arc::new(Running::of(host, shown, words))));
-    let _ended = Ended;
+    let _ended = PopOnDrop;
     work()
 }
 
@@ -58,7 +58,7 @@ pub fn running() -> Arc<Running> {
 }
 
 impl Running {
-    fn of(host: Arc<dyn Host>, shown: Option<Shown>, words: Vec<OsString>) -> Self {
+    fn of(host: Arc<dyn Host>, shown: Option<OutputOptions>, words: Vec<OsString>) -> Self {
         Self {
             host,
             shown,

@@ -147,14 +147,14 @@ impl SwingsArgs {
 }
 
 /// A search over swings.
-pub struct Asked {
+pub struct SwingsSearch {
     pub setup: Setup<f64>,
     pub swings: Swings,
     pub search: Search,
 }
 
 /// The best design over swings, with its analyses.
-pub struct Found {
+pub struct SwingsOptimum {
     /// The setup before the search.
     pub setup: Setup<f64>,
     pub optima: Optima,
@@ -168,7 +168,7 @@ pub struct Found {
     file: Option<String>,
 }
 
-impl Found {
+impl SwingsOptimum {
     pub fn is_found(&self) -> bool {
         self.optima.best.solution.status == Status::Converged && self.optima.stopped() == 0
     }
@@ -204,7 +204,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
         ..searched(&request, &args.search, &args.swings, &started)?
     };
     request.note_starts(&setup, &search.vary);
-    let asked = Asked {
+    let asked = SwingsSearch {
         setup,
         swings,
         search,
@@ -221,8 +221,8 @@ pub fn run(args: &Optimize) -> Result<Answer> {
 
 /// Runs the search, and writes the setup if a file is given. Ctrl-C can stop the work until
 /// [`interrupt::ends`].
-pub fn found(args: &Optimize, request: &Request, asked: Asked) -> Result<Found> {
-    let Asked {
+pub fn found(args: &Optimize, request: &Request, asked: SwingsSearch) -> Result<SwingsOptimum> {
+    let SwingsSearch {
         setup,
         swings,
         search,
@@ -258,7 +258,7 @@ pub fn found(args: &Optimize, request: &Request, asked: Asked) -> Result<Found> 
         .map(|output| write(output, request, &optima, Some(&swings)))
         .transpose()?
         .flatten();
-    Ok(Found {
+    Ok(SwingsOptimum {
         setup,
         optima,
         swings,

@@ -48,7 +48,8 @@ impl<T: Number> Drive<T> {
     /// let mut setup = Setup::default();
     /// setup.air.density = 0.0;
     /// let drive = Drive::new(&setup).unwrap();
-    /// let [speed, angle, carry] = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Carry].map(|o| o.of(&drive).unwrap());
+    /// let outcomes = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Carry];
+    /// let [speed, angle, carry] = outcomes.map(|outcome| outcome.of(&drive).unwrap());
     /// assert!((carry - speed * speed * (2.0 * angle).sin() / 9.80665).abs() < 1e-9);
     /// ```
     ///

@@ -81,7 +81,7 @@ impl State {
     }
 
     /// Direction of most negative curvature, in scaled variables, with its curvature; `None` if
-    /// there is none.
+    /// no curvature is negative.
     fn negative_curvature(&self, goal: Goal) -> Option<(DVector<f64>, f64)> {
         let Self {
             scaling,

@@ -167,7 +167,8 @@ impl Setup<f64> {
     /// let setup = Setup::from_toml("preset = 'mae494'\n[club]\nloft = '12 deg'", "mine.toml").unwrap();
     /// assert_eq!(setup.club.loft, 12.0_f64.to_radians());
     /// let error = Setup::from_toml("[club]\nlofft = '12 deg'", "mine.toml").unwrap_err();
-    /// assert!(error.to_string().starts_with("mine.toml:2:1: unknown parameter 'club.lofft'; did you mean 'club.loft'?"));
+    /// let message = "mine.toml:2:1: unknown parameter 'club.lofft'; did you mean 'club.loft'?";
+    /// assert!(error.to_string().starts_with(message));
     /// ```
     ///
     /// # Errors

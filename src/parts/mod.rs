@@ -4,7 +4,8 @@
 //! ```text
 //!   rows of a sweep, in blocks of 1024:  |  part 1  |  part 2  |  …  |  part M  |
 //!
-//!   write(K)  ──▶  part-0000K.parquet  ──footer──▶  definition, rows, status counts, moments, histograms, best rows
+//!   write(K)  ──▶  part-0000K.parquet  ──footer──▶  definition, rows, status counts, moments,
+//!                                                   histograms, best rows
 //!   check     ──▶  missing parts; the merged summary, without reading the rows
 //! ```
 //!
@@ -24,9 +25,12 @@
 //! let folder = tempfile::tempdir().unwrap();
 //!
 //! // the second part first: it has two of the three blocks of 3000 rows
-//! let mut write = |part| dataset.write(&mut points, part, folder.path(), &Run::default(), false, |_| ()).unwrap();
+//! let run = Run::default();
+//! let mut write =
+//!     |part| dataset.write(&mut points, part, folder.path(), &run, false, |_| ()).unwrap();
 //! let Written::New(second) = write(2) else { panic!() };
-//! assert_eq!((second.file.as_str(), second.part.first_row, second.part.rows), ("part-00002.parquet", 1024, 1976));
+//! assert_eq!(second.file, "part-00002.parquet");
+//! assert_eq!((second.part.first_row, second.part.rows), (1024, 1976));
 //! assert_eq!(check(folder.path(), None, false).unwrap().missing, [1]);
 //! write(1);
 //! let whole = check(folder.path(), None, false).unwrap();

@@ -5,7 +5,8 @@ use serde::{Deserialize, Serialize};
 /// The sum of squared deviations from the mean is merged by
 ///
 /// ```text
-///   M₂ = M₂ₐ + M₂ᵦ + δ² nₐ nᵦ/n      δ = mean_b − mean_a      (Chan, Golub & LeVeque 1983, The American Statistician 37, eq. 2.1)
+///   M₂ = M₂ₐ + M₂ᵦ + δ² nₐ nᵦ/n      δ = mean_b − mean_a
+///   (Chan, Golub & LeVeque 1983, The American Statistician 37, eq. 2.1)
 /// ```
 ///
 /// which loses no digits if the deviation is small relative to the mean.

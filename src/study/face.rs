@@ -17,7 +17,7 @@ pub struct Face {
     /// behind the face centre. False if they are relative to the sweet spot.
     pub is_from_centre: bool,
     /// Point where the face normal passes through the centre of mass, m: towards the toe, up;
-    /// `None` if there is none.
+    /// `None` if no face normal does.
     pub sweet_spot: Option<[f64; 2]>,
     /// Impact point of the setup, m: towards the toe, up.
     pub strike: [f64; 2],

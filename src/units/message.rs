@@ -10,7 +10,8 @@ use std::fmt;
 ///
 /// ```
 /// use longdrive::units::{Digits, Message, Quantity, System};
-/// let message = Message::from("stopped at ").quantity(Quantity::SPEED, "mph", 44.704, Digits::Significant(5));
+/// let message = Message::from("stopped at ")
+///     .quantity(Quantity::SPEED, "mph", 44.704, Digits::Significant(5));
 /// assert_eq!(message.to_string(), "stopped at 100 mph");
 /// assert_eq!(message.in_units(System::Metric), "stopped at 44.704 m/s");
 /// ```

@@ -5,7 +5,8 @@
 ///
 /// ```
 /// use longdrive::units::printed;
-/// assert_eq!(["deg", "degC", "kg/m^3", "g cm^2", "mph"].map(printed), ["°", "°C", "kg/m³", "g cm²", "mph"]);
+/// let units = ["deg", "degC", "kg/m^3", "g cm^2", "mph"];
+/// assert_eq!(units.map(printed), ["°", "°C", "kg/m³", "g cm²", "mph"]);
 /// ```
 pub fn printed(unit: &str) -> String {
     unit.replace("deg", "°")
@@ -30,7 +31,8 @@ pub(super) fn typed(number: &str, unit: &str) -> String {
 ///
 /// ```
 /// use longdrive::units::one;
-/// assert_eq!(["deg", "yd", "m", "mph", "g cm^2", ""].map(one), ["degree", "yard", "metre", "mph", "g cm²", "unit"]);
+/// let names = ["deg", "yd", "m", "mph", "g cm^2", ""].map(one);
+/// assert_eq!(names, ["degree", "yard", "metre", "mph", "g cm²", "unit"]);
 /// ```
 pub fn one(unit: &str) -> String {
     match unit {
@@ -49,7 +51,9 @@ pub fn one(unit: &str) -> String {
 ///
 /// ```
 /// use longdrive::units::ratio;
-/// assert_eq!([ratio("m", "rad"), ratio("m", "m/s"), ratio("", "s"), ratio("m", ""), ratio("", "")], ["m/rad", "m/(m/s)", "1/s", "m", ""]);
+/// let pairs = [("m", "rad"), ("m", "m/s"), ("", "s"), ("m", ""), ("", "")];
+/// let ratios = pairs.map(|(of, by)| ratio(of, by));
+/// assert_eq!(ratios, ["m/rad", "m/(m/s)", "1/s", "m", ""]);
 /// ```
 pub fn ratio(of: &str, by: &str) -> String {
     let unit = if of.is_empty() { "1" } else { of };
@@ -88,8 +92,12 @@ pub(crate) fn leading_number(text: &str) -> &str {
 ///
 /// ```
 /// use longdrive::units::typeset;
-/// assert_eq!(typeset("at -0.9 deg (-3e-5 m^2), descent_angle >= 38 deg"), "at −0.9° (−3e−5 m²), descent_angle ≥ 38°");
-/// assert_eq!(typeset("the modern-driver, 2-3 mph, --set x=-1deg, 5 degrees"), "the modern-driver, 2-3 mph, --set x=-1deg, 5 degrees");
+/// assert_eq!(
+///     typeset("at -0.9 deg (-3e-5 m^2), descent_angle >= 38 deg"),
+///     "at −0.9° (−3e−5 m²), descent_angle ≥ 38°"
+/// );
+/// let unchanged = "the modern-driver, 2-3 mph, --set x=-1deg, 5 degrees";
+/// assert_eq!(typeset(unchanged), unchanged);
 /// ```
 pub fn typeset(text: &str) -> String {
     let letters: Vec<char> = text.chars().collect();

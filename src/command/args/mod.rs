@@ -30,7 +30,7 @@ pub use picture::{
     PlotFairway, PlotKind, PlotLaunch, PlotLaws, PlotPareto, PlotStrike, PlotTornado,
     PlotTrajectory, PlotVcurve, Report, Seen,
 };
-pub use program::{Completions, Man, Shown};
+pub use program::{Completions, Man, OutputOptions};
 pub use robust::RobustArgs;
 pub use search::{
     ChartArgs, DesignArgs, Optimize, OptimumSensitivity, SearchArgs, SwingsArgs, WorkArgs,
@@ -49,7 +49,7 @@ use std::ffi::OsString;
 #[command(version, max_term_width = 100)]
 pub struct Args {
     #[command(flatten)]
-    pub shown: Shown,
+    pub shown: OutputOptions,
 
     #[command(subcommand)]
     pub command: Command,

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 /// Options of every command about its output.
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Options of every command")]
-pub struct Shown {
+pub struct OutputOptions {
     /// The units of results in texts, plots and pages [default: us; reproduce: the units of the
     /// study]. JSON and CSV are in SI units and radians.
     #[arg(long, value_enum, global = true)]

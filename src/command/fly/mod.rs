@@ -20,7 +20,7 @@ use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use request::{asked, followed, setup};
 use std::path::Path;
-use target::{Output, Target, Written};
+use target::{Output, RowFormat, Target};
 
 pub fn run(args: &Fly) -> Result<Answer> {
     match args.listen {
@@ -197,7 +197,7 @@ fn written(
 ) -> Result<(ShotStatistics, Output)> {
     let of = flying.outcomes();
     match target.format {
-        Written::Rows(format) => {
+        RowFormat::Rows(format) => {
             let writer = ShotWriter::new(format, shots, of, system());
             let mut output = target.open(&writer.head())?;
             let tally = flying.fly(
@@ -209,7 +209,7 @@ fn written(
             Ok((tally, output))
         }
         #[cfg(feature = "parquet")]
-        Written::Parquet => {
+        RowFormat::Parquet => {
             let mut writer = ShotParquet::new(shots, of)?;
             let mut output = target.open(&writer.head())?;
             let tally = flying.fly(

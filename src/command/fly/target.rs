@@ -8,7 +8,7 @@ use std::path::Path;
 
 /// Format of the rows.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Written {
+pub enum RowFormat {
     Rows(ShotFormat),
     #[cfg(feature = "parquet")]
     Parquet,
@@ -17,7 +17,7 @@ pub enum Written {
 /// The destination of the rows.
 pub struct Target {
     destination: Option<Destination>,
-    pub format: Written,
+    pub format: RowFormat,
     /// True if no rows are written: JSON without a file is the summary only.
     is_silent: bool,
 }
@@ -32,17 +32,17 @@ impl Target {
             .unwrap_or_default()
             .to_lowercase();
         let format = match (args.format, ending.as_str()) {
-            (Some(FlyFormat::Csv), _) | (None, "csv") => Written::Rows(ShotFormat::Csv),
-            (Some(FlyFormat::LaunchMonitor), _) => Written::Rows(ShotFormat::LaunchMonitor),
+            (Some(FlyFormat::Csv), _) | (None, "csv") => RowFormat::Rows(ShotFormat::Csv),
+            (Some(FlyFormat::LaunchMonitor), _) => RowFormat::Rows(ShotFormat::LaunchMonitor),
             (Some(FlyFormat::Jsonl), _) | (None, "jsonl" | "ndjson") => {
-                Written::Rows(ShotFormat::JsonLines)
+                RowFormat::Rows(ShotFormat::JsonLines)
             }
             (Some(FlyFormat::OpenConnect), _) | (None, "json") => {
-                Written::Rows(ShotFormat::OpenConnect)
+                RowFormat::Rows(ShotFormat::OpenConnect)
             }
-            (None, _) if is_standard => Written::Rows(ShotFormat::Csv),
+            (None, _) if is_standard => RowFormat::Rows(ShotFormat::Csv),
             #[cfg(feature = "parquet")]
-            (Some(FlyFormat::Parquet), _) | (None, "parquet") => Written::Parquet,
+            (Some(FlyFormat::Parquet), _) | (None, "parquet") => RowFormat::Parquet,
             #[cfg(not(feature = "parquet"))]
             (None, "parquet") => return Err(refused(path, crate::features::how_to_get("parquet"))),
             (None, _) => {
@@ -54,7 +54,7 @@ impl Target {
             }
         };
         #[cfg(feature = "parquet")]
-        if is_standard && format == Written::Parquet && !request.is_json() {
+        if is_standard && format == RowFormat::Parquet && !request.is_json() {
             return Err(refused(
                 path,
                 "Parquet needs a file; name one with `output`, or take `format csv` or jsonl",

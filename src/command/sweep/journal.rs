@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 /// The first line of a journal.
 #[derive(Debug, Serialize, Deserialize)]
-struct Begun {
+struct JournalHeader {
     #[serde(flatten)]
     identity: Identity,
     /// True if the rows may replace an existing file.
@@ -110,7 +110,7 @@ impl Journal {
         lock(&file)?;
         let mut line = String::new();
         let read = io::BufReader::new(file).read_line(&mut line);
-        Ok(read.is_ok() && serde_json::from_str::<Begun>(&line).is_ok())
+        Ok(read.is_ok() && serde_json::from_str::<JournalHeader>(&line).is_ok())
     }
 
     /// Creates a journal atomically. A journal that another program is writing is never replaced;
@@ -124,7 +124,7 @@ impl Journal {
         };
         replaced.as_ref().map_or(Ok(()), lock)?;
         let mut beside = create_beside(&path)?;
-        let mut line = serde_json::to_vec(&Begun {
+        let mut line = serde_json::to_vec(&JournalHeader {
             identity: identity.clone(),
             overwrite,
         })?;
@@ -171,7 +171,7 @@ impl Journal {
             .split_inclusive('\n')
             .take_while(|line| line.ends_with('\n'));
         let first = lines.next().unwrap_or_default();
-        let Begun {
+        let JournalHeader {
             identity,
             overwrite,
         } = serde_json::from_str(first)?;

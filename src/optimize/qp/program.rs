@@ -131,7 +131,7 @@ impl QuadraticProgram {
         self.low.len()
     }
 
-    /// Largest absolute value of a finite bound; 1 if there is none.
+    /// Largest absolute value of the finite bounds; 1 if all bounds are 0 or infinite.
     pub(super) fn largest_bound(&self) -> f64 {
         let bounds = self.low.iter().chain(&self.high).map(|bound| bound.abs());
         let largest = bounds.filter(|bound| bound.is_finite()).fold(0.0, f64::max);

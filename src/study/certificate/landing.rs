@@ -2,7 +2,8 @@
 //! extrapolated to the ground along its velocity, has the same derivatives as the landing itself.
 //!
 //! ```text
-//!   height(T + dt, p + dp) = ground   ⇒   dt = −(∂height/∂p − ∂ground/∂p) dp / ẋ,   d carry = ∂z/∂p dp + ż dt
+//!   height(T + dt, p + dp) = ground   ⇒   dt = −(∂height/∂p − ∂ground/∂p) dp / ẋ,
+//!                                         d carry = ∂z/∂p dp + ż dt
 //! ```
 
 use super::rows::{demand, in_few_steps};

@@ -3,8 +3,10 @@
 //!
 //! ```text
 //!   distributions, recorded swings ──▶ scenarios with weights, independent of the design
-//!   design ──▶ each scenario's drive with exact derivatives ──▶ mean, deviation, smoothed lowest part, smoothed hits ──▶ optimizer
-//!   best design ──▶ values of the scenarios' drives, or of many more ──▶ mean, deviation, lowest part, hits ──▶ answer
+//!   design ──▶ each scenario's drive with exact derivatives ──▶ mean, deviation, smoothed lowest
+//!              part, smoothed hits ──▶ optimizer
+//!   best design ──▶ values of the scenarios' drives, or of many more ──▶ mean, deviation, lowest
+//!                   part, hits ──▶ answer
 //! ```
 
 mod beyond;
