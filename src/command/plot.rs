@@ -204,8 +204,8 @@ fn shown_curve(args: &PlotChart, search: &Search) -> Result<Option<&'static Para
     Err(Error::unknown("curve", name, names, advice))
 }
 
-/// The figure of the curve. The first figure shows the outcome; the next ones show the parameters
-/// that change, in the order of the search.
+/// The figure of the curve. The first figure shows the outcome; the others show the parameters that
+/// change, in the order of the search.
 fn figure_of<'a>(
     figures: &'a ChartFigures,
     search: &Search,
@@ -349,7 +349,8 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
     }
     let own = setup.law.table().map(|_| setup.law.name());
     let all = || Law::NAMES.iter().copied().chain(own);
-    // the law of the setup has its own coefficients; the others have the published ones
+    // the setup's law has the setup's coefficients; the other laws have their published
+    // coefficients
     let named = |name: &str| {
         let mut other = setup;
         other.set_law(name).map(|()| other.law)

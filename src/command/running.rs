@@ -49,8 +49,8 @@ pub fn within<T>(
     work()
 }
 
-/// The innermost command of this thread; without one, a command in a terminal. Threads that a
-/// command starts must get its `Running` explicitly.
+/// The innermost command of this thread, or a command in a terminal if this thread has no command.
+/// Threads that a command starts must get its `Running` explicitly.
 pub fn running() -> Arc<Running> {
     RUNNING
         .with_borrow(|all| all.last().cloned())

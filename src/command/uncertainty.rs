@@ -47,7 +47,7 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     Ok(answer.found(is_found))
 }
 
-/// The uncertain parameters that the options state, or the default ones.
+/// The uncertain parameters that the options state, or the defaults.
 fn inputs(
     request: &Request,
     setup: &Setup<f64>,

@@ -44,9 +44,9 @@ pub struct Observers {
 /// Optima closer than this in every variable, in units of its scale, count as equal.
 const SAME: f64 = 1e-6;
 
-/// Starts spread evenly over the bounds: the given one, then points of the scrambled Sobol sequence
-/// (Owen 1995; Burley 2020). A variable without a bound is spread over its scale on that side of
-/// the start.
+/// Starts spread evenly over the bounds: the given start, then points of the scrambled Sobol
+/// sequence (Owen 1995; Burley 2020). A variable without a bound is spread over its scale on that
+/// side of the start.
 ///
 /// # Errors
 /// [`Error::Optimizer`] for more starts or variables than the sequence has, and for an invalid

@@ -150,7 +150,7 @@ pub(super) fn tangents(scaling: &Scaling, at: &Point, multipliers: &[f64]) -> DM
     tangent_basis(n, &free, &rows)
 }
 
-/// Variables on an active bound, and active constraints: fixed ones, and those with a multiplier
+/// Active variables and constraints: equations, and active bounds and limits with a multiplier
 /// above rounding.
 fn active_constraints(
     scaling: &Scaling,

@@ -53,7 +53,7 @@ impl Sqp {
         let is_suspected_kink = verdict.status == Status::StalledAtKink;
         let kink = self.find_kink(state, &verdict, evaluate)?;
         if is_suspected_kink && kink.is_none() {
-            // no kink is there: the extra terms of the model come from curvature, and are dropped
+            // no kink was found: the extra terms of the model come from curvature, and are dropped
             state.kink_sides = Bundle::default();
             return Ok(());
         }

@@ -97,8 +97,8 @@ impl Constraint {
         value - value.clamp(self.low, self.high)
     }
 
-    /// True if a value is within the limits, up to the rounding of a search: 1e-6 of the value, or
-    /// 1e-6 if that is more.
+    /// True if a value is within the limits, up to the rounding of a search: 1e-6 · max(|value|,
+    /// 1).
     pub fn is_met(&self, value: f64) -> bool {
         let rounding = 1e-6 * value.abs().max(1.0);
         (self.low - rounding..=self.high + rounding).contains(&value)

@@ -377,8 +377,8 @@ impl SearchProblem {
         self.reported(&self.moved(x)?, x, stop)
     }
 
-    /// Goals with the setup's own design. A varied parameter without a value in the setup stays
-    /// without one.
+    /// Goals with the setup's own design. A varied parameter that the setup has no value for is not
+    /// set.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).

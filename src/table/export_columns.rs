@@ -9,7 +9,7 @@ use crate::units::{Message, Quantity};
 /// Beginning of the remark on assumed units.
 pub(crate) const ASSUMED_UNITS: &str = "heads without a unit are read as";
 
-/// Default units of heads without one, as in US versions of the makers' applications.
+/// Default units of heads without a unit, as in US versions of the makers' applications.
 const DEFAULT_UNITS: [(Quantity, &str); 4] = [
     (Quantity::SPEED, "mph"),
     (Quantity::LENGTH, "yd"),

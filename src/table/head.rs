@@ -179,7 +179,7 @@ impl Head {
     }
 }
 
-/// All columns, or the errors of the unreadable ones.
+/// All columns, or the errors of the columns that cannot be read.
 fn all(read: impl Iterator<Item = (usize, Result<Column>)>) -> Result<Vec<Column>, ColumnErrors> {
     let (mut columns, mut faults) = (vec![], vec![]);
     for (at, column) in read {

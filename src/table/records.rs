@@ -16,7 +16,7 @@ const MOST_LINES: usize = 32;
 /// A record.
 #[derive(Clone, Debug)]
 pub(crate) struct Record {
-    /// Number of its first line, from 1.
+    /// Number of the record's first line, from 1.
     pub line: u64,
     pub text: String,
     /// A quote is not closed.

@@ -196,7 +196,7 @@ def pareto(
     width: int | None = None,
     progress: Progress = False,
 ) -> Picture:
-    """The best compromises between two goals, with their ends, the knee and the slope there.
+    """The Pareto front of two goals, with its ends, its knee and the slope at the knee.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.

@@ -20,7 +20,7 @@ pub enum PlotKind {
     Contour(PlotContour),
     /// The optimum as a function of a parameter.
     Chart(PlotChart),
-    /// The best compromises between two goals, with their ends, the knee and the slope there.
+    /// The Pareto front of two goals, with its ends, its knee and the slope at the knee.
     Pareto(PlotPareto),
     /// The effects of the uncertainties of parameters on an outcome.
     Tornado(PlotTornado),

@@ -365,8 +365,8 @@ impl Request {
         self.refuse_stated(&parameters, why)
     }
 
-    /// Refuses parameters of the setup file and the settings that other parameters determine. The
-    /// setup or the columns `more` state those parameters.
+    /// Refuses parameters of the setup file and of the settings if parameters of the setup or of
+    /// the columns `more` replace them.
     ///
     /// # Errors
     /// [`Error::Together`].
@@ -477,7 +477,8 @@ impl OwnLaw {
     /// The user's table of drag and lift, if one is given.
     ///
     /// # Errors
-    /// The errors of a setup; a setting of another parameter.
+    /// The errors of a setup; [`Error::Unreadable`] for a setting of a parameter that is not of the
+    /// table.
     pub fn law(&self) -> Result<Option<Law<f64>>> {
         let settings = Setting::read_all("set", &self.set)?;
         refuse_duplicates(&settings)?;

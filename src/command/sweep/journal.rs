@@ -42,8 +42,8 @@ pub struct Entry {
     pub bytes: u64,
     /// Drives by status.
     pub drives: BTreeMap<Status, u64>,
-    /// Number of landed drives, and of those that exceed a validity limit: the fitted range of the
-    /// law, the face of the club, the descent angle.
+    /// Number of landed drives, then the number of landed drives beyond each validity limit: the
+    /// fitted range of the law, the face of the club, the descent angle.
     pub beyond: [u64; 4],
     /// The metadata of the row group that ends here, in hexadecimal.
     #[serde(default, skip_serializing_if = "String::is_empty")]

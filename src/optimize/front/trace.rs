@@ -249,7 +249,7 @@ fn trace(plane: &Plane<'_>, from: Compromise, end: f64) -> Path {
 }
 
 /// Locates the change of the active set between two compromises. Returns the points to add to the
-/// path: one with the event and, in a backward trace, another one with the active set after the
+/// path: a point with the event; in a backward trace, also this point with the active set after the
 /// event.
 fn locate_event(
     plane: &Plane<'_>,

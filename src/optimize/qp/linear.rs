@@ -1,5 +1,5 @@
 //! Small symmetric linear systems. Equilibration prevents large curvatures and normals from hiding
-//! small ones.
+//! small curvatures and normals.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 

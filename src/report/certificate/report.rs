@@ -65,7 +65,7 @@ pub struct CertificateRow {
     pub sides: Option<[Option<f64>; 2]>,
     /// The step at which the plain central difference has the smallest error.
     pub best_step: Number,
-    /// The error of the central difference at that step.
+    /// The error of the central difference at `best_step`.
     pub best_step_error: Number,
     /// The slopes of the Taylor remainders of degree 0, 1 and 2 over the step; `null` if the
     /// remainder is dominated by rounding.

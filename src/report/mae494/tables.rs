@@ -1,4 +1,4 @@
-//! Printed optima of the report, compared with the exact ones.
+//! Printed optima of the report, compared with the exact optima.
 
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Layer, Measure};

@@ -323,7 +323,7 @@ pub(super) fn series(
     Ok(())
 }
 
-/// Draws a point of a series with oblique cross bars: vertical ones would look like error bars.
+/// Draws a point of a series with oblique cross bars: vertical bars would look like error bars.
 pub(super) fn point(area: &Area<'_>, at: [f64; 2], palette: &Palette, hue: Hue) -> Result<()> {
     dot(area, at, palette.of(hue))?;
     bars(area, at, [0.5_f64.sqrt(); 2], palette.of(hue), hue.bars())

@@ -1,4 +1,4 @@
-//! The numbers of the paper, compared with the computed ones.
+//! The numbers of the paper, compared with the computed numbers.
 
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};

@@ -234,7 +234,8 @@ fn starting_points(
     count: usize,
     observer: &FitObserver,
 ) -> Result<Vec<Vec<f64>>> {
-    /// Number of starting points tried if rows cannot be computed at the planned ones.
+    /// Number of further starting points that are tried if the residuals are undefined at all
+    /// planned starting points.
     const START_TRIALS: usize = 64;
     let planned = starts(domain, own, count)?;
     if planned.iter().any(|start| problem.begin(start)) {

@@ -334,7 +334,7 @@ impl Conditions {
     }
 }
 
-/// Separates outcomes with derivatives from missing ones; at least one must exist.
+/// Separates outcomes that exist, with derivatives, from missing outcomes; at least one must exist.
 fn present(
     setup: &Setup<f64>,
     of: &[Outcome],

@@ -50,7 +50,7 @@ pub struct Share {
     pub amount: f64,
 }
 
-/// Path between two setups: continuous parameters vary linearly; discrete ones change at the
+/// Path between two setups: continuous parameters vary linearly; discrete parameters change at the
 /// middle.
 #[derive(Clone, Debug)]
 pub(super) struct Path {

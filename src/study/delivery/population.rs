@@ -141,7 +141,7 @@ impl Population {
     }
 }
 
-/// Directions of parameter space, divided into identified and unidentified ones.
+/// Identified and unidentified directions of parameter space.
 struct Directions {
     /// Orthonormal basis of the identified directions, in columns.
     identified: DMatrix<f64>,

@@ -430,8 +430,9 @@ impl<'a> Losses<'a> {
         (0..self.problems.len()).map(own).collect()
     }
 
-    /// The starts (x, t) of the search: the designs, their mean, the setup's own design and others
-    /// spread over the ranges, with t above the greatest loss there by at least a tenth of a unit.
+    /// The starts (x, t) of the search: the designs, their mean, the setup's own design and points
+    /// spread over the ranges, each with t above the greatest loss of x by at least a tenth of a
+    /// unit.
     fn starts(&self, designs: &[&[f64]], count: usize) -> Result<Vec<Vec<f64>>> {
         let of = &self.search.of;
         let margin = 0.1 * of.quantity.size_of(of.unit).unwrap_or(1.0);

@@ -73,7 +73,8 @@ mod tests {
         // 95 % of a normal distribution lie within 1.960 standard deviations; the standard
         // deviation here is 2
         assert!(flat.contains([0.0, 203.919]) && !flat.contains([0.0, 203.921]));
-        // and of a bivariate one within √(−2 ln 0.05) = 2.448
+        // 95 % of a bivariate normal distribution lie within √(−2 ln 0.05) = 2.448 standard
+        // deviations
         let round = LandingEllipse::new(0.95, [0.0, 200.0], [[4.0, 0.0], [0.0, 4.0]]);
         assert!(round.contains([0.0, 204.89]) && !round.contains([0.0, 204.91]));
         assert!(!flat.contains([0.1, 200.0]));

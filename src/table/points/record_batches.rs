@@ -21,7 +21,7 @@ const CONTINUATION: [u8; 4] = [0xff; 4];
 const TAIL: usize = 10;
 
 /// Reads the record batches of an Arrow IPC file or stream. Lengths and offsets are checked against
-/// the file size first, because arrow-ipc panics on wrong ones.
+/// the file size first, because arrow-ipc panics if they are wrong.
 pub(super) struct RecordBatches {
     file: File,
     schema: Arc<Schema>,
