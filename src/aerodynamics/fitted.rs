@@ -33,7 +33,7 @@ pub struct Fitted {
     pub reynolds: Option<[f64; 2]>,
     /// Speeds through the air, m/s.
     pub speed: Option<[f64; 2]>,
-    /// Description of the data it was fitted to.
+    /// Description of the data that the law was fitted to.
     pub to: &'static str,
     /// For each of [`ranges`](Self::ranges): true if the variable is clamped below the range, and
     /// above the range. Otherwise the law is extrapolated.

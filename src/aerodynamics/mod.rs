@@ -128,8 +128,8 @@ pub trait AerodynamicLaw<T: Numbers> {
 impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        // field by field: the result of the inlined laws then stays in registers, although an
-        // outlined law returns it in memory
+        // copy the fields: with an outlined law the struct is in memory, and without a copy the
+        // results of the inlined laws would be there too
         let (drag, lift) = with_law!(self, |law| {
             let found = law.coefficients(stream);
             (found.drag, found.lift)

@@ -68,7 +68,7 @@ impl Running {
         }
     }
 
-    /// The units of `--units`, if it is stated.
+    /// The units that `--units` states, if any.
     pub fn stated_system(&self) -> Option<System> {
         self.shown
             .as_ref()

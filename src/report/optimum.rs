@@ -272,7 +272,7 @@ pub(super) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
 /// The optimum as text: the varied parameters with the gains of their bounds, the constraints, the
 /// drive or the goals over the swings, and for several starts the results of all searches.
 pub fn optimize_text(optima: &Optima, over: OverSwings<'_>, system: System) -> String {
-    // for a single search, its text states an interruption or an improvement from a sample
+    // the text of a single search already states its interruption or an improvement from a sample
     let sample = optima.best.sample;
     let from_sample = usize::from(sample.is_some_and(|sample| sample.improved));
     let several = optima.starts > 1 + from_sample;
@@ -524,8 +524,8 @@ fn sample_text(optimum: &Optimum) -> String {
     paragraph(&format!("{found}{is_better}{met}"))
 }
 
-/// The constraints with their gains, as a table; empty without constraints. For swings, the table
-/// of the goals has their values.
+/// The constraints with their gains, as a table; empty without constraints. Over swings, the values
+/// of the constraints are in the table of the goals.
 fn constraints_text(optimum: &Optimum, system: System) -> String {
     let is_one_drive = optimum.search.scenarios.is_one_drive();
     let all = optimum.constraints();

@@ -8,7 +8,7 @@ const LONGEST: usize = 1 << 16;
 /// A JSON object, or other text in its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Piece {
-    /// Number of its first line, from 1.
+    /// Number of the first line of the piece, from 1.
     pub line: u64,
     /// The text.
     pub text: String,

@@ -117,7 +117,7 @@ pub(super) type Point = Vec<f64>;
 /// A row.
 #[derive(Clone, Debug)]
 pub struct Shot {
-    /// Number of its first line in the file, from 1.
+    /// Number of the first line of the row in the file, from 1.
     pub line: u64,
     /// Text of the row.
     pub text: String,

@@ -85,8 +85,8 @@ pub struct Ellipse {
 const OF_SHORT_DRIVE: &str = "1 yd is more than a tenth of the carry of the best drive, so the \
                               loss that is allowed is 1 % of this carry";
 
-/// Carry of the best drive, SI, with a note, if the drive is short: 1 yd is more than a tenth of
-/// its carry, so [`usual_loss`] is 1 % of the carry.
+/// Carry of the best drive, SI, with a note; `None` unless the drive is short. The carry of a short
+/// drive is below 10 yd, so [`usual_loss`] is 1 % of it, not 1 yd.
 pub fn short_drive(best: &Optimum) -> Option<(f64, &'static str)> {
     let carry = best
         .drive

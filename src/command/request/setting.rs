@@ -8,7 +8,7 @@ use std::fmt;
 /// A parameter with its value, from an option of the command line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    /// The argument that states it: `set`, `launch_a`, `ball_speed`.
+    /// The argument that states the parameter: `set`, `launch_a`, `ball_speed`.
     argument: &'static str,
     /// The name as typed: `ball_speed` after `--launch`.
     name: String,

@@ -61,7 +61,7 @@ pub enum FrontError {
     NoEnd {
         /// Index of the function, 0 or 1.
         function: usize,
-        /// Result of its search.
+        /// Result of the search.
         found: Box<Solution>,
     },
     /// Invalid input, or an undefined function.

@@ -197,7 +197,7 @@ fn join_branches(mut path: Vec<PathPoint>, mut back: Vec<PathPoint>) -> Vec<Path
     joined
 }
 
-/// True if a compromise has a larger a + b than a branch, interpolated linearly.
+/// True if a + b of a compromise is larger than the linear interpolation of a branch.
 fn is_worse_than_branch(place: &Compromise, branch: &[PathPoint]) -> bool {
     branch
         .windows(2)

@@ -73,7 +73,7 @@ struct Column {
     /// Head as written in the file.
     head: String,
     content: Content,
-    /// Size of its unit, SI.
+    /// Size of the column's unit, SI.
     unit_size: f64,
 }
 

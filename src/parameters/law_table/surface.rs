@@ -115,12 +115,12 @@ impl Knots {
     }
 }
 
-/// Number of intervals along some lines; one along a single line.
+/// Number of intervals between the knots; 1 for a single knot.
 fn steps(knots: &[f64]) -> usize {
     (knots.len() - 1).max(1)
 }
 
-/// Start and width of an interval; infinite width along a single line.
+/// Start and width of an interval; infinite width for a single knot.
 fn step(knots: &[f64], i: usize) -> (f64, f64) {
     (
         knots[i],

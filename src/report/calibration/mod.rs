@@ -100,7 +100,7 @@ pub struct EstimateReport {
 pub struct RefusedReport {
     /// Number of these points.
     pub count: u64,
-    /// The reason for the last of them.
+    /// The reason for the last rejected point.
     pub last: Option<String>,
 }
 

@@ -131,9 +131,9 @@ pub struct PlantedError {
     pub error: &'static str,
     /// Number of rows that the error changes.
     pub rows: usize,
-    /// Number of rows in which finite differences detect it.
+    /// Number of rows in which finite differences detect the error.
     pub caught: usize,
-    /// Number of rows in which num-dual detects it.
+    /// Number of rows in which num-dual detects the error.
     pub caught_by_num_dual: usize,
 }
 

@@ -116,7 +116,7 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     }
 }
 
-/// The reason for the end of a window, if it is not the loss.
+/// The reason for the end of a parameter's window of small loss, unless the loss ends it.
 fn limit(best: &Optimum, limit: Limit) -> Markup {
     html! {
         @match limit {

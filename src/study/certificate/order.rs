@@ -269,7 +269,7 @@ mod tests {
     }
 
     /// Joins with two continuous derivatives keep order 4; joins with one continuous derivative
-    /// give order 3, which about half of the sets detect.
+    /// give order 3, which is detected in about half of the sets.
     #[test]
     fn order_of_the_largest_errors_across_joins() {
         let mut found = 0;

@@ -56,8 +56,8 @@ const SEQUENCES: u32 = 8;
 const POINTS: usize = 2048;
 
 impl Rule {
-    /// Default rule for some swings, by their number of parameters. If `count` is given: a sequence
-    /// of this number of scenarios.
+    /// Default rule for swings, by their number of parameters; with `count`, a sequence of `count`
+    /// scenarios.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for fewer than 2 scenarios or more than 100,000, and for a given count

@@ -51,7 +51,7 @@ pub struct Set {
     pub is_averaged: bool,
     /// Preset of the club, if all cases share it.
     pub preset: Option<&'static str>,
-    /// Name of its rows in the data file.
+    /// Name of the set's rows in the data file.
     pub(super) rows: &'static str,
 }
 
