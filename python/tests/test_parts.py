@@ -101,7 +101,7 @@ def test_a_missing_part_is_named_and_other_questions_are_refused(tmp_path: Path)
     # depends on the order: another part of the folder, or the second one itself
     with pytest.raises(PartError, match="parts of one|different derivatives"):
         parts.sweep(**{**QUESTION, "wrt": ()}, output=tmp_path, processes=1, retries=0)
-    with pytest.raises(InputError, match="there is no part of a sweep"):
+    with pytest.raises(InputError, match="it has no part of a sweep"):
         (tmp_path / "empty").mkdir()
         parts.check(tmp_path / "empty")
     with pytest.raises(longdrive.Error, match="at most 9 parts"):

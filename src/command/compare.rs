@@ -62,7 +62,7 @@ impl Pair {
     pub fn requests(&self) -> Result<[Request; 2]> {
         let own = [&self.set_a, &self.set_b, &self.launch_a, &self.launch_b];
         if self.other.is_none() && own.iter().all(|options| options.is_empty()) {
-            let source = "there is one drive; name a second setup, or say in what drive b differs, \
+            let source = "there is one drive; name a second setup, or state a change for drive b, \
                           for example `set_b club.loft=10.5deg`";
             return Err(Error::Unreadable {
                 name: "compare".into(),

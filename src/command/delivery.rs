@@ -317,7 +317,7 @@ impl SwingsFile {
         tell(&note);
         if found.all.len() > explained {
             tell(&format!(
-                "left out of it: {} whose delivery was not found",
+                "left out of the file: {} whose delivery was not found",
                 counted((found.all.len() - explained) as u64, "row")
             ));
         }
@@ -424,7 +424,7 @@ impl Requests {
         if args.shots.is_some() && !options.is_empty() {
             return Err(Error::Unreadable {
                 name: format!("`shots` with {}", options.join(", ")),
-                source: "the shots have launches of their own; give one of the two".into(),
+                source: "each shot has its own launch; give the shots or a launch, not both".into(),
             });
         }
         let launched = self.launched.setup()?;

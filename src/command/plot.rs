@@ -216,7 +216,7 @@ fn figure_of<'a>(
     if let Some((_, why)) = held.find(|(vary, _)| Some(vary.parameter) == shown) {
         return Err(Error::Plot {
             name: drawing.output.display().to_string(),
-            reason: format!("nothing of it moves: {why}"),
+            reason: format!("it does not change: {why}"),
         });
     }
     let moves = |vary: &&Vary| {
@@ -282,8 +282,7 @@ fn difference(args: &PlotCompare) -> Result<Answer> {
     let of = Outcome::named(&args.of)?;
     let comparison = args.pair.comparison(&requests)?;
     if !comparison.differs() {
-        let reason =
-            "nothing differs between drives a and b, so that there is nothing to draw".into();
+        let reason = "drives a and b are equal, so there is nothing to draw".into();
         return Err(Error::Plot {
             name: args.drawing.output.display().to_string(),
             reason,

@@ -143,8 +143,8 @@ fn refuse_launch(setup: &Setup<f64>, drawing: &Drawing) -> Result<()> {
         return Ok(());
     }
     let name = drawing.output.display().to_string();
-    let reason = "the drive is given by its launch: no club strikes the ball, so that there is no \
-                  face to draw; give a swing and a club instead";
+    let reason = "the drive is given by its launch: no club strikes the ball, so there is no face \
+                  to draw; give a swing and a club instead";
     Err(Error::Plot {
         name,
         reason: reason.into(),

@@ -338,7 +338,7 @@ impl Report {
         let Some(option) = idle.next() else {
             return Ok(());
         };
-        let source = "it is about the search for an optimum; give `vary` too, for example \
+        let source = "it is an option of the search for an optimum; give `vary` too, for example \
                       launch.launch_angle=5deg..20deg, or leave it out";
         Err(Error::Unreadable {
             name: option.into(),

@@ -128,8 +128,8 @@ impl RobustArgs {
             };
             if let Some(parameter) = taken.find(|parameter| is_changed(parameter.name)) {
                 return Err(refuse(format!(
-                    "{} is varied, by the search or by the swings, so that this value would not be \
-                     used; leave it out",
+                    "{} is varied, by the search or by the swings, so this value would have no \
+                     effect; leave it out",
                     parameter.name
                 )));
             }

@@ -63,7 +63,8 @@ fn find_optimum(
         return match args.search.given().first() {
             Some(option) => Err(Error::Unreadable {
                 name: (*option).into(),
-                source: "it is about the search for an optimum; add `at_optimum`, or leave it out"
+                source: "it is an option of the search for an optimum; add `at_optimum`, or leave \
+                         it out"
                     .into(),
             }),
             None => Ok(None),

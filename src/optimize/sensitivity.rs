@@ -355,7 +355,7 @@ fn solve_refined(matrix: DMatrix<f64>, right: &DVector<f64>) -> Result<DVector<f
     if values.min() <= 1e-12 * values.max() {
         return Err(Error::Optimizer(
             "the optimum is not isolated (its KKT system is singular): other values of the \
-             variables are as good, so that it has no sensitivity; vary fewer parameters"
+             variables are equally good, so the optimum has no sensitivity; vary fewer parameters"
                 .into(),
         ));
     }

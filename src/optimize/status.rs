@@ -121,8 +121,8 @@ impl Verdict {
             slope.map_or("out of bounds".into(), |slope| format!("{slope:.6}"))
         };
         let message = format!(
-            "the objective has a kink in variable {variable} at {at:e}: its derivative is {} below and \
-             {} above, so that it never vanishes; KKT residual {residual:.1e}",
+            "the objective has a kink in variable {variable} at {at:e}: its derivative is {} below \
+             and {} above, and is nowhere 0; KKT residual {residual:.1e}",
             side(slope_below),
             side(slope_above)
         );

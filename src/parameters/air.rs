@@ -94,7 +94,10 @@ pub(crate) fn follows_from(name: &str, other: &str) -> bool {
 pub(super) fn instead(name: &str) -> String {
     let ways = WAYS.iter().find(|ways| ways.replaced.contains(&name));
     ways.map_or_else(String::new, |ways| {
-        format!(", or give what it follows from as well: {}", ways.rule)
+        format!(
+            ", or also give the parameters that determine it: {}",
+            ways.rule
+        )
     })
 }
 

@@ -103,8 +103,7 @@ pub fn check(folder: &Path, wanted: Option<&SweepDefinition>, contents: bool) ->
                 fault.file, fault.reason
             ),
             None => {
-                "there is no part of a sweep in it; name the folder that sweep --part wrote into"
-                    .into()
+                "it has no part of a sweep; name the folder that sweep --part wrote into".into()
             }
         };
         return Err(refuse(reason));

@@ -166,7 +166,7 @@ impl ParquetTable {
                 }
                 _ => {
                     return Err(ParquetError::General(format!(
-                        "column {number} is of no kind that was asked for"
+                        "column {number} has none of the requested kinds"
                     )));
                 }
             }

@@ -174,8 +174,8 @@ fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
     let goal = &found.search.of;
     let show = |value: f64| shown::goal_difference(goal, value, system);
     let least = format!(
-        "the design loses at most {} of {} with any of the models, and none was found that loses \
-         less",
+        "the design loses at most {} of {} with any of the models; no design was found whose \
+         greatest loss is smaller",
         show(found.greatest().max(0.0)),
         goal.expression
     );

@@ -174,7 +174,7 @@ impl SensitivityReport {
             ),
             none => reply.ended(
                 none,
-                Some("this optimum has none of the sensitivities that were asked for".into()),
+                Some("this optimum has none of the requested sensitivities".into()),
             ),
         }
     }

@@ -401,9 +401,12 @@ fn resampled(best: &Optimum, found: &Resampled, system: System) -> Vec<String> {
     );
     let recorded = best.search.scenarios.points.len() as u64;
     notes.push(match gain.swings {
-        Some(needed) if needed <= recorded => format!("{better}: these swings tell the two apart"),
+        Some(needed) if needed <= recorded => format!(
+            "{better}: these swings suffice to show the \
+                                                       difference"
+        ),
         Some(needed) => format!(
-            "{better}: to tell the two apart takes about {needed} swings, {} more",
+            "{better}: to show the difference takes about {needed} swings, {} more",
             needed - recorded
         ),
         None => better,

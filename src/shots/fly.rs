@@ -56,8 +56,11 @@ impl Flying {
     fn with(setup: &Setup<f64>, parameters: &[&'static Parameter], of: &[Outcome]) -> Result<Self> {
         if let Some(of_launch) = of.iter().find(|of| of.group() != OutcomeGroup::Flight) {
             let why = match of_launch.group() {
-                OutcomeGroup::Head => "it is of the club, and no club strikes the balls of shots",
-                _ => "it is of the launch, which each row gives",
+                OutcomeGroup::Head => {
+                    "it is a parameter of the club, but shots are flown from \
+                                       their launch"
+                }
+                _ => "it is a launch condition, and each row states its own",
             };
             let source = format!("{why}; name outcomes of the flight").into();
             return Err(Error::Unreadable {

@@ -52,7 +52,7 @@ pub(super) fn further(setup: &Setup<f64>, beginning: &str) -> Vec<&'static Param
 
 fn wrong(key: &str, found: impl std::fmt::Display) -> Refusal {
     let reason = format!(
-        "{key}: {found} is not what 'fly' writes there; fly the file that the line was made of"
+        "{key}: {found} is not a value that 'fly' writes here; fly the original file of this line"
     );
     Refusal::new(Refusal::JSON, reason)
 }
@@ -167,7 +167,7 @@ fn point(
         let value = own.iter().find(|(own, _)| *own == parameter.name);
         let value = value.and_then(|(_, value)| value.as_f64());
         let reason =
-            || format!("{name} is missing; every row needs a value of it, since the first has one");
+            || format!("{name} is missing; every row needs a value, since the first row has one");
         let value = value.ok_or_else(|| Refusal::new(Refusal::MISSING, reason()))?;
         point.push(within(parameter, value, &name)?);
     }

@@ -238,7 +238,7 @@ impl Sample {
             }
             (None, None) => {
                 return Err(Error::NoFlight {
-                    reason: "no drive that the step would be chosen for lands".into(),
+                    reason: "none of the drives lands, so no step can be chosen for them".into(),
                 });
             }
             // a shorter step may succeed

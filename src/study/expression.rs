@@ -459,7 +459,7 @@ impl Scope<'_> {
             .read(piece.text)
             .map_err(|error| piece.error(error.to_string()))?;
         if !value.is_finite() {
-            let reason = "a limit must be a finite number; leave out the side that has none";
+            let reason = "a limit must be a finite number; leave out a side without a limit";
             return Err(piece.error(reason));
         }
         Ok(Limit { value, unit: None })

@@ -40,7 +40,7 @@ impl Map {
         let is_flat = high - low <= ROUNDING * low.abs().max(high.abs()).max(unit);
         is_flat.then(|| {
             Message::from(format!(
-                "{} is the same all over the map of {} and {}, so that there is nothing to draw",
+                "{} is constant over the map of {} and {}, so there is nothing to draw",
                 self.of.name(),
                 self.across.parameter.name,
                 self.up.parameter.name

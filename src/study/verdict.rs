@@ -139,7 +139,7 @@ impl Optimum {
                 "stopped before a design was found with which every swing flies".into()
             }
             Status::Converged if self.is_flat() => format!(
-                "{} does not depend on what is varied here: every design is equally good",
+                "{} depends on no varied parameter here: every design is equally good",
                 self.search.of.expression
             ),
             Status::Converged => self.idle_parameters_over_swings(),

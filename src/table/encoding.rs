@@ -140,9 +140,7 @@ impl<R> Decoded<R> {
         let text =
             text.map_err(|_| no_text("the text is in UTF-16, with an unpaired surrogate"))?;
         if text.contains(SWAPPED_LINE_END) {
-            return Err(no_text(
-                "the text is in UTF-16, and a byte of it is missing",
-            ));
+            return Err(no_text("the text is in UTF-16, and one byte is missing"));
         }
         if is_end && !self.raw.is_empty() {
             return Err(no_text(

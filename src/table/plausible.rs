@@ -64,9 +64,7 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
         return None;
     }
     if is_still {
-        return Some(format!(
-            "{head}: a club that does not move counts as not measured"
-        ));
+        return Some(format!("{head}: a club speed of 0 counts as not measured"));
     }
     let shown = quantity_in(unit).show(value, unit);
     Some(format!(

@@ -582,7 +582,7 @@ fn exports_omit_summaries_and_incomplete_rows_by_name_and_have_angles_in_degrees
     // reason of the first row
     let error = read(&[head, below].concat()).unwrap_err().to_string();
     assert!(
-        error.contains("no shot is left in it (rows left out, since they sum up other rows: "),
+        error.contains("it has no usable shot (rows left out, since they sum up other rows: "),
         "{error}"
     );
     let error =

@@ -244,7 +244,7 @@ fn options_of_the_cross_validation_are_refused_before_any_fit() {
         (
             &few,
             &["--fit", "aero.cd1", "--fit", "aero.cd2", "--folds", "3"],
-            "fewer than the 3 parameters to fit; take more folds",
+            "fewer than the 3 parameters to fit; use more folds",
         ),
     ] {
         let said = longdrive(&[asked, more].concat());

@@ -568,7 +568,7 @@ fn a_check_names_missing_double_damaged_and_foreign_parts() {
             && answer["message"]
                 .as_str()
                 .unwrap()
-                .contains("no part of a sweep in it"),
+                .contains("it has no part of a sweep"),
         "{answer}"
     );
     assert_eq!(checked(Path::new("/nowhere/at/all"), &[]).0, 2);

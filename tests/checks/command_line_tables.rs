@@ -144,7 +144,7 @@ fn written_columns_are_read_again_and_ignored_ones_listed() {
             "aero.cd0",
         ];
         let said = longdrive(&args);
-        let told = "columns that a sweep writes beside what is measured are not read: status";
+        let told = "columns that a sweep computes are not read: status";
         assert!(
             said.status == 0
                 && said

@@ -542,7 +542,7 @@ fn no_difference_is_said_and_bad_input_names_the_drive() {
         (
             vec![],
             2,
-            "there is one drive; name a second setup, or say in what drive b differs",
+            "there is one drive; name a second setup, or state a change for drive b",
         ),
         (vec!["mae494"], 2, "there is one drive"),
         (

@@ -500,7 +500,10 @@ fn bad_arguments_of_delivery_are_refused_with_advice() {
             "name it once",
         ),
         (given(&["--backspin", "2000rpm"]), "the spin is given twice"),
-        (given(&["--shots", "none.csv"]), "give one of the two"),
+        (
+            given(&["--shots", "none.csv"]),
+            "give the shots or a launch, not both",
+        ),
         (given(&["--own-step"]), "no flight, so this has no effect"),
         (given(&["--launch-direction", "3"]), "has no unit"),
     ] {

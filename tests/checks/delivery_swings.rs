@@ -364,7 +364,7 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
     let table = run("swings.csv");
     let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
-        words(&table.err).contains("left out of it: 1 row"),
+        words(&table.err).contains("left out of the file: 1 row"),
         "{}",
         table.err
     );

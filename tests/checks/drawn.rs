@@ -538,7 +538,7 @@ fn a_map_of_what_does_not_change_is_not_drawn() {
     // a straight drive lands on the target line for every loft, to rounding
     let said = longdrive(&["plot", "contour", "-o", &file, "--minimize", "lateral"]);
     assert!(
-        said.status == 2 && said.err.contains("lateral is the same all over the map"),
+        said.status == 2 && said.err.contains("lateral is constant over the map"),
         "{}",
         said.err
     );
@@ -565,7 +565,7 @@ fn a_map_of_what_does_not_change_is_not_drawn() {
     );
     let page = std::fs::read_to_string(page.join("index.html")).unwrap();
     assert!(
-        page.contains("ball_speed is the same all over the map") && !page.contains("map-ball"),
+        page.contains("ball_speed is constant over the map") && !page.contains("map-ball"),
         "{}",
         said.err
     );

@@ -394,7 +394,7 @@ fn a_club_beside_a_launch_is_refused_by_name() {
     assert!(
         said.err
             .replace("\n  ", " ")
-            .contains("fit what acts on the flight"),
+            .contains("fit parameters of the flight"),
         "{}",
         said.err
     );

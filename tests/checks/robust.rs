@@ -184,7 +184,7 @@ fn bad_models_are_refused_with_the_reason() {
         (&["--model", "aero.law=ferguzon"], "did you mean 'ferguson'"),
         (
             &["--model", "club.loft=12deg"],
-            "this value would not be used",
+            "this value would have no effect",
         ),
         (&["--model", "impact.gear_scale=3"], "impact.gear_scale"),
         (

@@ -826,7 +826,7 @@ fn the_command_writes_rows_and_their_prediction_errors() {
         ),
         (
             vec!["fly", &shots, "--of", "ball_speed"],
-            "it is of the launch, which each row gives",
+            "it is a launch condition, and each row states its own",
         ),
         (vec!["fly", &shots, "--of", "cary"], "did you mean 'carry'?"),
         (
@@ -850,7 +850,7 @@ fn the_command_writes_rows_and_their_prediction_errors() {
         ),
         (
             vec!["fly", &shots, "mae494", "--listen", "0"],
-            "a setup stands behind it); to fly the shots",
+            "a setup is given after it); to fly the shots",
         ),
         (
             vec!["fly", "--listen", "x"],

@@ -848,7 +848,7 @@ fn parameters_without_swings_are_reported() {
         .concat(),
     );
     assert!(
-        flat.out.contains("does not depend on what is varied"),
+        flat.out.contains("depends on no varied parameter"),
         "{}",
         flat.out
     );

@@ -922,7 +922,7 @@ fn impossible_distributions_are_refused() {
                 low: 90.0,
                 high: 91.0,
             },
-            "nothing of the distribution",
+            "the distribution has no probability",
         ),
         (
             Distribution::Truncated {
@@ -931,7 +931,7 @@ fn impossible_distributions_are_refused() {
                 low: 9.0,
                 high: 10.0,
             },
-            "nothing of the distribution",
+            "the distribution has no probability",
         ),
         (
             Distribution::Truncated {

@@ -665,8 +665,7 @@ fn contradictory_weather_settings_are_refused() {
         longdrive(&[&["simulate"][..], &set].concat()).out
     );
     let said = longdrive(&["simulate", &printed, "--set", "air.density=none"]);
-    let says = "air.density: it cannot be unset; give it a value, or give what it follows from as \
-                well: density and viscosity follow from";
+    let says = "air.density: it cannot be unset; give it a value, or also give the parameters that determine it: density and viscosity follow from";
     assert!(said.status == 2 && said.err.contains(says), "{}", said.err);
     // each drive of a sweep has the weather
     let over = [

@@ -102,7 +102,7 @@ pub fn run(args: &Fly, port: u16) -> Result<Answer> {
 fn request(args: &Fly) -> Result<Request> {
     let shots = args.shots.as_ref();
     if let Some(shots) = shots.filter(|_| args.setup_args.setup != SETUP) {
-        return Err(both_given(shots, "a setup stands behind it"));
+        return Err(both_given(shots, "a setup is given after it"));
     }
     let setup_args = SetupArgs {
         setup: shots.map_or_else(

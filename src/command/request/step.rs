@@ -73,7 +73,8 @@ impl Request {
         };
         if let Some(setting) = self.setting_of_step() {
             return Err(bad_tolerance(format!(
-                "it chooses method and step, and {} gives one of them; leave one out",
+                "it chooses method and step, and {} states one of them; leave out one of these \
+                 options",
                 setting.named()
             )));
         }

@@ -445,7 +445,7 @@ impl FitState {
         }
         self.rounding_verdict(bounds).unwrap_or_else(|| {
             Verdict::stalled(
-                "the next change of what is fitted is too small to tell whether the sum still falls",
+                "the next step of the fit is too small to show whether the sum still falls",
                 self.cosine,
             )
         })

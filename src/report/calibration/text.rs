@@ -195,7 +195,7 @@ fn chi_square(statistics: &Statistics, stated: Uncertainties) -> String {
     let chi = significant(statistics.chi_square, 5);
     let dof = statistics.degrees_of_freedom;
     let freedom = match dof {
-        0 => "no degree of freedom left, for there are as many parameters as values, or more"
+        0 => "no degrees of freedom are left: there are at least as many parameters as values"
             .to_owned(),
         _ => counted(dof as u64, "degree") + " of freedom",
     };
@@ -274,7 +274,7 @@ fn direction(found: &Calibration, undetermined: &Undetermined) -> String {
             all.join(" with ")
         ),
         Some(error) => format!(
-            "a change of {}: one standard error is {} times as much, more than the range of a \
+            "a change of {}: one standard error is {} times this change, more than the range of a \
              parameter",
             all.join(" with "),
             significant((error * unit).abs(), 2)

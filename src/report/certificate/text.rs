@@ -304,9 +304,8 @@ fn while_loop(loops: &[LoopRow]) -> Option<String> {
         .count();
     Some(format!(
         "for comparison, a while-loop that stops at the first step below the ground (the MAE 494 \
-         report's): of the differences of its carry by \
-         {}, {passed} would pass, and of {} the sign is wrong; the largest error is by {}: {} at a \
-         step of 1e-8 instead of {} (SI)",
+         report's): of the differences of its carry by {}, {passed} would pass, and {} have the \
+         wrong sign; the largest error is by {}: {} at a step of 1e-8 instead of {} (SI)",
         counted(loops.len() as u64, "parameter"),
         loops.iter().filter(|row| row.has_wrong_sign()).count(),
         worst.parameter.name,

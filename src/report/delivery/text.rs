@@ -236,9 +236,9 @@ pub(super) fn verdict(delivered: &Delivered) -> (&'static str, Option<String>) {
     };
     let of = worst.measured.outcome;
     let message = format!(
-        "no delivery within the ranges explains this launch: {} was measured as {} and is {} at \
-         the nearest, {} standard uncertainties \
-         away; check the value, the club (`set`) and the ranges (`vary`)",
+        "no delivery within the ranges explains this launch: {} was measured as {} but the nearest \
+         possible value is {}, {} standard uncertainties away; check the value, the club (`set`) \
+         and the ranges (`vary`)",
         of.name(),
         of.show(worst.measured.value),
         of.show(worst.computed),

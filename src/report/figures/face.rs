@@ -206,7 +206,7 @@ fn note(face: &Face, largest: f64, system: System) -> String {
     let spot = match face.sweet_spot {
         Some(at) if face.is_from_centre => format!(", {}", place(at)),
         Some(_) => String::new(),
-        None => ": this face is so curved that it has none".into(),
+        None => ": this face is too curved to have a sweet spot".into(),
     };
     format!(
         "The strike is {struck} and {own}. The longest carry, {}, is from a strike {}{edge}. \

@@ -48,13 +48,13 @@ pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Re
     let all = || paths.iter().chain(&runs).flatten();
     let (x, y) = (extent(all().map(|at| at[0])), extent(all().map(|at| at[1])));
     if all().count() < 2 {
-        return view.refuse("no drive flies, so that there is no path to draw");
+        return view.refuse("no drive flies, so there is no path to draw");
     }
     if view == View::Top && y[0].abs().max(y[1].abs()) < STRAIGHT {
         let within = Quantity::LENGTH.read_off_difference(STRAIGHT, system.unit("yd"));
         return view.refuse(&format!(
             "seen from above these drives are straight: they stay within {within} of the target \
-             line, so that there is nothing to draw"
+             line, so there is nothing to draw"
         ));
     }
     let x = with_margin(extent(x.into_iter().chain([0.0])), 0.0, 0.05);

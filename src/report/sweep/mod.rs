@@ -37,7 +37,7 @@ impl Columns {
         assert!(
             here == there,
             "the table is of {here:?} parameters, outcomes and derivatives, and the block of \
-             {there:?}: it is of another batch"
+             {there:?}: the block belongs to another batch"
         );
     }
 }

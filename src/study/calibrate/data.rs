@@ -94,8 +94,8 @@ impl ShotTable {
                     (heads, units) = (head.heads.clone(), head.units.clone());
                     reading = Reading::of_head(setup, &table, head, club)?;
                     if reading.is_launched != first.is_launched {
-                        let reason = "its rows are launches where those before are not, or the \
-                                      other way; give each a file of its own";
+                        let reason = "launches and deliveries are mixed: its rows are not of the \
+                                      kind of the rows before; use a separate file for each kind";
                         return Err(table
                             .name
                             .refused(format!(", line {}", record.line), reason));

@@ -151,7 +151,7 @@ impl ShotTable {
              compared with one drive, that of the setup: ",
             self.file
         );
-        let after = "; if the rows are of different drives, add the columns that tell them apart";
+        let after = "; if the rows are different drives, add the columns in which they differ";
         Some(
             Message::from(before)
                 .message(Message::joined(shown, ", "))

@@ -84,14 +84,14 @@ impl FitPlan {
             if table.is_launched && parameter.is_of_strike() {
                 return refuse(format!(
                     "{} cannot be fitted: the rows of {} are launches, which do not use the \
-                     parameters of swing, club, strike and \
-                     impact; fit what acts on the flight, as aero.cd0",
+                     parameters of swing, club, strike and impact; fit parameters of the flight, \
+                     for example aero.cd0",
                     parameter.name, table.file
                 ));
             }
             if table.gives(parameter) {
                 return refuse(format!(
-                    "{} is a column of {}; what the rows give cannot be fitted",
+                    "{} is a column of {}; a parameter that the rows state cannot be fitted",
                     parameter.name, table.file
                 ));
             }

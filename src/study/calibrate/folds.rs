@@ -95,8 +95,8 @@ pub fn check_folds(table: &ShotTable, plan: &FitPlan, folds: usize) -> Result<()
     );
     if least < parameters {
         return refuse(format!(
-            "a fit without a fold has {} of {}, fewer than the {} to fit; take more folds, measure \
-             more, or fit less",
+            "a fit without a fold has {} of {}, fewer than the {} to fit; use more folds, more \
+             rows, or fewer parameters",
             counted(least as u64, "measured value"),
             table.file,
             counted(parameters as u64, "parameter")

@@ -197,9 +197,7 @@ impl Reading {
         check_columns(&head)
             .map_err(|(at, reason)| refused(format!(", column {}", at + 1), reason))?;
         let written = head.named(|column| column.content == Content::Written);
-        remarks.extend(
-            written.remark("columns that a sweep writes beside what is measured are not read"),
-        );
+        remarks.extend(written.remark("columns that a sweep computes are not read"));
         // for a delivery the launch is a measurement; otherwise it is the input of the flight
         let is_launched = head.is_launched() && club == ClubColumns::Ignored;
         let inputs = head

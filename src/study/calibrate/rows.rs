@@ -249,7 +249,7 @@ impl Rows {
             let reason = match left_out.is_empty() {
                 true => "it has no rows; give one for each shot".into(),
                 false => format!(
-                    "no shot is left in it ({}); give a row for each shot",
+                    "it has no usable shot ({}); give a row for each shot",
                     left_out.join("; ")
                 ),
             };

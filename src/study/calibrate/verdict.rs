@@ -27,8 +27,8 @@ pub(super) fn of_searches(
     if stopped > 0 && ended != Status::Interrupted {
         best.status = Status::Interrupted;
         best.message = format!(
-            "{} of {all} searches ended, and {stopped} were stopped before their end; the best of \
-             those that ended is {ended}: {}",
+            "{} of {all} searches ended, and {stopped} were stopped before their end; the best \
+             finished search is {ended}: {}",
             all - stopped,
             best.message
         );
@@ -40,7 +40,7 @@ pub(super) fn of_searches(
             Status::Stalled
         };
         best.message = format!(
-            "{}; but the curvatures of the optima, computed again there, still change",
+            "{}; but the curvatures, computed again at the optima, still change",
             best.message
         );
     }
@@ -79,8 +79,8 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
         found.fit.status = Status::Undetermined;
         found.fit.message = format!(
             "the data do not determine {}: many other values of these fit as well as those shown. \
-             Fit fewer parameters, give narrower \
-             ranges, or measure what depends on them ({})",
+             Fit fewer parameters, give narrower ranges, or measure outcomes that depend on them \
+             ({})",
             all.join(", nor "),
             found.fit.message
         );

@@ -318,8 +318,8 @@ impl Conditions {
         match self.interruption_or_corner() {
             Some(reason) => reason,
             None if self.has_log_wind => {
-                "the logarithmic wind changes over half a metre of height above the ground, which \
-                 most of the time steps compared cross at once"
+                "the logarithmic wind changes within half a metre above the ground, and most of \
+                 the compared time steps cross this layer in one step"
             }
             None => otherwise,
         }

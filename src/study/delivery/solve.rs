@@ -102,7 +102,7 @@ fn check(measured: &[Measurement], unknowns: &[Unknown]) -> Result<()> {
         .find(|measurement| measurement.outcome.group() != OutcomeGroup::Launch)
     {
         return Err(refuse(format!(
-            "{} is not of the launch; leave it out",
+            "{} is not an outcome of the launch; leave it out",
             other.outcome.name()
         )));
     }

@@ -185,8 +185,8 @@ impl Design {
         match (self.varies(moves), swung) {
             (true, Some(swung)) => {
                 let source = format!(
-                    "the swings have values of it, and what is varied changes {} too: the rule on \
-                     the {} could be kept on average only; leave it out of the swings, or leave \
+                    "the swings have values of it, and a varied parameter changes {} too: the rule \
+                     on the {} could be met on average only; leave it out of the swings, or leave \
                      the rules out with `rules none`",
                     of.name(),
                     rule.name

@@ -75,11 +75,10 @@ pub static RULES: [Rule; 5] = [
         step: "0.01",
         source: "Equipment Rules, part 2, 4c: as a restitution; the test of today measures the \
                  time of contact, 239 + 18 µs",
-        hint: " (that of tour-average and lpga-average was tested on no club: it is chosen so that \
-               the ball speed agrees with the published \
-               averages, and stands for all that makes it, such as a head speed that was measured \
-               lower; design with the limit, or with \
-               modern-driver)",
+        hint: " (the restitution of tour-average and lpga-average was tested on no club: it is \
+               chosen so that the ball speed agrees with the published averages, and compensates \
+               all other errors, such as a head speed that was measured too low; design with the \
+               limit, or with modern-driver)",
     },
     Rule {
         name: "weight of the ball",

@@ -95,8 +95,7 @@ impl Pareto {
                               to choose between"
             )),
             _ => Some(
-                "no knee: the front is nearly straight, or bends the other way, so that no point \
-                 of it stands out"
+                "no knee: the front is nearly straight, or bends away from the better values"
                     .into(),
             ),
         }

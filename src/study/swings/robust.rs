@@ -285,8 +285,8 @@ pub fn robust(
     let starts = losses.starts(&designs, count)?;
     let is_stopped = || follow.interrupt.load(Ordering::Relaxed);
     if starts.is_empty() && !is_stopped() {
-        let message =
-            "with the best design of each model some swing of another does not fly; vary less";
+        let message = "the best design of each model has a swing that does not fly with another model; vary \
+             fewer parameters, or over smaller ranges";
         return Err(Error::NotConverged {
             status: "no-flight",
             message: message.into(),

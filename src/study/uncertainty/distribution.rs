@@ -91,7 +91,7 @@ impl Distribution {
             && self.deviation().is_finite()
             && (low..=high).contains(&self.mean());
         (!is_left).then_some(
-            "nothing of the distribution is left between its ends; move them nearer to its mean",
+            "the distribution has no probability between its ends; move the ends nearer to its mean",
         )
     }
 

@@ -153,7 +153,7 @@ fn open_checked(path: &Path) -> Result<File, String> {
     }
     if begins != MAGIC {
         return Err(
-            "it is not a Parquet file; its name must end in what it is: .parquet, .csv, .arrow, \
+            "it is not a Parquet file; its name must end in its format: .parquet, .csv, .arrow, \
              .arrows or .feather"
                 .into(),
         );

@@ -145,9 +145,9 @@ impl RecordBatches {
         };
         let Some(head) = self.head(at)? else {
             return match &self.order {
-                Order::Listed { .. } => {
-                    Err("its footer is damaged (there is no record batch where it says)".into())
-                }
+                Order::Listed { .. } => Err(
+                    "its footer is damaged (there is no record batch at a listed position)".into(),
+                ),
                 Order::Following { .. } => Ok(None),
             };
         };
