@@ -592,7 +592,7 @@ fn a_kill_and_a_full_disk_leave_no_part_and_the_same_command_writes_it() {
     let output = program.output().unwrap();
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(
-        output.status.code() == Some(2) && said.contains("ask for part 3 again"),
+        output.status.code() == Some(2) && said.contains("then repeat part 3"),
         "{said}"
     );
     assert_eq!(fs::read_dir(copy.path()).unwrap().count(), 3);

@@ -99,7 +99,7 @@ impl Population {
         if shots.len() < LEAST_SHOTS {
             let least = counted(LEAST_SHOTS as u64, "shot");
             let reason = format!(
-                "a population takes {least} whose delivery is found, and there are {}",
+                "it takes {least} whose delivery is found, and there are {}",
                 shots.len()
             );
             return Err(Error::Delivery { reason });
