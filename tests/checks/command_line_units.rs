@@ -116,7 +116,7 @@ fn a_study_has_its_own_units_by_default() {
     assert!(metric.contains("250.09 yd (228.68 m)"), "{metric}");
     let help = longdrive(&["reproduce", "--help"]).out;
     assert!(
-        words(&help).contains("reproduce: those of the study"),
+        words(&help).contains("reproduce: the units of the study"),
         "{help}"
     );
 }
