@@ -2,11 +2,11 @@
 
 use crate::number::{Numbers, Vector, inlined};
 
-/// A body that slides under dry friction and a constant pull: dv/dt = G − a v/|v|.
+/// A body that slides under dry friction and a constant force: dv/dt = G − a v/|v|.
 pub(super) struct Sliding<T> {
     /// a: deceleration by friction, against the velocity, m/s².
     pub deceleration: T,
-    /// G: acceleration by the pull, m/s².
+    /// G: acceleration by the constant force, m/s².
     pub pull: Vector<T>,
 }
 

@@ -122,7 +122,7 @@ impl Checkpoint {
             let folder = folder_of(&self.path);
             let reason = match error.kind() {
                 ErrorKind::AlreadyExists => {
-                    "another search has begun it at this moment; name another file".into()
+                    "another search just created it; name another file".into()
                 }
                 _ if !folder.is_dir() => format!(
                     "it cannot be written: there is no folder '{}'",

@@ -240,7 +240,7 @@ fn unscaled_hessian(search: &State) -> Vec<Vec<f64>> {
         multipliers,
         ..
     } = search;
-    // the objective's own Hessian carries no rounding by the scale
+    // return the objective's Hessian itself: scaling and unscaling would round it
     if multipliers.iter().all(|multiplier| *multiplier == 0.0) {
         return point.f.objective.hessian.clone();
     }

@@ -23,7 +23,7 @@ pub(super) struct Limit<'a> {
     pub at: &'a ConstraintValue,
     /// The gradient of the limited goal by the varied parameters.
     pub slopes: &'a [f64],
-    /// The gain for each unit by which the limit is relaxed; for an equation, by which it is
+    /// The gain for each unit by which the limit is relaxed; for an equation, by which its value is
     /// raised.
     pub gain: f64,
 }

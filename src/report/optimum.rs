@@ -137,7 +137,7 @@ pub struct ConstraintReport {
     /// The distance of the value from the limits, SI; 0 within them.
     pub violation: f64,
     /// The gain of the objective for each unit by which the limit is relaxed, ≥ 0; for an equation,
-    /// by which it is raised.
+    /// by which its value is raised.
     pub multiplier: f64,
 }
 

@@ -29,7 +29,7 @@ pub struct Effect {
     /// (p/f) ∂f/∂p: relative change of f per relative change of p; `None` if p or f is 0, or f is
     /// rounding.
     pub elasticity: Option<f64>,
-    /// Effect of the parameter's standard uncertainty; `None` if it has none.
+    /// Effect of the parameter's standard uncertainty; `None` if the parameter has no uncertainty.
     pub bar: Option<Bar>,
 }
 

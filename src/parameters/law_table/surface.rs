@@ -256,7 +256,7 @@ mod tests {
         }
     }
 
-    /// A plane 1 + 2 x + 3 y + 4 x y over uneven lines, and over a single one.
+    /// The surface 1 + 2 x + 3 y + 4 x y over unevenly spaced lines, and over a single line.
     #[test]
     fn exact_surface_of_a_plane_and_along_a_single_line() {
         let plane = |x: f64, y: f64| 1.0 + 2.0 * x + 3.0 * y + 4.0 * x * y;

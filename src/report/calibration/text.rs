@@ -185,7 +185,7 @@ fn estimated(estimate: &Estimate, reach: f64, system: System) -> Vec<String> {
         ),
         None if !is_determined => ("–".into(), "not determined by the data".into()),
         None if *is_at_bound => ("–".into(), "on the bound of its range".into()),
-        None => ("–".into(), "not known: no value is left over".into()),
+        None => ("–".into(), "not known: no degrees of freedom".into()),
     };
     vec![parameter.name.into(), show(*value), error, interval]
 }

@@ -7,7 +7,7 @@ use crate::report::plot::{Axis, Figure};
 pub(super) enum Grows {
     /// To both sides.
     Evenly,
-    /// At its high end.
+    /// At the high end of the range.
     Up,
 }
 

@@ -21,7 +21,8 @@ const NAME_LINE: f64 = 15.0;
 const BESIDE: f64 = 0.38;
 const MOST_LINES: usize = 2;
 
-/// Height of a row's bars, and half the height of a bar: for one bar, and for two, pixels.
+/// Height of a row, pixels. Half the height of a bar, pixels: in a row with one bar, and in a row
+/// with two bars.
 const ROW: f64 = 34.0;
 const HALF: [f64; 2] = [8.0, 6.0];
 

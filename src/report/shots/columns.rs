@@ -5,7 +5,7 @@ use crate::drive::Outcome;
 use crate::shots::{Flown, Shot, size};
 use crate::units::Quantity;
 
-/// Launch columns: the spin has an axis.
+/// The launch columns. The spin is given as total spin and spin axis.
 const LAUNCH: [(&str, Outcome); 5] = [
     ("Ball Speed", Outcome::BallSpeed),
     ("Launch Angle", Outcome::LaunchAngle),

@@ -219,8 +219,8 @@ fn varied_unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Resul
                 [low, high].map(|end| parameter.show(Some(end))),
             );
             return Err(refuse(format!(
-                "{name} = {value} is outside of its search range {} .. {}; `set` it to a value \
-                 within",
+                "{name} = {value} is outside of its search range {} .. {}; `set` it to a value in \
+                 this range",
                 ends[0], ends[1]
             )));
         }
