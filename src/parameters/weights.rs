@@ -8,7 +8,7 @@ use crate::number::Numbers;
 pub(crate) struct Weight<T> {
     /// Mass, kg.
     pub mass: T,
-    /// Distance behind the face centre, along the face normal there, m.
+    /// Distance behind the face centre, along the normal at the face centre, m.
     pub depth: T,
     /// Distance from the face centre towards the toe, m.
     pub toe: T,

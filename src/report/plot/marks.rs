@@ -136,7 +136,7 @@ fn beside(
             |place: &&[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&place[axis]));
         lines.iter().filter(is_under).count()
     };
-    // the first position that covers the least
+    // the first of the positions that cover least
     all.into_iter()
         .filter(|middle| is_free(labels, plane, name, middle))
         .min_by_key(hidden)
