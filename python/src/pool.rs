@@ -82,7 +82,7 @@ pub fn run<R: Send + 'static>(
     }
 }
 
-/// As `run`, for work with an answer after an interruption: `patience` interrupts it and returns
+/// Like `run`, for work with an answer after an interruption: `patience` interrupts it and returns
 /// how long it may take. A second Ctrl-C ends the waiting at once.
 pub fn run_to_answer<R: Send + 'static>(
     py: Python<'_>,

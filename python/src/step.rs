@@ -19,7 +19,7 @@ pub enum Asked {
     Within(f64),
     /// Within a micrometre, unless the setup says how to integrate or no step is that exact.
     Usual,
-    /// Those of the setup.
+    /// Method and step of the setup.
     Own,
 }
 

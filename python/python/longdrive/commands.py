@@ -487,8 +487,8 @@ def pareto(
     overwrite: bool = False,
     progress: Progress = False,
 ) -> Reply:
-    """The best compromises between two goals. Such as carry and dispersion, with the rate of exchange
-    between them.
+    """The best compromises between two goals. For example carry and dispersion, with the rate of
+    exchange between them.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.

@@ -93,7 +93,7 @@ pub enum Command {
     Chart(ChartArgs),
     /// The best compromises between two goals.
     ///
-    /// Such as carry and dispersion, with the rate of exchange between them.
+    /// For example carry and dispersion, with the rate of exchange between them.
     Pareto(ParetoArgs),
     /// The design that loses least, whichever model is true.
     ///

@@ -8,7 +8,7 @@ use ::ripopt::{NlpProblem, SolverOptions};
 struct Program<'a, 'b>(&'a Oracle<'b>);
 
 impl Program<'_, '_> {
-    /// Whether everything is defined at x; only then `read` is called.
+    /// Calls `read` if all functions are defined at x. Returns true if they are.
     fn read(&self, x: &[f64], read: impl FnOnce(&Evaluation)) -> bool {
         self.0.read(x, |at| {
             let is_defined =
