@@ -255,7 +255,7 @@ def test_a_file_that_is_wrong_names_line_and_column(tmp_path: Path) -> None:
 def test_short_and_long_descriptions() -> None:
     setup = Setup().replace({"club.loft": "10.5 deg"})
     assert repr(setup) == "<longdrive.Setup tour-average with club loft 10.5°>"
-    assert "<td>club loft</td><td>10.5°</td><td>9.5°</td>" in setup._repr_html_()
+    assert "<td>club loft</td><td>10.5°</td><td>8.8°</td>" in setup._repr_html_()
     assert repr(Setup()) == "<longdrive.Setup tour-average>"
     assert any(
         "not used" in text

@@ -185,10 +185,10 @@ mod tests {
             let message = Setup::from_toml(&text(restitution), "a.toml")
                 .unwrap_err()
                 .to_string();
-            let says = "ground.turf is given beside all of its numbers (ground.restitution, \
-                        ground.friction, ground.compliance, ground.rolling): a number that is \
-                        given comes before that of the turf, so that the turf has no effect; \
-                        delete ground.turf, or delete the numbers that it is to give";
+            let says = "ground.turf is given together with all of its numbers \
+                        (ground.restitution, ground.friction, ground.compliance, \
+                        ground.rolling): stated numbers override the turf's, so the turf has no \
+                        effect; delete ground.turf, or delete the numbers that it should give";
             assert_eq!(message, format!("a.toml:3:1: {says}"));
             let remedied = text(restitution).replace("turf = 'firm'\n", "");
             assert!(Setup::from_toml(&remedied, "a.toml").is_ok());

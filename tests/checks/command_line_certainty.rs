@@ -376,7 +376,7 @@ fn mistakes_are_bad_input_and_say_what_to_write() {
         ),
         (
             vec!["optimize", "--tolerance=1um", "--set", "flight.method=dp8"],
-            "--tolerance: it chooses method and step, and --set flight.method gives one of them",
+            "--tolerance: it chooses method and step, and --set flight.method states one of them",
         ),
         (
             vec![

@@ -353,7 +353,7 @@ fn a_foreign_file_among_all_parts_is_reported() {
         said.status == 1
             && said
                 .out
-                .contains("4 parts are there and sound, but not alone"),
+                .contains("4 parts are present and valid, but not alone"),
         "{} {}",
         said.out,
         said.err
@@ -373,7 +373,7 @@ fn an_existing_part_is_kept_and_one_of_other_arguments_is_refused() {
         answer["message"]
             .as_str()
             .unwrap()
-            .contains("there already"),
+            .contains("existed already"),
         "{answer}"
     );
     assert_eq!(answer["sha256"], SET.answers[1]["sha256"]);

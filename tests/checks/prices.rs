@@ -56,11 +56,11 @@ fn differences_of_optima_are_the_price_of_a_limit_over_swings() {
     // the design of the mean swing and that of the setup violate it
     assert_eq!(text.matches("(broken)").count(), 2, "{text}");
     assert!(
-        text.contains("the design as set up breaks a limit"),
+        text.contains("the design as set up violates a limit"),
         "{text}"
     );
     assert!(
-        text.contains("the best design of the mean swing breaks a limit"),
+        text.contains("the best design of the mean swing violates a limit"),
         "{text}"
     );
 }
@@ -73,7 +73,7 @@ fn a_design_that_violates_a_relation_is_marked() {
         "{text}"
     );
     assert!(
-        text.contains("the design as set up breaks a limit"),
+        text.contains("the design as set up violates a limit"),
         "{text}"
     );
     let kept = told(&over_swings("loft: club.loft >= 4.5 deg"));

@@ -788,7 +788,7 @@ fn bad_plots_and_folders_get_messages_that_help() {
         (
             vec!["plot", "trajectory", "-o", "x"],
             2,
-            vec!["'x'", "ending"],
+            vec!["'x'", "extension"],
         ),
         (
             vec!["plot", "trajectory", "-o", &missing],

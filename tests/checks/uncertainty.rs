@@ -841,8 +841,8 @@ fn an_unset_wind_is_refused_with_advice() {
             .variable(name)
             .unwrap_err()
             .to_string();
-        let words = "it is unset here, which means: the wind is given by wind.right and \
-                     wind.downrange; give it a value";
+        let words = "it is unset here, which means: wind.right and wind.downrange give the \
+                     wind; give it a value";
         assert!(error.contains(words), "{error}");
     }
 }

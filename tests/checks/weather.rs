@@ -528,7 +528,7 @@ fn contradictory_weather_settings_are_refused() {
         ),
         (
             &["gradient", &warm, "--of", "carry", "--wrt", "air.humidity"],
-            "it is unset here, which means: dry air where other weather is set; give it a value",
+            "it is unset here, which means: dry air if other weather is set; give it a value",
         ),
         (
             &["simulate", "--set", "air.humidity=50"],
