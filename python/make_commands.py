@@ -21,6 +21,7 @@ WIDTH = 100
 BY_HAND = {"simulate", "gradient", "parameters", "presets", "sweep"}
 # what Python does by other means: Setup.replace, objects as answers, lists
 LEFT_OUT = {"set", "set-a", "set-b", "json", "csv"}
+LEFT_OUT |= {"speed", "attack", "loft", "temperature", "wind", "altitude"}  # a dict of parameters
 # a port is listened to by the program
 OF_THE_PROGRAM = {"fly": {"listen", "address"}}
 SEARCHES = {"optimize", "optimum-sensitivity", "design", "robust"}

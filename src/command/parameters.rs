@@ -1,11 +1,29 @@
 use crate::Result;
-use crate::command::args::Parameters;
+use crate::command::args::{Parameters, SETUP, SetupArgs};
 use crate::command::output::Answer;
+use crate::command::request::Source;
 use crate::report::ParametersReport;
 
 pub fn run(args: &Parameters) -> Result<Answer> {
-    let request = args.setup_args.request()?;
+    let (setup_args, word) = args.setup_and_word();
+    let request = setup_args.request()?;
     let setup = request.setup()?;
     let report = ParametersReport::new(&setup);
+    let report = match &word {
+        Some(word) => report.with_word(word)?,
+        None => report,
+    };
     Ok(Answer::report(&report, setup.warnings(), request.is_json()))
+}
+
+impl Parameters {
+    /// The setup and the word. The only argument is the word unless it names a setup.
+    fn setup_and_word(&self) -> (SetupArgs, Option<String>) {
+        let mut setup_args = self.setup_args.clone();
+        if self.word.is_some() || Source::is_named_by(&setup_args.setup) {
+            return (setup_args, self.word.clone());
+        }
+        let word = std::mem::replace(&mut setup_args.setup, SETUP.into());
+        (setup_args, Some(word))
+    }
 }

@@ -240,8 +240,8 @@ impl Setup<f64> {
         match [has("wind.speed", wind.speed), has("wind.from", wind.from)] {
             [true, false] => refuse(
                 "wind.speed is given without wind.from",
-                "say where the wind comes from, clockwise from the target line: 0 deg is a head \
-                 wind, 90 deg is from the right, 180 deg is a tail wind",
+                "say where the wind comes from, clockwise from the target line: `set \
+                 wind.from=0deg` is a head wind, 90 deg is from the right, 180 deg is a tail wind",
             ),
             [false, true] => refuse(
                 "wind.from is given without wind.speed",

@@ -3,10 +3,11 @@ use super::json::Number;
 use super::reply::Report;
 use crate::atmosphere::in_effect;
 use crate::parameters::{
-    GOLFER, Kind, LAW, Law, METHOD, Method, Parameter, SPEED_OF, Setup, TABLE, TABLE_LAW, TURF,
-    TURFS, UNSET,
+    GOLFER, Kind, LAW, Law, METHOD, Method, PRESETS, Parameter, SPEED_OF, Setup, TABLE, TABLE_LAW,
+    TURF, TURFS, UNSET,
 };
 use crate::units::System;
+use crate::{Error, Result};
 use serde::Serialize;
 
 /// Every parameter with its value in a setup.
@@ -20,6 +21,9 @@ pub struct ParametersReport<'a> {
     pub laws: &'static [&'static str],
     /// The parameters of the setup, then the parameters of the other laws.
     pub parameters: Vec<ParameterReport>,
+    /// The word that selects the parameters and choices.
+    #[serde(skip)]
+    word: Option<String>,
 }
 
 /// A parameter with its value in a setup.
@@ -81,8 +85,64 @@ impl<'a> ParametersReport<'a> {
             law: setup.law.name(),
             laws: Law::NAMES,
             parameters: own.chain(others).collect(),
+            word: None,
         }
     }
+
+    /// Selects the parameters and choices whose names contain a word.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] if none does.
+    pub fn with_word(mut self, word: &str) -> Result<Self> {
+        let mut choices = CHOICES.iter().chain([&LAW]);
+        let is_choice = choices.any(|name| has_word(name, word));
+        let names: Vec<_> = self.parameters.iter().map(|one| one.parameter).collect();
+        if !is_choice && !names.iter().any(|name| has_word(name, word)) {
+            return Err(unknown_word(word, &names));
+        }
+        self.parameters.retain(|one| has_word(one.parameter, word));
+        self.word = Some(word.into());
+        Ok(self)
+    }
+
+    /// The selected parameters of the setup and of the other laws, and the selected choices.
+    fn selection(&self, word: &str, system: System) -> Document {
+        let mut document = Document::default();
+        if !self.parameters.is_empty() {
+            let all: Vec<_> = self.parameters.iter().collect();
+            document.add(listing("parameter", &all, system));
+        }
+        let choices = CHOICES.into_iter().zip(choices(self.setup));
+        for (_, text) in choices.filter(|(name, _)| has_word(name, word)) {
+            document.list([Line::item(text)]);
+        }
+        if has_word(LAW, word) {
+            document.list([Line::item(format!(
+                "{LAW} = {} here; the laws are {}",
+                self.law,
+                Law::NAMES.join(", ")
+            ))]);
+        }
+        document
+    }
+}
+
+/// True for a name with this word, in upper or lower case.
+fn has_word(name: &str, word: &str) -> bool {
+    name.contains(&word.to_lowercase())
+}
+
+/// The error for a word that no name contains, with the most similar name, group or preset.
+fn unknown_word(word: &str, names: &[&'static str]) -> Error {
+    let parts = names.iter().flat_map(|name| name.split('.'));
+    let presets = PRESETS.iter().map(|preset| preset.name);
+    let known: Vec<_> = parts.chain(names.iter().copied()).chain(presets).collect();
+    Error::unknown(
+        "parameter or group",
+        word,
+        known,
+        "`parameters()` lists them all",
+    )
 }
 
 impl ParameterReport {
@@ -120,6 +180,9 @@ impl Report for ParametersReport<'_> {
     /// A row with the numbers of each parameter, and below it symbol and meaning; then the choices,
     /// and the coefficients of the other laws.
     fn document(&self, system: System) -> Document {
+        if let Some(word) = &self.word {
+            return self.selection(word, system);
+        }
         let (own, others): (Vec<_>, Vec<_>) = self
             .parameters
             .iter()
@@ -152,6 +215,9 @@ impl Report for ParametersReport<'_> {
         document
     }
 }
+
+/// Names of the choices of [`choices`].
+const CHOICES: [&str; 4] = [METHOD, GOLFER, SPEED_OF, TURF];
 
 /// The choices of a setup that are not numbers, each with the alternatives.
 fn choices(setup: &Setup<f64>) -> [String; 4] {

@@ -66,6 +66,7 @@ mod robust;
 mod sample;
 #[path = "../schema/mod.rs"]
 mod schema;
+mod short_names;
 mod shot_tables;
 mod shots;
 mod shots_again;

@@ -2,6 +2,9 @@
 
 pub use crate::parameters::DEFAULT_PRESET as SETUP;
 
+/// Heading of the options of the setup in help texts.
+const YOUR_DRIVE: &str = "Your drive";
+
 /// Arguments about the setup, of every command with drives.
 #[derive(Clone, clap::Args)]
 pub struct SetupArgs {
@@ -12,14 +15,22 @@ pub struct SetupArgs {
 
     /// Set a parameter, in place of the value of the setup, e.g. club.loft=10.5deg; a quantity with
     /// a dimension needs its unit. Repeatable.
-    #[arg(long, value_name = "NAME=VALUE")]
+    #[arg(long, value_name = "NAME=VALUE", help_heading = YOUR_DRIVE)]
     pub set: Vec<String>,
+
+    #[command(flatten)]
+    pub short_names: ShortNames,
 
     /// Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
     /// ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
     /// spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
     /// of the setup file.
-    #[arg(long, value_name = "NAME=VALUE,…", value_delimiter = ',')]
+    #[arg(
+        long,
+        value_name = "NAME=VALUE,…",
+        value_delimiter = ',',
+        help_heading = YOUR_DRIVE
+    )]
     pub launch: Vec<String>,
 
     /// Choose the cheapest method and time step with which every requested length is within this
@@ -44,6 +55,80 @@ pub struct SetupArgs {
     /// Print the answer as JSON (SI units and radians), and nothing else, to standard output.
     #[arg(long)]
     pub json: bool,
+}
+
+/// Options that each set one parameter, as `--set` does.
+#[derive(Clone, clap::Args)]
+pub struct ShortNames {
+    /// Set the club speed (swing.speed), e.g. 95mph.
+    #[arg(
+        long,
+        value_name = "SPEED",
+        allow_hyphen_values = true,
+        help_heading = YOUR_DRIVE
+    )]
+    pub speed: Option<String>,
+
+    /// Set the attack angle (swing.attack_angle), + up, e.g. -2deg.
+    #[arg(
+        long,
+        value_name = "ANGLE",
+        allow_hyphen_values = true,
+        help_heading = YOUR_DRIVE
+    )]
+    pub attack: Option<String>,
+
+    /// Set the loft (club.loft), e.g. 10.5deg.
+    #[arg(
+        long,
+        value_name = "ANGLE",
+        allow_hyphen_values = true,
+        help_heading = YOUR_DRIVE
+    )]
+    pub loft: Option<String>,
+
+    /// Set the temperature of the air (air.temperature), e.g. 50F.
+    #[arg(
+        long,
+        value_name = "TEMPERATURE",
+        allow_hyphen_values = true,
+        help_heading = YOUR_DRIVE
+    )]
+    pub temperature: Option<String>,
+
+    /// Set the wind (wind.speed); with --set wind.from=0deg a head wind.
+    #[arg(
+        long,
+        value_name = "SPEED",
+        allow_hyphen_values = true,
+        help_heading = YOUR_DRIVE
+    )]
+    pub wind: Option<String>,
+
+    /// Set the altitude (air.altitude), e.g. 5000ft.
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        allow_hyphen_values = true,
+        help_heading = YOUR_DRIVE
+    )]
+    pub altitude: Option<String>,
+}
+
+impl ShortNames {
+    /// The given options, each with its parameter and value.
+    pub fn given(&self) -> impl Iterator<Item = (&'static str, &'static str, &str)> {
+        [
+            ("speed", "swing.speed", &self.speed),
+            ("attack", "swing.attack_angle", &self.attack),
+            ("loft", "club.loft", &self.loft),
+            ("temperature", "air.temperature", &self.temperature),
+            ("wind", "wind.speed", &self.wind),
+            ("altitude", "air.altitude", &self.altitude),
+        ]
+        .into_iter()
+        .filter_map(|(option, parameter, value)| Some((option, parameter, value.as_deref()?)))
+    }
 }
 
 #[derive(clap::Args)]
@@ -80,6 +165,11 @@ pub struct Gradient {
 pub struct Parameters {
     #[command(flatten)]
     pub setup_args: SetupArgs,
+
+    /// List only the parameters with this word in their names or groups, e.g. loft. Without a
+    /// SETUP it may be the first word: longdrive parameters swing.
+    #[arg(value_name = "WORD")]
+    pub word: Option<String>,
 }
 
 #[derive(clap::Args)]

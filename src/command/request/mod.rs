@@ -44,12 +44,17 @@ impl SetupArgs {
         Request::new(source, self.settings()?, self)
     }
 
-    /// The settings of `--set` and `--launch`.
+    /// The settings of `--set`, of options such as `--speed`, and of `--launch`.
     ///
     /// # Errors
     /// For an unreadable setting.
     pub fn settings(&self) -> Result<Vec<Setting>> {
         let mut settings = Setting::read_all("set", &self.set)?;
+        let short_names = self.short_names.given();
+        settings
+            .extend(short_names.map(|(option, parameter, value)| {
+                Setting::by_short_name(option, parameter, value)
+            }));
         settings.extend(Setting::read_all_launch("launch", &self.launch)?);
         Ok(settings)
     }

@@ -8,9 +8,9 @@ use std::fmt;
 /// A parameter with its value, from an option of the command line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    /// The argument that states the parameter: `set`, `launch_a`, `ball_speed`.
+    /// The argument that states the parameter: `set`, `launch_a`, `ball_speed`, `speed`.
     argument: &'static str,
-    /// The name as typed: `ball_speed` after `--launch`.
+    /// The name as typed: `ball_speed` after `--launch`, `speed` of `--speed`.
     name: String,
     /// The name of the parameter: `launch.ball_speed`.
     pub parameter: String,
@@ -61,6 +61,16 @@ impl Setting {
         })
     }
 
+    /// A parameter with its value, from an option of its own (`--speed 95mph`).
+    pub fn by_short_name(option: &'static str, parameter: &str, value: &str) -> Self {
+        Self {
+            argument: option,
+            name: option.into(),
+            parameter: parameter.into(),
+            value: value.trim().into(),
+        }
+    }
+
     /// Reads the texts of an option such as `--set`.
     ///
     /// # Errors
@@ -91,7 +101,7 @@ impl Setting {
     /// Returns true for `--launch` and options such as `--ball-speed`, which replace the whole
     /// launch of the setup. `--set launch.ball_speed=…` changes only one condition.
     pub fn replaces_launch(&self) -> bool {
-        self.name != self.parameter
+        self.is_of_launch() && self.name != self.parameter
     }
 
     /// Returns true for the value `none`.
@@ -123,7 +133,7 @@ impl Setting {
         }
     }
 
-    /// Returns true for an option of one parameter, such as `--ball-speed`.
+    /// Returns true for an option of one parameter, such as `--ball-speed` or `--speed`.
     fn has_own_option(&self) -> bool {
         self.argument == self.name
     }
@@ -153,7 +163,7 @@ pub fn refuse_duplicates(settings: &[Setting]) -> Result<()> {
             let what = if setting.replaces_launch() {
                 format!("the {}", setting.name)
             } else {
-                setting.name.clone()
+                setting.parameter.clone()
             };
             return Err(Error::Unreadable {
                 name: setting.to_string(),
@@ -240,6 +250,14 @@ mod tests {
         assert_eq!(
             error,
             "`launch spin=2rpm`: `set launch.spin=1rpm` gives the spin too; keep one of the two"
+        );
+        let short = Setting::by_short_name("speed", "swing.speed", "95mph");
+        let mut all = Setting::read_all("set", &["swing.speed=90mph".into()]).unwrap();
+        all.push(short);
+        let error = refuse_duplicates(&all).unwrap_err().to_string();
+        assert_eq!(
+            error,
+            "`speed 95mph`: `set swing.speed=90mph` gives swing.speed too; keep one of the two"
         );
     }
 }

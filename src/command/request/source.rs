@@ -3,7 +3,7 @@
 use super::setting::is_of_step;
 use crate::command::running::running;
 use crate::command::wording::{advice_on, no_setup};
-use crate::parameters::{PRESETS, Parameter, Preset, SetupFile};
+use crate::parameters::{Law, PRESETS, Parameter, Preset, SetupFile};
 use crate::{Error, Result, Setup};
 use std::path::Path;
 
@@ -49,6 +49,25 @@ impl Source {
             kind,
             content,
         })
+    }
+
+    /// True for an argument that can only be a setup: a preset, a file, an argument written like a
+    /// file or a setting, or standard input.
+    pub fn is_named_by(argument: &str) -> bool {
+        let path = Path::new(argument);
+        let is_written_like_a_file =
+            argument.contains(['/', '\\', '=']) || path.extension().is_some();
+        let rows = || {
+            Setup::default()
+                .parameters()
+                .into_iter()
+                .chain(Law::all_rows())
+        };
+        let is_part_of_a_name = || rows().any(|row| row.name.contains(argument));
+        Preset::named(argument).is_some()
+            || argument == STANDARD_INPUT
+            || path.exists()
+            || is_written_like_a_file && !is_part_of_a_name()
     }
 
     /// The setup.
