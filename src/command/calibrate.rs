@@ -12,6 +12,7 @@ use crate::study::calibrate::{
     Calibration, FitPlan, HeldOut, ShotTable, calibrate, check_folds, held_out, ranges,
     validity_warnings,
 };
+use crate::table::RowFilter;
 use crate::units::{Message, System};
 use crate::{Error, Result, Setup};
 use std::path::PathBuf;
@@ -92,7 +93,8 @@ fn refuse_launch(args: &Calibrate, request: &Request, setup: &Setup<f64>) -> Res
 /// Reads the measured shots, and refuses settings that they replace.
 fn read_shots(args: &Calibrate, request: &Request, setup: &Setup<f64>) -> Result<ShotTable> {
     let file = args.data.display();
-    let mut table = ShotTable::open(setup, &args.data)?;
+    let filter = RowFilter::read(&args.only)?;
+    let mut table = ShotTable::open_rows(setup, &args.data, filter)?;
     if request.gives_air() {
         table.in_given_air();
     }

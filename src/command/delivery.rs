@@ -13,6 +13,7 @@ use crate::study::calibrate::ShotTable;
 use crate::study::delivery::{
     Delivery, Population, Unknown, deliveries, delivery, launches, unknowns,
 };
+use crate::table::RowFilter;
 use crate::units::{Message, counted};
 use crate::{Error, Result, Setup};
 use std::ffi::OsString;
@@ -26,10 +27,14 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
     let launched = requests.setup_of_launch(args)?;
     let mut warnings = setup.warnings();
     warn(&warnings);
-    let unknowns = read_unknowns(args, &setup)?;
+    let unknowns = read_unknowns(args, &requests.club, &setup)?;
     let found = match &args.shots {
         None => of_launch(&setup, &launched, &unknowns)?,
-        Some(file) => of_shots(file, &requests, &setup, &unknowns)?,
+        Some(file) => {
+            let filter = RowFilter::read(&args.only)?;
+            let table = ShotTable::open_launch_rows(&setup, file, filter)?;
+            of_shots(table, &requests, &setup, &unknowns)?
+        }
     };
     warnings.extend(found.warnings());
     let is_setup_written = outputs.write_setup(&found, &requests.club, &setup, &mut warnings)?;
@@ -104,12 +109,11 @@ fn of_launch(
 
 /// The deliveries of the shots in a table.
 fn of_shots(
-    file: &Path,
+    table: ShotTable,
     requests: &Requests,
     setup: &Setup<f64>,
     unknowns: &[Unknown],
 ) -> Result<Deliveries> {
-    let table = ShotTable::open_launches(setup, file)?;
     let given: Vec<_> = setup
         .parameters()
         .into_iter()
@@ -144,8 +148,13 @@ fn of_shots(
     })
 }
 
-/// The parameters to find, with the prior knowledge of each.
-fn read_unknowns(args: &DeliveryArgs, setup: &Setup<f64>) -> Result<Vec<Unknown>> {
+/// The parameters to find, with the prior knowledge of each. A club value that the command line
+/// states has the uncertainty of a launch monitor, as a column has.
+fn read_unknowns(
+    args: &DeliveryArgs,
+    request: &Request,
+    setup: &Setup<f64>,
+) -> Result<Vec<Unknown>> {
     let vary = args
         .vary
         .iter()
@@ -156,7 +165,16 @@ fn read_unknowns(args: &DeliveryArgs, setup: &Setup<f64>) -> Result<Vec<Unknown>
         .iter()
         .map(|text| Sigma::read(setup, text))
         .collect::<Result<Vec<_>>>()?;
-    unknowns(setup, &vary, &sigmas)
+    let measured = |unknown: Unknown| match setup.value(unknown.parameter) {
+        Some(value) if request.states(unknown.parameter) => Unknown {
+            low: unknown.low,
+            high: unknown.high,
+            ..unknown.measured_as(value)
+        },
+        _ => unknown,
+    };
+    let all = unknowns(setup, &vary, &sigmas)?;
+    Ok(all.into_iter().map(measured).collect())
 }
 
 fn answer(args: &DeliveryArgs, found: &Deliveries, warnings: Vec<Message>) -> Answer {

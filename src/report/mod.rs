@@ -92,8 +92,8 @@ pub(crate) use setup_file::{with_step_of, without_step};
 #[cfg(feature = "parquet")]
 pub use shots::ShotParquet;
 pub use shots::{
-    BandReport, OutcomeResiduals, RefusedRows, ShotFormat, ShotWriter, ShotsReport, SumsReport,
-    open_connect_answer,
+    BandReport, ClubOutcome, ClubShotsReport, OutcomeResiduals, RefusedRows, ShotFormat,
+    ShotWriter, ShotsReport, SumsReport, open_connect_answer,
 };
 pub use shown::{goal as goal_text, outcome as outcome_text, stated as parameter_text};
 #[cfg(feature = "parquet")]

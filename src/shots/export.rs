@@ -107,10 +107,12 @@ impl ExportHead {
             })
         });
         shot.club = Club::measured(club, &mut shot.notes);
-        shot.condition = self
-            .condition
-            .map(|at| cell(at).to_owned())
-            .filter(|text| !text.is_empty());
+        let text = |at: Option<usize>| {
+            at.map(|at| cell(at).to_owned())
+                .filter(|text| !text.is_empty())
+        };
+        shot.club_name = text(self.club_name);
+        shot.condition = text(self.condition);
         shot.is_normalized = shot
             .condition
             .as_ref()

@@ -6,8 +6,8 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, given_air, near_known,
-    nearest_head, split_unit, words,
+    Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, club_column, given_air,
+    near_known, nearest_head, split_unit, words,
 };
 use crate::units::Message;
 use std::ops::Range;
@@ -38,6 +38,8 @@ pub(super) struct ExportHead {
     /// Columns with the origin of the spin, and with the conditions of the values.
     pub spin_type: Option<usize>,
     pub condition: Option<usize>,
+    /// Column with the name of the club.
+    pub club_name: Option<usize>,
     pub is_export: bool,
     /// The decimal mark of the table; `None` if the first rows do not show it.
     pub decimal_mark: Option<DecimalMark>,
@@ -84,6 +86,7 @@ impl ExportHead {
             further_columns: vec![],
             spin_type: None,
             condition: None,
+            club_name: club_column(&heads, |at| columns[at].content == Content::Note),
             is_export,
             decimal_mark: Some(DecimalMark::Point),
             added: added(&columns),

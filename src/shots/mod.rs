@@ -62,4 +62,4 @@ pub use shot::{Club, Origin, Shot, Value};
 pub(crate) use sizes::size;
 pub(crate) use source::is_json;
 pub use source::{Layout, Shots};
-pub use statistics::{BANDS, Band, FLOOR, Refused, ShotStatistics, Sums};
+pub use statistics::{BANDS, Band, ClubShots, FLOOR, Refused, ShotStatistics, Sums};

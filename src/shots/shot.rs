@@ -125,6 +125,8 @@ pub struct Shot {
     pub values: Vec<Value>,
     /// Club data.
     pub club: Club,
+    /// Name of the club, if a column has it.
+    pub club_name: Option<String>,
     /// Condition text of the export, verbatim.
     pub condition: Option<String>,
     /// True if the export states normalized values; `None` without a statement.
@@ -146,6 +148,7 @@ impl Shot {
             text,
             values: vec![],
             club: Club::default(),
+            club_name: None,
             condition: None,
             is_normalized: None,
             notes: vec![],

@@ -10,7 +10,7 @@ use crate::batch::CHUNK;
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Golfer, Parameter, Setup};
-use crate::table::{Entry, Record, SourceName, TableOptions, Text, TextTable};
+use crate::table::{Entry, Record, RowFilter, SourceName, TableOptions, Text, TextTable};
 use crate::units::Message;
 use std::fs::File;
 use std::io::{self, Read};
@@ -78,13 +78,24 @@ impl Shots {
     /// # Errors
     /// The errors of [`read`](Self::read), and of opening the file.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        if path == Path::new("-") {
-            return Self::read(setup, "standard input", io::stdin());
-        }
-        let name = path.display().to_string();
-        let table = SourceName(name.clone());
-        // report a folder as unreadable: opening succeeds, reading fails
-        Self::read(setup, &name, table.io(File::open(path))?)
+        Self::open_rows(setup, path, RowFilter::default())
+    }
+
+    /// Opens a file and selects rows of its table.
+    ///
+    /// # Errors
+    /// The errors of [`open`](Self::open); a filter of a file that is not a table. The last row is
+    /// followed by an error if the filter selects none.
+    pub fn open_rows(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
+        let text = if path == Path::new("-") {
+            Text::open("standard input", io::stdin())?
+        } else {
+            let name = path.display().to_string();
+            // report a folder as unreadable: opening succeeds, reading fails
+            let file = SourceName(name.clone()).io(File::open(path))?;
+            Text::open(&name, file)?
+        };
+        Self::of_text(setup, text.with_filter(filter))
     }
 
     /// Reads CSV with a head, or JSON, in UTF-8, UTF-16 or Windows-1252.
@@ -106,6 +117,7 @@ impl Shots {
     /// The errors of [`read`](Self::read).
     pub(crate) fn of_text(setup: &Setup<f64>, text: Text) -> Result<Self> {
         if is_json(&text.beginning) {
+            refuse_filter(&text)?;
             let launch = LAUNCH
                 .iter()
                 .map(|name| setup.parameter(name))
@@ -175,11 +187,14 @@ impl Shots {
         }
     }
 
-    /// Remarks on later sections, complete after the last row.
-    pub fn remarks_of_sections(&self) -> &[Message] {
+    /// Remarks on later sections and on the selection of rows, complete after the last row.
+    pub fn final_remarks(&self) -> Vec<Message> {
         match &self.rows {
-            Rows::Table(rows) => &rows.remarks,
-            Rows::Objects(..) => &[],
+            Rows::Table(rows) => {
+                let of_filter = rows.table.filter().remark();
+                rows.remarks.iter().cloned().chain(of_filter).collect()
+            }
+            Rows::Objects(..) => vec![],
         }
     }
 
@@ -242,6 +257,7 @@ impl TableRows {
             match self.table.next_entry()? {
                 None => break,
                 Some(Entry::Row(record)) => records.push(record),
+                Some(Entry::Excluded) => {}
                 Some(Entry::Head(record)) if records.is_empty() => self.begin(&record)?,
                 Some(Entry::Head(record)) => {
                     self.table.give_back(record);
@@ -343,6 +359,15 @@ impl Chunk {
             ),
         }
     }
+}
+
+/// Refuses a filter of rows for messages.
+fn refuse_filter(text: &Text) -> Result<()> {
+    if text.filter.is_empty() {
+        return Ok(());
+    }
+    let reason = "`only` selects rows by a column, and messages have none; leave it out";
+    Err(text.name.refused(String::new(), reason))
 }
 
 /// Recognizes JSON.

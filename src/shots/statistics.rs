@@ -80,6 +80,55 @@ pub struct Band {
     pub sums: Vec<Sums>,
 }
 
+/// Maximum number of clubs with statistics of their own.
+const MOST_CLUBS: usize = 40;
+
+/// The shots of a club, with the sums of each outcome.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClubShots {
+    /// Number of rows.
+    pub rows: u64,
+    /// Number of rows whose ball landed.
+    pub flown: u64,
+    /// Sums of the predictions, in the order of the outcomes.
+    pub predicted: Vec<Sums>,
+    /// Sums of the residuals, in the order of the outcomes.
+    pub residuals: Vec<Sums>,
+}
+
+impl ClubShots {
+    fn new(outcomes: usize) -> Self {
+        Self {
+            rows: 0,
+            flown: 0,
+            predicted: vec![Sums::default(); outcomes],
+            residuals: vec![Sums::default(); outcomes],
+        }
+    }
+
+    fn add(&mut self, flown: &Flown, row: usize) {
+        self.rows += 1;
+        self.flown += u64::from(flown.status(row) == Some(Status::Landed));
+        for outcome in 0..self.predicted.len() {
+            if let Some(predicted) = flown.predicted(row, outcome) {
+                self.predicted[outcome].add(predicted);
+            }
+            if let Some(residual) = flown.residual(row, outcome) {
+                self.residuals[outcome].add(residual);
+            }
+        }
+    }
+
+    fn merge(&mut self, other: &Self) {
+        self.rows += other.rows;
+        self.flown += other.flown;
+        let sums = self.predicted.iter_mut().chain(&mut self.residuals);
+        let others = other.predicted.iter().chain(&other.residuals);
+        sums.zip(others)
+            .for_each(|(ours, theirs)| ours.merge(*theirs));
+    }
+}
+
 /// Rows refused for one kind of reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refused {
@@ -106,6 +155,8 @@ pub struct ShotStatistics {
     pub bands: Vec<Band>,
     /// Residuals of all rows.
     pub all: Vec<Sums>,
+    /// Shots by the name of the club, for tables with such a column; at most 40 clubs.
+    pub clubs: BTreeMap<String, ClubShots>,
     /// Number of rows whose export states an estimated or modelled spin.
     pub spin_not_measured: u64,
     /// Number of rows whose export states normalized values.
@@ -148,6 +199,7 @@ impl ShotStatistics {
             refused: BTreeMap::new(),
             bands: (0..=BANDS.len()).map(band).collect(),
             all: none.clone(),
+            clubs: BTreeMap::new(),
             spin_not_measured: 0,
             normalized: 0,
             noted: 0,
@@ -187,6 +239,9 @@ impl ShotStatistics {
                 self.lofted += u64::from(shot.launch().is_some_and(is_lofted));
             }
             self.comparison.add(flown, row);
+            if let Some(club) = shot.club_name.as_deref().and_then(|name| self.club(name)) {
+                club.add(flown, row);
+            }
             let Some(speed) = shot.launch().map(|launch| launch[0]) else {
                 continue;
             };
@@ -198,6 +253,16 @@ impl ShotStatistics {
                 }
             }
         }
+    }
+
+    /// The statistics of a club; `None` beyond the maximum number of clubs.
+    fn club(&mut self, name: &str) -> Option<&mut ClubShots> {
+        if self.clubs.len() >= MOST_CLUBS && !self.clubs.contains_key(name) {
+            return None;
+        }
+        let outcomes = self.of.len();
+        let new = || ClubShots::new(outcomes);
+        Some(self.clubs.entry(name.into()).or_insert_with(new))
     }
 
     /// Warnings about columns with a likely wrong unit or sign; `name` gives the head of an
@@ -216,6 +281,11 @@ impl ShotStatistics {
         self.beyond.merge(other.beyond);
         self.lofted += other.lofted;
         self.comparison.merge(other.comparison);
+        for (name, shots) in &other.clubs {
+            if let Some(club) = self.club(name) {
+                club.merge(shots);
+            }
+        }
         for (kind, refused) in other.refused {
             match self.refused.get_mut(kind) {
                 Some(found) => found.count += refused.count,

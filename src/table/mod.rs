@@ -18,6 +18,7 @@ mod plausible;
 mod points;
 mod records;
 mod refusal;
+mod row_filter;
 mod text;
 
 pub(crate) use air::{air_as_given, air_of_rows, air_of_setup, states_weather};
@@ -38,6 +39,8 @@ pub use points::open_table;
 pub(crate) use records::{Record, cells, quoted};
 pub use refusal::Refusal;
 pub(crate) use refusal::{NonShot, NonShotRows};
+pub use row_filter::RowFilter;
+pub(crate) use row_filter::{club_column, counted_values};
 pub(crate) use text::{Entry, SourceName, Text, TextTable, miscounted};
 
 use crate::drive::Outcome;

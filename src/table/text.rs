@@ -5,6 +5,7 @@ use super::head::{Head, TableOptions};
 use super::launch_monitor::is_head;
 use super::records::{Lines, Record, cells};
 use super::refusal::Refusal;
+use super::row_filter::RowFilter;
 use crate::csv_dialect::detect_separator;
 use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
@@ -49,6 +50,8 @@ pub(crate) struct Text {
     /// The whole text, in UTF-8 or Windows-1252.
     pub source: Box<dyn Read + Send>,
     encoding: Encoding,
+    /// Selection of the rows of a table.
+    pub filter: RowFilter,
 }
 
 impl Text {
@@ -69,7 +72,13 @@ impl Text {
             beginning,
             source,
             encoding,
+            filter: RowFilter::default(),
         })
+    }
+
+    /// Selects rows of the table.
+    pub fn with_filter(self, filter: RowFilter) -> Self {
+        Self { filter, ..self }
     }
 }
 
@@ -77,6 +86,8 @@ impl Text {
 pub(crate) enum Entry {
     /// A row.
     Row(Record),
+    /// A row that the filter excludes.
+    Excluded,
     /// The head of a further section.
     Head(Record),
 }
@@ -92,6 +103,7 @@ pub(crate) struct TextTable {
     encoding: Encoding,
     /// True for exports, which may contain further heads.
     has_sections: bool,
+    filter: RowFilter,
 }
 
 impl TextTable {
@@ -106,6 +118,7 @@ impl TextTable {
             beginning,
             source,
             encoding,
+            filter,
         } = text;
         let Some(place) = HeadPlace::find(&beginning) else {
             return Err(name.refused(
@@ -125,6 +138,7 @@ impl TextTable {
             beginning,
             encoding,
             has_sections: false,
+            filter,
         };
         let record = loop {
             match table.record()? {
@@ -164,6 +178,10 @@ impl TextTable {
             .into_iter()
             .map(|head| head.replace(['\r', '\n'], " "))
             .collect();
+        let place = || format!(", line {}", record.line);
+        self.filter
+            .begin(&heads)
+            .map_err(|reason| self.name.refused(place(), reason))?;
         let below = self.record()?;
         let first = below.as_ref().map(|below| self.cells(below));
         let head = Head::read(setup, heads, first, self.separator, wanted);
@@ -196,15 +214,30 @@ impl TextTable {
     /// The next row or head; `None` at the end.
     ///
     /// # Errors
-    /// Errors of the source; lines that are not text, or too long.
+    /// Errors of the source; lines that are not text, or too long; a table without a row that
+    /// the filter selects.
     pub fn next_entry(&mut self) -> Result<Option<Entry>> {
-        let record = self.record()?;
-        Ok(record.map(
-            |record| match self.has_sections && is_head(&record.text, self.separator) {
-                true => Entry::Head(record),
-                false => Entry::Row(record),
-            },
-        ))
+        let Some(record) = self.record()? else {
+            self.filter
+                .finish()
+                .map_err(|reason| self.name.refused(String::new(), reason))?;
+            return Ok(None);
+        };
+        if self.has_sections && is_head(&record.text, self.separator) {
+            return Ok(Some(Entry::Head(record)));
+        }
+        if !self.filter.is_empty() {
+            let row = self.cells(&record);
+            if !self.filter.takes(&row) {
+                return Ok(Some(Entry::Excluded));
+            }
+        }
+        Ok(Some(Entry::Row(record)))
+    }
+
+    /// The selection of rows, with the numbers of rows read so far.
+    pub fn filter(&self) -> &RowFilter {
+        &self.filter
     }
 
     /// Pushes a record back to the front of the input.

@@ -63,6 +63,7 @@ mod report;
 mod repository;
 mod reproduce;
 mod robust;
+mod row_filter;
 mod sample;
 #[path = "../schema/mod.rs"]
 mod schema;

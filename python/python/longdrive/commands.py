@@ -312,6 +312,7 @@ def calibrate(
     launch: Given | None = None,
     tolerance: Amount | None = None,
     own_step: bool = False,
+    only: Given | None = None,
     huber: bool = False,
     starts: int | None = None,
     folds: int | None = None,
@@ -336,6 +337,8 @@ def calibrate(
         tolerance: every length is within this length of its exact value, m or a text; without it 1
             um where many drives are flown, unless the setup gives flight.method or flight.step.
         own_step: integrate by flight.method and flight.step of the setup in every case.
+        only: read only the rows with this text in a column, e.g. Club=Driver, in upper or lower
+            case; several texts of one column are alternatives.
         fit: a parameter to fit, e.g. aero.cd0 or aero.cd0=0.1..0.4.
         huber: use Huber's loss: an outlier has no more influence than a residual of 1.345 σ.
         starts: search from this many starts: the setup's own values, then points spread evenly over
@@ -370,6 +373,7 @@ def delivery(
     backspin: Amount | None = None,
     sidespin: Amount | None = None,
     shots: TableLike | None = None,
+    only: Given | None = None,
     vary: Given | None = None,
     sigma: Given | None = None,
     output: PathLike | None = None,
@@ -401,6 +405,8 @@ def delivery(
             measured].
         shots: measured shots as CSV, one row per shot, as a launch monitor exports them or as
             calibrate reads them. Club values in a row count as measured too.
+        only: read only the rows with this text in a column, e.g. Club=Driver, in upper or lower
+            case; several texts of one column are alternatives.
         vary: a parameter to find and its range, e.g. club.loft=4deg..20deg. [default: the speed,
             attack angle, shaft lean, path and face angle of the swing, and the impact point on the
             face].
@@ -672,6 +678,7 @@ def fly(
     launch: Given | None = None,
     tolerance: Amount | None = None,
     own_step: bool = False,
+    only: Given | None = None,
     of: Names | None = None,
     output: PathLike | None = None,
     format: Literal["csv", "launch-monitor", "jsonl", "open-connect", "parquet"] | None = None,
@@ -695,6 +702,8 @@ def fly(
         tolerance: every length is within this length of its exact value, m or a text; without it 1
             um where many drives are flown, unless the setup gives flight.method or flight.step.
         own_step: integrate by flight.method and flight.step of the setup in every case.
+        only: read only the rows with this text in a column, e.g. Club=Driver, in upper or lower
+            case; several texts of one column are alternatives.
         of: the outcomes of the flight to predict, one or several; "all" for every one [default:
             carry_distance,lateral,apex_height,flight_time,descent_angle,total].
         output: the file for the rows; its extension selects the format (.csv, .jsonl, .parquet;

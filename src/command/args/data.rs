@@ -15,6 +15,11 @@ pub struct Calibrate {
     #[command(flatten)]
     pub setup_args: SetupArgs,
 
+    /// Read only the rows with this text in a column, e.g. Club=Driver, in upper or lower case;
+    /// several texts of one column are alternatives. Repeatable.
+    #[arg(long, value_name = "COLUMN=VALUE")]
+    pub only: Vec<String>,
+
     /// A parameter to fit, e.g. aero.cd0 or aero.cd0=0.1..0.4. Repeatable.
     #[arg(
         long,
@@ -119,6 +124,11 @@ pub struct DeliveryArgs {
     /// reads them. Club values in a row count as measured too.
     #[arg(long, value_name = "FILE")]
     pub shots: Option<PathBuf>,
+
+    /// Read only the rows with this text in a column, e.g. Club=Driver, in upper or lower case;
+    /// several texts of one column are alternatives. Repeatable.
+    #[arg(long, value_name = "COLUMN=VALUE", requires = "shots")]
+    pub only: Vec<String>,
 
     /// A parameter to find and its range, e.g. club.loft=4deg..20deg. Repeatable [default: the
     /// speed, attack angle, shaft lean, path and face angle of the swing, and the impact point on

@@ -17,6 +17,11 @@ pub struct Fly {
     #[command(flatten)]
     pub setup_args: SetupArgs,
 
+    /// Read only the rows with this text in a column, e.g. Club=Driver, in upper or lower case;
+    /// several texts of one column are alternatives. Repeatable.
+    #[arg(long, value_name = "COLUMN=VALUE", conflicts_with = "listen")]
+    pub only: Vec<String>,
+
     /// The outcomes of the flight to predict, separated by commas; "all" for every one.
     #[arg(
         long,

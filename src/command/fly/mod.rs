@@ -15,7 +15,7 @@ use crate::parameters::{Law, Preset};
 use crate::report::ShotParquet;
 use crate::report::{Ending, Report, ShotWriter, ShotsReport};
 use crate::shots::{Flying, ShotStatistics, Shots};
-use crate::table::{ASSUMED_UNITS, CONDITIONS};
+use crate::table::{ASSUMED_UNITS, CONDITIONS, RowFilter};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use request::{asked, followed, setup};
@@ -38,7 +38,8 @@ fn fly(args: &Fly) -> Result<Answer> {
     let setup = setup(&request, &format!("the rows of {}", file.display()))?;
     let target = Target::new(args, file, &request)?;
     let stop = interrupt::stops("stopping after the rows under way");
-    let mut shots = read_shots(file, &request, &setup)?;
+    let filter = RowFilter::read(&args.only)?;
+    let mut shots = read_shots(file, filter, &request, &setup)?;
     // print notes about the outcomes after all checks of the input
     let of = asked(args)?;
     request.refuse_replaced(&setup, shots.further())?;
@@ -61,7 +62,7 @@ fn fly(args: &Fly) -> Result<Answer> {
     };
     let maker = shots.maker();
     let (tally, output) = written(&target, &flying, &mut shots, &run)?;
-    remarks.add(shots.remarks_of_sections().iter().cloned());
+    remarks.add(shots.final_remarks());
     let is_stopped = stop.load(std::sync::atomic::Ordering::Relaxed);
     if !is_stopped {
         refuse_no_rows(&tally, file)?;
@@ -111,8 +112,13 @@ fn refuse_preset(file: &Path) -> Result<()> {
 }
 
 /// Opens the shots, and refuses settings that their columns replace.
-fn read_shots(file: &Path, request: &Request, setup: &Setup<f64>) -> Result<Shots> {
-    let mut shots = Shots::open(setup, file)?;
+fn read_shots(
+    file: &Path,
+    filter: RowFilter,
+    request: &Request,
+    setup: &Setup<f64>,
+) -> Result<Shots> {
+    let mut shots = Shots::open_rows(setup, file, filter)?;
     if request.gives_air() {
         shots.in_given_air();
     }

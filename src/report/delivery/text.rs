@@ -3,7 +3,7 @@ use crate::parameters::Parameter;
 use crate::report::document::{Document, Line, Table};
 use crate::report::shown;
 use crate::study::delivery::{
-    Delivered, Delivery, Population, Posterior, Recovered, Spread, Unidentified,
+    Delivered, Delivery, Population, Posterior, Recovered, Spread, Unidentified, Unknown,
 };
 use crate::units::{System, counted, fixed};
 
@@ -22,6 +22,7 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
         "told",
     ];
     document.add(Table::new(head, known).right([1, 2, 3, 4]));
+    document.list(measured_club(delivered, system));
     let explained = delivered.explained.iter().map(|explained| {
         let of = explained.measured.outcome;
         vec![
@@ -49,6 +50,24 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
         document.paragraph(format!("{status}: {message}"));
     }
     document
+}
+
+/// The assumed uncertainty of each measured or stated club value.
+fn measured_club(delivered: &Delivered, system: System) -> Option<Line> {
+    let unknowns = delivered.posteriors.iter().map(|known| &known.unknown);
+    let measured: Vec<_> = unknowns
+        .filter(|unknown| unknown.has_uncertainty_of_monitor())
+        .collect();
+    let one = |unknown: &&Unknown| {
+        let sigma = amount(unknown.parameter, unknown.sigma, system);
+        format!("{} ± {sigma}", unknown.parameter.name)
+    };
+    let all = measured.iter().map(one).collect::<Vec<_>>().join(", ");
+    (!measured.is_empty()).then(|| {
+        Line::flush(format!(
+            "assumed errors of the given club values: {all}; `sigma` states others"
+        ))
+    })
 }
 
 /// The cells of a parameter of a delivery.
@@ -131,6 +150,8 @@ pub(super) fn of_table(
     });
     let head = ["over all shots", "mean", "standard deviation", "told"];
     document.add(Table::new(head, rows).right([1, 2, 3]));
+    let first = all.iter().find_map(Delivery::explained);
+    document.list(first.and_then(|first| measured_club(first, system)));
     if let Some(population) = population {
         document.add(swings(population, system));
     }

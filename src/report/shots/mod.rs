@@ -12,7 +12,10 @@ mod summary;
 pub use open_connect::open_connect_answer;
 #[cfg(feature = "parquet")]
 pub use parquet::ShotParquet;
-pub use summary::{BandReport, OutcomeResiduals, RefusedRows, ShotsReport, SumsReport};
+pub use summary::{
+    BandReport, ClubOutcome, ClubShotsReport, OutcomeResiduals, RefusedRows, ShotsReport,
+    SumsReport,
+};
 
 use crate::drive::Outcome;
 use crate::shots::{Flown, Layout, Shots};

@@ -3,7 +3,7 @@
 use crate::drive::Outcome;
 use crate::report::document::{Document, Line, Table};
 use crate::report::reply::{Ending, Report};
-use crate::shots::{Band, FLOOR, ShotStatistics, Sums};
+use crate::shots::{Band, ClubShots, FLOOR, ShotStatistics, Sums};
 use crate::units::{Message, System, counted, fixed, printed, signed};
 use serde::Serialize;
 
@@ -33,6 +33,8 @@ pub struct ShotsReport<'a> {
     pub normalized: u64,
     /// The residuals of each outcome, predicted − measured.
     pub residuals: Vec<OutcomeResiduals>,
+    /// The shots of each club, if the table names several.
+    pub clubs: Vec<ClubShotsReport>,
     /// Remarks about the columns.
     pub remarks: Vec<Message>,
 }
@@ -62,6 +64,47 @@ pub struct OutcomeResiduals {
     pub instruments: Option<f64>,
     /// The residuals by ball speed.
     pub bands: Vec<BandReport>,
+}
+
+/// The shots of a club, SI.
+#[derive(Clone, Debug, Serialize)]
+pub struct ClubShotsReport {
+    /// The name in the table.
+    pub club: String,
+    /// Number of rows.
+    pub rows: u64,
+    /// Number of rows whose ball landed.
+    pub flown: u64,
+    /// The predictions and residuals of each outcome.
+    pub outcomes: Vec<ClubOutcome>,
+}
+
+/// An outcome of the shots of a club, SI.
+#[derive(Clone, Debug, Serialize)]
+pub struct ClubOutcome {
+    /// The outcome.
+    pub of: &'static str,
+    /// The mean of the predictions.
+    pub predicted: Option<f64>,
+    /// The residuals, predicted − measured.
+    #[serde(flatten)]
+    pub residuals: SumsReport,
+}
+
+impl ClubShotsReport {
+    fn new(of: &[Outcome], club: &str, shots: &ClubShots) -> Self {
+        let outcome = |(at, of): (usize, &Outcome)| ClubOutcome {
+            of: of.name(),
+            predicted: shots.predicted[at].bias(),
+            residuals: SumsReport::new(&shots.residuals[at]),
+        };
+        Self {
+            club: club.into(),
+            rows: shots.rows,
+            flown: shots.flown,
+            outcomes: of.iter().enumerate().map(outcome).collect(),
+        }
+    }
 }
 
 /// Statistics of residuals, predicted − measured.
@@ -100,6 +143,12 @@ impl SumsReport {
             deviation,
         }
     }
+}
+
+/// The clubs with their shots; none if all shots are of one club.
+fn several_clubs(tally: &ShotStatistics) -> impl Iterator<Item = (&String, &ClubShots)> {
+    let is_several = tally.clubs.len() > 1;
+    tally.clubs.iter().filter(move |_| is_several)
 }
 
 /// The standard deviation of the difference between two instruments for the same drives, SI.
@@ -149,6 +198,9 @@ impl<'a> ShotsReport<'a> {
             spin_not_measured: tally.spin_not_measured,
             normalized: tally.normalized,
             residuals: tally.of.iter().enumerate().map(residual).collect(),
+            clubs: several_clubs(tally)
+                .map(|(club, shots)| ClubShotsReport::new(&tally.of, club, shots))
+                .collect(),
             remarks: remarks.to_vec(),
         }
     }
@@ -200,6 +252,7 @@ fn document(tally: &ShotStatistics, source: Option<&'static str>, system: System
             "no row has a measured value of these outcomes to compare with",
         ));
         document.list(lines);
+        add_clubs(&mut document, tally, system);
         return document;
     }
     document.list(lines);
@@ -220,7 +273,37 @@ fn document(tally: &ShotStatistics, source: Option<&'static str>, system: System
          & Langdown 2026); their spins differ by 513 rpm",
     ));
     document.add(table);
+    add_clubs(&mut document, tally, system);
     document
+}
+
+/// Adds the first outcome of each club.
+fn add_clubs(document: &mut Document, tally: &ShotStatistics, system: System) {
+    let Some(of) = tally.of.first().filter(|_| tally.clubs.len() > 1) else {
+        return;
+    };
+    let unit = system.unit(of.unit());
+    let size = of.quantity().size_of(unit).unwrap_or(1.0);
+    let shown = |value: Option<f64>| value.map_or("–".into(), |value| fixed(value / size, 1));
+    let bias = |sums: &Sums| {
+        sums.bias()
+            .map_or("–".into(), |bias| signed(bias, fixed(bias / size, 1)))
+    };
+    let row = |(club, shots): (&String, &ClubShots)| {
+        let (predicted, residuals) = (&shots.predicted[0], &shots.residuals[0]);
+        vec![
+            club.clone(),
+            shots.rows.to_string(),
+            shown(predicted.bias()),
+            bias(residuals),
+            shown(residuals.mean_absolute()),
+        ]
+    };
+    let head = ["club", "rows", "predicted", "bias", "MAE"];
+    let table = Table::new(head, several_clubs(tally).map(row))
+        .right(1..=4)
+        .with_caption(&format!("{} [{}] by club:", of.name(), printed(unit)));
+    document.add(table);
 }
 
 /// Numbers of rows, by status of the drive and by remark.

@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
 use crate::parameters::Setup;
 use crate::shots::{Shots, is_json};
-use crate::table::{ClubColumns, Entry, TableOptions, Text, TextTable};
+use crate::table::{ClubColumns, Entry, RowFilter, TableOptions, Text, TextTable};
 use std::fs::File;
 use std::io::{Cursor, Read};
 use std::path::Path;
@@ -18,7 +18,16 @@ impl ShotTable {
     /// # Errors
     /// The errors of [`read`](Self::read).
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        Self::opened(setup, path, ClubColumns::Ignored)
+        Self::open_rows(setup, path, RowFilter::default())
+    }
+
+    /// Reads selected rows of a CSV file.
+    ///
+    /// # Errors
+    /// The errors of [`read`](Self::read); a filter that selects no row, or that names a column
+    /// that the table does not have.
+    pub fn open_rows(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
+        Self::opened(setup, path, filter, ClubColumns::Ignored)
     }
 
     /// Reads launches from a CSV file, together with the club columns in the same rows. A row needs
@@ -27,17 +36,30 @@ impl ShotTable {
     /// # Errors
     /// The errors of [`read`](Self::read).
     pub fn open_launches(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        Self::opened(setup, path, ClubColumns::Read)
+        Self::open_launch_rows(setup, path, RowFilter::default())
     }
 
-    fn opened(setup: &Setup<f64>, path: &Path, club: ClubColumns) -> Result<Self> {
+    /// Reads the launches of selected rows, as [`open_launches`](Self::open_launches) does.
+    ///
+    /// # Errors
+    /// The errors of [`open_rows`](Self::open_rows).
+    pub fn open_launch_rows(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
+        Self::opened(setup, path, filter, ClubColumns::Read)
+    }
+
+    fn opened(
+        setup: &Setup<f64>,
+        path: &Path,
+        filter: RowFilter,
+        club: ClubColumns,
+    ) -> Result<Self> {
         let file = path.display().to_string();
         let source = File::open(path).map_err(|error| Error::Table {
             file: file.clone(),
             place: String::new(),
             reason: read_error_text(&error),
         })?;
-        Self::read_rows(setup, &file, source, club)
+        Self::read_rows(setup, Self::text(&file, source)?.with_filter(filter), club)
     }
 
     /// Reads measured shots from CSV text. Also reads messages of GSPro Open Connect, and exports
@@ -52,16 +74,11 @@ impl ShotTable {
     /// that is not a number, an uncertain decimal mark, a sigma ≤ 0, a value outside its range, and
     /// a table without rows.
     pub fn read(setup: &Setup<f64>, file: &str, source: impl Read) -> Result<Self> {
-        Self::read_rows(setup, file, source, ClubColumns::Ignored)
+        Self::read_rows(setup, Self::text(file, source)?, ClubColumns::Ignored)
     }
 
-    /// Reads CSV text. With [`ClubColumns::Read`] a row needs no measurement other than its launch.
-    fn read_rows(
-        setup: &Setup<f64>,
-        file: &str,
-        mut source: impl Read,
-        club: ClubColumns,
-    ) -> Result<Self> {
+    /// Reads the whole text.
+    fn text(file: &str, mut source: impl Read) -> Result<Text> {
         let mut bytes = vec![];
         source
             .read_to_end(&mut bytes)
@@ -70,9 +87,14 @@ impl ShotTable {
                 place: String::new(),
                 reason: read_error_text(&error),
             })?;
-        let text = Text::open(file, Cursor::new(bytes))?;
+        Text::open(file, Cursor::new(bytes))
+    }
+
+    /// Reads CSV text. With [`ClubColumns::Read`] a row needs no measurement other than its launch.
+    fn read_rows(setup: &Setup<f64>, text: Text, club: ClubColumns) -> Result<Self> {
+        let file = text.name.0.clone();
         if is_json(&text.beginning) {
-            return Self::of_messages(setup, Shots::of_text(setup, text)?, file, club);
+            return Self::of_messages(setup, Shots::of_text(setup, text)?, &file, club);
         }
         let wanted = match club {
             ClubColumns::Ignored => TableOptions::MEASUREMENTS,
@@ -82,10 +104,11 @@ impl ShotTable {
         let (mut heads, mut units) = (head.heads.clone(), head.units.clone());
         let mut reading = Reading::of_head(setup, &table, head, club)?;
         let first = reading.clone();
-        let mut rows = Rows::new(file);
+        let mut rows = Rows::new(&file);
         while let Some(entry) = table.next_entry()? {
             match entry {
                 Entry::Row(record) => rows.take(&reading, &record, table.separator)?,
+                Entry::Excluded => rows.skip(),
                 Entry::Head(record) => {
                     let head = table.head(&record, setup, &wanted)?;
                     if head.is_like(&heads, units.as_deref()) {
@@ -104,7 +127,7 @@ impl ShotTable {
                 }
             }
         }
-        rows.table(first)
+        rows.table(first, table.filter())
     }
 
     /// Shots from messages of GSPro Open Connect, or from lines that `fly` wrote.
@@ -121,6 +144,6 @@ impl ShotTable {
         for shot in &shots {
             rows.take_shot(&reading, shot, &further);
         }
-        rows.table(reading)
+        rows.table(reading, &RowFilter::default())
     }
 }

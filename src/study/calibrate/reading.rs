@@ -8,9 +8,10 @@ use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Interpretation, Shot as Stated};
 use crate::table::{
-    CONDITIONS, ClubColumns, Column, Content, Fault, Head, Stated as Launch, TextTable, conditions,
-    contradiction, given_air, implausible, implausible_club, implausible_launch, impossible,
-    in_degrees, is_sideways, is_straight_by_assumption, near_known, outside,
+    CONDITIONS, ClubColumns, Column, Content, Fault, Head, Stated as Launch, TextTable,
+    club_column, conditions, contradiction, given_air, implausible, implausible_club,
+    implausible_launch, impossible, in_degrees, is_sideways, is_straight_by_assumption, near_known,
+    outside,
 };
 use crate::units::{Digits, Message, Quantity};
 
@@ -30,6 +31,17 @@ pub(super) struct Reading {
     /// Use of the club columns. `Read` for deliveries, which are computed from the launch without a
     /// flight.
     pub club: ClubColumns,
+    /// The column that names the club of each shot.
+    pub club_name: Option<ClubName>,
+}
+
+/// The column that names the club.
+#[derive(Clone)]
+pub(super) struct ClubName {
+    /// Its index.
+    pub at: usize,
+    /// Its head.
+    pub head: String,
 }
 
 /// A row that was read successfully.
@@ -210,11 +222,17 @@ impl Reading {
         setup
             .refuse_replaced(&inputs.collect::<Vec<_>>())
             .map_err(|error| refused(String::new(), error.to_string()))?;
+        let is_text = |at: usize| head.columns[at].content == Content::Note;
+        let club_name = club_column(&head.heads, is_text).map(|at| ClubName {
+            at,
+            head: head.heads[at].clone(),
+        });
         let reading = Self {
             setup: *setup,
             is_launched,
             is_export,
             club,
+            club_name,
             columns: head.columns,
             remarks,
         };
@@ -275,6 +293,7 @@ impl Reading {
             is_launched,
             is_export: true,
             club,
+            club_name: None,
             columns,
             remarks: vec![],
         }

@@ -6,8 +6,8 @@ use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::shots::Shot as Stated;
 use crate::table::{
-    ClubColumns, DecimalMarkCheck, NonShot, NonShotRows, Record, air_of_rows, air_of_setup, cells,
-    miscounted,
+    ClubColumns, DecimalMarkCheck, NonShot, NonShotRows, Record, RowFilter, air_of_rows,
+    air_of_setup, cells, counted_values, miscounted,
 };
 use crate::units::{Message, counted};
 use std::collections::BTreeMap;
@@ -23,6 +23,8 @@ pub(super) struct Rows {
     shots: Vec<Shot>,
     no_shots: NonShotRows,
     messages: Vec<String>,
+    /// Number of shots by the name of the club.
+    clubs: BTreeMap<String, u64>,
     incomplete: Vec<String>,
     unreadable: Vec<String>,
     /// Lateral columns that are not compared because launch direction or spin axis is assumed.
@@ -46,6 +48,7 @@ impl Rows {
             shots: vec![],
             no_shots: NonShotRows::default(),
             messages: vec![],
+            clubs: BTreeMap::new(),
             incomplete: vec![],
             unreadable: vec![],
             sideways: RowsByMessage::new(),
@@ -103,7 +106,21 @@ impl Rows {
             looked.map_err(|reason| self.refused(&format!(", column {}", column.head), reason))?;
         }
         let row: Vec<&str> = row.iter().map(AsRef::as_ref).collect();
-        self.add(reading, reading.shot(self.row, Values::Cells(&row)))
+        let shots = self.shots.len();
+        self.add(reading, reading.shot(self.row, Values::Cells(&row)))?;
+        if let Some(club) = reading
+            .club_name
+            .as_ref()
+            .filter(|_| self.shots.len() > shots)
+        {
+            *self.clubs.entry(row[club.at].trim().into()).or_default() += 1;
+        }
+        Ok(())
+    }
+
+    /// Skips a row that the filter excludes.
+    pub fn skip(&mut self) {
+        self.row += 1;
     }
 
     /// Adds the shot of a message.
@@ -235,11 +252,38 @@ impl Rows {
         remarks
     }
 
+    /// Warning about shots of several clubs, unless the filter selects them by the club.
+    fn clubs_warning(&self, reading: &Reading, filter: &RowFilter) -> Option<Message> {
+        let club = reading.club_name.as_ref()?;
+        if self.clubs.len() < 2 || filter.names(&club.head) {
+            return None;
+        }
+        let most = self
+            .clubs
+            .iter()
+            .filter(|(name, _)| !name.is_empty())
+            .max_by_key(|(_, count)| **count)?;
+        let condition = format!("{}={}", club.head, most.0);
+        let condition = match condition.contains(' ') {
+            true => format!("\"{condition}\""),
+            false => condition,
+        };
+        let counts = counted_values(&self.clubs);
+        Some(
+            format!(
+                "{} has shots of several clubs, which are fitted together: {counts}; one club \
+                 alone: `only {condition}`",
+                self.file
+            )
+            .into(),
+        )
+    }
+
     /// Builds the table; `reading` belongs to the first section.
     ///
     /// # Errors
     /// [`Error::Table`] without a shot.
-    pub fn table(mut self, reading: Reading) -> Result<ShotTable> {
+    pub fn table(mut self, reading: Reading, filter: &RowFilter) -> Result<ShotTable> {
         let left_out = self.rejected();
         if self.shots.is_empty() {
             // the first incomplete row shows best what is missing, except in an export
@@ -260,7 +304,7 @@ impl Rows {
             });
         }
         let left_out: Vec<Message> = left_out.into_iter().map(Message::from).collect();
-        let warnings = if reading.is_export {
+        let mut warnings = if reading.is_export {
             vec![]
         } else {
             left_out
@@ -269,7 +313,9 @@ impl Rows {
                 .chain(self.contradiction_warning())
                 .collect()
         };
+        warnings.extend(self.clubs_warning(&reading, filter));
         let mut remarks = self.remarks(&reading, left_out);
+        remarks.extend(filter.remark());
         let stated_air = reading
             .columns
             .iter()

@@ -22,7 +22,7 @@ pub struct Unknown {
 const GOLFERS: &str = "assumed: how golfers differ from each other";
 const STRIKES: &str = "assumed: how far amateurs strike from the middle of the face";
 const EVENLY: &str = "assumed: spread evenly over its range";
-const CLUB: &str = "assumed: what launch monitors state of a club";
+const CLUB: &str = "assumed: the error of a launch monitor's club values";
 
 /// Default unknowns with their prior standard uncertainties.
 const DEFAULT_UNKNOWNS: [(&str, &str, &str); 7] = [
@@ -47,6 +47,11 @@ const CLUB_UNCERTAINTIES: [(&str, &str); 4] = [
 const REACH: f64 = 4.0;
 
 impl Unknown {
+    /// True for a value that was measured with the default uncertainty of a launch monitor.
+    pub fn has_uncertainty_of_monitor(&self) -> bool {
+        self.source == Some(CLUB)
+    }
+
     /// The unknown with a launch monitor's value as prior. The uncertainty is the monitor's, unless
     /// the user gave one.
     pub fn measured_as(self, value: f64) -> Self {

@@ -82,6 +82,7 @@ impl CsvRows {
                     continue;
                 }
                 Some(Entry::Row(record)) => record,
+                Some(Entry::Excluded) => continue,
             };
             self.row += 1;
             let place = || format!(", row {}", self.row);
