@@ -1,12 +1,8 @@
 use crate::number::{Numbers, inlined};
-use crate::parameters::Air;
+use crate::parameters::{Air, DEFAULT_TEMPERATURE, LAPSE_RATE, SEA_LEVEL_TEMPERATURE};
 
 /// 0 °C, K.
 const FREEZING: f64 = 273.15;
-
-/// Temperature, K, if pressure, altitude or humidity is given without it: 25 °C, TrackMan's
-/// normalised air.
-const DEFAULT_TEMPERATURE: f64 = FREEZING + 25.0;
 
 /// Density and viscosity of the air (docs/model.md, eqs. 12a–12d).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,10 +63,6 @@ const SEA_LEVEL: f64 = 101_325.0;
 /// Pressure at an altitude in the standard atmosphere (ISO 2533:1975; docs/model.md, eq. 12c).
 #[inline(always)]
 fn standard_pressure<T: Numbers>(altitude: T) -> T {
-    /// Temperature at sea level, K.
-    const SEA_LEVEL_TEMPERATURE: f64 = 288.15;
-    /// Temperature lapse rate, K/m.
-    const LAPSE_RATE: f64 = 0.0065;
     /// Standard gravity, m/s².
     const GRAVITY: f64 = 9.80665;
     /// Gas constant of air, J/(kg K).

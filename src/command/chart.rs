@@ -1,6 +1,6 @@
 use crate::command::args::ChartArgs;
 use crate::command::interrupt::{self, BEST_SO_FAR};
-use crate::command::output::{Answer, Warnings, spinner, system, tell, tell_error};
+use crate::command::output::{Answer, Warnings, spinner, stated_system, system, tell, tell_error};
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
 use crate::study::{Chart, ChartObserver, Search, Vary, chart_at};
@@ -61,7 +61,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         for note in chart.begun.iter().chain(&chart.ended) {
             tell(&note.in_units(system()));
         }
-        Answer::text(report.csv()?)
+        Answer::text(report.csv(stated_system().into())?)
     } else {
         Answer::report(&report, warnings.into_vec(), request.is_json())
     };

@@ -4,7 +4,7 @@ use crate::command::args::{ParetoArgs, ParetoAsked, PlotPareto, SearchArgs};
 use crate::command::files::{Destination, Rule, refused};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
-use crate::command::output::{Answer, spinner, system, tell, warn};
+use crate::command::output::{Answer, spinner, stated_system, system, tell, warn};
 use crate::command::picture::Target;
 use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
@@ -304,7 +304,8 @@ impl Output {
     ) -> Result<Option<String>> {
         let file = self.destination.path().display().to_string();
         if !self.is_setup {
-            self.destination.write(pareto_csv(found)?.as_bytes())?;
+            self.destination
+                .write(pareto_csv(found, stated_system().into())?.as_bytes())?;
             tell(&format!(
                 "wrote {} into {file}",
                 counted(found.points.len() as u64, "point")

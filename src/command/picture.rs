@@ -2,12 +2,12 @@
 
 use crate::command::args::Drawing;
 use crate::command::files::{Destination, Rule};
-use crate::command::output::{Answer, system, tell, warn};
+use crate::command::output::{Answer, stated_system, system, tell, warn};
 use crate::command::request::Request;
 #[cfg(not(feature = "png"))]
 use crate::features::how_to_get;
 use crate::report::Reply;
-use crate::report::plot::{Figure, Look, Shades, figure_csv, figure_svg};
+use crate::report::plot::{Figure, Look, Shades, figure_csv_in, figure_svg};
 use crate::units::Message;
 use crate::{Drive, Error, Result, Setup};
 use serde::Serialize;
@@ -120,7 +120,7 @@ impl Target {
             Format::Svg => figure_svg(figure, &look)?.into_bytes(),
             #[cfg(feature = "png")]
             Format::Png => crate::report::plot::figure_png(figure, &look, 2.0)?,
-            Format::Csv => figure_csv(figure)?.into_bytes(),
+            Format::Csv => figure_csv_in(figure, stated_system().into())?.into_bytes(),
         };
         let file = drawing.output.display().to_string();
         self.destination.write(&bytes)?;

@@ -3,7 +3,17 @@
 use super::declare::{Parameter, is_unset};
 use super::table::{Air, Setup};
 use crate::error::{Error, Result};
-use crate::units::Message;
+use crate::units::{Digits, Message, Quantity};
+
+/// Temperature, K, if pressure, altitude or humidity is given without it: 25 °C, TrackMan's
+/// normalised air.
+pub(crate) const DEFAULT_TEMPERATURE: f64 = 273.15 + 25.0;
+
+/// Temperature of the standard atmosphere at sea level, K (ISO 2533:1975).
+pub(crate) const SEA_LEVEL_TEMPERATURE: f64 = 288.15;
+
+/// Temperature lapse rate of the standard atmosphere, K/m (ISO 2533:1975).
+pub(crate) const LAPSE_RATE: f64 = 0.0065;
 
 /// Two sets of parameters that describe the same thing: if one of `by` is set, the parameters of
 /// `replaced` follow from it.
@@ -200,7 +210,35 @@ impl Setup<f64> {
                  error is not known",
             ))
         };
-        rows.into_iter().filter_map(warning).collect()
+        rows.into_iter()
+            .filter_map(warning)
+            .chain(self.altitude_warning())
+            .collect()
+    }
+
+    /// Warning about an altitude without a temperature: the default of 25 °C is warmer than the
+    /// standard atmosphere there, so that the air is thinner.
+    fn altitude_warning(&self) -> Option<Message> {
+        let altitude = self.air.altitude?;
+        if self.air.temperature.is_some() || altitude <= 0.0 {
+            return None;
+        }
+        let row = self.parameter("air.temperature").ok()?;
+        let standard = SEA_LEVEL_TEMPERATURE - LAPSE_RATE * altitude;
+        let denser = 100.0 * (DEFAULT_TEMPERATURE / standard - 1.0);
+        let celsius = Quantity::TEMPERATURE.number_in(standard, "degC");
+        let message = "air.altitude is given without air.temperature, which is ".into();
+        let message = row.append_value(message, DEFAULT_TEMPERATURE);
+        let message = message.words("; the standard atmosphere has ").quantity(
+            Quantity::TEMPERATURE,
+            "degC",
+            standard,
+            Digits::Significant(2),
+        );
+        Some(message.words(format!(
+            " there, with {denser:.0} % more air: `set air.temperature={celsius:.0}degC`, or as it \
+             is there"
+        )))
     }
 
     /// Reason why the value of a parameter is not used: a set parameter replaces it.

@@ -19,9 +19,11 @@ mod vary;
 mod weights;
 
 pub use air::Ways;
+pub(crate) use air::{
+    DEFAULT_TEMPERATURE, LAPSE_RATE, SEA_LEVEL_TEMPERATURE, given_otherwise, refuse_replaced,
+};
 #[cfg(feature = "cli")]
 pub(crate) use air::{follows_from, is_reset};
-pub(crate) use air::{given_otherwise, refuse_replaced};
 pub use choices::{GOLFER, Golfer, METHOD, Method, SPEED_OF, SpeedOf};
 #[cfg(feature = "cli")]
 pub(crate) use declare::is_unset;

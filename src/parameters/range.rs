@@ -67,7 +67,7 @@ impl Range {
         }
         let sign = |included| if included { "≤" } else { "<" };
         let end = |value: f64| {
-            let number = value / quantity.size_of(unit).unwrap_or(1.0);
+            let number = quantity.number_in(value, unit);
             let rounded: f64 = significant(number, 7).parse().unwrap_or(number);
             let is_long = rounded.is_finite() && rounded.abs() >= 1e6;
             if is_long {

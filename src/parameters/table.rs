@@ -245,7 +245,7 @@ parameter_groups! {
         viscosity: T = "air.viscosity", "μ", VISCOSITY in "Pa s", Range::above_to(0.0, 1.0),
             "1.837e-5 Pa s", "Sutherland's formula at 25 °C, docs/sources.md";
         /// Temperature; unset: 25 °C if other weather is set.
-        temperature: Option<T> = "air.temperature", "T", TEMPERATURE in "K",
+        temperature: Option<T> = "air.temperature", "T", TEMPERATURE in "degC",
             Range::from_to(183.15, 333.15),
             "none", "density and viscosity are given; the range is −90 to 60 °C";
         /// Pressure on the course, not reduced to sea level; unset: the pressure of the altitude if
@@ -255,7 +255,8 @@ parameter_groups! {
             "none", "density and viscosity are given; the range is that of the altitudes";
         /// Altitude above sea level, from which the standard atmosphere gives the pressure; unset:
         /// 0 m if other weather is set.
-        altitude: Option<T> = "air.altitude", "H", LENGTH in "m", Range::from_to(-1000.0, 11_000.0),
+        altitude: Option<T> = "air.altitude", "H", LENGTH in "ft",
+            Range::from_to(-1000.0, 11_000.0),
             "none", "density and viscosity are given; the troposphere of ISO 2533 ends at 11 km";
         /// Relative humidity; unset: dry air if other weather is set.
         humidity: Option<T> = "air.humidity", "h_r", NUMBER in "", Range::from_to(0.0, 1.0),

@@ -5,7 +5,7 @@ use super::shown;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::study::{Active, Chart, ChartPoint, Search};
-use crate::units::{Message, Quantity, System};
+use crate::units::{Message, Quantity, System, TableUnits};
 use serde::Serialize;
 
 /// Optima along a parameter, SI and radians.
@@ -61,19 +61,21 @@ impl<'a> ChartReport<'a> {
         }
     }
 
-    /// The chart as CSV, in SI and radians. The heads name the units: `swing.speed [m/s]`.
+    /// The chart as CSV. The heads name the units: `swing.speed [m/s]`.
     ///
     /// # Errors
     /// [`Error::Output`].
-    pub fn csv(&self) -> Result<String> {
+    pub fn csv(&self, units: TableUnits) -> Result<String> {
         let chart = self.chart;
         let failed = |error: csv::Error| Error::Output(error.into());
         let mut writer = csv::Writer::from_writer(vec![]);
-        let launched = LAUNCH.iter().map(|of| (of.name(), of.quantity()));
-        let numbers = head(chart)
-            .into_iter()
-            .chain(launched)
-            .map(|(name, quantity)| quantity.head(name));
+        let launched = LAUNCH
+            .iter()
+            .map(|of| (of.name(), of.quantity(), of.unit()));
+        let columns: Vec<_> = head(chart).into_iter().chain(launched).collect();
+        let numbers = columns
+            .iter()
+            .map(|(name, quantity, unit)| units.head(name, *quantity, unit));
         writer
             .write_record(numbers.chain(["active".into(), "event".into()]))
             .map_err(failed)?;
@@ -81,11 +83,12 @@ impl<'a> ChartReport<'a> {
             let numbers = [point.at, point.best.value().unwrap_or(f64::NAN)];
             let launch = launch(point).map(|value| value.unwrap_or(f64::NAN));
             let numbers = numbers.iter().chain(&point.best.solution.x).chain(&launch);
-            let numbers = numbers.map(|number| {
-                if number.is_nan() {
+            let numbers = columns.iter().zip(numbers);
+            let numbers = numbers.map(|((_, quantity, unit), value)| {
+                if value.is_nan() {
                     String::new()
                 } else {
-                    format!("{number:?}")
+                    format!("{:?}", units.number(*value, *quantity, unit))
                 }
             });
             let words = [
@@ -161,7 +164,7 @@ impl Report for ChartReport<'_> {
     fn document(&self, system: System) -> Document {
         let chart = self.chart;
         let mut document = Document::default();
-        let mut columns: Vec<&str> = head(chart).into_iter().map(|(name, _)| name).collect();
+        let mut columns: Vec<&str> = head(chart).into_iter().map(|(name, ..)| name).collect();
         columns.extend(LAUNCH.iter().map(|of| of.name()));
         let numbers = columns.len();
         columns.push("active");
@@ -182,19 +185,22 @@ fn launch(point: &ChartPoint) -> [Option<f64>; 3] {
 }
 
 /// The parameters and outcomes in the columns of a chart, in order.
-fn head(chart: &Chart) -> Vec<(&'static str, Quantity)> {
+fn head(chart: &Chart) -> Vec<(&'static str, Quantity, &'static str)> {
     let Some(first) = chart.points.first() else {
         return vec![];
     };
     let search = &first.best.search;
     let along = chart.along.parameter;
-    let varied = search
-        .vary
-        .iter()
-        .map(|vary| (vary.parameter.name, vary.parameter.quantity));
+    let varied = search.vary.iter().map(|vary| {
+        (
+            vary.parameter.name,
+            vary.parameter.quantity,
+            vary.parameter.unit,
+        )
+    });
     [
-        (along.name, along.quantity),
-        (search.outcome().name(), search.of.quantity),
+        (along.name, along.quantity, along.unit),
+        (search.outcome().name(), search.of.quantity, search.of.unit),
     ]
     .into_iter()
     .chain(varied)

@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::parameters::Preset;
 use crate::study::Active;
 use crate::study::swings::{Pareto, ParetoPoint};
-use crate::units::{System, counted, per, significant};
+use crate::units::{System, TableUnits, counted, per, significant};
 use serde::Serialize;
 
 /// The role of a point of a front: an end, or the knee.
@@ -241,33 +241,33 @@ fn notes(found: &Pareto, system: System) -> Vec<String> {
     notes
 }
 
-/// The front as CSV, in SI and radians. The heads name the units.
+/// The front as CSV. The heads name the units; the slope is in SI.
 ///
 /// # Errors
 /// [`Error::Output`].
-pub fn pareto_csv(found: &Pareto) -> Result<String> {
+pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
     let failed = |error: csv::Error| Error::Output(error.into());
     let search = &found.search;
     let mut writer = csv::Writer::from_writer(vec![]);
     let goals = search
         .goals
         .iter()
-        .map(|(goal, _)| goal.quantity.head(&goal.expression));
-    let varied = search
-        .vary
-        .iter()
-        .map(|vary| vary.parameter.quantity.head(vary.parameter.name));
+        .map(|(goal, _)| units.head(&goal.expression, goal.quantity, goal.unit));
+    let varied = search.vary.iter().map(|vary| {
+        let row = vary.parameter;
+        units.head(row.name, row.quantity, row.unit)
+    });
     let words = ["slope", "role", "active", "event"].map(str::to_owned);
     writer
         .write_record(goals.chain(varied).chain(words))
         .map_err(failed)?;
     for (place, point) in found.points.iter().enumerate() {
-        let numbers = point
-            .goals
-            .iter()
-            .chain(&point.design)
-            .copied()
-            .chain([point.slope.unwrap_or(f64::NAN)]);
+        let goals = search.goals.iter().zip(&point.goals);
+        let goals = goals.map(|((goal, _), value)| units.number(*value, goal.quantity, goal.unit));
+        let design = search.vary.iter().zip(&point.design).map(|(vary, value)| {
+            units.number(*value, vary.parameter.quantity, vary.parameter.unit)
+        });
+        let numbers = goals.chain(design).chain([point.slope.unwrap_or(f64::NAN)]);
         let numbers = numbers.map(|number| {
             if number.is_nan() {
                 String::new()

@@ -119,9 +119,9 @@ fn exact(parameter: &Parameter, value: Option<f64>) -> String {
     let Some(value) = value else {
         return UNSET.into();
     };
-    let size = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
+    let number = parameter.quantity.number_in(value, parameter.unit);
     let text = |digits: usize| {
-        format!("{} {}", significant(value / size, digits), parameter.unit)
+        format!("{} {}", significant(number, digits), parameter.unit)
             .trim_end()
             .to_owned()
     };

@@ -4,9 +4,10 @@ use super::spelling::{leading_number, with_unit};
 use super::{Quantity, significant};
 
 /// Decimals by unit. A unit that is not listed has [`DIGITS`] significant digits.
-const DECIMALS: [(&str, usize); 13] = [
+const DECIMALS: [(&str, usize); 14] = [
     ("yd", 1),
     ("m", 1),
+    ("ft", 0),
     ("mm", 1),
     ("in", 2),
     ("mph", 1),
@@ -40,7 +41,7 @@ impl Quantity {
     /// assert_eq!(Quantity::DENSITY.read_off(1.184, "kg/m^3"), "1.184 kg/m³");
     /// ```
     pub fn read_off(self, value: f64, unit: &str) -> String {
-        with_unit(&self.with(value, unit, fixed), unit)
+        with_unit(&written(self.number_in(value, unit), unit, fixed), unit)
     }
 
     /// Like [`read_off`](Self::read_off), with one more decimal, for computed settings such as an
@@ -68,12 +69,15 @@ impl Quantity {
 
     /// The number of [`read_off_finely`](Self::read_off_finely), without its unit.
     pub(super) fn finely(self, value: f64, unit: &str) -> String {
-        self.with(value, unit, |number, decimals| fixed(number, decimals + 1))
+        written(self.number_in(value, unit), unit, |number, decimals| {
+            fixed(number, decimals + 1)
+        })
     }
 
     /// The number of [`read_off_difference`](Self::read_off_difference), without its unit.
     pub(super) fn difference(self, value: f64, unit: &str) -> String {
-        self.with(value, unit, |number, decimals| {
+        let number = value / self.size_of(unit).unwrap_or(1.0);
+        written(number, unit, |number, decimals| {
             let size = number.abs();
             let needed = if size < NOISE {
                 0
@@ -83,17 +87,17 @@ impl Quantity {
             fixed(number, needed.max(decimals + 1))
         })
     }
+}
 
-    fn with(self, value: f64, unit: &str, write: impl Fn(f64, usize) -> String) -> String {
-        let number = value / self.size_of(unit).unwrap_or(1.0);
-        let decimals = DECIMALS
-            .iter()
-            .find(|(known, _)| *known == unit)
-            .map(|(_, decimals)| *decimals);
-        match decimals {
-            Some(decimals) if number.abs() < LARGE => write(number, decimals),
-            _ => significant(number, DIGITS),
-        }
+/// A number in a unit, with the decimals of the unit.
+fn written(number: f64, unit: &str, write: impl Fn(f64, usize) -> String) -> String {
+    let decimals = DECIMALS
+        .iter()
+        .find(|(known, _)| *known == unit)
+        .map(|(_, decimals)| *decimals);
+    match decimals {
+        Some(decimals) if number.abs() < LARGE => write(number, decimals),
+        _ => significant(number, DIGITS),
     }
 }
 

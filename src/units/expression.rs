@@ -66,6 +66,11 @@ impl Unit {
         self.zero.map_or(above, |zero| zero + above)
     }
 
+    /// The number in this unit, from the zero of its scale: 298.15 K is 25 degC.
+    pub fn number(&self, value: f64) -> f64 {
+        (value - self.zero.unwrap_or(0.0)) / self.difference(1.0)
+    }
+
     /// SI value of a difference in this unit: 25 degC is 25 K.
     pub fn difference(&self, number: f64) -> f64 {
         self.size.of(number)

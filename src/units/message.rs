@@ -137,7 +137,7 @@ impl Part {
                 let unit = of(unit);
                 let number = match digits {
                     Digits::Significant(digits) => {
-                        significant(value / quantity.size_of(unit).unwrap_or(1.0), *digits)
+                        significant(quantity.number_in(*value, unit), *digits)
                     }
                     Digits::Fine => quantity.finely(*value, unit),
                     Digits::Difference => quantity.difference(*value, unit),

@@ -22,7 +22,7 @@ pub(crate) use expression::Unit;
 pub use message::{Digits, Message};
 pub(crate) use spelling::{leading_number, with_unit};
 pub use spelling::{one, per, printed, ratio, typeset};
-pub use system::System;
+pub use system::{System, TableUnits};
 
 use expression::read_unit;
 use std::fmt;
@@ -185,6 +185,18 @@ impl Quantity {
         (unit.dimension == self.dimension).then(|| unit.difference(1.0))
     }
 
+    /// An SI value as a number in `unit`, from the zero of its scale. A difference is divided by
+    /// [`size_of`](Self::size_of) in place of this.
+    ///
+    /// ```
+    /// use longdrive::units::Quantity;
+    /// assert!((Quantity::TEMPERATURE.number_in(298.15, "degF") - 77.0).abs() < 1e-12);
+    /// ```
+    pub fn number_in(self, value: f64, unit: &str) -> f64 {
+        self.unit_named(unit)
+            .map_or(value, |unit| unit.number(value))
+    }
+
     /// The unit of this name, to convert many numbers; `None` for a unit of another quantity.
     pub(crate) fn unit_named(self, unit: &str) -> Option<Unit> {
         read_unit(unit).filter(|unit| unit.dimension == self.dimension)
@@ -197,7 +209,7 @@ impl Quantity {
     /// assert_eq!(Quantity::SPEED.show(49.1744, "mph"), "110 mph");
     /// ```
     pub fn show(self, value: f64, unit: &str) -> String {
-        let number = significant(value / self.size_of(unit).unwrap_or(1.0), 7);
+        let number = significant(self.number_in(value, unit), 7);
         if unit.is_empty() {
             number
         } else {

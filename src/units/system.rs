@@ -1,3 +1,4 @@
+use super::Quantity;
 use std::fmt;
 
 /// System of units for results.
@@ -6,6 +7,8 @@ use std::fmt;
 /// use longdrive::units::System;
 /// assert_eq!((System::Metric.unit("yd"), System::Us.unit("yd")), ("m", "yd"));
 /// assert_eq!((System::Metric.unit("mph"), System::Us.unit("m/s")), ("m/s", "mph"));
+/// assert_eq!((System::Metric.unit("degC"), System::Us.unit("degC")), ("degC", "degF"));
+/// assert_eq!((System::Metric.unit("ft"), System::Us.unit("ft")), ("m", "ft"));
 /// assert_eq!(System::Metric.unit("deg"), "deg"); // like rpm, g and mm, in both systems
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -17,8 +20,15 @@ pub enum System {
     Us,
 }
 
-/// Pairs of metric and US units.
-const PAIRS: [(&str, &str); 3] = [("m", "yd"), ("m/s", "mph"), ("mm", "in")];
+/// Pairs of metric and US units. Metres are yards in US units; a quantity in feet, such as an
+/// altitude, stays in feet.
+const PAIRS: [(&str, &str); 5] = [
+    ("m", "yd"),
+    ("m", "ft"),
+    ("m/s", "mph"),
+    ("mm", "in"),
+    ("degC", "degF"),
+];
 
 impl System {
     /// Both systems.
@@ -53,6 +63,58 @@ impl System {
                 .iter()
                 .find(|(metric, _)| *metric == unit)
                 .map_or(unit, |(_, us)| us),
+        }
+    }
+}
+
+/// Units of the columns of a CSV table: SI, or those of a system.
+///
+/// ```
+/// use longdrive::units::{Quantity, System, TableUnits};
+/// let (speed, mph) = (Quantity::SPEED, 0.44704);
+/// assert_eq!(TableUnits::Si.head("swing.speed", speed, "mph"), "swing.speed [m/s]");
+/// let us = TableUnits::Of(System::Us);
+/// assert_eq!(us.head("swing.speed", speed, "mph"), "swing.speed [mph]");
+/// assert_eq!(us.number(100.0 * mph, speed, "mph"), 100.0);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TableUnits {
+    /// SI units and radians.
+    #[default]
+    Si,
+    /// The units of a system, as in texts.
+    Of(System),
+}
+
+impl From<Option<System>> for TableUnits {
+    /// The units of the stated system; SI without one.
+    fn from(stated: Option<System>) -> Self {
+        stated.map_or(Self::Si, Self::Of)
+    }
+}
+
+impl TableUnits {
+    /// The unit of a quantity that texts show in `unit`.
+    pub fn unit(self, quantity: Quantity, unit: &'static str) -> &'static str {
+        match self {
+            Self::Si => quantity.si,
+            Self::Of(system) => system.unit(unit),
+        }
+    }
+
+    /// Head of a column: the name with its unit.
+    pub fn head(self, name: &str, quantity: Quantity, unit: &'static str) -> String {
+        match self.unit(quantity, unit) {
+            "" => name.into(),
+            unit => format!("{name} [{unit}]"),
+        }
+    }
+
+    /// An SI value as a number of its column.
+    pub fn number(self, value: f64, quantity: Quantity, unit: &'static str) -> f64 {
+        match self {
+            Self::Si => value,
+            Self::Of(system) => quantity.number_in(value, system.unit(unit)),
         }
     }
 }

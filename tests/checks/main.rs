@@ -80,6 +80,7 @@ mod sweep;
 mod swings;
 mod swings_certainty;
 mod swings_theory;
+mod table_units;
 mod tables;
 mod tolerance;
 mod uncertainty;

@@ -8,7 +8,8 @@ use std::path::PathBuf;
 #[command(next_help_heading = "Options of every command")]
 pub struct OutputOptions {
     /// The units of results in texts, plots and pages [default: us; reproduce: the units of the
-    /// study]. JSON and CSV are in SI units and radians.
+    /// study]. JSON is in SI units and radians, and so is CSV
+    /// unless this option is given.
     #[arg(long, value_enum, global = true)]
     pub units: Option<Units>,
 

@@ -1,9 +1,11 @@
 use crate::Result;
 use crate::batch::{Batch, Block, StatusCounts};
 use crate::command::args::Format;
+use crate::command::output::stated_system;
 #[cfg(feature = "parquet")]
 use crate::report::SweepParquet;
 use crate::report::{SweepCsv, SweepJsonLines};
+use crate::units::TableUnits;
 use serde::{Deserialize, Serialize};
 
 /// The identity of a sweep. Sweeps with equal identities write the same bytes.
@@ -67,6 +69,7 @@ pub enum Table {
 
 impl Writer {
     pub fn new(batch: &Batch, format: Format, points: String) -> Result<Self> {
+        let units = TableUnits::from(stated_system());
         let names = |names: Vec<&str>| names.join(",");
         let identity = Identity {
             version: env!("CARGO_PKG_VERSION").into(),
@@ -75,10 +78,13 @@ impl Writer {
             points,
             outcomes: names(batch.outcomes().iter().map(|of| of.name()).collect()),
             derivatives: names(batch.wrt().iter().map(|by| by.name).collect()),
-            format: format!("{format:?}").to_lowercase(),
+            format: match (format, units) {
+                (Format::Csv, TableUnits::Of(system)) => format!("csv in {system} units"),
+                _ => format!("{format:?}").to_lowercase(),
+            },
         };
         let table = match format {
-            Format::Csv => Table::Csv(SweepCsv::new(batch)),
+            Format::Csv => Table::Csv(SweepCsv::in_units(batch, units)),
             Format::Jsonl => Table::JsonLines(SweepJsonLines::new(batch)),
             #[cfg(feature = "parquet")]
             Format::Parquet => {

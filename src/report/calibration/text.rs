@@ -146,7 +146,7 @@ pub(super) fn to_its_error(
     standard_error: Option<f64>,
 ) -> String {
     let size = quantity.size_of(unit).unwrap_or(1.0);
-    let number = value / size;
+    let number = quantity.number_in(value, unit);
     let decimals = standard_error
         .filter(|error| *error > 0.0)
         .map(|error| 1.0 - (error / size).log10().floor());

@@ -1,7 +1,7 @@
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
 use crate::report::shown::words;
-use crate::units::{Quantity, System, printed};
+use crate::units::{Quantity, System, TableUnits, printed};
 
 /// A quantity along an axis, or of a colour scale.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,6 +45,11 @@ impl Measure {
         self.quantity.size_of(system.unit(self.unit)).unwrap_or(1.0)
     }
 
+    /// The number of the SI value 0 in the unit of a system: −273.15 for °C, 0 for lengths.
+    pub fn number_of_zero(&self, system: System) -> f64 {
+        self.quantity.number_in(0.0, system.unit(self.unit))
+    }
+
     /// An SI value in the unit of a system with the digits of a launch monitor: "251.1 yd".
     pub fn show(&self, value: f64, system: System) -> String {
         self.quantity.read_off(value, system.unit(self.unit))
@@ -73,7 +78,17 @@ impl Measure {
 
     /// The name with the SI unit: `carry [m]`.
     pub fn titled_si(&self) -> String {
-        with_unit(&self.label, self.quantity.si)
+        self.head(TableUnits::Si)
+    }
+
+    /// The name with the unit of a table: `carry [m]`.
+    pub fn head(&self, units: TableUnits) -> String {
+        units.head(&self.label, self.quantity, self.unit)
+    }
+
+    /// An SI value as a number of a table.
+    pub fn number(&self, value: f64, units: TableUnits) -> f64 {
+        units.number(value, self.quantity, self.unit)
     }
 }
 

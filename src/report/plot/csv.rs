@@ -1,6 +1,7 @@
 use super::axis::Scale;
 use super::figure::{Bar, Field, Figure, Layer};
 use crate::error::{Error, Result};
+use crate::units::TableUnits;
 
 /// A row: kind, name, x, y, end x, end y, and a value with the head of its column.
 type Row<'a> = (
@@ -18,6 +19,14 @@ type Row<'a> = (
 /// # Errors
 /// [`Error::Output`].
 pub fn figure_csv(figure: &Figure) -> Result<String> {
+    figure_csv_in(figure, TableUnits::Si)
+}
+
+/// The data of a plot as CSV in these units.
+///
+/// # Errors
+/// [`Error::Output`].
+pub fn figure_csv_in(figure: &Figure, units: TableUnits) -> Result<String> {
     let has_contours = |view: &&Figure| {
         view.layers
             .iter()
@@ -39,7 +48,7 @@ pub fn figure_csv(figure: &Figure) -> Result<String> {
             .flat_map(|layer| rows(view, layer, &of_view(view)))
     });
     let rows: Vec<Row<'_>> = of_views.collect();
-    let [x, y] = [&figure.x, &figure.y].map(|axis| axis.measure.titled_si());
+    let [x, y] = [&figure.x, &figure.y].map(|axis| axis.measure.head(units));
     let [x, y] = [(x, "x"), (y, "y")].map(|(title, letter)| {
         if title.is_empty() {
             letter.into()
@@ -55,7 +64,7 @@ pub fn figure_csv(figure: &Figure) -> Result<String> {
     let columns: Vec<usize> = (0..heads.len()).filter(is_filled).collect();
     let mut measured: Vec<String> = vec![];
     for (.., value) in &rows {
-        let head = value.map(|(field, _)| field.measure.titled_si());
+        let head = value.map(|(field, _)| field.measure.head(units));
         measured.extend(head.filter(|head| !measured.contains(head)));
     }
 
@@ -74,11 +83,14 @@ pub fn figure_csv(figure: &Figure) -> Result<String> {
             .map_or(String::new(), |number| format!("{number:?}"))
     };
     for (kind, name, numbers, value) in &rows {
-        let cells = columns.iter().map(|column| text(numbers[*column]));
-        let is_of = |head: &String| value.filter(|(field, _)| field.measure.titled_si() == *head);
+        let cells = columns.iter().map(|column| {
+            let axis = [&figure.x, &figure.y][column % 2];
+            text(numbers[*column].map(|value| axis.measure.number(value, units)))
+        });
+        let is_of = |head: &String| value.filter(|(field, _)| field.measure.head(units) == *head);
         let values = measured
             .iter()
-            .map(|head| text(is_of(head).map(|(_, value)| value)));
+            .map(|head| text(is_of(head).map(|(field, value)| field.measure.number(value, units))));
         writer
             .write_record(
                 [(*kind).to_owned(), name.clone()]

@@ -36,7 +36,7 @@ mod text_width;
 mod ticks;
 
 pub use axis::{Axis, Measure, Scale};
-pub use csv::figure_csv;
+pub use csv::{figure_csv, figure_csv_in};
 pub use figure::{Bar, Field, Figure, Hue, Layer};
 pub use panels::figure_svg;
 #[cfg(feature = "png")]

@@ -14,6 +14,8 @@ pub(super) struct Drawn {
     system: System,
     /// The size of the unit, SI.
     unit: f64,
+    /// The number of the SI value 0 in the unit.
+    zero: f64,
     pub low: f64,
     pub high: f64,
     pub ticks: Vec<f64>,
@@ -35,6 +37,7 @@ impl Drawn {
             axis: axis.clone(),
             system,
             unit,
+            zero: axis.measure.number_of_zero(system),
             low: 0.0,
             high: 1.0,
             ticks: vec![],
@@ -110,7 +113,7 @@ impl Drawn {
     pub fn place(&self, value: f64) -> Option<f64> {
         let place = match self.axis.scale {
             Scale::Names(_) => value,
-            Scale::Linear | Scale::LeftRight => value / self.unit,
+            Scale::Linear | Scale::LeftRight => value / self.unit + self.zero,
             Scale::Log => (value / self.unit).log10(),
         };
         place.is_finite().then_some(place)

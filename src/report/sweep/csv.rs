@@ -1,48 +1,82 @@
 use super::{Columns, STATUS, push_number};
 use crate::batch::{Batch, Block};
-use crate::units::ratio;
+use crate::drive::Outcome;
+use crate::parameters::Parameter;
+use crate::units::{Quantity, TableUnits, Unit, ratio};
 
 /// A batch as CSV. A missing value is an empty cell.
 #[derive(Clone, Debug)]
 pub struct SweepCsv {
     names: Vec<String>,
     columns: Columns,
+    /// The unit of each parameter, outcome and derivative; `None` for a number in SI.
+    units: Vec<Option<ColumnUnit>>,
+}
+
+/// The unit of a column.
+#[derive(Clone, Copy, Debug)]
+enum ColumnUnit {
+    /// A unit, with the zero of its scale.
+    Value(Unit),
+    /// SI size of the unit of a derivative.
+    Ratio(f64),
+}
+
+impl ColumnUnit {
+    fn number(self, value: f64) -> f64 {
+        match self {
+            Self::Value(unit) => unit.number(value),
+            Self::Ratio(size) => value / size,
+        }
+    }
 }
 
 impl SweepCsv {
-    /// The table of a batch.
+    /// The table of a batch in SI.
     pub fn new(batch: &Batch) -> Self {
-        let parameters = batch
-            .parameters()
-            .iter()
-            .map(|parameter| parameter.quantity.head(parameter.name));
-        let outcomes = batch
-            .outcomes()
-            .iter()
-            .map(|of| of.quantity().head(of.name()));
+        Self::in_units(batch, TableUnits::Si)
+    }
+
+    /// The table of a batch in these units.
+    pub fn in_units(batch: &Batch, units: TableUnits) -> Self {
+        let parameters = batch.parameters().iter();
+        let parameters = parameters.map(|row| (row.name, row.quantity, row.unit));
+        let outcomes = batch.outcomes().iter();
+        let outcomes = outcomes.map(|of| (of.name(), of.quantity(), of.unit()));
+        let head = |(name, quantity, unit): (&str, Quantity, &'static str)| {
+            units.head(name, quantity, unit)
+        };
+        let is_si = units == TableUnits::Si;
+        let of_value = |(_, quantity, unit): (&str, Quantity, &'static str)| {
+            let unit = quantity.unit_named(units.unit(quantity, unit));
+            unit.filter(|_| !is_si).map(ColumnUnit::Value)
+        };
+        let values = || parameters.clone().chain(outcomes.clone());
         let derivatives = batch
             .outcomes()
             .iter()
-            .flat_map(|of| batch.wrt().iter().map(move |by| (of, by)));
-        let derivatives = derivatives.map(|(of, by)| {
-            let name = format!("d_{}/d_{}", of.name(), by.name);
-            match ratio(of.quantity().si, by.quantity.si) {
-                unit if unit.is_empty() => name,
-                unit => format!("{name} [{unit}]"),
-            }
-        });
-        let names = parameters
-            .chain([STATUS.to_owned()])
-            .chain(outcomes)
-            .chain(derivatives)
+            .flat_map(|of| batch.wrt().iter().map(move |by| (*of, *by)));
+        let of_derivatives: Vec<_> = derivatives
+            .map(|(of, by)| derivative_column(of, by, units))
             .collect();
+        let names = parameters
+            .clone()
+            .map(head)
+            .chain([STATUS.to_owned()])
+            .chain(outcomes.clone().map(head))
+            .chain(of_derivatives.iter().map(|(name, _)| name.clone()))
+            .collect();
+        let of_derivatives = of_derivatives
+            .iter()
+            .map(|(_, size)| Some(ColumnUnit::Ratio(*size)).filter(|_| !is_si));
         Self {
             names,
             columns: Columns::of(batch),
+            units: values().map(of_value).chain(of_derivatives).collect(),
         }
     }
 
-    /// The first line: names of the columns with SI units. They need no quotes.
+    /// The first line: names of the columns with their units. They need no quotes.
     pub fn head(&self) -> Vec<u8> {
         (self.names.join(",") + "\n").into_bytes()
     }
@@ -54,10 +88,15 @@ impl SweepCsv {
     pub fn rows(&self, block: &Block) -> Vec<u8> {
         self.columns.expect(block);
         let mut bytes = Vec::with_capacity(block.rows() * self.names.len() * 20);
+        let write = |bytes: &mut Vec<u8>, value: f64, at: usize| {
+            let number = self.units[at].map_or(value, |unit| unit.number(value));
+            push_number(bytes, number);
+        };
         for row in 0..block.rows() {
-            for value in block.point(row) {
+            let point = block.point(row);
+            for (at, value) in point.iter().enumerate() {
                 match *value {
-                    value if value.is_finite() => push_number(&mut bytes, value),
+                    value if value.is_finite() => write(&mut bytes, value, at),
                     // a missing value in the table of points
                     value if value.is_nan() => {}
                     // the radius of a flat face
@@ -66,14 +105,28 @@ impl SweepCsv {
                 bytes.push(b',');
             }
             bytes.extend_from_slice(block.status(row).name().as_bytes());
-            for value in block.outcomes(row).chain(block.derivatives(row)) {
+            let computed = block.outcomes(row).chain(block.derivatives(row));
+            for (at, value) in (point.len()..).zip(computed) {
                 bytes.push(b',');
                 if let Some(value) = value {
-                    push_number(&mut bytes, value);
+                    write(&mut bytes, value, at);
                 }
             }
             bytes.push(b'\n');
         }
         bytes
+    }
+}
+
+/// The head of the column of a derivative, and the SI size of its unit.
+fn derivative_column(of: Outcome, by: &Parameter, units: TableUnits) -> (String, f64) {
+    let name = format!("d_{}/d_{}", of.name(), by.name);
+    let of_unit = units.unit(of.quantity(), of.unit());
+    let by_unit = units.unit(by.quantity, by.unit);
+    let size = |quantity: Quantity, unit| quantity.size_of(unit).unwrap_or(1.0);
+    let size = size(of.quantity(), of_unit) / size(by.quantity, by_unit);
+    match ratio(of_unit, by_unit) {
+        unit if unit.is_empty() => (name, size),
+        unit => (format!("{name} [{unit}]"), size),
     }
 }

@@ -1,5 +1,6 @@
 //! Output of batches: CSV, JSON lines and Parquet. The columns are the swept parameters, `status`,
-//! the outcomes, and `d_OUTCOME/d_PARAMETER`, all in SI. CSV heads name the units: `carry [m]`.
+//! the outcomes, and `d_OUTCOME/d_PARAMETER`, in SI; CSV also in other units. CSV heads name the
+//! units: `carry [m]`.
 //! Numbers are parsed to the same value to the last bit. A missing value is an empty cell or null.
 
 mod csv;

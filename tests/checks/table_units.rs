@@ -1,0 +1,174 @@
+//! Temperatures, altitudes and CSV in the units of the reader.
+
+use crate::command_line::{json, longdrive, number};
+
+/// A message on one line.
+fn joined(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The head of a CSV text, and the numbers of its first row; NaN for words.
+fn csv(text: &str) -> (Vec<String>, Vec<f64>) {
+    let mut lines = text.lines();
+    let mut cells = || {
+        lines
+            .next()
+            .unwrap()
+            .split(',')
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    };
+    let head = cells();
+    let row = cells();
+    let row = row.iter().map(|cell| cell.parse().unwrap_or(f64::NAN));
+    (head, row.collect())
+}
+
+#[test]
+fn temperatures_and_altitudes_are_in_degrees_and_feet() {
+    let weather = ["--temperature", "50F", "--altitude", "5000ft"];
+    let shown = |words: &[&str]| longdrive(&[words, &weather].concat()).out;
+    let us = shown(&["parameters", "air"]);
+    assert!(us.contains(" 50 degF ") && us.contains(" 5000 ft "), "{us}");
+    let metric = shown(&["parameters", "air", "--units", "metric"]);
+    assert!(
+        metric.contains(" 10 degC ") && metric.contains(" 1524 m "),
+        "{metric}"
+    );
+    for text in [us, metric] {
+        assert!(!text.contains(" K "), "{text}");
+    }
+    let (_, found) = json(&[&["simulate"], &weather[..]].concat());
+    assert!((number(&found["setup"]["air.temperature"]) - 283.15).abs() < 1e-9);
+    assert_eq!(number(&found["setup"]["air.altitude"]), 1524.0);
+}
+
+/// An uncertainty of 1.5 K is 2.7 °F.
+#[test]
+fn exact_uncertainties_of_temperatures_are_differences() {
+    let said = longdrive(&["sensitivity", "--temperature", "50F"]);
+    assert!(
+        said.out.contains("2.7") && said.out.contains("°F"),
+        "{}",
+        said.out
+    );
+    assert!(!said.out.contains(" K "), "{}", said.out);
+}
+
+#[test]
+fn an_altitude_without_a_temperature_is_told_with_the_standard_one() {
+    let says = "air.altitude is given without air.temperature, which is 77 °F; the standard \
+                atmosphere has 41 °F there, with 7 % more air";
+    let said = longdrive(&["simulate", "-q", "--altitude", "5000ft"]);
+    assert!(joined(&said.err).contains(says), "{}", said.err);
+    let (_, found) = json(&["simulate", "--altitude", "5000ft"]);
+    assert!(
+        found["warnings"]
+            .to_string()
+            .contains("without air.temperature")
+    );
+    let whole = ["simulate", "--altitude", "5000ft", "--temperature", "41F"];
+    assert!(!joined(&longdrive(&whole).err).contains("without air.temperature"));
+}
+
+/// The columns of a sweep in stated units are those in SI, converted.
+#[test]
+fn exact_sweeps_in_the_stated_units() {
+    let words = [
+        "sweep",
+        "--over",
+        "club.loft=10deg..12deg:2",
+        "--over",
+        "air.temperature=50F..86F:2",
+        "--outcomes",
+        "carry,spin",
+        "--gradient",
+        "-q",
+    ];
+    let (head, si) = csv(&longdrive(&words).out);
+    assert_eq!(head[..2], ["club.loft [rad]", "air.temperature [K]"]);
+    let (head, us) = csv(&longdrive(&[&words[..], &["--units", "us"]].concat()).out);
+    assert_eq!(
+        head,
+        [
+            "club.loft [deg]",
+            "air.temperature [degF]",
+            "status",
+            "carry [yd]",
+            "spin [rpm]",
+            "d_carry/d_club.loft [yd/deg]",
+            "d_carry/d_air.temperature [yd/degF]",
+            "d_spin/d_club.loft [rpm/deg]",
+            "d_spin/d_air.temperature [rpm/degF]",
+        ]
+    );
+    let (yd, deg, rpm) = (0.9144, 1.0_f64.to_radians(), std::f64::consts::TAU / 60.0);
+    let fahrenheit = 5.0 / 9.0;
+    let expected = [
+        10.0,
+        50.0,
+        f64::NAN,
+        si[3] / yd,
+        si[4] / rpm,
+        si[5] / yd * deg,
+        si[6] / yd * fahrenheit,
+        si[7] / rpm * deg,
+        si[8] / rpm * fahrenheit,
+    ];
+    for (ours, expected) in us.iter().zip(expected) {
+        let is_word = ours.is_nan() && expected.is_nan();
+        assert!(
+            is_word || (ours - expected).abs() <= 1e-12 * expected.abs(),
+            "{us:?}"
+        );
+    }
+}
+
+/// A sweep in stated units is read again as the same points.
+#[test]
+fn same_points_from_a_sweep_in_the_stated_units() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("us.csv").display().to_string();
+    let over = ["sweep", "--over", "club.loft=10deg..12deg:3"];
+    let said = longdrive(&[&over[..], &["--units", "us", "-o", &file]].concat());
+    assert_eq!(said.status, 0, "{}", said.err);
+    let (_, again) = csv(&longdrive(&["sweep", "--points", &file, "-q"]).out);
+    let (_, first) = csv(&longdrive(&[&over[..], &["-q"]].concat()).out);
+    assert!((again[2] - first[2]).abs() < 1e-6, "{again:?} {first:?}");
+}
+
+#[test]
+fn plots_charts_and_fronts_have_the_stated_units_in_csv() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let us = ["--units", "us", "-q"];
+    let file = at("path.csv");
+    let said = longdrive(&[&["plot", "trajectory", "-o", &file][..], &us].concat());
+    assert_eq!(said.status, 0, "{}", said.err);
+    let (head, _) = csv(&std::fs::read_to_string(&file).unwrap());
+    assert!(head.iter().all(|head| !head.contains("[m]")), "{head:?}");
+    assert!(head.iter().any(|head| head.contains("[yd]")), "{head:?}");
+    let chart = ["chart", "--along", "swing.speed", "--at", "100mph", "--csv"];
+    let (head, row) = csv(&longdrive(&[&chart[..], &us].concat()).out);
+    assert_eq!(head[..2], ["swing.speed [mph]", "carry [yd]"]);
+    assert!((row[0] - 100.0).abs() < 1e-12);
+    let (si_head, si) = csv(&longdrive(&[&chart[..], &["-q"]].concat()).out);
+    assert_eq!(si_head[1], "carry [m]");
+    assert!((row[1] - si[1] / 0.9144).abs() < 1e-9);
+    let file = at("front.csv");
+    let goals = [
+        "--maximize",
+        "carry",
+        "--minimize",
+        "apex_height",
+        "--points",
+        "2",
+    ];
+    let words = [&["pareto", "-o", &file], &goals[..], &us].concat();
+    assert_eq!(longdrive(&words).status, 0);
+    let (head, _) = csv(&std::fs::read_to_string(&file).unwrap());
+    assert_eq!(
+        head[..3],
+        ["carry [yd]", "apex_height [yd]", "club.loft [deg]"]
+    );
+}
