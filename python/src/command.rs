@@ -109,7 +109,7 @@ impl Host for Caller {
             Kind::Note => "note",
             Kind::Warning => "warning",
             // the answer has errors in arguments too, without colours
-            Kind::Usage | Kind::Help => return,
+            Kind::Usage => return,
             Kind::Error => "error",
         };
         self.now().said.push((kind, text.to_owned()));

@@ -5,8 +5,8 @@ use crate::command::output::{Answer, command_line, system, tell, warn};
 use crate::command::request::{Request, Setting, Source};
 use crate::parameters::Vary;
 use crate::report::{
-    DeliveryOptions, DeliveryReport, bound_warnings, delivery_toml, parameter_text,
-    population_warnings, recovered_csv, recovered_toml,
+    DeliveryOptions, DeliveryReport, bound_warnings, delivery_toml, parameter_difference_text,
+    parameter_text, population_warnings, recovered_csv, recovered_toml,
 };
 use crate::study::Sigma;
 use crate::study::calibrate::ShotTable;
@@ -365,7 +365,7 @@ fn note_assumed(unknowns: &[Unknown]) {
             let (name, value, sigma) = (
                 unknown.parameter.name,
                 shown(unknown.prior),
-                shown(unknown.sigma),
+                parameter_difference_text(unknown.parameter, unknown.sigma, system()),
             );
             tell(&format!(
                 "prior: {name} = {value} ± {sigma} (one standard deviation); {source}"
@@ -379,7 +379,7 @@ fn note_measured(setup: &Setup<f64>, unknowns: &[Unknown]) {
     for unknown in unknowns {
         let name = unknown.parameter.name;
         let measured = unknown.measured_as(setup.value(unknown.parameter).unwrap_or_default());
-        let sigma = parameter_text(unknown.parameter, measured.sigma, system());
+        let sigma = parameter_difference_text(unknown.parameter, measured.sigma, system());
         let source = measured.source.unwrap_or("as given");
         tell(&format!(
             "prior: {name} as in each row ± {sigma} (one standard deviation); {source}"

@@ -250,11 +250,16 @@ impl Destination {
                     .open(&self.at)?
                     .write_all(bytes);
             }
-            let mut file = create_beside(&self.at)?;
-            file.write_all(bytes)?;
-            self.end(file)
+            self.end(self.stage(bytes)?)
         };
         written().map_err(|error| self.failed(&error))
+    }
+
+    /// Writes the bytes into a temporary file in the folder of the path.
+    fn stage(&self, bytes: &[u8]) -> io::Result<NamedTempFile> {
+        let mut file = create_beside(&self.at)?;
+        file.write_all(bytes)?;
+        Ok(file)
     }
 
     /// Moves a complete file to its path.
@@ -328,17 +333,48 @@ pub struct Folder {
 }
 
 impl Folder {
-    /// Writes files. All destinations are checked before the first file is written.
+    /// Writes files. All destinations are checked before the first file is written. After an error
+    /// a folder that was created for them is deleted if it is empty.
     ///
     /// # Errors
     /// The errors of [`Rule::file`] and [`Destination::write`].
     pub fn write<'a>(&self, files: impl IntoIterator<Item = (&'a str, &'a [u8])>) -> Result<usize> {
+        let ancestors = self.path.ancestors();
+        let created: Vec<_> = ancestors.take_while(|folder| !folder.exists()).collect();
+        let written = self.write_files(files);
+        if written.is_err() {
+            for folder in created {
+                // a folder with files stays
+                let _ = fs::remove_dir(folder);
+            }
+        }
+        written
+    }
+
+    fn write_files<'a>(
+        &self,
+        files: impl IntoIterator<Item = (&'a str, &'a [u8])>,
+    ) -> Result<usize> {
         fs::create_dir_all(&self.path).map_err(|error| unwritable(&self.path, &error))?;
         let place = |(name, bytes)| Ok((self.rule.place(&self.path.join(name))?, bytes));
         let files = files.into_iter().map(place).collect::<Result<Vec<_>>>()?;
         interrupt::undisturbed(&[&self.path], || {
+            // a full disk leaves no file in place: all are written before the first is renamed
+            let mut staged = vec![];
             for (destination, bytes) in &files {
-                destination.put(bytes)?;
+                if destination.is_file {
+                    let file = destination.stage(bytes);
+                    staged.push((
+                        destination,
+                        file.map_err(|error| destination.failed(&error))?,
+                    ));
+                } else {
+                    destination.put(bytes)?;
+                }
+            }
+            for (destination, file) in staged {
+                let ended = destination.end(file);
+                ended.map_err(|error| destination.failed(&error))?;
             }
             Ok(files.len())
         })

@@ -16,14 +16,12 @@ pub enum Kind {
     Error,
     /// An error in the arguments from the argument parser, with colours.
     Usage,
-    /// The requested help or version, with colours.
-    Help,
 }
 
 /// The caller of a command: a terminal, or a program that embeds the library. A command calls the
 /// host from its own thread; worker threads also report progress to it.
 pub trait Host: Send + Sync {
-    /// Receives the answer.
+    /// Receives the answer, or the requested help or version with colours.
     ///
     /// # Errors
     /// If the answer cannot be written.

@@ -145,6 +145,23 @@ fn arguments() -> &'static BTreeMap<String, bool> {
     })
 }
 
+/// The names of the commands that have an option, as on the command line: `plot laws`.
+pub(super) fn commands_with(option: &str) -> Vec<String> {
+    fn collect(command: &clap::Command, before: &str, option: &str, all: &mut Vec<String>) {
+        for below in command.get_subcommands() {
+            let name = format!("{before}{}", below.get_name());
+            let mut arguments = below.get_arguments();
+            if arguments.any(|argument| argument.get_long() == Some(option)) {
+                all.push(name.clone());
+            }
+            collect(below, &format!("{name} "), option, all);
+        }
+    }
+    let mut all = vec![];
+    collect(&Args::command(), "", option, &mut all);
+    all
+}
+
 #[cfg(test)]
 mod tests {
     use super::{mark_options, with_mentions};

@@ -1,10 +1,11 @@
 use super::host::Kind;
+use super::mention::commands_with;
 use super::running::running;
 use super::wording::{advice_on, in_words_of_the_host, name_in_words_of_the_host};
 use crate::report::{Empty, Reply, Report};
 use crate::units::{Message, System};
 use crate::{Error, Result};
-use clap::error::{ContextKind, ContextValue};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use serde_json::Value;
@@ -165,17 +166,22 @@ pub fn complain(error: &Error, command: &'static str, is_json: bool) -> u8 {
 
 /// Reports an error in the arguments, or shows the help.
 pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: bool) -> u8 {
+    if error.kind() == ErrorKind::InvalidUtf8 {
+        return complain(&not_utf8(), command.unwrap_or_default(), is_json);
+    }
     in_own_words(&mut error);
     let rendered = error.render();
-    let kind = if error.use_stderr() {
-        Kind::Usage
-    } else {
-        Kind::Help
-    };
-    running()
-        .host
-        .say(kind, &in_words_of_the_host(&rendered.ansi().to_string()));
-    if error.use_stderr() && is_json {
+    let shown = in_words_of_the_host(&rendered.ansi().to_string());
+    if !error.use_stderr() {
+        return match running().host.print(&shown) {
+            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+                complain(&Error::Output(error), command.unwrap_or_default(), false)
+            }
+            _ => 0,
+        };
+    }
+    running().host.say(Kind::Usage, &shown);
+    if is_json {
         let text = rendered.to_string();
         let text = text.split("\n\nUsage:").next().unwrap_or_default();
         let text = text
@@ -187,6 +193,20 @@ pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: b
         say(&Reply::refused(command, "error", message));
     }
     u8::try_from(error.exit_code()).unwrap_or(2)
+}
+
+/// The error for an argument that is not UTF-8.
+fn not_utf8() -> Error {
+    let running = running();
+    let mut words = running.words().iter();
+    let word = words.find(|word| word.to_str().is_none());
+    let name = word.map_or("an argument".into(), |word| word.to_string_lossy());
+    let source = "its name is not UTF-8, and setups are named in UTF-8; rename the file, or give \
+                  its text on standard input, as in longdrive simulate - < FILE";
+    Error::Unreadable {
+        name: name.into(),
+        source: source.into(),
+    }
 }
 
 /// The parser's message with argument names in the syntax of the host: `--width <PIXELS>` for the
@@ -208,12 +228,48 @@ fn with_named_arguments(message: &str, error: &clap::Error) -> String {
     message
 }
 
+/// The largest number of letters in which a suggested option differs, as a share of its length.
+const MOST_DIFFERENT: f64 = 0.3;
+
+/// True for a misspelling of an option: `--threds` of `--threads`, and not `--over` of
+/// `--overwrite`.
+fn is_misspelt(argument: &str, option: &str) -> bool {
+    let [typed, known] = [argument, option].map(|text| text.trim_start_matches('-'));
+    let different = strsim::damerau_levenshtein(typed, known) as f64;
+    different <= MOST_DIFFERENT * known.len() as f64
+}
+
+/// The tip about an option that this command does not have: the commands that have it.
+fn tip_of_unknown_option(argument: &str) -> String {
+    let name = argument.split('=').next().unwrap_or(argument);
+    let commands = commands_with(name.trim_start_matches('-'));
+    let others = match commands.len() {
+        0 | 6.. => String::new(),
+        _ => format!("; it is one of {}", commands.join(", ")),
+    };
+    format!("this command has no option '{name}'{others}; --help lists those that it has")
+}
+
 /// Replaces the parser's tip about an unexpected argument. The parser treats an unknown option as a
-/// setup, and advises `--`.
+/// setup, and advises `--`; and it suggests options that only begin alike.
 fn in_own_words(error: &mut clap::Error) {
     let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else {
         return;
     };
+    let argument = argument.clone();
+    if let Some(ContextValue::String(option)) = error.get(ContextKind::SuggestedArg)
+        && !is_misspelt(&argument, option)
+    {
+        error.remove(ContextKind::SuggestedArg);
+        // it has the suggested option
+        error.remove(ContextKind::Usage);
+        let tip = tip_of_unknown_option(&argument);
+        error.insert(
+            ContextKind::Suggested,
+            ContextValue::StyledStrs(vec![tip.into()]),
+        );
+        return;
+    }
     let is_taken_for_a_setup = match error.get(ContextKind::Suggested) {
         Some(ContextValue::StyledStrs(tips)) => {
             tips.len() == 1 && tips[0].to_string().contains("use '-- ")
@@ -221,13 +277,11 @@ fn in_own_words(error: &mut clap::Error) {
         _ => false,
     };
     let tip = if !argument.starts_with('-') {
-        advice_on(argument)
+        advice_on(&argument)
     } else if !is_taken_for_a_setup {
         None
     } else if argument.starts_with("--") {
-        Some(format!(
-            "this command has no option '{argument}'; --help lists those that it has"
-        ))
+        Some(tip_of_unknown_option(&argument))
     } else {
         Some(format!(
             "a value that begins with a hyphen is joined to its option by '=', as in \

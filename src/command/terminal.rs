@@ -121,9 +121,6 @@ impl Host for Terminal {
             Kind::Usage => {
                 let _ = write!(anstream::stderr().lock(), "{text}");
             }
-            Kind::Help => {
-                let _ = write!(anstream::stdout().lock(), "{text}");
-            }
         }
     }
 

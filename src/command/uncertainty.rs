@@ -2,7 +2,7 @@ use crate::command::args::UncertaintyArgs;
 use crate::command::names::outcomes;
 use crate::command::output::{Answer, bar, show, system, tell, warn};
 use crate::command::request::Request;
-use crate::report::{UncertaintyReport, parameter_text};
+use crate::report::{UncertaintyReport, parameter_difference_text};
 use crate::study::uncertainty::{SamplePlan, Uncertain, uncertainty};
 use crate::study::{Sigma, given_twice, with_defaults};
 use crate::{Drive, Outcome, Result, Setup};
@@ -74,7 +74,7 @@ fn inputs(
     };
     for sigma in sigmas.iter() {
         if let Some(source) = sigma.source {
-            let shown = parameter_text(sigma.parameter, sigma.value, system());
+            let shown = parameter_difference_text(sigma.parameter, sigma.value, system());
             tell(&format!(
                 "default uncertainty: {} ± {shown} (one standard deviation); {source}",
                 sigma.parameter.name

@@ -55,8 +55,32 @@ fn missing_argument(doing: &str) -> Option<&'static str> {
 /// Advice on a word that is neither an option nor a setup.
 pub fn advice_on(left_over: &str) -> Option<String> {
     in_quotes(left_over)
+        .or_else(|| unquoted_constraint(left_over))
         .or_else(|| joined(left_over))
         .or_else(|| after_an_option(left_over))
+}
+
+/// Advice on a piece of a constraint without quotes. The shell takes `>` and `<` for files: it
+/// writes a file named `=` for `>=`.
+fn unquoted_constraint(left_over: &str) -> Option<String> {
+    let running = running();
+    let words = running.words();
+    let left_over = words.iter().position(|word| word == left_over)?;
+    let option = words[..left_over]
+        .iter()
+        .rposition(|word| word.to_string_lossy().starts_with("--"))?;
+    if words[option] != "--subject-to" {
+        return None;
+    }
+    let wrote = if Path::new("=").is_file() {
+        ", and has written a file named '='"
+    } else {
+        ""
+    };
+    Some(format!(
+        "put a constraint in quotes, as in `subject_to \"descent_angle >= 38 deg\"`; without them \
+         the shell takes > and < for files{wrote}"
+    ))
 }
 
 /// Advice on a separate length after `--tolerance`, which needs '='.
@@ -139,7 +163,9 @@ fn in_quotes(left_over: &str) -> Option<String> {
         .split(['.', ',', ':'])
         .next()
         .filter(|unit| !unit.is_empty())?;
-    let is_number = number.contains('=') && number.ends_with(|c: char| c.is_ascii_digit());
+    // NAME=VALUE, or the value of an option such as --speed
+    let is_number = (number.contains('=') || number.parse::<f64>().is_ok())
+        && number.ends_with(|c: char| c.is_ascii_digit());
     let is_parted = is_number
         && Quantity::ALL
             .iter()

@@ -7,7 +7,7 @@ use super::table::{LAW, Law, Setup};
 use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
 use crate::number::{Numbers, inlined};
-use crate::units::Message;
+use crate::units::{Message, Quantity, UnitError};
 use std::path::Path;
 
 /// Reason why a parameter of the club has no effect.
@@ -36,10 +36,7 @@ impl Parameter {
         } else {
             self.quantity.read(text)
         };
-        let value = value.map_err(|e| Error::Unreadable {
-            name: self.name.into(),
-            source: Box::new(e),
-        })?;
+        let value = value.map_err(|error| self.unreadable(error))?;
         self.check(value).map_err(|error| match error {
             Error::OutOfRange {
                 name,
@@ -121,9 +118,13 @@ impl Parameter {
         })
     }
 
-    /// The value as text in SI, and in the display unit if it differs.
+    /// The value as text in SI, and in the display unit if it differs. A temperature has the display
+    /// unit alone.
     fn show_twice(&self, value: f64) -> String {
         let si = self.quantity.show(value, self.quantity.si);
+        if self.quantity == Quantity::TEMPERATURE && value.is_finite() {
+            return self.show(Some(value));
+        }
         let same = self.unit == self.quantity.si || !value.is_finite();
         if same {
             si
@@ -144,6 +145,24 @@ impl Parameter {
                 format!("{shown} ({text})")
             }
             _ => shown,
+        }
+    }
+
+    /// The error for an unreadable text. For a word, such as a direction of the wind, it has the
+    /// meaning of the parameter, which tells what the numbers are.
+    fn unreadable(&self, error: UnitError) -> Error {
+        let is_word = |text: &str| text.starts_with(char::is_alphabetic);
+        let source = match &error {
+            UnitError::NoNumber { text, .. } if is_word(text) => {
+                let meaning = self.doc.split(';').next().unwrap_or_default();
+                let meaning = meaning.trim_end_matches('.');
+                format!("{error}. Its meaning: {meaning}").into()
+            }
+            _ => error.into(),
+        };
+        Error::Unreadable {
+            name: self.name.into(),
+            source,
         }
     }
 

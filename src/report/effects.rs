@@ -257,7 +257,7 @@ fn bar_cells(bar: &Bar, of: Outcome, system: System) -> Vec<String> {
         bar.sigma.parameter.name.into(),
         format!(
             "±{}",
-            shown::stated(bar.sigma.parameter, bar.sigma.value, system)
+            shown::stated_difference(bar.sigma.parameter, bar.sigma.value, system)
         ),
         change(bar.first_order),
         or_dash(bar.second_order),

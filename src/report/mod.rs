@@ -95,7 +95,10 @@ pub use shots::{
     BandReport, ClubOutcome, ClubShotsReport, OutcomeResiduals, RefusedRows, ShotFormat,
     ShotWriter, ShotsReport, SumsReport, open_connect_answer,
 };
-pub use shown::{goal as goal_text, outcome as outcome_text, stated as parameter_text};
+pub use shown::{
+    goal as goal_text, outcome as outcome_text, stated as parameter_text,
+    stated_difference as parameter_difference_text,
+};
 #[cfg(feature = "parquet")]
 pub use sweep::SweepParquet;
 pub use sweep::{SweepCsv, SweepJsonLines, summary_document};

@@ -441,10 +441,9 @@ fn window_row(best: &Optimum, vary: &Vary, window: &Window, system: System) -> V
 /// A change of a parameter, with its sign: "+1.20 deg".
 fn step(parameter: &Parameter, amount: f64, system: System) -> String {
     let sign = if amount < 0.0 { "-" } else { "+" };
-    format!(
-        "{sign}{}",
-        shown::parameter(parameter, amount.abs(), system)
-    )
+    let unit = system.unit(parameter.unit);
+    let size = parameter.quantity.read_off_difference(amount.abs(), unit);
+    format!("{sign}{size}")
 }
 
 /// "ellipse of club.loft and swing.attack_angle for a loss of 1.00 yd: half-axes (+1.20 deg, -3.40
@@ -522,7 +521,7 @@ fn change(best: &Optimum, changed: &Changed, system: System) -> Table {
             .chain(x)
             .collect::<Vec<_>>()
     };
-    let delta = shown::stated(parameter, changed.change.delta, system);
+    let delta = shown::stated_difference(parameter, changed.change.delta, system);
     // show the new value too: an amount without a sign could be read as a value
     let to = best
         .setup

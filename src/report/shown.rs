@@ -228,6 +228,17 @@ pub fn stated(parameter: &Parameter, value: f64, system: System) -> String {
     given(parameter.quantity, parameter.unit, value, system, STATED)
 }
 
+/// A stated difference or uncertainty of a parameter, without trailing zeros: 2.7 °F for 1.5 K.
+pub fn stated_difference(parameter: &Parameter, value: f64, system: System) -> String {
+    difference(parameter, value, system, STATED)
+}
+
+fn difference(parameter: &Parameter, value: f64, system: System, digits: usize) -> String {
+    let unit = system.unit(parameter.unit);
+    let size = parameter.quantity.size_of(unit).unwrap_or(1.0);
+    with_unit(&significant(value / size, digits), unit)
+}
+
 /// A stated value with four significant digits, for the summary of a request: "110 mph" is "49.17
 /// m/s" and not "49.174 m/s".
 pub(super) fn told(parameter: &Parameter, value: f64, system: System) -> String {
@@ -236,7 +247,7 @@ pub(super) fn told(parameter: &Parameter, value: f64, system: System) -> String 
 
 /// A standard uncertainty of a parameter with three significant digits: "0.0563".
 pub(super) fn uncertainty(parameter: &Parameter, deviation: f64, system: System) -> String {
-    given(parameter.quantity, parameter.unit, deviation, system, 3)
+    difference(parameter, deviation, system, 3)
 }
 
 /// A value of a setup with up to seven significant digits, or "none".

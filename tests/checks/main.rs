@@ -29,6 +29,7 @@ mod fast_paths;
 mod flight;
 mod ground;
 mod head;
+mod hints;
 mod impact;
 mod imports;
 mod interrupts;

@@ -91,8 +91,7 @@ fn planted(planted: &DetectionTest) -> String {
     let name = planted.error.name();
     if planted.rows == 0 {
         return format!(
-            "not checked: the planted error \"{name}\": there is no row that passed and that it \
-             changes"
+            "not checked: the planted error \"{name}\" changes none of the derivatives that passed"
         );
     }
     let of_rows = |caught: usize| {

@@ -1,0 +1,132 @@
+//! Hints of messages point at what was meant.
+
+use crate::command_line::longdrive;
+use crate::program;
+use std::fs;
+use std::process::Stdio;
+
+/// A message on one line.
+fn joined(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn an_option_of_other_commands_is_not_taken_for_one_that_begins_alike() {
+    for (words, says) in [
+        (
+            &["plot", "contour", "--over", "club.loft", "-o", "x.svg"][..],
+            "no option '--over'; it is one of sweep, plot laws",
+        ),
+        (&["optimize", "--spd", "95mph"], "no option '--spd'; --help"),
+        (&["gradient", "--vary=x"], "no option '--vary'"),
+        (
+            &["sweep", "--threds", "3"],
+            "a similar argument exists: '--threads'",
+        ),
+        (
+            &["simulate", "--temprature", "50F"],
+            "a similar argument exists: '--temperature'",
+        ),
+    ] {
+        let said = longdrive(words);
+        assert_eq!(said.status, 2);
+        assert!(joined(&said.err).contains(says), "{words:?}: {}", said.err);
+        assert!(
+            !said.err.contains("--overwrite") && !said.err.contains("--seed"),
+            "{}",
+            said.err
+        );
+    }
+}
+
+/// A word in place of a number is answered with the meaning of the parameter.
+#[test]
+fn a_word_for_a_number_gets_the_meaning_of_the_parameter() {
+    let said = longdrive(&["simulate", "--wind", "10mph", "--set", "wind.from=headwind"]);
+    assert_eq!(said.status, 2);
+    let says = "Direction that the wind comes from, clockwise from the target line: 0° is a head \
+                wind, 90° from the right, 180° a tail wind";
+    assert!(joined(&said.err).contains(says), "{}", said.err);
+}
+
+/// The shell takes an unquoted `>` for a file.
+#[test]
+fn pieces_of_a_constraint_without_quotes_get_the_advice_on_quotes() {
+    for words in [
+        &["optimize", "--subject-to", "descent_angle", "38deg"][..],
+        &["optimize", "--subject-to", "lateral", "==", "0m"],
+        &["optimize", "--subject-to", "descent_angle", "="],
+    ] {
+        let said = longdrive(words);
+        assert_eq!(said.status, 2);
+        let says = "put a constraint in quotes, as in --subject-to \"descent_angle >= 38 deg\"";
+        assert!(joined(&said.err).contains(says), "{words:?}: {}", said.err);
+    }
+    for words in [
+        &["simulate", "--speed", "95", "mph"][..],
+        &["simulate", "--attack", "-2", "deg"],
+    ] {
+        let said = longdrive(words);
+        let says = format!("{} \"{} {}\"", words[1], words[2], words[3]);
+        assert!(joined(&said.err).contains(&says), "{words:?}: {}", said.err);
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn a_file_whose_name_is_not_utf_8_is_named() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    let output = program::command()
+        .arg("simulate")
+        .arg(OsStr::from_bytes(b"mine\xff.toml"))
+        .output()
+        .unwrap();
+    let err = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        joined(&err).contains("mine\u{fffd}.toml: its name is not UTF-8"),
+        "{err}"
+    );
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn help_that_cannot_be_written_is_an_error() {
+    for words in [&["--help"][..], &["simulate", "--help"], &["--version"]] {
+        let full = fs::OpenOptions::new()
+            .write(true)
+            .open("/dev/full")
+            .unwrap();
+        let mut command = program::command();
+        let output = command
+            .args(words)
+            .stdout(Stdio::from(full))
+            .stderr(Stdio::piped())
+            .output()
+            .unwrap();
+        let err = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{words:?}: {err}");
+        assert!(err.contains("the disk is full"), "{err}");
+        assert_eq!(longdrive(words).status, 0);
+    }
+}
+
+/// Files above the limit of the shell cannot be written, as on a full disk.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_report_that_cannot_be_written_leaves_no_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let to = folder.path().join("study");
+    let output = std::process::Command::new("sh")
+        .args(["-c", "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\""])
+        .arg(program::path())
+        .args(["reproduce", "winfield-tan", "-q", "-o"])
+        .arg(&to)
+        .output()
+        .unwrap();
+    let err = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{err}");
+    assert!(err.contains("cannot be written"), "{err}");
+    assert!(!to.exists());
+}
