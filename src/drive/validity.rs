@@ -9,6 +9,10 @@ use crate::number::Number;
 use crate::parameters::{Law, Setup};
 use crate::units::{Digits, Message, Quantity, counted_of};
 
+/// Smallest change of the carry by a variable outside the range of the law for which there is a
+/// warning, m: 0.3 yd.
+pub(super) const LEAST_WARNED_CHANGE: f64 = 0.3 * 0.9144;
+
 /// Width and height of the largest conforming head, m: 5 in from heel to toe, 2.8 in from sole to
 /// crown (R&A and USGA, Equipment Rules, part 2, 4b).
 const LARGEST_HEAD: [f64; 2] = [0.127, 0.07112];
@@ -237,12 +241,25 @@ impl Subjects {
 /// Warning about drives outside the ranges of the law.
 fn law_range_warning(subject: &str, law: &Law<f64>, scope: CheckScope) -> Message {
     let fitted = law.fitted();
-    let (when, rest) = match scope {
-        CheckScope::Launch => ("at launch", "; the rest of the flight was not checked"),
-        CheckScope::Flight => ("in 1 % of the flight or more", ""),
+    let beginning = Message::from(format!("{subject}: "));
+    let (beginning, rest) = match scope {
+        CheckScope::Launch => {
+            let rest = "; the rest of the flight was not checked";
+            (beginning.words("at launch"), rest)
+        }
+        CheckScope::Flight => {
+            let least = Digits::Significant(1);
+            let beginning = beginning.words("with more than ").quantity(
+                Quantity::LENGTH,
+                "yd",
+                LEAST_WARNED_CHANGE,
+                least,
+            );
+            (beginning.words(" of carry"), "")
+        }
     };
-    let beginning = Message::from(format!(
-        "{subject}: {when} outside of what the law {} was fitted to (",
+    let beginning = beginning.words(format!(
+        " outside of what the law {} was fitted to (",
         law.name()
     ));
     let how = fitted.continuation(fitted.exceeded_ends([[f64::NEG_INFINITY, f64::INFINITY]; 4]));

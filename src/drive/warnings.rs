@@ -1,18 +1,40 @@
 //! Warnings about a drive.
 
 use super::validity::{
-    any_face, flat_landing_angle, is_outside_any_face, with_flat_landing_warning,
+    LEAST_WARNED_CHANGE, any_face, flat_landing_angle, is_outside_any_face,
+    with_flat_landing_warning,
 };
 use super::{Drive, Outcome};
 use crate::aerodynamics::{AerodynamicLaw, FittedRange, range_in_words};
 use crate::atmosphere::{AirState, WindField};
-use crate::flight::{Flight, fly, trajectory};
+use crate::flight::{Flight, change_by_holding, fly, trajectory};
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity};
 
-/// Smallest share of the flight time outside the ranges of the law for which there is a warning.
-/// The uncertainty of a law within its ranges has a larger effect than this share.
+/// Smallest share of the flight time outside the range for which there is a warning where the law
+/// holds a variable.
 const LEAST_WARNED_SHARE: f64 = 0.01;
+
+/// A variable of a flight outside the range that the law was fitted to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Extrapolated {
+    /// Its number in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
+    variable: usize,
+    flown: FlownRange,
+    /// Change of the carry, m, if the variable is held at the ends of the range; `None` if the law
+    /// holds it, and if a ball does not land.
+    change: Option<f64>,
+}
+
+/// Published changes of a driver's carry by the temperature of air and ball, m per 10 °F: 1.3 to
+/// 2 yd (docs/limitations.md).
+const PUBLISHED_PER_TEN_DEGREES: [f64; 2] = [1.3 * 0.9144, 2.0 * 0.9144];
+
+/// 10 °F, K.
+const TEN_DEGREES: f64 = 10.0 / 1.8;
+
+/// Temperature of the balls whose restitution was measured, K: 25 °C.
+const BALL_TEMPERATURE: f64 = 298.15;
 
 /// Largest shift of the landing by half the step, m, without a warning.
 const LARGEST_SHIFT: f64 = 1e-3;
@@ -37,6 +59,7 @@ impl Drive<f64> {
         warnings.extend(self.off_face_warning(setup).map(Message::from));
         warnings.extend(self.law_warnings(setup));
         warnings.extend(self.long_step_warning(setup));
+        warnings.extend(self.cold_ball_warning(setup));
         warnings
     }
 
@@ -87,6 +110,37 @@ impl Drive<f64> {
         })
     }
 
+    /// Warning about a stated temperature: it changes the air, and the ball stays as lively as at
+    /// 25 °C.
+    fn cold_ball_warning(&self, setup: &Setup<f64>) -> Option<Message> {
+        let temperature = setup.air.temperature?;
+        let [least, most] = PUBLISHED_PER_TEN_DEGREES;
+        let apart = (temperature - BALL_TEMPERATURE).abs() / TEN_DEGREES;
+        if apart * least <= LEAST_WARNED_CHANGE {
+            return None;
+        }
+        let carry = |temperature: f64| {
+            let mut warmer = *setup;
+            warmer.air.temperature = Some(temperature);
+            match fly(&warmer, &self.launch) {
+                Ok(Flight::Landed(landed)) => Some(landed.carry),
+                _ => None,
+            }
+        };
+        let half = 0.5 * TEN_DEGREES;
+        let ours = carry(temperature + half)? - carry(temperature - half)?;
+        let yards = |message: Message, value: f64| {
+            message.quantity(Quantity::LENGTH, "yd", value, Digits::Significant(2))
+        };
+        let message = Message::from(
+            "air.temperature changes the air alone: a cold ball is slower too, which is not \
+             modelled; per 10 °F the carry changes by ",
+        );
+        let message = yards(message, ours).words(" here, and by ");
+        let message = yards(message, least).words(" to ");
+        Some(yards(message, most).words(" in published rules for air and ball"))
+    }
+
     /// Warning about a strike outside the face of any conforming head.
     fn off_face_warning(&self, setup: &Setup<f64>) -> Option<String> {
         self.impact.as_ref()?;
@@ -103,15 +157,59 @@ impl Drive<f64> {
         })
     }
 
-    /// Warnings about variables outside the ranges that the law was fitted to.
+    /// The largest change of the carry, m, by a variable outside the range of the law that is held
+    /// at its end; `None` if no variable changes the carry by more than 0.3 yd.
+    pub fn extrapolated_carry(&self, setup: &Setup<f64>) -> Option<f64> {
+        let changes = self.extrapolated(setup).into_iter();
+        changes
+            .filter_map(|extrapolated| extrapolated.change)
+            .max_by(|a, b| a.abs().total_cmp(&b.abs()))
+    }
+
+    /// The variables outside the ranges of the law that change the carry by more than 0.3 yd. A law
+    /// that holds a variable itself has no such change: the share of the time counts.
+    fn extrapolated(&self, setup: &Setup<f64>) -> Vec<Extrapolated> {
+        let fitted = setup.law.fitted();
+        let ranges = fitted.ranges().map(|(.., range)| range);
+        let one = |(variable, flown): (usize, Option<FlownRange>)| {
+            let (flown, range) = (flown?, ranges[variable]?);
+            let [is_below, is_above] = [flown.flown[0] < range[0], flown.flown[1] > range[1]];
+            let [held_below, held_above] = fitted.held[variable];
+            if flown.outside == 0.0 {
+                return None;
+            }
+            let is_held = is_below && held_below || is_above && held_above;
+            let change = match is_held {
+                true => None,
+                false => change_by_holding(setup, &self.launch, variable, range),
+            };
+            let weighs = match change {
+                Some(change) => change.abs() > LEAST_WARNED_CHANGE,
+                None => flown.outside >= LEAST_WARNED_SHARE,
+            };
+            weighs.then_some(Extrapolated {
+                variable,
+                flown,
+                change,
+            })
+        };
+        let flown = self.flown_ranges(setup).into_iter().enumerate();
+        flown.filter_map(one).collect()
+    }
+
+    /// Warnings about variables outside the ranges that the law was fitted to, where this changes
+    /// the carry by more than 0.3 yd.
     pub(super) fn law_warnings(&self, setup: &Setup<f64>) -> Vec<Message> {
         let fitted = setup.law.fitted();
         let name = setup.law.name();
-        let warning = |k: usize, (variable, unit, range): FittedRange, flown: FlownRange| {
+        let ranges = fitted.ranges();
+        let warning = |Extrapolated {
+                           variable: k,
+                           flown,
+                           change,
+                       }: Extrapolated| {
+            let (variable, unit, range): FittedRange = ranges[k];
             let [low, high] = range?;
-            if flown.outside < LEAST_WARNED_SHARE {
-                return None;
-            }
             let [least, greatest] = flown.flown;
             let mut exceeded_ends = [[false; 2]; 4];
             exceeded_ends[k] = [least < low, greatest > high];
@@ -120,17 +218,19 @@ impl Drive<f64> {
             let message = format!("the law {name} was fitted to a {variable} of ").into();
             let message = range_in_words(message, unit, [low, high])
                 .words(format!(" ({}); in this flight it goes from ", fitted.to));
-            Some(range_in_words(message, unit, flown.flown).words(format!(
+            let message = range_in_words(message, unit, flown.flown).words(format!(
                 ", {percent:.0} % of the time outside, where the law is {how}"
-            )))
+            ));
+            Some(match change {
+                None => message,
+                Some(change) => message
+                    .words("; with the law held at the end of its range the carry is ")
+                    .quantity(Quantity::LENGTH, "yd", change.abs(), Digits::Significant(2))
+                    .words(if change < 0.0 { " shorter" } else { " longer" }),
+            })
         };
-        fitted
-            .ranges()
-            .into_iter()
-            .zip(self.flown_ranges(setup))
-            .enumerate()
-            .filter_map(|(k, (range, flown))| warning(k, range, flown?))
-            .collect()
+        let extrapolated = self.extrapolated(setup).into_iter();
+        extrapolated.filter_map(warning).collect()
     }
 
     /// Values along the flight of each variable with a known range of the law, in the order of

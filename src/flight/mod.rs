@@ -1,6 +1,7 @@
 //! Flight of the ball: equation of motion, integration with a fixed step, landing (docs/model.md,
 //! eqs. 12–18).
 
+mod held;
 mod inputs;
 mod landing;
 mod motion;
@@ -10,6 +11,7 @@ mod step;
 mod tableau;
 mod trajectory;
 
+pub(crate) use held::change_by_holding;
 pub(crate) use inputs::Inputs;
 pub(crate) use result::RequestedOutputs;
 pub use result::{Apex, Flight, Landed, NoFlight};

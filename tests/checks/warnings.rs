@@ -182,23 +182,17 @@ fn share_of_the_flight_outside_the_fitted_range_of_the_law() {
     setup.launch.ball_speed = Some(ahead.hypot(up));
     setup.launch.launch_angle = Some(up.atan2(ahead));
     setup.launch.backspin = Some(0.02 * at_edge / setup.ball.radius);
-    let warnings = Drive::new(&setup).unwrap().warnings(&setup);
-    let share = 100.0 * (1.0 - (at_edge * at_edge - ahead * ahead).sqrt() / up);
+    let drive = Drive::new(&setup).unwrap();
+    let share = 1.0 - (at_edge * at_edge - ahead * ahead).sqrt() / up;
     let [low, high] = [ahead.hypot(up), ahead].map(|speed| 0.02 * at_edge / speed);
-    assert_eq!(warnings.len(), 1, "{warnings:?}");
-    let words = [
-        "the law ferguson".into(),
-        "spin ratio of 0.02 to 0.75".into(),
-        format!("from {low:.4} to {high:.4}"),
-        format!("{share:.0} % of the time outside"),
-    ];
-    for word in words {
-        assert!(
-            warnings[0].to_string().contains(&word),
-            "{word}: {}",
-            warnings[0]
-        );
+    let spin_ratio = drive.flown_ranges(&setup)[0].unwrap();
+    assert!((spin_ratio.outside - share).abs() < 0.01, "{spin_ratio:?}");
+    for (flown, exact) in spin_ratio.flown.into_iter().zip([low, high]) {
+        assert!((flown - exact).abs() < 1e-4 * exact, "{spin_ratio:?}");
     }
+    // so thin an air changes no carry, inside of the range or outside
+    assert!(drive.warnings(&setup).is_empty());
+    assert!(drive.extrapolated_carry(&setup).is_none());
 }
 
 #[test]
@@ -427,7 +421,7 @@ fn charts_and_calibrations_count_drives_beyond_the_law() {
     let (status, chart) = json(&["chart", "--along", "swing.speed=25mph..30mph"]);
     let points = chart["points"].as_array().unwrap().len();
     let told = format!(
-        "{points} of {points} optima: in 1 % of the flight or more outside of what the law \
+        "{points} of {points} optima: with more than 0.3 yd of carry outside of what the law \
          launch-monitor"
     );
     assert!(
@@ -454,7 +448,7 @@ fn charts_and_calibrations_count_drives_beyond_the_law() {
         found["warnings"][0]
             .as_str()
             .unwrap()
-            .starts_with("1 of 3 shots: in 1 % of the flight"),
+            .starts_with("1 of 3 shots: with more than 0.3 yd"),
         "{found}"
     );
 }
@@ -511,7 +505,7 @@ fn plots_and_reports_of_optima_warn_once_for_each_kind() {
     let (svg, page) = (file("a.svg"), file("page"));
     let slow = ["--along", "swing.speed=25mph..30mph"];
     let says = [
-        "optima: in 1 % of the flight or more outside of",
+        "optima: with more than 0.3 yd of carry outside of",
         "; swing.speed = 25 mph to 30 mph",
     ];
     let of_optima = |answer: &serde_json::Value| {
@@ -701,7 +695,7 @@ fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
     assert_eq!(status, 0, "{found}");
     let told = warning_of(
         &found,
-        " % of the swings: in 1 % of the flight or more outside of what the law launch-monitor",
+        " % of the swings: with more than 0.3 yd of carry outside of what the law launch-monitor",
     );
     let share: f64 = told.split(' ').next().unwrap().parse().unwrap();
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -781,7 +775,8 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
         .concat(),
     );
     assert!(
-        warning_of(&found, says).contains(" % of the swings: in 1 % of the flight or more outside"),
+        warning_of(&found, says)
+            .contains(" % of the swings: with more than 0.3 yd of carry outside"),
         "{found}"
     );
     let models = [
@@ -811,7 +806,7 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
     let told = warning_of(&found, says);
     assert!(
         told.starts_with(&format!(
-            "{points} of {points} points of the front: in 1 % of the flight"
+            "{points} of {points} points of the front: with more than 0.3 yd"
         )),
         "{told}"
     );
@@ -833,7 +828,9 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
     let (_, found) = json(&[&goals[..], &swings, &fast, &SET_RIGID_TOUR].concat());
     let told = warning_of(&found, says);
     assert!(
-        told.contains(" points of the front, with 1 % of the swings or more: in 1 % of the flight"),
+        told.contains(
+            " points of the front, with 1 % of the swings or more: with more than 0.3 yd"
+        ),
         "{told}"
     );
     // at usual speeds there is no warning
