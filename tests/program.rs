@@ -8,6 +8,9 @@ use std::sync::LazyLock;
 /// The folder of the project.
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
+/// Columns of the terminal of the tests.
+const COLUMNS: &str = "100";
+
 /// Path of the program. `cargo test` builds it before any test runs.
 pub fn path() -> &'static Path {
     static FOUND: LazyLock<Result<PathBuf, String>> = LazyLock::new(find);
@@ -19,7 +22,7 @@ pub fn path() -> &'static Path {
 /// A command of the program, in the folder of the project.
 pub fn command() -> Command {
     let mut program = Command::new(path());
-    program.current_dir(FOLDER);
+    program.current_dir(FOLDER).env("COLUMNS", COLUMNS);
     program
 }
 

@@ -115,6 +115,11 @@ impl Host for Caller {
         self.now().said.push((kind, text.to_owned()));
     }
 
+    /// The level of the log chooses.
+    fn receives_details(&self) -> bool {
+        true
+    }
+
     fn mention(&self, mention: Mention<'_>) -> String {
         wording::mention(mention)
     }

@@ -69,7 +69,12 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
     let named = |path: &PathBuf| path.display().to_string();
     report.file = args.output.as_ref().filter(|_| is_setup_written).map(named);
     report.folder = args.plot.as_ref().map(named);
-    let answer = Answer::report(&report, warnings.into_vec(), request.is_json());
+    let answer = Answer::report(
+        &report,
+        &request.origin(),
+        warnings.into_vec(),
+        request.is_json(),
+    );
     Ok(answer.found(report.is_found()))
 }
 

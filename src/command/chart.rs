@@ -1,6 +1,8 @@
 use crate::command::args::ChartArgs;
 use crate::command::interrupt::{self, BEST_SO_FAR};
-use crate::command::output::{Answer, Warnings, spinner, stated_system, system, tell, tell_error};
+use crate::command::output::{
+    Answer, Warnings, spinner, stated_system, system, tell, tell_detail, tell_error,
+};
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
 use crate::study::{Chart, ChartObserver, Search, Vary, chart_at};
@@ -34,6 +36,10 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     if !at.is_sorted_by(|a, b| a < b) {
         tell("the values of `at` are used in ascending order, each once");
     }
+    let held = args.search.held(&request, &setup)?;
+    let origin = request
+        .origin_of_search(&search.vary)
+        .with_held(&held, &setup);
     let chart = follow(&setup, &search, along, &at, &stop);
     interrupt::ends();
     let chart = match chart {
@@ -47,7 +53,8 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
                 interrupted: stop.load(Ordering::Relaxed),
             };
             let answer = if request.is_json() {
-                Answer::report(&ChartReport::new(&none, &search), warnings.into_vec(), true)
+                let report = ChartReport::new(&none, &search);
+                Answer::report(&report, &origin, warnings.into_vec(), true)
             } else {
                 Answer::text(String::new())
             };
@@ -63,12 +70,12 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
         }
         Answer::text(report.csv(stated_system().into())?)
     } else {
-        Answer::report(&report, warnings.into_vec(), request.is_json())
+        Answer::report(&report, &origin, warnings.into_vec(), request.is_json())
     };
     Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
 }
 
-/// Follows the optimum along the parameter and prints a line for each requested value.
+/// Follows the optimum along the parameter, with its place as progress.
 fn follow(
     setup: &Setup<f64>,
     search: &Search,
@@ -87,7 +94,9 @@ fn follow(
             let place = place_text(at);
             // near the end of a chart the steps are so small that their texts are equal
             if last.replace(place.clone()) != place {
-                spinner.suspend(|| tell(&format!("searching for an optimum at {place}")));
+                let doing = format!("searching for an optimum at {place}");
+                spinner.set_message(doing.clone());
+                spinner.suspend(|| tell_detail(&doing));
             }
         }
     };
@@ -104,7 +113,7 @@ fn follow(
                 .value()
                 .map_or("–".into(), |value| outcome_text(of, value, system()));
             let place = place_text(point.at);
-            spinner.suspend(|| tell(&format!("{place}: {} {value}", of.name())));
+            spinner.suspend(|| tell_detail(&format!("{place}: {} {value}", of.name())));
         }
         true
     });
@@ -120,7 +129,7 @@ fn progress(search: &Search, spinner: &ProgressBar) -> impl Fn(&Iteration) + use
     move |iteration| {
         if told.get().elapsed() >= SILENCE {
             told.set(Instant::now());
-            spinner.suspend(|| tell(&iteration_line(&search, iteration, system())));
+            spinner.suspend(|| tell_detail(&iteration_line(&search, iteration, system())));
         }
     }
 }

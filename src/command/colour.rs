@@ -1,6 +1,7 @@
 //! Colours of status words. Only terminals show them; `NO_COLOR`, `TERM=dumb` and a pipe turn them
 //! off.
 
+use super::width;
 use crate::report::remark;
 use anstream::{AutoStream, ColorChoice};
 use clap::builder::styling::{AnsiColor, Style};
@@ -46,7 +47,10 @@ pub fn print(text: &str) -> io::Result<()> {
 pub fn say(kind: &str, message: &str) {
     let (style, text) = match kind {
         "error" => (BAD, format!("{kind}: {message}")),
-        _ => (DOUBTFUL, remark(&format!("{kind}: {message}"))),
+        _ => (
+            DOUBTFUL,
+            remark(&format!("{kind}: {message}"), width::of_messages()),
+        ),
     };
     let _ = writeln!(
         anstream::stderr().lock(),

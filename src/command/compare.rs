@@ -2,14 +2,15 @@ use crate::command::args::{Compare, Pair};
 use crate::command::names::outcomes;
 use crate::command::output::{Answer, spinner, tell, tell_error, warn};
 use crate::command::request::{Request, Setting, Source, refuse_duplicates};
-use crate::report::ComparisonReport;
+use crate::report::{ComparisonReport, Origin};
 use crate::study::Comparison;
 use crate::units::Message;
 use crate::{Error, Outcome, Result};
 
 pub fn run(args: &Compare) -> Result<Answer> {
     let of = outcomes(&args.of)?;
-    let comparison = args.pair.comparison(&args.pair.requests()?)?;
+    let requests = args.pair.requests()?;
+    let comparison = args.pair.comparison(&requests)?;
     let warnings = warnings(&comparison);
     warn(&warnings);
     let spinner = spinner("splitting the difference");
@@ -27,8 +28,10 @@ pub fn run(args: &Compare) -> Result<Answer> {
             difference => each.push((of, Ok(difference?))),
         }
     }
-    let report = ComparisonReport::new(&comparison, &each, args.pair.titles());
-    let answer = Answer::report(&report, warnings, args.pair.setup_args.json);
+    let report = ComparisonReport::new(&comparison, &each, requests.each_ref().map(Request::title));
+    // the report names both setups
+    let origin = Origin::default();
+    let answer = Answer::report(&report, &origin, warnings, args.pair.setup_args.json);
     Ok(answer.found(is_complete))
 }
 
@@ -118,20 +121,5 @@ impl Pair {
             ));
         }
         Ok(comparison)
-    }
-
-    /// Each drive in the words of the command line: "modern-driver, club.loft=11deg".
-    pub fn titles(&self) -> [String; 2] {
-        let a = &self.setup_args.setup;
-        let b = self.other.as_ref().unwrap_or(a);
-        [
-            (a, &self.set_a, &self.launch_a),
-            (b, &self.set_b, &self.launch_b),
-        ]
-        .map(|(setup, set, launch)| {
-            [std::slice::from_ref(setup), set, launch]
-                .concat()
-                .join(", ")
-        })
     }
 }

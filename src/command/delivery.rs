@@ -5,8 +5,8 @@ use crate::command::output::{Answer, command_line, system, tell, warn};
 use crate::command::request::{Request, Setting, Source};
 use crate::parameters::Vary;
 use crate::report::{
-    DeliveryOptions, DeliveryReport, bound_warnings, delivery_toml, parameter_difference_text,
-    parameter_text, population_warnings, recovered_csv, recovered_toml,
+    DeliveryOptions, DeliveryReport, Origin, bound_warnings, delivery_toml,
+    parameter_difference_text, parameter_text, population_warnings, recovered_csv, recovered_toml,
 };
 use crate::study::Sigma;
 use crate::study::calibrate::ShotTable;
@@ -187,7 +187,7 @@ fn answer(args: &DeliveryArgs, found: &Deliveries, warnings: Vec<Message>) -> An
         left_out: found.left_out,
     };
     let report = DeliveryReport::new(&found.all, population, options);
-    Answer::report(&report, warnings, args.setup_args.json)
+    Answer::report(&report, &Origin::default(), warnings, args.setup_args.json)
 }
 
 /// The files to write.

@@ -93,9 +93,10 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
         notes: &notes,
     };
     let answer = if request.is_json() {
-        Answer::json(&designed.reply(found.reply()))
+        Answer::json(&designed.reply(found.reply(&request.origin())))
     } else {
-        Answer::text(found.text() + &designed.text(system()))
+        let document = designed.document(found.over(), system());
+        Answer::document_about(document, &request.origin())
     };
     Ok(answer.found(found.is_found()))
 }

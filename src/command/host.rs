@@ -1,4 +1,5 @@
 use super::mention::Mention;
+use super::width;
 use indicatif::ProgressBar;
 use std::io;
 use std::path::Path;
@@ -29,6 +30,21 @@ pub trait Host: Send + Sync {
 
     /// Receives a message other than the answer.
     fn say(&self, kind: Kind, text: &str);
+
+    /// The most columns of an answer as text.
+    fn width(&self) -> usize {
+        width::UNKNOWN
+    }
+
+    /// True if a person reads the answer on a screen while it is printed.
+    fn is_screen(&self) -> bool {
+        false
+    }
+
+    /// True if the host receives the details of the computation without `--verbose`.
+    fn receives_details(&self) -> bool {
+        false
+    }
 
     /// Formats an argument or a command in a message. By default the host uses the syntax of the
     /// command line.

@@ -1,17 +1,17 @@
 use crate::Result;
 use crate::command::args::Laws;
 use crate::command::output::{Answer, system};
-use crate::report::{LawsReport, Line, Report};
+use crate::report::{LawsReport, Line, Reply, Report};
 
 pub fn run(args: &Laws) -> Result<Answer> {
     let report = LawsReport::new(args.own.law()?);
     if args.json {
-        return Ok(Answer::report(&report, vec![], true));
+        return Ok(Answer::json(&Reply::of(&report, vec![])));
     }
     let mut document = report.document(system());
     document.list([
         Line::item("choose one with `set aero.law=NAME`; `parameters()` lists the coefficients"),
         Line::item("or your own table with `set aero.table=mine.csv`; `plot laws()` draws them"),
     ]);
-    Ok(Answer::text(document.text()))
+    Ok(Answer::document(&document))
 }

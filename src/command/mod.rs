@@ -69,6 +69,7 @@ mod terminal;
 mod uncertainty;
 mod validate;
 mod verify;
+mod width;
 mod wording;
 
 pub use described::described;

@@ -1,6 +1,6 @@
 //! Lists of names on the command line. A repeated name counts once.
 
-use crate::command::output::{system, tell};
+use crate::command::output::{system, tell, tell_left_out};
 use crate::parameters::Parameter;
 use crate::report::known_within;
 use crate::{Outcome, Result, Setup};
@@ -57,7 +57,7 @@ pub fn variables(
             .into_iter()
             .filter(|row| !all.contains(row));
         let left_out: Vec<_> = left_out.map(|row| row.name).collect();
-        tell(&format!(
+        tell_left_out(&format!(
             "left out, because they have no value in this setup: {}",
             left_out.join(", ")
         ));
@@ -66,7 +66,7 @@ pub fn variables(
             .partition(|row| !runs && row.affects_only_run());
         if !idle.is_empty() {
             let idle: Vec<_> = idle.iter().map(|row| row.name).collect();
-            tell(&format!(
+            tell_left_out(&format!(
                 "left out, because they do not affect the requested outcomes: {}",
                 idle.join(", ")
             ));

@@ -5,7 +5,8 @@ use crate::command::output::{Answer, system, tell, warn};
 use crate::command::request::Request;
 use crate::command::search::write;
 use crate::optimize::Status;
-use crate::report::{OptimumReport, OverSwings, optimize_text, title_text};
+use crate::report::{OptimumReport, OverSwings, Surroundings, optimize_document};
+use crate::study::{club_alone, usual_loss, windows};
 use std::sync::atomic::AtomicBool;
 
 pub fn run(args: &Optimize) -> Result<Answer> {
@@ -33,17 +34,36 @@ pub fn run(args: &Optimize) -> Result<Answer> {
         .flatten();
     let over = OverSwings::default();
     let held = args.search.held(&request, &setup)?;
+    let origin = request
+        .origin_of_search(&best.search.vary)
+        .with_held(&held, &setup);
+    let is_converged = best.solution.status == Status::Converged;
+    let loss = usual_loss(best);
+    let windows = is_converged.then(|| windows(best, loss)).transpose()?;
+    let club = match is_converged {
+        true => club_alone(best)?,
+        false => None,
+    };
+    let around = windows.as_deref().map(|windows| Surroundings {
+        loss,
+        windows,
+        club_alone: club.as_ref(),
+    });
     let answer = if request.is_json() {
         let mut reply = OptimumReport::reply(&optima, over, warnings);
+        if let Some(around) = &around {
+            reply.body = reply.body.with_surroundings(best, around);
+        }
         reply.body.file = written;
-        reply.body.from = request.source().has_name().then(|| request.title());
         reply.body.held = held.iter().map(|parameter| parameter.name).collect();
-        Answer::json(&reply)
+        Answer::json(&reply.about(&origin))
     } else {
-        let title = title_text(&request.title(), &held, &setup, system());
-        Answer::text(title + &optimize_text(&optima, over, system()))
+        Answer::document_about(
+            optimize_document(&optima, over, around.as_ref(), system()),
+            &origin,
+        )
     };
-    Ok(answer.found(best.solution.status == Status::Converged && optima.stopped() == 0))
+    Ok(answer.found(is_converged && optima.stopped() == 0))
 }
 
 impl Optimize {

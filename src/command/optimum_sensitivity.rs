@@ -3,7 +3,7 @@ use crate::command::names::variables;
 use crate::command::output::{Answer, bar, show, spinner, system, tell, tell_error, warn};
 use crate::command::search::write;
 use crate::parameters::Parameter;
-use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_text};
+use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_document};
 use crate::study::{
     Change, Changed, Flatness, Optimum, Search, Sensitivity, change, flatness, refuse_varied,
     sensitivities, short_drive, usual_loss,
@@ -34,6 +34,10 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let setup = request.for_many(own, &search.vary)?;
     let asked = AnalysisRequest::new(args, &setup, &search)?;
     let output = args.optimize.destination(&request)?;
+    let held = args.optimize.search.held(&request, &setup)?;
+    let origin = request
+        .origin_of_search(&search.vary)
+        .with_held(&held, &setup);
     let optima = work.run(&setup, &search)?;
     let best = &optima.best;
     let written = output
@@ -48,9 +52,10 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     warn(&warnings);
     if optima.stopped() > 0 {
         let answer = if request.is_json() {
-            Answer::json(&SensitivityReport::none(&optima, None, warnings))
+            Answer::json(&SensitivityReport::none(&optima, None, warnings).about(&origin))
         } else {
-            Answer::text(optimum_text(best, OverSwings::default(), system()))
+            let document = optimum_document(best, OverSwings::default(), None, system());
+            Answer::document_about(document, &origin)
         };
         return Ok(answer.found(false));
     }
@@ -59,28 +64,25 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         (changed.method, changed.flight.step) = (own.method, own.flight.step);
         request.for_many(changed, &search.vary)
     };
-    let (is_found, text, mut reply) = match analyse(best, &asked, &integrated) {
+    let (is_found, document, mut reply) = match analyse(best, &asked, &integrated) {
         Err(error) if error.is_an_outcome() => {
             tell_error(&error);
             let reply = SensitivityReport::none(&optima, Some(&error), warnings);
-            (false, String::new(), reply)
+            let document = optimum_document(best, OverSwings::default(), None, system());
+            (false, document, reply)
         }
         found => {
             let found = found?;
             let analysis = found.analysis(best);
             let reply = SensitivityReport::reply(&optima, &analysis, warnings);
-            (
-                found.is_answered(),
-                "\n".to_owned() + &analysis.document(system()).text(),
-                reply,
-            )
+            (found.is_answered(), analysis.document(system()), reply)
         }
     };
     let answer = if request.is_json() {
         reply.body.optimum.file = written;
-        Answer::json(&reply)
+        Answer::json(&reply.about(&origin))
     } else {
-        Answer::text(optimum_text(best, OverSwings::default(), system()) + &text)
+        Answer::document_about(document, &origin)
     };
     Ok(answer.found(is_found))
 }

@@ -2,7 +2,7 @@ use super::host::Kind;
 use super::mention::commands_with;
 use super::running::running;
 use super::wording::{advice_on, in_words_of_the_host, name_in_words_of_the_host};
-use crate::report::{Empty, Reply, Report};
+use crate::report::{Document, Empty, Origin, Reply, Report};
 use crate::units::{Message, System};
 use crate::{Error, Result};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
@@ -43,27 +43,41 @@ impl Answer {
     }
 
     pub fn json(value: &impl Serialize) -> Self {
-        // serialization cannot fail: keys are strings, and numbers are finite
-        let mut value = serde_json::to_value(value).unwrap_or_default();
-        if let Some(warnings) = value.get_mut("warnings").and_then(Value::as_array_mut) {
-            warnings.splice(
-                0..0,
-                running()
-                    .kept()
-                    .iter()
-                    .map(|warning| warning.to_string().into()),
-            );
+        let mut value = with_early_warnings(value);
+        let left_out = running().left_out();
+        if let (Some(answer), false) = (value.as_object_mut(), left_out.is_empty()) {
+            answer.insert("left_out".into(), left_out.into());
         }
+        Self::of_value(value)
+    }
+
+    fn of_value(mut value: Value) -> Self {
         put_in_words_of_the_host(&mut value);
         Self::text(serde_json::to_string_pretty(&value).unwrap_or_default() + "\n")
     }
 
-    /// The report of a command as JSON or as text.
-    pub fn report(report: &impl Report, warnings: Vec<Message>, is_json: bool) -> Self {
+    /// A document as text.
+    pub fn document(document: &Document) -> Self {
+        Self::text(text_of(document))
+    }
+
+    /// A document about a setup as text.
+    pub fn document_about(mut document: Document, origin: &Origin) -> Self {
+        origin.put_before(&mut document, system());
+        Self::document(&document)
+    }
+
+    /// The report of a command about a setup, as JSON or as text.
+    pub fn report(
+        report: &impl Report,
+        origin: &Origin,
+        warnings: Vec<Message>,
+        is_json: bool,
+    ) -> Self {
         if is_json {
-            Self::json(&Reply::of(report, warnings))
+            Self::json(&Reply::of(report, warnings).about(origin))
         } else {
-            Self::text(report.document(system()).text())
+            Self::document_about(report.document(system()), origin)
         }
     }
 
@@ -80,6 +94,23 @@ impl Answer {
             _ => Ok(u8::from(!self.found)),
         }
     }
+}
+
+/// A document as text, with the width and the detail of this command.
+pub fn text_of(document: &Document) -> String {
+    let document = document.clone().map_texts(in_words_of_the_host);
+    document.text(&running().text_options())
+}
+
+/// An answer with the warnings from before the work of the command.
+fn with_early_warnings(answer: &impl Serialize) -> Value {
+    // serialization cannot fail: keys are strings, and numbers are finite
+    let mut value = serde_json::to_value(answer).unwrap_or_default();
+    if let Some(warnings) = value.get_mut("warnings").and_then(Value::as_array_mut) {
+        let early = running().kept();
+        warnings.splice(0..0, early.iter().map(|warning| warning.to_string().into()));
+    }
+    value
 }
 
 /// Formats the arguments in the strings of a JSON value with the syntax of the host.
@@ -111,6 +142,20 @@ pub fn command_line(arguments: &[OsString]) -> String {
 /// Reports a remark or progress, unless `--quiet` is given.
 pub fn tell(text: &str) {
     running().tell(text);
+}
+
+/// Adds what the answer leaves out to its JSON, and reports it with `--verbose`.
+pub fn tell_left_out(text: &str) {
+    running().leave_out(text);
+    tell_detail(text);
+}
+
+/// Reports a detail of the computation, with `--verbose`.
+pub fn tell_detail(text: &str) {
+    let running = running();
+    if running.is_verbose() {
+        running.tell(text);
+    }
 }
 
 pub fn warn(warnings: &[Message]) {
@@ -298,7 +343,8 @@ fn in_own_words(error: &mut clap::Error) {
 
 /// Prints an answer without a result.
 fn say(reply: &Reply<Empty>) {
-    let _ = running().host.print(&Answer::json(reply).text);
+    let answer = Answer::of_value(with_early_warnings(reply));
+    let _ = running().host.print(&answer.text);
 }
 
 /// A progress bar for long work; hidden with `--quiet`.

@@ -13,7 +13,12 @@ pub fn run(args: &Parameters) -> Result<Answer> {
         Some(word) => report.with_word(word)?,
         None => report,
     };
-    Ok(Answer::report(&report, setup.warnings(), request.is_json()))
+    Ok(Answer::report(
+        &report,
+        &request.origin(),
+        setup.warnings(),
+        request.is_json(),
+    ))
 }
 
 impl Parameters {

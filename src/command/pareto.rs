@@ -38,7 +38,12 @@ pub fn run(args: &ParetoArgs) -> Result<Answer> {
     let is_whole = found.ended.is_none() && output.is_none() == written.is_none();
     let mut report = ParetoReport::new(&found);
     report.file = written;
-    let answer = Answer::report(&report, warnings, request.is_json());
+    let answer = Answer::report(
+        &report,
+        &request.origin_of_search(&found.search.vary),
+        warnings,
+        request.is_json(),
+    );
     Ok(answer.found(is_whole))
 }
 
@@ -92,12 +97,11 @@ fn followed(request: &Request, asked: &ParetoAsked) -> Result<Followed> {
         let mut told = told.lock().unwrap_or_else(PoisonError::into_inner);
         if told.elapsed() >= SILENCE {
             *told = Instant::now();
-            shown.suspend(|| {
-                running.tell(&format!(
-                    "following the front: {} searches so far",
-                    number + 1
-                ))
-            });
+            let doing = format!("following the front: {} searches so far", number + 1);
+            shown.set_message(doing.clone());
+            if running.is_verbose() {
+                shown.suspend(|| running.tell(&doing));
+            }
         }
     });
     let interrupt = interrupt::stops("stopping with the points so far");

@@ -1,12 +1,12 @@
 use crate::Result;
 use crate::command::args::Presets;
 use crate::command::output::{Answer, system};
-use crate::report::{Line, PresetsReport, Report, preset_toml};
+use crate::report::{Line, PresetsReport, Reply, Report, preset_toml};
 
 pub fn run(args: &Presets) -> Result<Answer> {
     if args.json {
         let report = PresetsReport::new(args.name.as_deref())?;
-        return Ok(Answer::report(&report, vec![], true));
+        return Ok(Answer::json(&Reply::of(&report, vec![])));
     }
     if let Some(name) = &args.name {
         return Ok(Answer::text(preset_toml(name)?));
@@ -15,5 +15,5 @@ pub fn run(args: &Presets) -> Result<Answer> {
     document.list([Line::item(
         "'longdrive presets NAME' prints one as a setup file, with the source of each number",
     )]);
-    Ok(Answer::text(document.text()))
+    Ok(Answer::document(&document))
 }

@@ -9,8 +9,8 @@ use crate::command::running::running;
 use crate::command::wording::in_words_of_the_host;
 use crate::flight::Flight;
 use crate::optimize::{Observer, Status};
-use crate::report::Reply;
 use crate::report::page::{Document, Findings, SETUP_FILE, report_documents};
+use crate::report::{Origin, Reply};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{Row, certify};
 use crate::study::{
@@ -124,7 +124,8 @@ pub fn run(args: &Report) -> Result<Answer> {
         args.output.join("index.html").display(),
         counted(documents.len() as u64, "file")
     ));
-    Ok(answer(args, &drives, &documents, remarks))
+    let origin = request.origin();
+    Ok(answer(args, &origin, &drives, &documents, remarks))
 }
 
 /// The name of the setup. For a file, omit the folder (privacy).
@@ -135,7 +136,13 @@ fn name_of(request: &Request) -> String {
     )
 }
 
-fn answer(args: &Report, drives: &Drives, documents: &[Document], remarks: Vec<Message>) -> Answer {
+fn answer(
+    args: &Report,
+    origin: &Origin,
+    drives: &Drives,
+    documents: &[Document],
+    remarks: Vec<Message>,
+) -> Answer {
     let own = &drives.flown[0].drive;
     let missing = drives.found.as_ref().filter(|_| drives.best().is_none());
     let answer = if args.setup_args.json {
@@ -149,7 +156,8 @@ fn answer(args: &Report, drives: &Drives, documents: &[Document], remarks: Vec<M
             folder: args.output.display().to_string(),
             files: names.collect(),
         };
-        Answer::json(&Reply::done("report", remarks, body).ended(status, message))
+        let reply = Reply::done("report", remarks, body).about(origin);
+        Answer::json(&reply.ended(status, message))
     } else {
         Answer::text(String::new())
     };

@@ -2,7 +2,7 @@ use crate::Result;
 use crate::command::args::{Published, Reproduce};
 use crate::command::files::{Folder, Rule};
 use crate::command::output::{Answer, stated_system, tell};
-use crate::report::{Document, Mae494Report, Report, WinfieldTanReport, document_files};
+use crate::report::{Document, Mae494Report, Reply, Report, WinfieldTanReport, document_files};
 use crate::reproduce::{Mae494, WinfieldTan, mae494, winfield_tan};
 use crate::units::{System, counted};
 
@@ -53,9 +53,9 @@ fn answer(
         write(folder, &documents, system)?;
     }
     Ok(if is_json {
-        Answer::report(report, vec![], true)
+        Answer::json(&Reply::of(report, vec![]))
     } else {
-        Answer::text(chosen(&documents, system).text())
+        Answer::document(chosen(&documents, system))
     })
 }
 

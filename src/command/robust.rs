@@ -4,7 +4,7 @@ use crate::command::args::RobustArgs;
 use crate::command::files::Rule;
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
-use crate::command::output::{Answer, spinner, tell, warn};
+use crate::command::output::{Answer, spinner, tell, tell_detail, warn};
 use crate::command::request::Request;
 use crate::command::swings::{ranges, searched};
 use crate::optimize::Observers;
@@ -44,7 +44,7 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
         } else {
             format!(" ({})", model.reason)
         };
-        tell(&format!("model {}: {}{reason}", k + 1, model.name));
+        tell_detail(&format!("model {}: {}{reason}", k + 1, model.name));
     }
     let spinner = spinner("searching for one design for all models");
     let interrupt = interrupt::stops("stopping with the best design so far");
@@ -77,7 +77,12 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
     warn(&warnings);
     let mut report = RobustReport::new(&found, within);
     report.file = written;
-    let answer = Answer::report(&report, warnings, request.is_json());
+    let answer = Answer::report(
+        &report,
+        &request.origin_of_search(&found.search.vary),
+        warnings,
+        request.is_json(),
+    );
     Ok(answer.found(is_found))
 }
 

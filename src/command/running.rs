@@ -4,6 +4,7 @@ use super::args::OutputOptions;
 use super::host::{Host, Kind};
 use super::mention::with_mentions;
 use super::terminal::Terminal;
+use crate::report::TextOptions;
 use crate::units::{Message, System};
 use std::cell::RefCell;
 use std::ffi::OsString;
@@ -17,6 +18,8 @@ pub struct Running {
     words: Vec<OsString>,
     /// Warnings about the input and automatic choices, from before the work of the command.
     early: Mutex<Vec<Message>>,
+    /// Parameters that the answer leaves out, with the reasons.
+    left_out: Mutex<Vec<String>>,
     /// The text of the setup named `-`, after its first use.
     input: Mutex<Option<Arc<str>>>,
 }
@@ -64,6 +67,7 @@ impl Running {
             shown,
             words,
             early: Mutex::default(),
+            left_out: Mutex::default(),
             input: Mutex::default(),
         }
     }
@@ -83,6 +87,24 @@ impl Running {
 
     pub fn is_quiet(&self) -> bool {
         self.shown.as_ref().is_some_and(|shown| shown.quiet)
+    }
+
+    pub fn is_verbose(&self) -> bool {
+        self.shown.as_ref().is_some_and(|shown| shown.verbose) || self.host.receives_details()
+    }
+
+    /// The width and the detail of answers as text.
+    pub fn text_options(&self) -> TextOptions {
+        TextOptions {
+            width: self.host.width(),
+            all: self.shown.as_ref().is_some_and(|shown| shown.all),
+            verbose: self.is_verbose(),
+        }
+    }
+
+    /// True if tables are to fit a screen.
+    pub fn is_for_a_screen(&self) -> bool {
+        self.host.is_screen() && !self.text_options().all
     }
 
     /// The arguments.
@@ -111,6 +133,22 @@ impl Running {
     /// The stored warnings.
     pub fn kept(&self) -> Vec<Message> {
         self.early
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .clone()
+    }
+
+    /// Stores what the answer leaves out, for JSON.
+    pub fn leave_out(&self, text: &str) {
+        self.left_out
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .push(text.to_owned());
+    }
+
+    /// What the answer leaves out.
+    pub fn left_out(&self) -> Vec<String> {
+        self.left_out
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
             .clone()

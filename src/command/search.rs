@@ -163,7 +163,7 @@ impl WorkArgs {
         found
     }
 
-    /// The progress of a search: a line for every iteration, or a bar for several searches. The
+    /// The progress of a search: its last iteration, or a bar for several searches. The
     /// observers also write the checkpoint, and stop the search on Ctrl-C.
     pub fn follow(&self, setup: &Setup<f64>, search: &Search) -> Result<(Observers, ProgressBar)> {
         let checkpoint = match &self.checkpoint {
@@ -264,12 +264,22 @@ fn question(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
     format!("{setup:?} {search:?} {starts}")
 }
 
-/// A line for every iteration.
+/// The last iteration in one line; with `--verbose`, a line for each iteration.
 fn one(search: &Search, follow: &mut Observers) -> ProgressBar {
     let (shown, running) = (search.clone(), running());
+    let bar = match running.is_verbose() {
+        true => ProgressBar::hidden(),
+        false => bar_of(0, "{msg}"),
+    };
+    let last = bar.clone();
     let line = move |_, iteration: &Iteration| {
-        running.tell(&iteration_line(&shown, iteration, running.system()))
+        let line = iteration_line(&shown, iteration, running.system());
+        if running.is_verbose() {
+            running.tell(&line);
+        } else {
+            last.set_message(line);
+        }
     };
     follow.iteration = Some(Arc::new(line));
-    ProgressBar::hidden()
+    bar
 }

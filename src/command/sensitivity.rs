@@ -48,6 +48,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     let report = EffectsReport::new(&found, best.as_ref(), slopes);
     Ok(Answer::report(
         &report,
+        &request.origin(),
         warnings.into_vec(),
         request.is_json(),
     ))

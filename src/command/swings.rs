@@ -9,7 +9,7 @@ use crate::command::request::Request;
 use crate::command::search::write;
 use crate::optimize::{Options, Status};
 use crate::parameters::Vary;
-use crate::report::{OptimumReport, OverSwings, Reply, optimize_text};
+use crate::report::{OptimumReport, Origin, OverSwings, Reply, optimize_document};
 use crate::study::swings::{
     Correlation, Price, Resampled, Rule, Scenarios, Strokes, Swings, price_until,
     resampled as optima_of_resamples,
@@ -173,7 +173,7 @@ impl SwingsOptimum {
         self.optima.best.solution.status == Status::Converged && self.optima.stopped() == 0
     }
 
-    fn over(&self) -> OverSwings<'_> {
+    pub fn over(&self) -> OverSwings<'_> {
         OverSwings {
             swings: Some(&self.swings),
             price: self.price.as_ref(),
@@ -181,16 +181,11 @@ impl SwingsOptimum {
         }
     }
 
-    /// The answer as text.
-    pub fn text(&self) -> String {
-        optimize_text(&self.optima, self.over(), system())
-    }
-
     /// The answer in JSON.
-    pub fn reply(&self) -> Reply<OptimumReport> {
+    pub fn reply(&self, origin: &Origin) -> Reply<OptimumReport> {
         let mut reply = OptimumReport::reply(&self.optima, self.over(), self.warnings.clone());
         reply.body.file.clone_from(&self.file);
-        reply
+        reply.about(origin)
     }
 }
 
@@ -211,10 +206,12 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     };
     let found = found(args, &request, asked)?;
     interrupt::ends();
+    let origin = request.origin_of_search(&found.optima.best.search.vary);
     let answer = if request.is_json() {
-        Answer::json(&found.reply())
+        Answer::json(&found.reply(&origin))
     } else {
-        Answer::text(found.text())
+        let document = optimize_document(&found.optima, found.over(), None, system());
+        Answer::document_about(document, &origin)
     };
     Ok(answer.found(found.is_found()))
 }

@@ -5,10 +5,10 @@
 //! - Files are complete or absent. A message names the files that were completed before.
 //! - A second Ctrl-C ends the program at once.
 
-use super::colour;
 use super::host::{Hold, Host, Kind};
+use super::{colour, width};
 use crate::report::{Reply, remark};
-use std::io::{self, Read, Write};
+use std::io::{self, IsTerminal, Read, Write};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -110,10 +110,22 @@ impl Host for Terminal {
         colour::print(text)
     }
 
+    fn is_screen(&self) -> bool {
+        io::stdout().is_terminal()
+    }
+
+    fn width(&self) -> usize {
+        width::of_answers()
+    }
+
     fn say(&self, kind: Kind, text: &str) {
         match kind {
             Kind::Note => {
-                let _ = writeln!(io::stderr().lock(), "{}", remark(text));
+                let _ = writeln!(
+                    io::stderr().lock(),
+                    "{}",
+                    remark(text, width::of_messages())
+                );
             }
             Kind::Warning => colour::say("warning", text),
             Kind::Error => colour::say("error", text),

@@ -1,6 +1,6 @@
 use crate::command::args::UncertaintyArgs;
 use crate::command::names::outcomes;
-use crate::command::output::{Answer, bar, show, system, tell, warn};
+use crate::command::output::{Answer, bar, show, system, tell_detail, warn};
 use crate::command::request::Request;
 use crate::report::{UncertaintyReport, parameter_difference_text};
 use crate::study::uncertainty::{SamplePlan, Uncertain, uncertainty};
@@ -43,7 +43,7 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
         .iter()
         .all(|outcome| outcome.sampled.is_some());
     let report = UncertaintyReport::new(&found);
-    let answer = Answer::report(&report, warnings, request.is_json());
+    let answer = Answer::report(&report, &request.origin(), warnings, request.is_json());
     Ok(answer.found(is_found))
 }
 
@@ -75,7 +75,7 @@ fn inputs(
     for sigma in sigmas.iter() {
         if let Some(source) = sigma.source {
             let shown = parameter_difference_text(sigma.parameter, sigma.value, system());
-            tell(&format!(
+            tell_detail(&format!(
                 "default uncertainty: {} ± {shown} (one standard deviation); {source}",
                 sigma.parameter.name
             ));

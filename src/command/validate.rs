@@ -3,7 +3,7 @@ use crate::command::args::Validate;
 use crate::command::files::Rule;
 use crate::command::output::{Answer, system, tell};
 use crate::command::reproduce::{DOCUMENT, chosen, write};
-use crate::report::{Report, ValidationReport};
+use crate::report::{Reply, Report, ValidationReport};
 use crate::study::validation::validation;
 use crate::units::System;
 
@@ -34,10 +34,10 @@ pub fn run(args: &Validate) -> Result<Answer> {
         tell(&format!("wrote {}", path.display()));
     }
     Ok(if args.json {
-        Answer::report(&report, vec![], true)
+        Answer::json(&Reply::of(&report, vec![]))
     } else if args.csv {
         Answer::text(report.csv()?)
     } else {
-        Answer::text(chosen(&documents, system()).text())
+        Answer::document(chosen(&documents, system()))
     })
 }

@@ -322,6 +322,11 @@ impl Preset {
         })
     }
 
+    /// True for the average of many golfers.
+    pub fn is_average(&self) -> bool {
+        self.name.ends_with("-average")
+    }
+
     /// Names of all presets, separated by commas.
     pub fn names() -> String {
         PRESETS

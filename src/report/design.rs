@@ -1,13 +1,17 @@
+use super::document::{Detail, Document, Line, Table};
 use super::json::Number;
 use super::limits::ended_at;
-use super::lines::paragraph;
-use super::optimum::{DesignReport, GoalReport, LimitReport, OptimumReport};
-use super::table::table;
+use super::optimum::{
+    DesignReport, GoalReport, LimitReport, OptimumReport, add_convergence, bound_in_words,
+    ended_line, place,
+};
+use super::swings::{OverSwings, goals, notes};
 use super::{Reply, shown};
+use crate::optimize::Status;
 use crate::parameters::{Parameter, Setup};
 use crate::study::Optimum;
 use crate::study::Sense;
-use crate::study::design::{ConstraintState, Design, Enforcement, Improvement};
+use crate::study::design::{ConstraintState, Design, DesignConstraint, Enforcement, Improvement};
 use crate::units::{System, signed};
 
 /// Values below this fraction of the limit's step are displayed as 0.
@@ -65,84 +69,93 @@ impl Designed<'_> {
         }
     }
 
-    /// The design as text, which follows the text of the search.
-    pub fn text(&self, system: System) -> String {
+    /// The design for readers: before and after, its rules and limits, the notes, and the
+    /// convergence.
+    pub fn document(&self, over: OverSwings<'_>, system: System) -> Document {
+        let mut document = Document::default();
+        let is_converged = self.best.solution.status == Status::Converged;
+        if !is_converged {
+            document.list([ended_line(self.best, system)]);
+        }
+        let assumptions = self.assumptions();
+        if self.best.value().is_none() {
+            document.list(assumptions);
+            return document;
+        }
+        document.add(self.changes(system));
+        let rows: Vec<_> = self
+            .design
+            .constraint_states(self.best)
+            .into_iter()
+            .map(|state| self.row(&state, system))
+            .collect();
+        if !rows.is_empty() {
+            let found = ended_at(self.best.solution.status, "best");
+            document.add(Table::new(["rule or limit", "", found, ""], rows).right([2]));
+        }
+        document.list(
+            notes(self.best, over, system)
+                .into_iter()
+                .chain(assumptions),
+        );
+        let mut ranges = Document::default();
+        ranges.add(goals(self.best, over.price, system));
+        ranges.add(place(self.best, over, system));
+        document.append_detail(ranges, Detail::Rest);
+        if is_converged {
+            add_convergence(&mut document, self.best, system);
+        }
+        document
+    }
+
+    /// The design and the goals, as set up and at the best design.
+    fn changes(&self, system: System) -> Table {
         let solution = &self.best.solution;
-        let change = |text: String, amount: f64| signed(amount, text);
-        let own = self
-            .best
-            .search
-            .vary
-            .iter()
-            .zip(&solution.x)
-            .map(|(vary, x)| {
-                let before = self.own(vary.parameter);
-                let show = |value: f64| shown::within(vary, value, system);
-                let difference = before.map_or(String::new(), |before| {
-                    let unit = system.unit(vary.parameter.unit);
-                    change(
-                        vary.parameter
-                            .quantity
-                            .read_off_difference(x - before, unit),
-                        x - before,
-                    )
-                });
-                vec![
-                    vary.parameter.name.into(),
-                    before.map_or(shown::NONE.into(), show),
-                    show(*x),
-                    difference,
-                ]
-            });
-        let parts = self.improvements.iter().map(|part| {
-            let show = |value: Option<f64>| {
-                value.map_or(shown::NONE.into(), |value| {
-                    shown::goal(&part.goal, value, system)
-                })
-            };
-            let both = part.as_set_up.zip(part.best);
-            let difference = both.map_or(String::new(), |(before, best)| {
-                change(
-                    shown::goal_difference(&part.goal, best - before, system),
-                    best - before,
-                )
+        let own = self.best.search.vary.iter().zip(&solution.x).enumerate();
+        let own = own.map(|(i, (vary, x))| {
+            let before = self.own(vary.parameter);
+            let show = |value: f64| shown::within(vary, value, system);
+            let change = before.map_or(String::new(), |before| {
+                let unit = system.unit(vary.parameter.unit);
+                let change = x - before;
+                let quantity = vary.parameter.quantity;
+                signed(change, quantity.read_off_difference(change, unit))
             });
             vec![
-                part.goal.expression.clone(),
-                show(part.as_set_up),
-                show(part.best),
-                difference,
+                vary.parameter.name.into(),
+                before.map_or(shown::NONE.into(), show),
+                show(*x),
+                change,
+                bound_in_words(self.best, i, system),
             ]
         });
-        let rows: Vec<_> = if self.best.value().is_some() {
-            own.chain(parts).collect()
-        } else {
-            vec![]
+        let objective = Improvement {
+            goal: self.best.search.of.clone(),
+            as_set_up: self.best.as_set_up.as_ref().map(|goals| goals[0]),
+            best: self.best.value(),
         };
-        let mut text = String::new();
-        if !rows.is_empty() {
-            let found = ended_at(solution.status, "best");
-            text += &format!(
-                "\n{}",
-                table(&["design", "as set up", found, "change"], &[1, 2, 3], rows)
-            );
-            let rows = self
-                .design
-                .constraint_states(self.best)
-                .into_iter()
-                .map(|state| self.row(&state, system));
-            let rows: Vec<_> = rows.collect();
-            if !rows.is_empty() {
-                text += &format!("\n{}", table(&["rule or limit", "", found, ""], &[2], rows));
-            }
-        }
+        let mut listed = self.improvements.iter();
+        let is_listed = listed.any(|part| part.goal.expression == objective.goal.expression);
+        let goals = (!is_listed).then_some(&objective).into_iter();
+        let goals = goals
+            .chain(self.improvements)
+            .map(|goal| goal_row(goal, system));
+        let found = ended_at(solution.status, "best");
+        let head = ["design", "as set up", found, "change", ""];
+        Table::new(head, own.chain(goals)).right([1, 2, 3])
+    }
+
+    /// The rules and the assumptions.
+    fn assumptions(&self) -> Vec<Line> {
         let rules = if self.design.is_under_rules {
             "under the Rules of Golf (docs/design.md has their sources)"
         } else {
             "without the Rules of Golf (`rules none`)"
         };
-        let lines = std::iter::once(rules).chain(self.notes.iter().map(String::as_str));
-        text + "\n" + &lines.map(paragraph).collect::<String>()
+        std::iter::once(rules)
+            .chain(self.notes.iter().map(String::as_str))
+            .map(Line::flush)
+            .collect()
     }
 
     /// The value of a parameter in the setup; for an unset parameter, its equivalent number if any.
@@ -196,10 +209,43 @@ impl Designed<'_> {
         };
         vec![
             constraint.name.clone(),
-            constraint.expression.clone(),
+            limits_text(constraint, system),
             value.map_or(shown::NONE.into(), show),
             told,
         ]
+    }
+}
+
+/// The cells of a goal, as set up and at the best design.
+fn goal_row(part: &Improvement, system: System) -> Vec<String> {
+    let show = |value: Option<f64>| {
+        value.map_or(shown::NONE.into(), |value| {
+            shown::goal(&part.goal, value, system)
+        })
+    };
+    let both = part.as_set_up.zip(part.best);
+    let change = both.map_or(String::new(), |(before, best)| {
+        let change = best - before;
+        signed(change, shown::goal_difference(&part.goal, change, system))
+    });
+    vec![
+        part.goal.expression.clone(),
+        show(part.as_set_up),
+        show(part.best),
+        change,
+        String::new(),
+    ]
+}
+
+/// The limits of a constraint: "≤ 6000 g cm²".
+fn limits_text(constraint: &DesignConstraint, system: System) -> String {
+    let [low, high] = constraint.range;
+    let show = |value: f64| shown::given(constraint.quantity, constraint.unit, value, system, 5);
+    match [low, high].map(f64::is_finite) {
+        [true, true] if low == high => format!("= {}", show(low)),
+        [true, true] => format!("{} .. {}", show(low), show(high)),
+        [true, false] => format!("≥ {}", show(low)),
+        _ => format!("≤ {}", show(high)),
     }
 }
 

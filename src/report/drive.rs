@@ -122,7 +122,9 @@ impl Report for DriveReport<'_> {
             Flight::Landed(landed) => {
                 document.add(outcomes("flight", OutcomeGroup::Flight, drive, system));
                 let run = on_the_run(landed.rest.as_ref()).in_units(system);
-                document.list([Line::note(run)].into_iter().chain(air));
+                let beyond = extrapolated(setup_in_si, drive, system).map(Line::note);
+                let notes = beyond.into_iter().chain([Line::note(run)]).chain(air);
+                document.list(notes);
             }
             Flight::None(why) => {
                 let why = Line::flush(why.message().in_units(system));
@@ -216,6 +218,20 @@ fn bodies(drive: &Drive<f64>, system: System) -> Vec<Line> {
         }
     }
     lines
+}
+
+/// "1.3 yd of the carry is extrapolated, by the law of drag and lift"; `None` if it is no more than
+/// 0.3 yd.
+pub(super) fn extrapolated(
+    setup: &Setup<f64>,
+    drive: &Drive<f64>,
+    system: System,
+) -> Option<String> {
+    let carry = drive.extrapolated_carry(setup)?;
+    Some(format!(
+        "{} of the carry is extrapolated, by the law of drag and lift",
+        shown::spread(Outcome::Carry, carry.abs(), system)
+    ))
 }
 
 /// The air that follows from the weather of a setup; `None` if the setup states the density.

@@ -1,24 +1,21 @@
 //! Wraps texts into lines for a terminal.
 
-/// Maximum width of tables, paragraphs and remarks, columns of a terminal.
-pub(super) const WIDTH: usize = 100;
-
 /// Spaces before a line of a list.
 const INDENT: usize = 2;
 
 /// A paragraph.
-pub(super) fn paragraph(text: &str) -> String {
-    indented(text, 0, 0)
+pub(super) fn paragraph(text: &str, width: usize) -> String {
+    wrapped(text, [0, 0], width)
 }
 
 /// An item of a list, with a hanging indent.
-pub(super) fn item(text: &str) -> String {
-    indented(text, INDENT, INDENT)
+pub(super) fn item(text: &str, width: usize) -> String {
+    wrapped(text, [INDENT, INDENT], width)
 }
 
 /// Details below the line above.
-pub(super) fn note(text: &str) -> String {
-    indented(text, 3 * INDENT, 3 * INDENT)
+pub(super) fn note(text: &str, width: usize) -> String {
+    wrapped(text, [3 * INDENT, 3 * INDENT], width)
 }
 
 /// Reasons for omissions, each reason once with all its names: "gravity, air.density: the reason".
@@ -36,14 +33,14 @@ pub fn by_reason<'a>(reasons: impl IntoIterator<Item = (&'a str, String)>) -> Ve
         .collect()
 }
 
-/// A remark or warning for standard error, wrapped with a hanging indent. It does not end with a
-/// line break.
-pub fn remark(text: &str) -> String {
+/// A remark or warning for standard error, wrapped to `width` columns with a hanging indent. It does
+/// not end with a line break.
+pub fn remark(text: &str, width: usize) -> String {
     let lines: Vec<_> = text
         .lines()
         .map(|line| {
-            if is_wide(line) {
-                indented(line, 0, INDENT)
+            if line.chars().count() > width {
+                wrapped(line, [0, INDENT], width)
             } else {
                 line.into()
             }
@@ -56,20 +53,16 @@ pub fn remark(text: &str) -> String {
         .join("\n")
 }
 
-fn is_wide(line: &str) -> bool {
-    line.chars().count() > WIDTH
-}
-
-/// Wraps a text; the first line is indented by `first`, the others by `by`. A word that is too wide
-/// stays whole, because it may be a file name.
-fn indented(text: &str, first: usize, by: usize) -> String {
+/// Wraps a text to `most` columns; the first line is indented by `first`, the others by `by`. A word
+/// that is too wide stays whole, because it may be a file name. It ends with a line break.
+pub fn wrapped(text: &str, [first, by]: [usize; 2], most: usize) -> String {
     let mut lines = String::new();
     for paragraph in text.lines() {
         lines += &" ".repeat(first);
         let (mut width, mut is_begun) = (first, false);
         for word in paragraph.split(' ') {
             let size = word.chars().count();
-            if is_begun && width + 1 + size > WIDTH {
+            if is_begun && width + 1 + size > most {
                 lines += "\n";
                 lines += &" ".repeat(by);
                 (width, is_begun) = (by, false);
@@ -88,7 +81,9 @@ fn indented(text: &str, first: usize, by: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{WIDTH, by_reason, item, paragraph, remark};
+    use super::{by_reason, item, paragraph, remark};
+
+    const WIDTH: usize = 100;
 
     #[test]
     fn a_reason_is_printed_once_with_all_its_names() {
@@ -103,26 +98,30 @@ mod tests {
             "a long explanation of what this is about, with the reason and what to do with it "
                 .repeat(4);
         let words = words.trim();
-        for text in [paragraph(words), item(words), remark(words)] {
+        for text in [
+            paragraph(words, WIDTH),
+            item(words, WIDTH),
+            remark(words, WIDTH),
+        ] {
             assert!(
                 text.lines().all(|line| line.chars().count() <= WIDTH) && text.lines().count() > 3,
                 "{text}"
             );
             assert_eq!(text.split_whitespace().collect::<Vec<_>>().join(" "), words);
         }
-        let said = remark(words);
+        let said = remark(words, WIDTH);
         assert!(
             !said.starts_with(' ') && said.lines().skip(1).all(|line| line.starts_with("  ")),
             "{said}"
         );
         let file = "/a/folder".repeat(20);
         assert_eq!(
-            remark(&format!("wrote {file} anew")),
+            remark(&format!("wrote {file} anew"), WIDTH),
             format!("wrote\n  {file}\n  anew"),
             "a file stays whole"
         );
         assert_eq!(
-            remark("two\n  lines"),
+            remark("two\n  lines", WIDTH),
             "two\n  lines",
             "what fits stays as it is"
         );

@@ -21,6 +21,7 @@ mod limits;
 mod lines;
 mod mae494;
 mod optimum;
+mod origin;
 pub mod page;
 mod parameters;
 mod pareto;
@@ -62,19 +63,20 @@ pub use delivery::{
     recovered_toml,
 };
 pub use design::Designed;
-pub use document::{Document, Line, document_files};
+pub use document::{Document, Line, TextOptions, document_files};
 pub use drive::{ClubReport, DriveReport, LaunchReport, LawRange, known_within};
 pub use effects::{EffectReport, EffectsReport, OutcomeEffects, Totals};
 pub use gradient::{GradientReport, OutcomeReport};
 pub use json::{ByName, Components, Matrix, Number, Range, Setting};
 pub use laws::{FittedReport, LawReport, LawsReport};
-pub use lines::{by_reason, remark};
+pub use lines::{by_reason, remark, wrapped};
 pub use mae494::Mae494Report;
 pub use optimum::{
-    ConstraintReport, DesignReport, GoalReport, LimitReport, LocalReport, Multipliers,
-    OptimumReport, iteration_line, optima_text, optimize_text, optimum_text, optimum_toml,
-    title_text,
+    ClubAloneReport, ConstraintReport, DesignReport, GoalReport, LimitReport, LocalReport,
+    Multipliers, OptimumReport, Surroundings, WindowReport, iteration_line, optima_document,
+    optimize_document, optimum_document, optimum_toml,
 };
+pub use origin::Origin;
 pub use parameters::{ParameterRange, ParameterReport, ParametersReport};
 pub use pareto::{ParetoGoalReport, ParetoPointReport, ParetoReport, pareto_csv, pareto_toml};
 #[cfg(feature = "parquet")]
@@ -84,7 +86,7 @@ pub use reply::{Empty, Ending, Reply, Report};
 pub use robust::{ModelReport, RobustReport, robust_toml};
 pub use sensitivity::{
     Analysis, AnalysisReport, DirectionReport, EventReport, FlatEllipseReport, PredictedOptimum,
-    ResolvedOptimum, SensitivityOf, SensitivityReport, StatedChangeReport, WindowReport,
+    ResolvedOptimum, SensitivityOf, SensitivityReport, StatedChangeReport,
 };
 pub use setup_file::{preset_toml, setup_toml, setup_toml_without_step};
 #[cfg(feature = "cli")]

@@ -1,19 +1,21 @@
 //! The best drive, or the best design over swings: JSON, text, and setup file.
 
-use super::drive::{LaunchReport, LawRange, flight, launch, law_range};
+use super::document::{Detail, Document, Line, Table};
+use super::drive::{LaunchReport, LawRange, extrapolated, flight, launch, law_range};
 use super::json::{ByName, Number, Setting, settings};
 use super::limits::{self, Limit, Objective, ended_at};
-use super::lines::paragraph;
-use super::swings::{OverSwings, StudiesReport, goals_text, nominal_design, notes_text};
-use super::table::table;
+use super::swings::{OverSwings, StudiesReport, goals, nominal_design, notes};
 use super::uncertainty::distribution_text;
 use super::{Reply, setup_toml, shown};
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::optimize::{ConstraintValue, Effort, Iteration, Status};
-use crate::parameters::{Parameter, Preset, Setup};
+use crate::parameters::Preset;
 use crate::study::swings::Swings;
-use crate::study::{Constraint, LocalOptimum, Optima, Optimum, Sample, Search, Sense};
+use crate::study::{
+    ClubAlone, Constraint, Limit as WindowLimit, LocalOptimum, Optima, Optimum, Sample, Search,
+    Sense, Vary, Window,
+};
 use crate::units::{Message, Quantity, System, counted, counted_of, fixed, signed, with_unit};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -60,12 +62,15 @@ pub struct OptimumReport {
     pub flight: Option<ByName<Number>>,
     /// The fitted range of the law, and the fraction of the optimal drive's flight outside of it.
     pub law_range: Option<ByName<Option<LawRange>>>,
+    /// For each varied parameter, its range when it alone varies and costs at most the loss;
+    /// `null` for swings, and without an optimum.
+    pub window: Option<ByName<WindowReport>>,
+    /// The loss of the windows, SI.
+    pub window_loss: Number,
+    /// The part of the gain that needs no other swing; `null` unless club and swing are varied.
+    pub club_alone: Option<ClubAloneReport>,
     /// The setup file that was written; `null` without one.
     pub file: Option<String>,
-    /// The setup before the search: preset or file, with the settings of the request. Omitted if
-    /// the request is not known.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub from: Option<String>,
     /// Parameters that the request states, so that the default search does not vary them; omitted
     /// if there are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -253,11 +258,99 @@ impl OptimumReport {
             launch: drive.map(launch),
             flight: drive.and_then(flight),
             law_range: drive.and_then(|drive| law_range(&optimum.setup, drive)),
+            window: None,
+            window_loss: Number(None),
+            club_alone: None,
             file: None,
-            from: None,
             held: vec![],
             swings: None,
             design: None,
+        }
+    }
+}
+
+impl OptimumReport {
+    /// Adds the flatness of the optimum, and the gain of the club alone.
+    #[must_use]
+    pub fn with_surroundings(self, optimum: &Optimum, around: &Surroundings<'_>) -> Self {
+        let vary = optimum.search.vary.iter();
+        let window = vary.zip(around.windows).map(|(vary, window)| {
+            let report = WindowReport::new(optimum, window);
+            (vary.parameter.name, report)
+        });
+        Self {
+            window: Some(window.collect()),
+            window_loss: around.loss.into(),
+            club_alone: around.club_alone.map(ClubAloneReport::new),
+            ..self
+        }
+    }
+}
+
+/// The surroundings of an optimum of one drive.
+#[derive(Clone, Copy, Debug)]
+pub struct Surroundings<'a> {
+    /// The allowed loss, SI.
+    pub loss: f64,
+    /// The window of each varied parameter for this loss.
+    pub windows: &'a [Window],
+    /// The best value with the swing as set up.
+    pub club_alone: Option<&'a ClubAlone>,
+}
+
+/// The range of a parameter that alone varies and costs at most the stated loss.
+#[derive(Clone, Debug, Serialize)]
+pub struct WindowReport {
+    /// Lower end.
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+    /// The reason for the lower end: `loss`, `bound`, `no flight`, or a constraint.
+    pub low_limit: String,
+    /// The reason for the upper end.
+    pub high_limit: String,
+}
+
+impl WindowReport {
+    fn new(optimum: &Optimum, window: &Window) -> Self {
+        Self {
+            low: window.low,
+            high: window.high,
+            low_limit: limit_name(optimum, window.low_limit),
+            high_limit: limit_name(optimum, window.high_limit),
+        }
+    }
+}
+
+/// The reason for an end of a window.
+fn limit_name(optimum: &Optimum, limit: WindowLimit) -> String {
+    match limit {
+        WindowLimit::Loss => "loss".into(),
+        WindowLimit::Bound => "bound".into(),
+        WindowLimit::Constraint(j) => optimum.search.subject_to[j].expression.clone(),
+        WindowLimit::NoFlight => "no flight".into(),
+    }
+}
+
+/// The part of a gain that needs no other swing, SI.
+#[derive(Clone, Debug, Serialize)]
+pub struct ClubAloneReport {
+    /// The gain of the best club with the swing as set up.
+    pub club_gain: f64,
+    /// The further gain if the swing is changed too.
+    pub swing_gain: f64,
+    /// The best club with the swing as set up.
+    pub optimum: ByName<Number>,
+}
+
+impl ClubAloneReport {
+    fn new(club: &ClubAlone) -> Self {
+        let vary = club.optimum.search.vary.iter();
+        let names = vary.map(|vary| vary.parameter.name);
+        Self {
+            club_gain: club.value - club.as_set_up,
+            swing_gain: club.rest,
+            optimum: names.zip(club.optimum.solution.x.iter().copied()).collect(),
         }
     }
 }
@@ -269,96 +362,186 @@ pub(super) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
         .collect()
 }
 
-/// The optimum as text: the varied parameters with the gains of their bounds, the constraints, the
-/// drive or the goals over the swings, and for several starts the results of all searches.
-pub fn optimize_text(optima: &Optima, over: OverSwings<'_>, system: System) -> String {
+/// The optimum for readers: the varied parameters with the gains of their bounds, the constraints,
+/// the drive or the goals over the swings, and for several starts the results of all searches.
+pub fn optimize_document(
+    optima: &Optima,
+    over: OverSwings<'_>,
+    around: Option<&Surroundings<'_>>,
+    system: System,
+) -> Document {
     // the text of a single search already states its interruption or an improvement from a sample
     let sample = optima.best.sample;
     let from_sample = usize::from(sample.is_some_and(|sample| sample.improved));
     let several = optima.starts > 1 + from_sample;
-    let stopped = optima.interrupted().filter(|_| several);
-    let stopped = stopped.map_or(String::new(), |stopped| {
-        format!("interrupted: {stopped}; the best so far:\n")
-    });
-    let listed = if several {
-        optima_text(optima, system)
-    } else {
-        String::new()
-    };
-    stopped + &optimum_text(&optima.best, over, system) + &listed
+    let mut document = Document::default();
+    if let Some(stopped) = optima.interrupted().filter(|_| several) {
+        let stopped = format!("interrupted: {stopped}; the best so far:");
+        document.list([Line::flush(stopped)]);
+    }
+    document.append(optimum_document(&optima.best, over, around, system));
+    if several {
+        document.append(optima_document(optima, system));
+    }
+    document
 }
 
-/// The first lines of an answer: the setup before the search, and the parameters fixed at a stated
-/// value.
-pub fn title_text(
-    title: &str,
-    held: &[&'static Parameter],
-    setup: &Setup<f64>,
+/// One optimum for readers: the result first, the convergence last. Without an optimum, the status
+/// is the answer.
+pub fn optimum_document(
+    optimum: &Optimum,
+    over: OverSwings<'_>,
+    around: Option<&Surroundings<'_>>,
     system: System,
-) -> String {
-    let mut text = paragraph(&format!("from {title}"));
-    let held: Vec<_> = held
-        .iter()
-        .filter_map(|parameter| {
-            let value = setup.value(parameter)?;
-            let value = super::parameter_text(parameter, value, system);
-            Some(format!("{} {value}", parameter.name))
-        })
-        .collect();
-    if !held.is_empty() {
-        text += &paragraph(&format!("held, as stated: {}", held.join(", ")));
+) -> Document {
+    let mut document = Document::default();
+    let is_converged = optimum.solution.status == Status::Converged;
+    if !is_converged {
+        let ended = ended_line(optimum, system);
+        let sample = optimum.value().and_then(|_| sample_line(optimum));
+        document.list([ended].into_iter().chain(sample));
     }
-    text
-}
-
-/// One optimum as text.
-pub fn optimum_text(optimum: &Optimum, over: OverSwings<'_>, system: System) -> String {
-    let ending = ending_text(optimum, system);
     let Some(value) = optimum.value() else {
-        return ending;
+        return document;
     };
-    let place = place_text(optimum, over, system);
-    let limits = constraints_text(optimum, system);
-    match &optimum.drive {
-        Some(drive) if optimum.solution.status == Status::Converged => {
-            let gain = gain_text(optimum, drive, system);
-            let sample = sample_text(optimum);
-            let drive = drive_text(optimum, value, drive, system);
-            format!("{gain}\n{place}{limits}\n{drive}\n{sample}{ending}")
+    if let Some(drive) = &optimum.drive {
+        if is_converged {
+            document.list(gain_lines(optimum, drive, system));
         }
-        // without an optimum the status is the answer
-        Some(drive) => {
-            let sample = sample_text(optimum);
-            let drive = drive_text(optimum, value, drive, system);
-            format!("{ending}{sample}\n{place}{limits}\n{drive}")
-        }
-        None => {
-            let goals = goals_text(optimum, over.price, system);
-            let notes = notes_text(optimum, over, system);
-            format!("{ending}\n{place}\n{goals}{limits}{notes}")
-        }
+        add_place(&mut document, optimum, around, system);
+        document.list(drive_lines(optimum, value, drive, system));
+    } else {
+        document.add(goals(optimum, over.price, system));
+        document.add(place(optimum, over, system));
+        add_constraints(&mut document, optimum, system);
+        document.list(notes(optimum, over, system));
+    }
+    if is_converged {
+        add_convergence(&mut document, optimum, system);
+    }
+    document
+}
+
+/// Adds the varied parameters of an optimum of one drive with its surroundings, and the constraints.
+pub(super) fn add_place(
+    document: &mut Document,
+    optimum: &Optimum,
+    around: Option<&Surroundings<'_>>,
+    system: System,
+) {
+    let mut place = place(optimum, OverSwings::default(), system);
+    for text in around
+        .iter()
+        .flat_map(|around| around.lines(optimum, system))
+    {
+        place.remark(text);
+    }
+    document.add(place);
+    add_constraints(document, optimum, system);
+}
+
+impl Surroundings<'_> {
+    /// "each alone loses less than 1.00 yd: club.loft 5.36° to 6.94°", and the gain of the club
+    /// alone.
+    fn lines(&self, optimum: &Optimum, system: System) -> Vec<String> {
+        let loss = shown::spread(optimum.search.outcome(), self.loss, system);
+        let vary = optimum.search.vary.iter().zip(self.windows);
+        let windows: Vec<_> = vary
+            .filter(|(vary, _)| vary.low < vary.high)
+            .map(|(vary, window)| window_text(optimum, vary, window, system))
+            .collect();
+        let windows = format!(
+            "within {loss} of the best, each alone with the others at the optimum: {}",
+            windows.join(", ")
+        );
+        let club = self.club_alone.map(|club| club_text(optimum, club, system));
+        [windows].into_iter().chain(club).collect()
     }
 }
 
-/// "converged: KKT residual 2.8e-12 <= 1e-10 (4 iterations, 5 evaluations)".
-fn ending_text(optimum: &Optimum, system: System) -> String {
+/// "club.loft 5.36° to 6.94°", with the reason for each end that is not due to the loss.
+fn window_text(optimum: &Optimum, vary: &Vary, window: &Window, system: System) -> String {
+    let end = |value: f64, limit: WindowLimit| {
+        let value = shown::parameter(vary.parameter, value, system);
+        match limit {
+            WindowLimit::Loss => value,
+            WindowLimit::Constraint(j) => {
+                let constraint = shown::constraint(&optimum.search.subject_to[j], system);
+                format!("{value} ({constraint})")
+            }
+            other => format!("{value} ({})", limit_name(optimum, other)),
+        }
+    };
+    format!(
+        "{} {} to {}",
+        vary.parameter.name,
+        end(window.low, window.low_limit),
+        end(window.high, window.high_limit)
+    )
+}
+
+/// "the club alone, with the swing as set up: +2.60 yd (club.loft 10.40°); the swing too: +11.90
+/// yd".
+fn club_text(optimum: &Optimum, club: &ClubAlone, system: System) -> String {
+    let goal = &optimum.search.of;
+    let gain = |amount: f64| signed(amount, shown::goal_difference(goal, amount, system));
+    let vary = club.optimum.search.vary.iter();
+    let values = vary.zip(&club.optimum.solution.x).map(|(vary, x)| {
+        let value = shown::within(vary, *x, system);
+        format!("{} {value}", vary.parameter.name)
+    });
+    let values = values.collect::<Vec<_>>().join(", ");
+    let club_gain = gain(club.value - club.as_set_up);
+    format!(
+        "the club alone, with the swing as set up: {club_gain} ({values}); the swing too: {} more",
+        gain(club.rest)
+    )
+}
+
+/// Adds the comparison with the sample and the convergence of an optimum.
+pub(super) fn add_convergence(document: &mut Document, optimum: &Optimum, system: System) {
+    let message = optimum.message();
+    let is_of_solver = message.to_string() == optimum.solution.message;
+    let ended = match is_of_solver {
+        true => Line::flush(format!("{}: {}", optimum.status(), effort(optimum))),
+        false => ended_line(optimum, system),
+    };
+    document.list(sample_line(optimum).into_iter().chain([ended]));
+    if is_of_solver {
+        let mut residual = Document::default();
+        residual.paragraph(message.in_units(system));
+        document.append_detail(residual, Detail::Computation);
+    }
+}
+
+/// The status of a search with its message: the numbers of the solver, or what it means for the
+/// drive.
+pub(super) fn ended_line(optimum: &Optimum, system: System) -> Line {
+    Line::flush(format!(
+        "{}: {} ({})",
+        optimum.status(),
+        optimum.message().in_units(system),
+        effort(optimum)
+    ))
+}
+
+/// "4 iterations, 5 evaluations of 64 swings".
+fn effort(optimum: &Optimum) -> String {
     let scenarios = &optimum.search.scenarios;
     let swings = match scenarios.is_one_drive() {
         true => String::new(),
         false => format!(" of {}", counted(scenarios.points.len() as u64, "swing")),
     };
-    paragraph(&format!(
-        "{}: {} ({}, {}{swings})",
-        optimum.status(),
-        optimum.message().in_units(system),
+    format!(
+        "{}, {}{swings}",
         counted(optimum.solution.iterations, "iteration"),
         counted(optimum.solution.evaluations, "evaluation")
-    ))
+    )
 }
 
 /// "carry 286.0 yd → 300.4 yd: +14.4 yd" with the change of the total. If carry and total disagree
 /// about the better drive, it adds advice.
-fn gain_text(optimum: &Optimum, drive: &Drive<f64>, system: System) -> String {
+pub(super) fn gain_lines(optimum: &Optimum, drive: &Drive<f64>, system: System) -> Vec<Line> {
     let objective = optimum.search.of.outcome().unwrap_or(Outcome::Carry);
     let start = optimum.start_drive.as_ref();
     let before = |of: Outcome| start.and_then(|start| of.value(start));
@@ -377,7 +560,7 @@ fn gain_text(optimum: &Optimum, drive: &Drive<f64>, system: System) -> String {
     let rolls = Outcome::Run.value(drive).is_some_and(|run| run != 0.0);
     let is_distance = [Outcome::Carry, Outcome::Total].contains(&objective);
     if !is_distance || !rolls {
-        return line(objective).map_or(String::new(), |line| paragraph(&line));
+        return line(objective).map(Line::flush).into_iter().collect();
     }
     let other = match objective {
         Outcome::Total => Outcome::Carry,
@@ -392,16 +575,17 @@ fn gain_text(optimum: &Optimum, drive: &Drive<f64>, system: System) -> String {
         }
         _ => "",
     };
-    paragraph(&text)
-        + &if advice.is_empty() {
-            String::new()
-        } else {
-            paragraph(advice)
-        }
+    let advice = (!advice.is_empty()).then(|| Line::flush(advice));
+    let beyond = extrapolated(&optimum.setup, drive, system).map(Line::flush);
+    [Line::flush(text)]
+        .into_iter()
+        .chain(beyond)
+        .chain(advice)
+        .collect()
 }
 
 /// The varied parameters as a table; for swings, with the best design for the mean swing.
-fn place_text(optimum: &Optimum, over: OverSwings<'_>, system: System) -> String {
+pub(super) fn place(optimum: &Optimum, over: OverSwings<'_>, system: System) -> Table {
     let (search, solution) = (&optimum.search, &optimum.solution);
     let is_one_drive = search.scenarios.is_one_drive();
     let nominal = nominal_design(over.price);
@@ -430,16 +614,21 @@ fn place_text(optimum: &Optimum, over: OverSwings<'_>, system: System) -> String
     });
     if is_one_drive {
         let found = ended_at(solution.status, "optimum");
-        table(&["vary", "as set up", found, "range", ""], &[1, 2], rows)
+        Table::new(["vary", "as set up", found, "range", ""], rows).right([1, 2])
     } else {
         let found = ended_at(solution.status, "best");
         let head = ["vary", found, "for the mean swing", "range", ""];
-        table(&head, &[1, 2], rows)
+        Table::new(head, rows).right([1, 2])
     }
 }
 
 /// The optimal drive: objective, carry, roll-out, launch and flight.
-fn drive_text(optimum: &Optimum, value: f64, drive: &Drive<f64>, system: System) -> String {
+pub(super) fn drive_lines(
+    optimum: &Optimum,
+    value: f64,
+    drive: &Drive<f64>,
+    system: System,
+) -> Vec<Line> {
     const LAUNCH: [Outcome; 4] = [
         Outcome::BallSpeed,
         Outcome::LaunchAngle,
@@ -460,39 +649,38 @@ fn drive_text(optimum: &Optimum, value: f64, drive: &Drive<f64>, system: System)
         };
         outcomes.map(one).join(", ")
     };
-    let row = |name: &str, text: &str| format!("  {name:<8}{text}\n");
+    let row = |name: &str, text: &str| Line::item(format!("{name:<8}{text}"));
     let both = |of: Outcome| {
         let value = of.value(drive)?;
         Some(row(of.name(), &shown::both(of, value, system)))
     };
     let objective = match of {
-        Some(Outcome::Carry) => String::new(),
-        Some(of) => row(
+        Some(Outcome::Carry) => None,
+        Some(of) => Some(row(
             &format!("{} ", shown::words(of.name())),
             &shown::both(of, value, system),
-        ),
-        None => row(
+        )),
+        None => Some(row(
             &format!("{} ", optimum.search.of.expression),
             &shown::goal(&optimum.search.of, value, system),
-        ),
+        )),
     };
     // an objective of the roll-out is shown with the other outcomes of the roll-out
     let run = [Outcome::Total, Outcome::Run]
         .into_iter()
         .filter(|other| of.is_some_and(|of| of.needs_run() && *other != of))
         .filter_map(both);
-    format!(
-        "{objective}{}{}{}{}",
-        both(Outcome::Carry).unwrap_or_default(),
-        run.collect::<String>(),
-        row("launch", &line(LAUNCH)),
-        row("flight", &line(FLIGHT))
-    )
+    objective
+        .into_iter()
+        .chain(both(Outcome::Carry))
+        .chain(run)
+        .chain([row("launch", &line(LAUNCH)), row("flight", &line(FLIGHT))])
+        .collect()
 }
 
-/// The comparison of the optimum with the sample of the ranges. Empty without a sample, and if the
+/// The comparison of the optimum with the sample of the ranges. `None` without a sample, and if the
 /// message of the search already contains the comparison.
-fn sample_text(optimum: &Optimum) -> String {
+fn sample_line(optimum: &Optimum) -> Option<Line> {
     let is_told = optimum.solution.status == Status::Infeasible;
     let Some(Sample {
         points,
@@ -501,7 +689,7 @@ fn sample_text(optimum: &Optimum) -> String {
         improved,
     }) = optimum.sample.filter(|_| !is_told)
     else {
-        return String::new();
+        return None;
     };
     let found = if improved {
         "found from a point of a sample of the ranges; "
@@ -521,12 +709,12 @@ fn sample_text(optimum: &Optimum) -> String {
         (false, 1) => " (1 meets the constraints)".into(),
         (false, _) => format!(" ({feasible} meet the constraints)"),
     };
-    paragraph(&format!("{found}{is_better}{met}"))
+    Some(Line::flush(format!("{found}{is_better}{met}")))
 }
 
-/// The constraints with their gains, as a table; empty without constraints. Over swings, the values
-/// of the constraints are in the table of the goals.
-fn constraints_text(optimum: &Optimum, system: System) -> String {
+/// Adds a table of the constraints with their gains if there are any. For swings, the table of the
+/// goals has their values.
+fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
     let is_one_drive = optimum.search.scenarios.is_one_drive();
     let all = optimum.constraints();
     let rows = all.iter().enumerate().map(|(j, (constraint, at))| {
@@ -542,12 +730,13 @@ fn constraints_text(optimum: &Optimum, system: System) -> String {
     let rows: Vec<_> = rows
         .filter(|row| is_one_drive || !row[1].is_empty())
         .collect();
-    let table = match rows.is_empty() {
-        true => return String::new(),
-        false if is_one_drive => table(&["subject to", "value", ""], &[1], rows),
-        false => table(&["subject to", ""], &[], rows),
-    };
-    format!("\n{table}")
+    if rows.is_empty() {
+        return;
+    }
+    document.add(match is_one_drive {
+        true => Table::new(["subject to", "value", ""], rows).right([1]),
+        false => Table::new(["subject to", ""], rows).right([]),
+    });
 }
 
 fn objective(optimum: &Optimum) -> Objective {
@@ -614,7 +803,7 @@ pub(super) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> Str
 }
 
 /// The results of the searches as a table, best first, and the number of interrupted searches.
-pub fn optima_text(optima: &Optima, system: System) -> String {
+pub fn optima_document(optima: &Optima, system: System) -> Document {
     let search = &optima.best.search;
     let all = optima.starts;
     let names = search.vary.iter().map(|vary| vary.parameter.name);
@@ -639,19 +828,15 @@ pub fn optima_text(optima: &Optima, system: System) -> String {
         })
         .collect();
     let right: Vec<usize> = (0..head.len() - 1).collect();
-    let listed = if rows.is_empty() {
-        String::new()
-    } else {
-        format!("\n{}", table(&head, &right, rows))
-    };
-    let stopped = match optima.stopped() {
-        0 => String::new(),
-        stopped => format!(
-            "\nnot listed: {} stopped before the end\n",
-            counted_of(stopped as u64, all as u64, ["search", "searches"])
-        ),
-    };
-    listed + &stopped
+    let mut document = Document::default();
+    if !rows.is_empty() {
+        document.add(Table::new(head, rows).right(right));
+    }
+    if optima.stopped() > 0 {
+        let stopped = counted_of(optima.stopped() as u64, all as u64, ["search", "searches"]);
+        document.paragraph(format!("not listed: {stopped} stopped before the end"));
+    }
+    document
 }
 
 /// The setup at the best optimum as a setup file in TOML, with full precision.

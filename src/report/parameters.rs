@@ -1,4 +1,4 @@
-use super::document::{Document, Line, Table};
+use super::document::{Detail, Document, Line, Table};
 use super::json::Number;
 use super::reply::Report;
 use crate::atmosphere::in_effect;
@@ -177,12 +177,44 @@ impl ParameterReport {
 impl Report for ParametersReport<'_> {
     const COMMAND: &'static str = "parameters";
 
-    /// A row with the numbers of each parameter, and below it symbol and meaning; then the choices,
-    /// and the coefficients of the other laws.
+    /// The values by group; then a row with the numbers of each parameter, with symbol and meaning
+    /// below it, the choices, and the coefficients of the other laws.
     fn document(&self, system: System) -> Document {
         if let Some(word) = &self.word {
             return self.selection(word, system);
         }
+        let mut document = Document::default();
+        document.add(self.values(system));
+        document.append_detail(self.listings(system), Detail::Rest);
+        document
+    }
+}
+
+impl ParametersReport<'_> {
+    /// The parameters of the setup with their values, a row for each group.
+    fn values(&self, system: System) -> Table {
+        let mut groups: Vec<(&str, Vec<String>)> = vec![];
+        let own = self.parameters.iter();
+        for one in own.filter(|one| one.law.is_none_or(|law| law == self.law)) {
+            let (group, name) = one.parameter.split_once('.').unwrap_or(("", one.parameter));
+            let value = one.value.0.map_or(UNSET.into(), |value| {
+                one.row.quantity.show(value, system.unit(one.row.unit))
+            });
+            let text = format!("{name} {value}");
+            match groups.iter_mut().find(|(other, _)| *other == group) {
+                Some((_, texts)) => texts.push(text),
+                None => groups.push((group, vec![text])),
+            }
+        }
+        let rows = groups
+            .into_iter()
+            .map(|(group, texts)| vec![group.to_owned(), texts.join(", ")]);
+        let mut table = Table::new(["group", "parameters and values"], rows).right([]);
+        table.remark("the rest has meaning, default and range of each, and the other laws");
+        table
+    }
+
+    fn listings(&self, system: System) -> Document {
         let (own, others): (Vec<_>, Vec<_>) = self
             .parameters
             .iter()

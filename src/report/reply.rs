@@ -1,4 +1,5 @@
 use super::Document;
+use super::origin::Origin;
 use crate::error::Error;
 use crate::units::{Message, System};
 use serde::Serialize;
@@ -15,6 +16,10 @@ pub struct Reply<T> {
     pub message: Option<String>,
     /// Warnings about the request.
     pub warnings: Vec<Message>,
+    /// The setup that the answer is about: preset or file, with the settings of the request.
+    /// Omitted if it has no name in the request.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub from: Option<String>,
     /// The result.
     #[serde(flatten)]
     pub body: T,
@@ -99,6 +104,7 @@ impl<T: Report> Reply<T> {
             status,
             message,
             warnings,
+            from: None,
             body: report,
         }
     }
@@ -112,7 +118,17 @@ impl<T> Reply<T> {
             status: "done",
             message: None,
             warnings,
+            from: None,
             body,
+        }
+    }
+
+    /// Names the setup that the answer is about.
+    #[must_use]
+    pub fn about(self, origin: &Origin) -> Self {
+        Self {
+            from: origin.name().map(ToOwned::to_owned),
+            ..self
         }
     }
 
@@ -140,6 +156,7 @@ impl Reply<Empty> {
             status,
             message: Some(message),
             warnings: vec![],
+            from: None,
             body: Empty {},
         }
     }

@@ -1,15 +1,15 @@
-use super::document::{Document, Line, Table};
+use super::document::{Detail, Document, Line, Table};
 use super::json::{ByName, Number};
 use super::lines::by_reason;
-use super::optimum::OptimumReport;
+use super::optimum::{
+    OptimumReport, Surroundings, add_convergence, add_place, drive_lines, gain_lines,
+};
 use super::reply::{Reply, share};
 use super::shown;
 use super::swings::OverSwings;
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
-use crate::study::{
-    Changed, Direction, Ellipse, Flatness, Limit, Optima, Optimum, Sensitivity, Vary, Window,
-};
+use crate::study::{Changed, Direction, Ellipse, Flatness, Optima, Optimum, Sensitivity, Vary};
 use crate::units::{Message, Quantity, System, printed, significant, with_unit};
 use serde::Serialize;
 
@@ -42,11 +42,6 @@ pub struct SensitivityReport {
 pub struct AnalysisReport {
     /// The derivatives of the optimum by each parameter.
     pub sensitivity: Option<ByName<SensitivityOf>>,
-    /// The window of each varied parameter: its range of at most the stated loss, with all other
-    /// parameters at the optimum.
-    pub window: Option<ByName<WindowReport>>,
-    /// The loss, SI.
-    pub window_loss: Number,
     /// The directions of the free parameters, the flattest first.
     pub directions: Option<Vec<DirectionReport>>,
     /// The ellipses of pairs of free parameters.
@@ -66,19 +61,6 @@ pub struct SensitivityOf {
     pub curvature: Number,
     /// The reason why the derivatives do not exist.
     pub message: Option<String>,
-}
-
-/// The range of a parameter with at most the stated loss, with all other parameters at the optimum.
-#[derive(Clone, Debug, Serialize)]
-pub struct WindowReport {
-    /// Lower end.
-    pub low: f64,
-    /// Upper end.
-    pub high: f64,
-    /// The reason for the lower end: `loss`, `bound`, `no flight`, or a constraint.
-    pub low_limit: String,
-    /// The reason for the upper end.
-    pub high_limit: String,
 }
 
 /// A direction in the space of the free parameters.
@@ -162,7 +144,8 @@ impl SensitivityReport {
             .filter(|(_, sensitivity)| sensitivity.is_ok())
             .count();
         let body = Self {
-            optimum: OptimumReport::of_many(optima),
+            optimum: OptimumReport::of_many(optima)
+                .with_surroundings(analysis.best, &analysis.surroundings()),
             analysis: AnalysisReport::new(analysis),
         };
         let reply = Reply::done("optimum-sensitivity", warnings, body);
@@ -186,6 +169,7 @@ impl SensitivityReport {
             message,
             body,
             warnings,
+            from,
             ..
         } = OptimumReport::reply(optima, OverSwings::default(), warnings);
         let reply = Reply::done(
@@ -196,6 +180,7 @@ impl SensitivityReport {
                 analysis: AnalysisReport::default(),
             },
         );
+        let reply = Reply { from, ..reply };
         match why {
             Some(why) => reply.ended(why.status(), Some(why.to_string())),
             None => reply.ended(status, message),
@@ -215,15 +200,6 @@ impl AnalysisReport {
         let sensitivity = sensitivities
             .iter()
             .map(|(parameter, found)| (parameter.name, SensitivityOf::new(best, found)));
-        let windows = vary.iter().zip(&flatness.windows).map(|(vary, window)| {
-            let report = WindowReport {
-                low: window.low,
-                high: window.high,
-                low_limit: limit_name(best, window.low_limit),
-                high_limit: limit_name(best, window.high_limit),
-            };
-            (vary.parameter.name, report)
-        });
         let directions = flatness.directions.iter().map(|direction| DirectionReport {
             along: by_parameter(best, &direction.along),
             reach: direction.reach.into(),
@@ -239,8 +215,6 @@ impl AnalysisReport {
             .map(|changed| StatedChangeReport::new(best, changed));
         Self {
             sensitivity: Some(sensitivity.collect()),
-            window: Some(windows.collect()),
-            window_loss: flatness.loss.into(),
             directions: Some(directions.collect()),
             ellipses: Some(ellipses.collect()),
             changes: Some(changes.collect()),
@@ -302,45 +276,59 @@ fn by_parameter(best: &Optimum, numbers: &[f64]) -> ByName<Number> {
 }
 
 impl Analysis<'_> {
-    /// Sensitivities, windows and changes.
-    pub fn document(&self, system: System) -> Document {
-        let mut document = Document::default();
-        add_sensitivities(&mut document, self.best, self.sensitivities, system);
-        add_flatness(&mut document, self.best, self.flatness, system);
-        for changed in self.changes {
-            document.add(change(self.best, changed, system));
+    fn surroundings(&self) -> Surroundings<'_> {
+        Surroundings {
+            loss: self.flatness.loss,
+            windows: &self.flatness.windows,
+            club_alone: None,
         }
+    }
+
+    /// The optimum with its flatness, the stated changes, and the sensitivities.
+    pub fn document(&self, system: System) -> Document {
+        let best = self.best;
+        let mut document = Document::default();
+        if let Some(drive) = &best.drive {
+            document.list(gain_lines(best, drive, system));
+        }
+        add_place(&mut document, best, Some(&self.surroundings()), system);
+        document.list(flatness_lines(best, self.flatness, system));
+        for changed in self.changes {
+            document.add(change(best, changed, system));
+        }
+        add_sensitivities(&mut document, best, self.sensitivities, system);
+        if let (Some(drive), Some(value)) = (&best.drive, best.value()) {
+            let mut flown = Document::default();
+            flown.list(drive_lines(best, value, drive, system));
+            document.append_detail(flown, Detail::Rest);
+        }
+        add_convergence(&mut document, best, system);
         document
     }
 }
 
-/// The reason for an end of a window.
-fn limit_name(best: &Optimum, limit: Limit) -> String {
-    match limit {
-        Limit::Loss => "loss".into(),
-        Limit::Bound => "bound".into(),
-        Limit::Constraint(j) => best.search.subject_to[j].expression.clone(),
-        Limit::NoFlight => "no flight".into(),
-    }
-}
+/// Sensitivities in a text that fits a screen.
+const FIRST_SENSITIVITIES: usize = 12;
 
-/// Adds the derivatives of the optimum by each parameter to a document.
+/// Adds the derivatives of the optimum by each parameter to a document. The parameter that changes
+/// the optimal value most, relative to its typical size, comes first.
 fn add_sensitivities(
     document: &mut Document,
     best: &Optimum,
     sensitivities: &[(&'static Parameter, Result<Sensitivity>)],
     system: System,
 ) {
-    let rows: Vec<Vec<String>> = sensitivities
+    let mut found: Vec<_> = sensitivities
         .iter()
-        .filter_map(|(parameter, found)| {
-            Some(sensitivity_row(
-                best,
-                parameter,
-                found.as_ref().ok()?,
-                system,
-            ))
-        })
+        .filter_map(|(parameter, found)| Some((parameter, found.as_ref().ok()?)))
+        .collect();
+    let weight = |(parameter, found): &(&&Parameter, &Sensitivity)| {
+        found.value.abs() * shown::typical_size(parameter)
+    };
+    found.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
+    let rows: Vec<Vec<String>> = found
+        .into_iter()
+        .map(|(parameter, found)| sensitivity_row(best, parameter, found, system))
         .collect();
     if !rows.is_empty() {
         let value = format!("best {}", best.search.outcome().name());
@@ -350,7 +338,8 @@ fn add_sensitivities(
             .chain(optimum)
             .collect();
         let columns = head.len();
-        document.add(Table::new(head, rows).right(1..columns));
+        let table = Table::new(head, rows).right(1..columns);
+        document.add(table.with_first_rows(FIRST_SENSITIVITIES));
     }
     let why = |(parameter, found): &(&Parameter, Result<Sensitivity>)| {
         Some((parameter.name, found.as_ref().err()?.in_units(system)))
@@ -399,43 +388,19 @@ fn sensitivity_row(
     cells
 }
 
-/// Adds windows, directions and ellipses to a document.
-fn add_flatness(document: &mut Document, best: &Optimum, flatness: &Flatness, system: System) {
+/// The directions and ellipses of an optimum.
+fn flatness_lines(best: &Optimum, flatness: &Flatness, system: System) -> Vec<Line> {
     let loss = shown::spread(best.search.outcome(), flatness.loss, system);
-    let vary = best.search.vary.iter();
-    let rows = vary
-        .zip(&flatness.windows)
-        .map(|(vary, window)| window_row(best, vary, window, system));
-    let title = format!("alone, for a loss of {loss}");
-    let mut table = Table::new([title.as_str(), "from", "to"], rows).right([1, 2]);
-    let directions = flatness.directions.iter();
-    for direction in directions.filter(|direction| direction.reach.is_finite()) {
-        table.remark(direction_line(best, direction, &loss, system));
-    }
-    for ellipse in &flatness.ellipses {
-        table.remark(ellipse_line(best, ellipse, &loss, system));
-    }
-    document.add(table);
-}
-
-/// The cells of a window, with the reason for each end that is not due to the loss.
-fn window_row(best: &Optimum, vary: &Vary, window: &Window, system: System) -> Vec<String> {
-    let end = |value: f64, limit: Limit| {
-        let value = shown::parameter(vary.parameter, value, system);
-        match limit {
-            Limit::Loss => value,
-            Limit::Constraint(j) => {
-                let constraint = shown::constraint(&best.search.subject_to[j], system);
-                format!("{value} ({constraint})")
-            }
-            other => format!("{value} ({})", limit_name(best, other)),
-        }
-    };
-    vec![
-        vary.parameter.name.into(),
-        end(window.low, window.low_limit),
-        end(window.high, window.high_limit),
-    ]
+    let directions = flatness
+        .directions
+        .iter()
+        .filter(|direction| direction.reach.is_finite())
+        .map(|direction| direction_line(best, direction, &loss, system));
+    let ellipses = flatness
+        .ellipses
+        .iter()
+        .map(|ellipse| ellipse_line(best, ellipse, &loss, system));
+    directions.chain(ellipses).map(Line::item).collect()
 }
 
 /// A change of a parameter, with its sign: "+1.20 deg".

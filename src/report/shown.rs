@@ -322,20 +322,22 @@ const ROUNDING: f64 = 1e-12;
 /// operations with a relative rounding error of 1e-16 each, so that smaller derivatives have no
 /// correct digit. JSON and CSV keep all digits.
 pub(super) fn settled(slope: f64, value: f64, of: (Quantity, &str), by: &[&Parameter]) -> f64 {
-    let one = |quantity: Quantity, unit: &str| quantity.size_of(unit).unwrap_or(1.0);
-    let own = |by: &&Parameter| {
-        let default = by
-            .default_value()
-            .map(f64::abs)
-            .filter(|default| *default > 0.0 && default.is_finite());
-        default.unwrap_or_else(|| one(by.quantity, by.unit))
-    };
-    let change = slope.abs() * by.iter().map(own).product::<f64>();
-    if change < ROUNDING * value.abs().max(one(of.0, of.1)) {
+    let sizes = by.iter().map(|by| typical_size(by));
+    let change = slope.abs() * sizes.product::<f64>();
+    if change < ROUNDING * value.abs().max(of.0.size_of(of.1).unwrap_or(1.0)) {
         0.0
     } else {
         slope
     }
+}
+
+/// The typical size of a parameter, SI: its default, or one unit if the default is 0 or does not
+/// exist.
+pub(super) fn typical_size(parameter: &Parameter) -> f64 {
+    let default = parameter.default_value().map(f64::abs);
+    default
+        .filter(|default| *default > 0.0 && default.is_finite())
+        .unwrap_or_else(|| parameter.quantity.size_of(parameter.unit).unwrap_or(1.0))
 }
 
 /// True if a change of an outcome with this value is a rounding error.

@@ -1,11 +1,10 @@
 //! Results over swings in addition to the optimum: the goals of other designs, and the uncertainty
 //! of the answer.
 
+use super::document::{Line, Table};
 use super::json::{ByName, Number};
 use super::limits::ended_at;
-use super::lines::paragraph;
 use super::shown;
-use super::table::table;
 use crate::optimize::Status;
 use crate::study::Optimum;
 use crate::study::swings::{GoalError, Nominal, Price, Resampled, Rule, Scenarios, Swings};
@@ -218,7 +217,7 @@ fn unknown(price: Option<&Price>) -> Vec<String> {
 const BROKEN: &str = "(broken)";
 
 /// The goals over the swings as a table with a column for each design.
-pub(super) fn goals_text(best: &Optimum, price: Option<&Price>, system: System) -> String {
+pub(super) fn goals(best: &Optimum, price: Option<&Price>, system: System) -> Table {
     let search = &best.search;
     let nominal = nominal(price);
     let expressions = std::iter::once(&search.of.expression)
@@ -256,11 +255,11 @@ pub(super) fn goals_text(best: &Optimum, price: Option<&Price>, system: System) 
         "with that swing alone",
         "as set up",
     ];
-    table(&head, &[1, 2, 3, 4], rows)
+    Table::new(head, rows).right(1..5)
 }
 
 /// Notes on the designs and on the uncertainty of the answer.
-pub(super) fn notes_text(best: &Optimum, over: OverSwings<'_>, system: System) -> String {
+pub(super) fn notes(best: &Optimum, over: OverSwings<'_>, system: System) -> Vec<Line> {
     let mut notes = unknown(over.price);
     let strikes = best.search.scenarios.parameters.iter();
     let mut strikes = strikes.filter(|parameter| parameter.name.starts_with("strike."));
@@ -286,10 +285,7 @@ pub(super) fn notes_text(best: &Optimum, over: OverSwings<'_>, system: System) -
     if let Some(found) = over.resampled {
         notes.extend(resampled(best, found, system));
     }
-    format!(
-        "\n{}",
-        notes.iter().map(|note| paragraph(note)).collect::<String>()
-    )
+    notes.into_iter().map(Line::flush).collect()
 }
 
 /// Notes on designs that violate a limit, or with which a swing does not fly.

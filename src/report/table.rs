@@ -1,4 +1,3 @@
-use super::lines::WIDTH;
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, presets};
 
 /// Minimum width of a text column to be wrapped.
@@ -7,13 +6,15 @@ const NARROWEST: usize = 20;
 /// Number of spaces before the first column, and after each column.
 const MARGIN: usize = 2;
 
-/// A table without rules; the columns `right` are right-aligned. In a table that is too wide, the
-/// last column is wrapped if it contains text. Otherwise the table continues below with the
-/// remaining columns, after a repetition of the first column.
+/// A table within `most` columns of a terminal, without rules; the columns `right` are
+/// right-aligned. In a table that is too wide, the last column is wrapped if it contains text.
+/// Otherwise the table continues below with the remaining columns, after a repetition of the first
+/// column.
 pub(super) fn table(
     head: &[&str],
     right: &[usize],
     rows: impl IntoIterator<Item = Vec<String>>,
+    most: usize,
 ) -> String {
     let rows: Vec<Vec<String>> = rows.into_iter().collect();
     let all: Vec<usize> = (0..head.len()).collect();
@@ -28,18 +29,18 @@ pub(super) fn table(
             .take(last)
             .map(|width| width + MARGIN)
             .sum::<usize>();
-    if of_others + widths.last().unwrap_or(&0) <= WIDTH {
+    if of_others + widths.last().unwrap_or(&0) <= most {
         return part(head, right, &rows, &all, None);
     }
-    if !right.contains(&last) && of_others + NARROWEST <= WIDTH {
-        return part(head, right, &rows, &all, Some(WIDTH - of_others));
+    if !right.contains(&last) && of_others + NARROWEST <= most {
+        return part(head, right, &rows, &all, Some(most));
     }
     let mut parts = vec![];
     let mut begun = 1;
     while begun < head.len() {
         let mut reach = MARGIN + widths[0] + MARGIN + widths[begun];
         let mut end = begun + 1;
-        while end < head.len() && reach + MARGIN + widths[end] <= WIDTH {
+        while end < head.len() && reach + MARGIN + widths[end] <= most {
             reach += MARGIN + widths[end];
             end += 1;
         }
@@ -63,7 +64,7 @@ fn width(head: &[&str], rows: &[Vec<String>], column: usize) -> usize {
         .unwrap_or(0)
 }
 
-/// Some columns of a table; `narrowed` limits the width of the last one.
+/// Some columns of a table. With the width `narrowed`, the last one is wrapped.
 fn part(
     head: &[&str],
     right: &[usize],
@@ -72,15 +73,13 @@ fn part(
     narrowed: Option<usize>,
 ) -> String {
     let mut table = Table::new();
-    let arrangement = if narrowed.is_some() {
-        ContentArrangement::Dynamic
-    } else {
-        ContentArrangement::Disabled
+    table.load_style(presets::NOTHING);
+    match narrowed {
+        Some(width) => table
+            .set_content_arrangement(ContentArrangement::Dynamic)
+            .set_width(width as u16),
+        None => table.set_content_arrangement(ContentArrangement::Disabled),
     };
-    table
-        .load_style(presets::NOTHING)
-        .set_content_arrangement(arrangement)
-        .set_width(WIDTH as u16);
     table.set_header(columns.iter().map(|&column| head[column]));
     for row in rows {
         table.add_row(
@@ -103,7 +102,9 @@ fn part(
 
 #[cfg(test)]
 mod tests {
-    use super::{WIDTH, table};
+    use super::table;
+
+    const WIDTH: usize = 100;
 
     fn widest(text: &str) -> usize {
         text.lines()
@@ -120,6 +121,7 @@ mod tests {
             &["name", "meaning"],
             &[],
             [vec!["x".repeat(40), words.trim().to_owned()]],
+            WIDTH,
         );
         assert!(widest(&text) <= WIDTH && text.lines().count() > 3, "{text}");
         let kept: Vec<_> = text.split_whitespace().skip(3).collect();
@@ -132,7 +134,7 @@ mod tests {
             .collect();
         let right: Vec<usize> = (1..head.len()).collect();
         let row = std::iter::once("first".to_owned()).chain((0..12).map(|i| format!("{i}.25")));
-        let text = table(&head, &right, [row.collect::<Vec<_>>()]);
+        let text = table(&head, &right, [row.collect::<Vec<_>>()], WIDTH);
         assert!(widest(&text) <= WIDTH, "{text}");
         assert_eq!(text.matches("first").count(), 2, "{text}");
         assert!(

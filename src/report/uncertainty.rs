@@ -1,4 +1,4 @@
-use super::document::{Document, Line, Table};
+use super::document::{Detail, Document, Line, Table};
 use super::json::{ByName, Number};
 use super::reply::{Ending, Report, share};
 use super::shown;
@@ -265,7 +265,7 @@ impl Report for UncertaintyReport<'_> {
         }
     }
 
-    /// The distributions, the uncertainty of each outcome, and the ellipses.
+    /// The uncertainty of each outcome, the ellipses, and the distributions.
     fn document(&self, system: System) -> Document {
         let found = self.found;
         let inputs = found.inputs.iter().map(|input| {
@@ -275,13 +275,15 @@ impl Report for UncertaintyReport<'_> {
             ]
         });
         let mut document = Document::default();
-        document.add(Table::new(["uncertain parameter", "distribution"], inputs).right([]));
         for outcome in &found.outcomes {
             add_outcome(&mut document, outcome, found, system);
         }
         if !found.ellipses.is_empty() {
             document.add(ellipses(found, system));
         }
+        let mut distributions = Document::default();
+        distributions.add(Table::new(["uncertain parameter", "distribution"], inputs).right([]));
+        document.append_detail(distributions, Detail::Rest);
         let counts: Vec<_> = found
             .status_counts
             .counts()
@@ -385,7 +387,10 @@ fn add_outcome(
         ))]);
         return;
     }
-    document.add(shares(outcome, sampled, found, system));
+    document.list(shares_lines(outcome, sampled, found, system));
+    let mut table = Document::default();
+    table.add(shares(outcome, sampled, found));
+    document.append_detail(table, Detail::Rest);
 }
 
 /// The reason why an outcome does not vary.
@@ -410,15 +415,20 @@ fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) ->
         rows.push(row("by the gradient", first));
         rows.extend(second.map(|second| row("by gradient and Hessian", second)));
     }
+    let mut intervals = None;
     let remark = if let Some(sampled) = &outcome.sampled {
-        let between = |i: Interval, show: &dyn Fn(f64) -> String| {
-            format!("{} ({} to {})", show(i.value), show(i.low), show(i.high))
-        };
         rows.push(vec![
-            "by the sample (95 % interval)".into(),
-            between(sampled.mean, &value),
-            between(sampled.deviation, &spread),
+            "by the sample".into(),
+            value(sampled.mean.value),
+            spread(sampled.deviation.value),
         ]);
+        intervals = Some(format!(
+            "95 % intervals of the sample: mean {} to {}, standard deviation {} to {}",
+            value(sampled.mean.low),
+            value(sampled.mean.high),
+            spread(sampled.deviation.low),
+            spread(sampled.deviation.high)
+        ));
         let [low, middle, high] = sampled.quantiles.map(value);
         let drives = match of.group() {
             OutcomeGroup::Flight if found.part_without_landing() > 0.0 => "drives that land",
@@ -430,18 +440,64 @@ fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) ->
     };
     let mut table = Table::new([of.name(), "mean", "standard deviation"], rows).right([1, 2]);
     table.remark(remark);
+    if let Some(intervals) = intervals {
+        table.remark(intervals);
+    }
     table
 }
 
-/// The contributions of the uncertain parameters to the variance of an outcome.
-fn shares(
+/// Shares of the variance in a line.
+const FIRST_SHARES: usize = 4;
+
+/// Ellipses in a text that fits a screen: those from the sample.
+const FIRST_ELLIPSES: usize = 2;
+
+/// The uncertain parameters with the largest contributions to the variance of an outcome, and the
+/// one to measure first.
+fn shares_lines(
     outcome: &OutcomeUncertainty,
     sampled: &Statistics,
     found: &Uncertainty,
     system: System,
-) -> Table {
+) -> Vec<Line> {
+    let largest = by_share(sampled).into_iter().take(FIRST_SHARES);
+    let shares: Vec<_> = largest
+        .filter_map(|k| {
+            let share = tenths(sampled.indices[k]?.total.value);
+            Some(format!("{} {share} %", found.inputs[k].parameter.name))
+        })
+        .collect();
+    let shares = (!shares.is_empty()).then(|| {
+        let of = outcome.of.name();
+        format!("shares of the variance of {of}: {}", shares.join(", "))
+    });
+    let first = outcome.measure_first(&found.inputs);
+    let first = first.map(|(parameter, deviation)| {
+        format!(
+            "measure {} first: once it is known exactly, the standard deviation falls to {}",
+            parameter.name,
+            shown::spread(outcome.of, deviation, system)
+        )
+    });
+    shares.into_iter().chain(first).map(Line::item).collect()
+}
+
+/// The numbers of the uncertain parameters, the largest share of the variance first.
+fn by_share(sampled: &Statistics) -> Vec<usize> {
+    let total = |k: usize| sampled.indices[k].map_or(0.0, |indices| indices.total.value);
+    let mut order: Vec<usize> = (0..sampled.indices.len()).collect();
+    order.sort_by(|a, b| total(*b).total_cmp(&total(*a)));
+    order
+}
+
+/// A share in percent with one decimal.
+fn tenths(share: f64) -> String {
     // the sum turns -0 into 0
-    let tenths = |value: f64| format!("{:.1}", (1000.0 * value).round() / 10.0 + 0.0);
+    format!("{:.1}", (1000.0 * share).round() / 10.0 + 0.0)
+}
+
+/// The contributions of the uncertain parameters to the variance of an outcome, the largest first.
+fn shares(outcome: &OutcomeUncertainty, sampled: &Statistics, found: &Uncertainty) -> Table {
     let share = |i: Interval| {
         format!(
             "{} % ({} to {})",
@@ -450,7 +506,8 @@ fn shares(
             tenths(i.high)
         )
     };
-    let rows = found.inputs.iter().enumerate().map(|(k, input)| {
+    let rows = by_share(sampled).into_iter().map(|k| {
+        let input = &found.inputs[k];
         let indices = sampled.indices[k];
         vec![
             input.parameter.name.into(),
@@ -483,13 +540,6 @@ fn shares(
             "these shares leave out {points} at which a drive does not have this outcome"
         ));
     }
-    if let Some((parameter, deviation)) = outcome.measure_first(&found.inputs) {
-        table.remark(format!(
-            "measure {} first: once it is known exactly, the standard deviation falls to {}",
-            parameter.name,
-            shown::spread(outcome.of, deviation, system)
-        ));
-    }
     table
 }
 
@@ -515,12 +565,7 @@ fn depends(outcome: &OutcomeUncertainty, found: &Uncertainty) -> bool {
 /// The ellipses of the landings.
 fn ellipses(found: &Uncertainty, system: System) -> Table {
     use crate::drive::Outcome::Carry;
-    let head = [
-        "landing ellipse",
-        "half-axes",
-        "long axis from downrange",
-        "drives inside",
-    ];
+    let head = ["landing ellipse", "half-axes", "long axis turned", "inside"];
     let rows = found.ellipses.iter().map(|sampled| {
         let [long, short] = sampled.ellipse.half_axes;
         let lengths =
@@ -542,5 +587,7 @@ fn ellipses(found: &Uncertainty, system: System) -> Table {
             format!("{:.1} %", 100.0 * sampled.holds),
         ]
     });
-    Table::new(head, rows).right([1, 2, 3])
+    Table::new(head, rows)
+        .right([1, 2, 3])
+        .with_first_rows(FIRST_ELLIPSES)
 }

@@ -122,9 +122,28 @@ const AROUND: usize = 24;
 /// The flatness of an optimum for a stated loss of the outcome, SI.
 ///
 /// # Errors
+/// Those of [`windows`].
+pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
+    let problem = problem(best, loss)?;
+    let top = Top::new(&problem, best, loss)?;
+    Ok(Flatness {
+        loss,
+        windows: top.windows()?,
+        directions: top.directions(),
+        ellipses: top.ellipses(),
+    })
+}
+
+/// The window of each varied parameter for a stated loss of the outcome, SI.
+///
+/// # Errors
 /// [`Error::NotConverged`]; [`Error::Optimizer`] for a loss that is not above 0;
 /// [`Error::Unreadable`] for a search over swings.
-pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
+pub fn windows(best: &Optimum, loss: f64) -> Result<Vec<Window>> {
+    Top::new(&problem(best, loss)?, best, loss)?.windows()
+}
+
+fn problem(best: &Optimum, loss: f64) -> Result<SearchProblem> {
     if !(loss > 0.0 && loss.is_finite()) {
         return Err(Error::Optimizer(format!("the loss {loss} must be above 0")));
     }
@@ -134,22 +153,7 @@ pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
             message: best.message(),
         });
     }
-    let problem = SearchProblem::of_drive(&best.setup, &best.search)?;
-    let top = Top {
-        domain: &problem.domain,
-        values: problem.evaluator()?,
-        best,
-        loss,
-    };
-    let windows = (0..best.search.vary.len())
-        .map(|i| top.window(i))
-        .collect::<Result<_>>()?;
-    Ok(Flatness {
-        loss,
-        windows,
-        directions: top.directions(),
-        ellipses: top.ellipses(),
-    })
+    SearchProblem::of_drive(&best.setup, &best.search)
 }
 
 /// The surroundings of an optimum.
@@ -160,7 +164,22 @@ struct Top<'a> {
     loss: f64,
 }
 
-impl Top<'_> {
+impl<'a> Top<'a> {
+    fn new(problem: &'a SearchProblem, best: &'a Optimum, loss: f64) -> Result<Self> {
+        Ok(Self {
+            domain: &problem.domain,
+            values: problem.evaluator()?,
+            best,
+            loss,
+        })
+    }
+
+    fn windows(&self) -> Result<Vec<Window>> {
+        (0..self.best.search.vary.len())
+            .map(|i| self.window(i))
+            .collect()
+    }
+
     /// The loss at a point, or the constraint that it violates; `None` for a drive that does not
     /// fly.
     fn lost_at(&self, x: &[f64]) -> Option<Result<f64, usize>> {

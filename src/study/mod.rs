@@ -13,6 +13,7 @@ mod effects;
 mod expression;
 mod face;
 mod flatness;
+mod gain;
 mod goal;
 mod landing;
 mod launches;
@@ -38,8 +39,9 @@ pub use compare::{Cause, Comparison, Difference, Share, Shares, causes};
 pub use effects::{Bar, Effect, Effects, effects, flown_off};
 pub use face::Face;
 pub use flatness::{
-    Direction, Ellipse, Flatness, Limit, Window, flatness, short_drive, usual_loss,
+    Direction, Ellipse, Flatness, Limit, Window, flatness, short_drive, usual_loss, windows,
 };
+pub use gain::{ClubAlone, club_alone};
 pub use goal::{Constraint, Goal};
 pub use landing::Landing;
 pub use launches::{Launched, Launches};

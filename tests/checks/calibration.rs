@@ -1,6 +1,7 @@
 //! Calibration: recovery of known truths, coverage of intervals, exact Jacobians, Winfield & Tan's
 //! paper, bad input.
 
+use crate::command_line::WHOLE;
 use crate::command_line::{json, longdrive, number};
 use crate::common::panic_of;
 use longdrive::derivative::{Order, evaluate};
@@ -1044,7 +1045,7 @@ fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
     let report = CalibrationReport::new(&table, &found, &[]);
     let text = report
         .document(System::Us)
-        .text()
+        .text(&WHOLE)
         .split_whitespace()
         .collect::<Vec<_>>()
         .join(" ");
@@ -1092,7 +1093,7 @@ fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
     assert!(report.is_interrupted() && !report.is_found());
     let text = report
         .document(System::Us)
-        .text()
+        .text(&WHOLE)
         .split_whitespace()
         .collect::<Vec<_>>()
         .join(" ");

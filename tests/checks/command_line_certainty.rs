@@ -103,7 +103,7 @@ fn exact_no_deviation_once_the_only_uncertain_parameter_is_known() {
         "--samples",
         "256",
     ];
-    let text = longdrive(&args).out;
+    let text = longdrive(&[&args[..], &["--all"]].concat()).out;
     let told = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         told.contains("once it is known exactly, the standard deviation falls to 0.00 yd"),
@@ -288,7 +288,7 @@ fn drives_that_do_not_fly_are_reported_and_none_at_all_is_no_answer() {
         "--samples",
         "200",
     ];
-    let said = longdrive(&partly);
+    let said = longdrive(&[&partly[..], &["--all"]].concat());
     assert!(
         said.status == 0
             && said.out.contains("no-flight")
@@ -447,7 +447,7 @@ fn rounding_is_shown_as_0_in_texts_and_kept_in_json() {
         vec!["sensitivity", "--of", "all"],
         vec!["sensitivity", "--at-optimum"],
         vec!["gradient", "--of", "all", "--wrt", "all"],
-        vec!["optimum-sensitivity"],
+        vec!["optimum-sensitivity", "--all"],
     ] {
         let said = longdrive(&args);
         assert_eq!(said.status, 0, "{args:?} {}", said.err);

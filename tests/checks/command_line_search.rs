@@ -100,7 +100,8 @@ fn a_set_value_of_a_variable_is_reported_as_its_start() {
         );
         // the first line of the progress has the start point
         let first = format!("club.loft {}.000000°", start.trim_end_matches('°'));
-        assert!(longdrive(&args).err.contains(&first), "{set}");
+        let verbose = longdrive(&[&args[..], &["--verbose"]].concat());
+        assert!(verbose.err.contains(&first), "{set}");
     }
     assert_eq!(
         notes(&[
@@ -328,7 +329,7 @@ fn differences_confirm_sensitivity_and_windows_as_json() {
     assert_eq!(text.status, 0);
     for words in [
         "swing.speed [mph]",
-        "alone, for a loss of 1.00 yd",
+        "within 1.00 yd of the best, each alone",
         "together",
         "by the quadratic",
     ] {
@@ -959,7 +960,14 @@ fn unordered_and_duplicate_values_of_a_chart_are_reported() {
 
 #[test]
 fn progress_of_a_chart_shows_the_given_points() {
-    let said = longdrive(&["chart", "--along", "swing.speed", "--at", "100mph,120mph"]);
+    let said = longdrive(&[
+        "chart",
+        "--along",
+        "swing.speed",
+        "--at",
+        "100mph,120mph",
+        "--verbose",
+    ]);
     let shown: Vec<&str> = said
         .err
         .lines()
@@ -1043,6 +1051,7 @@ fn a_setting_that_has_no_effect_is_refused() {
     let start = |loft: &str| {
         let said = longdrive(&[
             "optimize",
+            "--verbose",
             "--set",
             loft,
             "--vary",

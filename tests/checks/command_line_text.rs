@@ -112,7 +112,7 @@ fn every_command_prints_the_chosen_units() {
             "49.1744 m/s",
         ),
     ] {
-        let out = |extra: &[&str]| longdrive(&[args.as_slice(), extra].concat()).out;
+        let out = |extra: &[&str]| longdrive(&[args.as_slice(), extra, &["--all"]].concat()).out;
         for (out, words, others) in [
             (out(&[]), in_us, in_metric),
             (out(&["--units", "us"]), in_us, in_metric),
@@ -213,7 +213,7 @@ fn no_line_of_an_answer_is_wider_than_a_terminal() {
 
 #[test]
 fn quiet_keeps_only_warnings_and_errors_on_standard_error() {
-    assert!(!longdrive(&["optimize"]).err.is_empty());
+    assert!(!longdrive(&["optimize", "--verbose"]).err.is_empty());
     assert_eq!(longdrive(&["optimize", "--quiet"]).err, "");
     let warned = longdrive(&[
         "simulate",

@@ -1,7 +1,7 @@
 //! Chosen units in every text (studies, messages, warnings, notes), and remarks that fit a
 //! terminal.
 
-use crate::command_line::longdrive;
+use crate::command_line::{WHOLE, longdrive};
 use crate::reproduce::{FOUND, PAPER, PAPER_WRITTEN};
 use longdrive::report::{Mae494Report, Report, WinfieldTanReport};
 use longdrive::units::System;
@@ -32,7 +32,8 @@ fn alone<'a>(text: &'a str, units: &[&str]) -> Vec<&'a str> {
 
 #[test]
 fn published_numbers_of_mae494_keep_their_units_and_computed_ones_have_the_chosen_units() {
-    let [metric, us] = System::ALL.map(|system| Mae494Report::new(&FOUND).document(system).text());
+    let [metric, us] =
+        System::ALL.map(|system| Mae494Report::new(&FOUND).document(system).text(&WHOLE));
     for (text, system) in [(&metric, "metric"), (&us, "us")] {
         assert!(widest(text) <= 100, "{system}: {} columns", widest(text));
     }
@@ -78,7 +79,7 @@ fn published_numbers_of_mae494_keep_their_units_and_computed_ones_have_the_chose
 fn published_numbers_of_winfield_and_tan_keep_their_units_and_computed_ones_have_the_chosen_units()
 {
     let [metric, us] =
-        System::ALL.map(|system| WinfieldTanReport::new(&PAPER).document(system).text());
+        System::ALL.map(|system| WinfieldTanReport::new(&PAPER).document(system).text(&WHOLE));
     assert!(
         widest(&metric) <= 100 && widest(&us) <= 100,
         "{metric}\n{us}"
@@ -110,7 +111,7 @@ fn published_numbers_of_winfield_and_tan_keep_their_units_and_computed_ones_have
 #[test]
 fn a_study_has_its_own_units_by_default() {
     let [metric, us] =
-        System::ALL.map(|system| WinfieldTanReport::new(&PAPER).document(system).text());
+        System::ALL.map(|system| WinfieldTanReport::new(&PAPER).document(system).text(&WHOLE));
     let said = &PAPER_WRITTEN.said;
     assert!(us.contains("250.09 yd") && said.out == us, "{}", said.out);
     assert!(metric.contains("250.09 yd (228.68 m)"), "{metric}");
@@ -283,10 +284,13 @@ fn notes_of_plots_are_in_the_chosen_system() {
 fn remarks_and_warnings_fit_a_terminal() {
     for (args, begin) in [
         (
-            &["gradient", "--wrt", "all"][..],
+            &["gradient", "--wrt", "all", "--verbose"][..],
             "left out, because they have no value",
         ),
-        (&["uncertainty", "--samples", "8"], "default uncertainty: "),
+        (
+            &["uncertainty", "--samples", "8", "--verbose"],
+            "default uncertainty: ",
+        ),
         (
             &["simulate", "--set", "strike.toe=90mm"],
             "warning: strike.toe",

@@ -1,6 +1,7 @@
 //! Derivatives: the number types compared with each other and with differences, and independent of
 //! the other requested outcomes.
 
+use crate::command_line::WHOLE;
 use crate::common::{close, landing, mixed, panic_of};
 use longdrive::batch::Batch;
 use longdrive::derivative::{
@@ -468,7 +469,9 @@ fn reports_of_fewer_or_more_derivatives_than_parameters_panic_with_both_numbers(
     let carry = hessian(&setup, Outcome::Carry, &wrt).unwrap();
     let text = |wrt: &[&'static Parameter], taylor: &Taylor| {
         let found = [(Outcome::Carry, Ok(taylor.clone()))];
-        GradientReport::new(&found, wrt).document(System::Us).text()
+        GradientReport::new(&found, wrt)
+            .document(System::Us)
+            .text(&WHOLE)
     };
     let said = panic_of(|| text(&wrt[..1], &carry));
     assert!(said.contains("1 parameters, and 2 derivatives"), "{said}");

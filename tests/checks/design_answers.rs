@@ -115,7 +115,7 @@ fn a_relation_is_shown_in_the_unit_of_its_limit() {
     let row = said
         .out
         .lines()
-        .find(|line| line.contains("x: club.cg_depth"))
+        .find(|line| line.starts_with("  x "))
         .unwrap_or_else(|| panic!("{}", said.out));
     assert!(
         row.contains("mm") && !row.contains("yd  ") && !row.contains("1 m "),

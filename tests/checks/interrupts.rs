@@ -2,12 +2,12 @@
 
 #![cfg(unix)]
 
-use crate::command_line::Output;
+use crate::command_line::{Output, WHOLE};
 use crate::program;
 use crate::schema::faults;
 use longdrive::optimize::Observers;
 use longdrive::parameters::Preset;
-use longdrive::report::{optima_text, optimum_toml};
+use longdrive::report::{optima_document, optimum_toml};
 use longdrive::study::{Search, optima};
 use longdrive::units::System;
 use longdrive::{Result, Setup};
@@ -218,6 +218,7 @@ fn finished_parts_of_a_certificate_and_of_a_chart_are_printed_as_interrupted() {
         "apex_height",
         "--points",
         "1000",
+        "--verbose",
     ];
     // both ends of the front take four searches; their number is printed every second
     let searches = |text: &str| {
@@ -311,7 +312,7 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
         stopped > 0 && found.best.status() == "converged",
         "{stopped}"
     );
-    let listed = optima_text(&found, System::Metric);
+    let listed = optima_document(&found, System::Metric).text(&WHOLE);
     assert!(
         listed.contains(&format!(
             "\nnot listed: {stopped} of 400 searches stopped before the end\n"

@@ -444,6 +444,7 @@ fn a_chart_is_interrupted_in_its_first_search() {
             "flight.step=1ms",
             "--own-step",
             "--json",
+            "--verbose",
         ];
         let Output { status, out, err } =
             crate::interrupts::interrupted(&[command, &asked].concat());

@@ -2,6 +2,7 @@
 //! orders of convergence. CONTRIBUTING.md lists the prefixes of their names.
 
 mod analysis;
+mod answers;
 mod calibration;
 mod club_speed;
 mod command_line;

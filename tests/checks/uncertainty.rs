@@ -1,5 +1,6 @@
 //! Uncertainty: known shares of known functions, moments of known distributions, and drives.
 
+use crate::command_line::WHOLE;
 use crate::common::{LARGE_STEPS, close, panic_of};
 use longdrive::batch::Status;
 use longdrive::report::{Reply, Report, UncertaintyReport};
@@ -668,7 +669,7 @@ fn an_outcome_without_uncertain_parameters_says_so() {
     let carry = &found.outcomes[2];
     assert!(carry.varies() && carry.measure_first(&found.inputs).unwrap().0.name == "air.density");
     let report = UncertaintyReport::new(&found);
-    let text = report.document(longdrive::units::System::Us).text();
+    let text = report.document(longdrive::units::System::Us).text(&WHOLE);
     assert!(
         text.contains("ball_speed is 162.0 mph in every drive")
             && text.contains("it does not depend on the uncertain parameter\n"),
@@ -783,7 +784,7 @@ fn huge_uncertainties_give_no_infinity() {
         );
     }
     let report = UncertaintyReport::new(&found);
-    let text = report.document(longdrive::units::System::Us).text();
+    let text = report.document(longdrive::units::System::Us).text(&WHOLE);
     assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
     let found = effects(&setup, &[Outcome::Carry], &[sigma], &mut |_, _| ())
         .unwrap()

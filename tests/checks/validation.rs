@@ -1,7 +1,7 @@
 //! `validate`: every law compared with published drives, its numbers computed in another way, and
 //! their statements in the documents.
 
-use crate::command_line::{Output, Written, json, longdrive, written};
+use crate::command_line::{Output, WHOLE, Written, json, longdrive, written};
 use crate::common::{close, number};
 use longdrive::report::plot::{Look, figure_svg};
 use longdrive::report::{Report, ValidationReport};
@@ -38,7 +38,7 @@ fn differences(of: &SetScores, law: &str, compared: Compared) -> Vec<f64> {
 #[test]
 fn a_part_of_pictures_alone_is_left_out_of_the_text() {
     let document = ValidationReport::new(&FOUND).document(System::Us);
-    let (text, markdown) = (document.text(), document.markdown(System::Us));
+    let (text, markdown) = (document.text(&WHOLE), document.markdown(System::Us));
     assert!(
         document.figures().next().is_some()
             && markdown.contains("In pictures")

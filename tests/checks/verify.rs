@@ -1,5 +1,6 @@
 //! Certificates of derivatives: correct ones pass, wrong ones fail, kinks are named.
 
+use crate::command_line::WHOLE;
 use crate::common::{RIGID, close, in_large_steps, random_setups};
 use longdrive::derivative::check::{Verdict, check};
 use longdrive::derivative::{Taylor, gradient};
@@ -580,7 +581,7 @@ fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
         ["first derivatives by num-dual (carry by club.loft)"]
     );
     let report = CertificateReport::new(&found, &[]);
-    let text = report.document(System::Us).text();
+    let text = report.document(System::Us).text(&WHOLE);
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         words.contains("fail (num-dual)")

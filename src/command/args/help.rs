@@ -1,5 +1,7 @@
 //! The help of the program: its commands in groups, and two examples.
 
+use crate::report::wrapped;
+
 /// The groups of commands, in the order of a user's questions.
 const GROUPS: [(&str, &[&str]); 5] = [
     (
@@ -35,13 +37,17 @@ const GROUPS: [(&str, &[&str]); 5] = [
 const EXAMPLES: &str = "\
 Examples:
   longdrive optimize --set swing.speed=95mph
-  longdrive delivery --ball-speed 150mph --launch-angle 12deg --spin 2600rpm -o me.toml
-
-'longdrive COMMAND --help' explains a command. Exit status: 0 done, 1 no answer, 2 bad input.
+  longdrive delivery --shots shots.csv -o me.toml
 ";
 
-/// The template of the program's help.
-pub fn template(program: &clap::Command) -> String {
+const EXPLAINED: &str = "'longdrive COMMAND --help' explains a command. Exit status: 0 done, 1 no \
+                         answer, 2 bad input.";
+
+/// Columns before the purpose of a command.
+const PURPOSE: usize = 23;
+
+/// The template of the program's help, of at most `width` columns.
+pub fn template(program: &clap::Command, width: usize) -> String {
     let mut text = "{about}\n\n{usage-heading} {usage}\n".to_owned();
     for (heading, names) in GROUPS {
         text += &format!("\n{heading}:\n");
@@ -51,10 +57,11 @@ pub fn template(program: &clap::Command) -> String {
                 .and_then(clap::Command::get_about)
                 .map(ToString::to_string)
                 .unwrap_or_default();
-            text += &format!("  {name:<19}  {about}\n");
+            text += &wrapped(&format!("  {name:<19}  {about}"), [0, PURPOSE], width);
         }
     }
-    text + "\n" + EXAMPLES + "\nOptions:\n{options}"
+    let explained = wrapped(EXPLAINED, [0, 0], width);
+    text + "\n" + EXAMPLES + "\n" + &explained + "\nOptions:\n{options}"
 }
 
 #[cfg(test)]
@@ -75,7 +82,7 @@ mod tests {
         listed.sort_unstable();
         commands.sort_unstable();
         assert_eq!(listed, commands);
-        for line in template(&program)
+        for line in template(&program, 100)
             .lines()
             .filter(|line| line.starts_with("  "))
         {

@@ -37,6 +37,7 @@ pub use search::{
 };
 pub use setup::{Gradient, Laws, OwnLaw, Parameters, Presets, SETUP, SetupArgs, Simulate};
 
+use super::width;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
 
@@ -46,7 +47,7 @@ use std::ffi::OsString;
 /// and the landing of a golf drive, and the exact derivatives of every outcome with respect to
 /// every parameter. Exit status: 0 done, 1 no answer (no flight, not converged), 2 bad input.
 #[derive(Parser)]
-#[command(version, max_term_width = 100)]
+#[command(version)]
 pub struct Args {
     #[command(flatten)]
     pub shown: OutputOptions,
@@ -152,8 +153,8 @@ pub enum Command {
 impl Args {
     /// The program, with its commands in groups.
     fn program() -> clap::Command {
-        let program = Self::command();
-        let template = help::template(&program);
+        let program = Self::command().term_width(width::of_answers());
+        let template = help::template(&program, width::of_answers());
         program.help_template(template)
     }
 

@@ -16,6 +16,15 @@ pub struct OutputOptions {
     /// Print no progress and no remarks on standard error; warnings and errors are printed.
     #[arg(long, short, global = true)]
     pub quiet: bool,
+
+    /// Print the whole answer, also tables and rows for which a screen has no room.
+    #[arg(long, global = true)]
+    pub all: bool,
+
+    /// Print details of the computation too: each iteration, the KKT residual, and what was left
+    /// out.
+    #[arg(long, global = true, conflicts_with = "quiet")]
+    pub verbose: bool,
 }
 
 /// The units of results.

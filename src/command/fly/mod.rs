@@ -7,7 +7,7 @@ mod target;
 use crate::batch::Run;
 use crate::command::args::Fly;
 use crate::command::interrupt;
-use crate::command::output::{Answer, Warnings, system, tell};
+use crate::command::output::{Answer, Warnings, system, tell, text_of};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
 use crate::parameters::{Law, Preset};
@@ -293,9 +293,11 @@ fn answer(
             status,
             message: stopped.or(nothing),
         };
-        return Answer::report(&report, warnings, true).found(is_answered);
+        return Answer::report(&report, &request.origin(), warnings, true).found(is_answered);
     }
-    let text = report.document(system()).text();
+    let mut document = report.document(system());
+    request.origin().put_before(&mut document, system());
+    let text = text_of(&document);
     for message in stopped.iter().chain(&nothing) {
         crate::command::output::say_error(message);
     }

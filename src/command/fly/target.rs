@@ -1,6 +1,7 @@
 use crate::command::args::{Fly, FlyFormat};
 use crate::command::files::{Destination, Pieces, Rule, refused};
 use crate::command::request::Request;
+use crate::command::running::running;
 use crate::report::ShotFormat;
 use crate::{Error, Result};
 use std::io::{self, Write};
@@ -39,6 +40,9 @@ impl Target {
             }
             (Some(FlyFormat::OpenConnect), _) | (None, "json") => {
                 RowFormat::Rows(ShotFormat::OpenConnect)
+            }
+            (None, _) if is_standard && running().is_for_a_screen() => {
+                RowFormat::Rows(ShotFormat::Screen)
             }
             (None, _) if is_standard => RowFormat::Rows(ShotFormat::Csv),
             #[cfg(feature = "parquet")]

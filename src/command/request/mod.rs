@@ -14,7 +14,7 @@ pub use source::Source;
 use crate::command::args::{OwnLaw, SetupArgs};
 use crate::command::output::{system, tell};
 use crate::parameters::{GOLFER, Law, Parameter, SPEED_OF, TABLE, Vary, follows_from};
-use crate::report::parameter_text;
+use crate::report::{Origin, parameter_text};
 use crate::{Error, Result, Setup};
 use std::path::PathBuf;
 
@@ -229,6 +229,34 @@ impl Request {
         let settings = self.stated.iter();
         let settings = settings.map(|setting| format!(", {}={}", setting.parameter, setting.value));
         self.source.name().to_owned() + &settings.collect::<String>()
+    }
+
+    /// The setup that the answer is about.
+    pub fn origin(&self) -> Origin {
+        Origin {
+            title: self.title(),
+            has_name: self.source.has_name(),
+            ..Origin::default()
+        }
+    }
+
+    /// The setup that the answer of a search is about. Shaft and strike determine the best loft by
+    /// degrees, and those of an average are nobody's.
+    pub fn origin_of_search(&self, vary: &[Vary]) -> Origin {
+        let varies_loft = vary.iter().any(|vary| vary.parameter.name == "club.loft");
+        let advice = if varies_loft && self.source.is_average() {
+            format!(
+                "shaft and strike are those of {}; `delivery()` finds your own from a measured \
+                 launch, for another best loft",
+                self.source.name()
+            )
+        } else {
+            String::new()
+        };
+        Origin {
+            advice,
+            ..self.origin()
+        }
     }
 
     /// The settings of the command line, in the order of its options.

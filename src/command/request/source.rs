@@ -99,6 +99,11 @@ impl Source {
         self.kind != Kind::StandardInput
     }
 
+    /// True if the setup is the preset of an average of many golfers.
+    pub fn is_average(&self) -> bool {
+        self.kind == Kind::Preset && self.preset().is_average()
+    }
+
     /// The setup file, if the source is a file on disk.
     pub fn file(&self) -> Option<&Path> {
         (self.kind == Kind::File).then_some(Path::new(&self.argument))

@@ -5,7 +5,7 @@ use crate::batch::Run;
 use crate::command::args::{PartOf, Sweep};
 use crate::command::files::{refused, unwritable};
 use crate::command::interrupt;
-use crate::command::output::{Answer, Warnings, bar, system, tell};
+use crate::command::output::{Answer, Warnings, bar, system, tell, text_of};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
 use crate::parts::{self, Checked, Dataset, Manifest, SweepDefinition, Written};
@@ -188,7 +188,7 @@ pub fn check(args: &Sweep, folder: &Path) -> Result<Answer> {
         };
         return Ok(Answer::json(&reply).found(is_complete));
     }
-    let text = said.join("\n") + "\n\n" + &summary_document(&checked.summary, system()).text();
+    let text = said.join("\n") + "\n\n" + &text_of(&summary_document(&checked.summary, system()));
     Ok(Answer::text(text).found(is_complete))
 }
 

@@ -24,7 +24,7 @@ pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<(
         labels: vec![],
         about: String::new(),
     };
-    let blocks: Vec<_> = metric.blocks.iter().zip(&us.blocks).collect();
+    let blocks: Vec<_> = metric.blocks().zip(us.blocks()).collect();
     // put consecutive figures side by side
     let of_a_kind = |a: &(&Block, &Block), b: &(&Block, &Block)| a.0.is_figure() && b.0.is_figure();
     let all = blocks

@@ -6,7 +6,7 @@ impl Document {
     /// The document as Markdown (CommonMark with GitHub's tables). The figures are separate files
     /// `NAME-us.svg` or `NAME-metric.svg`.
     pub fn markdown(&self, system: System) -> String {
-        let blocks = self.blocks.iter().map(|block| match block {
+        let blocks = self.blocks().map(|block| match block {
             Block::Heading(text) => format!("## {}\n", escaped(text)),
             Block::Paragraph(text) => format!("{}\n", escaped(text)),
             Block::List(lines) => lines.iter().map(line).collect(),

@@ -5,6 +5,7 @@ mod markdown;
 mod text;
 
 pub use html::document_files;
+pub use text::TextOptions;
 
 use super::frame::is_of_numbers;
 use super::plot::Figure;
@@ -14,7 +15,25 @@ use super::plot::Figure;
 pub struct Document {
     /// The title; may be empty.
     title: String,
-    blocks: Vec<Block>,
+    parts: Vec<Part>,
+}
+
+/// A block with the detail of the texts that have it. Pages have all blocks.
+#[derive(Clone, Debug)]
+struct Part {
+    block: Block,
+    detail: Detail,
+}
+
+/// The texts that have a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Detail {
+    /// All texts.
+    Answer,
+    /// Texts with every table: a screen has no room for it.
+    Rest,
+    /// Texts about the computation.
+    Computation,
 }
 
 #[derive(Clone, Debug)]
@@ -79,6 +98,8 @@ pub(super) struct Table {
     row_notes: Vec<String>,
     /// Lines directly below the table.
     remarks: Vec<Line>,
+    /// Number of rows in a text that fits a screen.
+    first_rows: usize,
 }
 
 impl Table {
@@ -102,6 +123,7 @@ impl Table {
             caption: String::new(),
             row_notes: vec![],
             remarks: vec![],
+            first_rows: usize::MAX,
         }
     }
 
@@ -124,6 +146,12 @@ impl Table {
         }
     }
 
+    /// Limits the rows of a text that fits a screen.
+    #[must_use]
+    pub fn with_first_rows(self, first_rows: usize) -> Self {
+        Self { first_rows, ..self }
+    }
+
     /// Adds details below each row.
     #[must_use]
     pub fn with_row_notes(self, row_notes: Vec<String>) -> Self {
@@ -138,6 +166,17 @@ impl Table {
     /// Adds a line directly below the table.
     pub fn line(&mut self, line: Line) {
         self.remarks.push(line);
+    }
+
+    /// All texts.
+    fn texts(&mut self) -> impl Iterator<Item = &mut String> {
+        let remarks = self.remarks.iter_mut().map(|line| &mut line.text);
+        self.head
+            .iter_mut()
+            .chain(self.rows.iter_mut().flatten())
+            .chain([&mut self.caption])
+            .chain(&mut self.row_notes)
+            .chain(remarks)
     }
 
     /// The notes and remarks of the table, without the caption.
@@ -158,25 +197,36 @@ impl Document {
     pub fn new(title: &str) -> Self {
         Self {
             title: title.into(),
-            blocks: vec![],
+            parts: vec![],
         }
+    }
+
+    fn push(&mut self, block: Block) {
+        self.parts.push(Part {
+            block,
+            detail: Detail::Answer,
+        });
+    }
+
+    fn blocks(&self) -> impl Iterator<Item = &Block> {
+        self.parts.iter().map(|part| &part.block)
     }
 
     /// Begins a section.
     pub fn heading(&mut self, text: &str) {
-        self.blocks.push(Block::Heading(text.into()));
+        self.push(Block::Heading(text.into()));
     }
 
     /// Adds a paragraph.
     pub fn paragraph(&mut self, text: impl Into<String>) {
-        self.blocks.push(Block::Paragraph(text.into()));
+        self.push(Block::Paragraph(text.into()));
     }
 
     /// Adds consecutive lines; nothing if there are none.
     pub fn list(&mut self, lines: impl IntoIterator<Item = Line>) {
         let lines: Vec<Line> = lines.into_iter().collect();
         if !lines.is_empty() {
-            self.blocks.push(Block::List(lines));
+            self.push(Block::List(lines));
         }
     }
 
@@ -187,25 +237,67 @@ impl Document {
 
     /// Adds a table.
     pub(super) fn add(&mut self, table: Table) {
-        self.blocks.push(Block::Table(table));
+        self.push(Block::Table(table));
     }
 
     /// Adds a figure. Plain text omits it.
     pub(super) fn figure(&mut self, figure: Figure) {
-        self.blocks.push(Block::Figure(Box::new(figure)));
+        self.push(Block::Figure(Box::new(figure)));
     }
 
     /// Adds the blocks of another document; its title becomes a heading.
     pub fn append(&mut self, other: Self) {
         if !other.title.is_empty() {
-            self.blocks.push(Block::Heading(other.title));
+            self.push(Block::Heading(other.title));
         }
-        self.blocks.extend(other.blocks);
+        self.parts.extend(other.parts);
+    }
+
+    /// Adds the blocks of another document, for texts with this detail.
+    pub(super) fn append_detail(&mut self, other: Self, detail: Detail) {
+        let before = self.parts.len();
+        self.append(other);
+        for part in &mut self.parts[before..] {
+            part.detail = detail;
+        }
+    }
+
+    /// Puts lines before the first block: into its list if it is one.
+    pub(super) fn put_first(&mut self, first: impl Iterator<Item = Line>) {
+        if let Some(Part {
+            block: Block::List(lines),
+            detail: Detail::Answer,
+        }) = self.parts.first_mut()
+        {
+            lines.splice(0..0, first);
+            return;
+        }
+        let part = Part {
+            block: Block::List(first.collect()),
+            detail: Detail::Answer,
+        };
+        self.parts.insert(0, part);
+    }
+
+    /// Changes each text of the document, apart from the figures.
+    #[must_use]
+    pub fn map_texts(mut self, write: impl Fn(&str) -> String) -> Self {
+        let change = |text: &mut String| *text = write(text);
+        change(&mut self.title);
+        for Part { block, .. } in &mut self.parts {
+            match block {
+                Block::Heading(text) | Block::Paragraph(text) => change(text),
+                Block::List(lines) => lines.iter_mut().for_each(|line| change(&mut line.text)),
+                Block::Table(table) => table.texts().for_each(change),
+                Block::Figure(_) => {}
+            }
+        }
+        self
     }
 
     /// The figures, in order.
     pub fn figures(&self) -> impl Iterator<Item = &Figure> {
-        self.blocks.iter().filter_map(|block| match block {
+        self.blocks().filter_map(|block| match block {
             Block::Figure(figure) => Some(figure.as_ref()),
             _ => None,
         })

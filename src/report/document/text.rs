@@ -1,18 +1,64 @@
-use super::{Block, Document, Level, Line, Table};
+use super::{Block, Detail, Document, Level, Line, Table};
 use crate::report::lines::{item, note, paragraph};
 use crate::report::table::table;
 
+/// The width and the detail of a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TextOptions {
+    /// The most columns of a terminal. A word, and a table that cannot be narrower, may be wider.
+    pub width: usize,
+    /// Includes tables and rows for which a screen has no room.
+    pub all: bool,
+    /// Includes details of the computation: residuals, and parameters that were left out.
+    pub verbose: bool,
+}
+
+impl Default for TextOptions {
+    /// Everything, in 80 columns.
+    fn default() -> Self {
+        Self {
+            width: 80,
+            all: true,
+            verbose: true,
+        }
+    }
+}
+
+impl TextOptions {
+    fn has(self, detail: Detail) -> bool {
+        match detail {
+            Detail::Answer => true,
+            Detail::Rest => self.all,
+            Detail::Computation => self.verbose,
+        }
+    }
+}
+
+/// The line in place of tables that a text leaves out.
+const REST: &str = "the rest: `all`";
+
 impl Document {
     /// The document as plain text, its blocks separated by blank lines.
-    pub fn text(&self) -> String {
+    pub fn text(&self, options: &TextOptions) -> String {
         let title = (!self.title.is_empty()).then(|| underlined(&self.title, "="));
-        let blocks = self.blocks.iter().enumerate().filter_map(|(at, block)| {
-            Some(match block {
+        let last_left_out = self
+            .parts
+            .iter()
+            .rposition(|part| part.detail == Detail::Rest && !options.all);
+        let width = options.width;
+        let blocks = self.parts.iter().enumerate().filter_map(|(at, part)| {
+            if Some(at) == last_left_out {
+                return Some(paragraph(REST, width));
+            }
+            if !options.has(part.detail) {
+                return None;
+            }
+            Some(match &part.block {
                 Block::Heading(_) if self.is_of_figures(at) => return None,
                 Block::Heading(text) => format!("\n{}", underlined(text, "-")),
-                Block::Paragraph(text) => paragraph(text),
-                Block::List(lines) => lines.iter().map(line_text).collect(),
-                Block::Table(table) => table_text(table),
+                Block::Paragraph(text) => paragraph(text, width),
+                Block::List(lines) => lines.iter().map(|line| line_text(line, width)).collect(),
+                Block::Table(table) => table_text(table, options),
                 Block::Figure(_) => return None,
             })
         });
@@ -25,8 +71,9 @@ impl Document {
 
     /// True if the section of this heading has only figures, which plain text omits.
     fn is_of_figures(&self, heading: usize) -> bool {
-        let mut section = self.blocks[heading + 1..]
+        let mut section = self.parts[heading + 1..]
             .iter()
+            .map(|part| &part.block)
             .take_while(|block| !matches!(block, Block::Heading(_)))
             .peekable();
         section.peek().is_some() && section.all(Block::is_figure)
@@ -37,23 +84,36 @@ fn underlined(text: &str, sign: &str) -> String {
     format!("{text}\n{}\n", sign.repeat(text.chars().count()))
 }
 
-fn line_text(line: &Line) -> String {
+fn line_text(line: &Line, width: usize) -> String {
     match line.level {
-        Level::Flush => paragraph(&line.text),
-        Level::Item => item(&line.text),
-        Level::Note => note(&line.text),
+        Level::Flush => paragraph(&line.text, width),
+        Level::Item => item(&line.text, width),
+        Level::Note => note(&line.text, width),
     }
 }
 
-fn table_text(found: &Table) -> String {
+fn table_text(found: &Table, options: &TextOptions) -> String {
+    let width = options.width;
     let head: Vec<&str> = found.head.iter().map(String::as_str).collect();
     let right: Vec<usize> = (0..head.len())
         .filter(|column| found.is_right[*column])
         .collect();
-    let mut text = table(&head, &right, found.rows.iter().cloned());
+    let first = if options.all {
+        usize::MAX
+    } else {
+        found.first_rows
+    };
+    let rows = found.rows.iter().take(first).cloned();
+    // a row with a note stays on one line
+    let most = if found.row_notes.is_empty() {
+        width
+    } else {
+        usize::MAX
+    };
+    let mut text = table(&head, &right, rows, most);
     if !found.row_notes.is_empty() {
         // a table of single lines: the head, then the rows
-        let details = found.row_notes.iter().map(|details| note(details));
+        let details = found.row_notes.iter().map(|details| note(details, width));
         let details = std::iter::once(String::new()).chain(details);
         text = text
             .lines()
@@ -64,8 +124,16 @@ fn table_text(found: &Table) -> String {
     let caption = if found.caption.is_empty() {
         String::new()
     } else {
-        paragraph(&found.caption)
+        paragraph(&found.caption, width)
     };
-    let remarks: String = found.remarks.iter().map(line_text).collect();
-    caption + &text + &remarks
+    let left_out = match found.rows.len().saturating_sub(first) {
+        0 => String::new(),
+        rows => item(&format!("{rows} more rows: `all`"), width),
+    };
+    let remarks: String = found
+        .remarks
+        .iter()
+        .map(|line| line_text(line, width))
+        .collect();
+    caption + &text + &left_out + &remarks
 }

@@ -7,6 +7,7 @@ mod json_lines;
 mod open_connect;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod screen;
 mod summary;
 
 pub use open_connect::open_connect_answer;
@@ -21,6 +22,7 @@ use crate::drive::Outcome;
 use crate::shots::{Flown, Layout, Shots};
 use crate::units::System;
 use csv::{Added, Copied};
+use screen::Screen;
 
 /// Format of flown shots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,6 +37,8 @@ pub enum ShotFormat {
     JsonLines,
     /// A message of GSPro Open Connect per row.
     OpenConnect,
+    /// Six columns of fixed width, for a terminal.
+    Screen,
 }
 
 /// Formats flown shots.
@@ -49,6 +53,7 @@ enum Table {
     Columns(Added),
     JsonLines(json_lines::Keys),
     OpenConnect,
+    Screen(Screen),
 }
 
 impl ShotWriter {
@@ -63,6 +68,7 @@ impl ShotWriter {
             }
             (ShotFormat::JsonLines, _) => Table::JsonLines(json_lines::Keys::new(shots, of)),
             (ShotFormat::OpenConnect, _) => Table::OpenConnect,
+            (ShotFormat::Screen, _) => Table::Screen(Screen::new(of, system)),
         };
         Self { table }
     }
@@ -72,6 +78,7 @@ impl ShotWriter {
         match &self.table {
             Table::Copied(copied) => copied.head(),
             Table::Columns(added) => columns::head(added),
+            Table::Screen(screen) => screen.head(),
             Table::JsonLines(_) | Table::OpenConnect => vec![],
         }
     }
@@ -101,6 +108,7 @@ impl ShotWriter {
                     keys.as_ref().unwrap_or(first).row(flown, row, &mut bytes)
                 }
                 Table::OpenConnect => open_connect::row(flown, row, &mut bytes),
+                Table::Screen(screen) => screen.row(flown, row, &mut bytes),
             }
             bytes.push(b'\n');
         }

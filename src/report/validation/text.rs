@@ -1,14 +1,18 @@
 use super::figures::{ALTERNATIVE, best, figures};
 use crate::parameters::Law;
-use crate::report::document::Document;
+use crate::report::document::{Detail, Document};
 use crate::study::validation::{Compared, LawScores, SWEPT, Score, SetScores};
 use crate::units::{System, counted, fixed, signed};
+
+/// The quantity of most sets.
+const CARRY: &str = "carry";
 
 /// The errors of the most interesting laws, figures, then each set with every law.
 pub(super) fn document(found: &[SetScores], system: System) -> Document {
     let mut document = Document::new("Laws of drag and lift beside published drives");
     let length = system.unit("yd");
-    document.paragraph(format!(
+    let mut about = Document::default();
+    about.paragraph(format!(
         "For each law the bias, which is the mean of computed less published, and MAE, the mean of \
          its size; lengths in {length}, angles in °, spin \
          in rpm. Where the air is not stated, drives fly at 25 °C at sea level in calm; the \
@@ -24,14 +28,17 @@ pub(super) fn document(found: &[SetScores], system: System) -> Document {
          told apart by these numbers.",
         found.len()
     ));
+    document.append_detail(about, Detail::Rest);
     summary(&mut document, found, system);
-    document.heading("In pictures");
+    let mut sets = Document::default();
+    sets.heading("In pictures");
     for figure in figures(found) {
-        document.figure(figure);
+        sets.figure(figure);
     }
     for set in found {
-        one(&mut document, set, system);
+        one(&mut sets, set, system);
     }
+    document.append_detail(sets, Detail::Rest);
     document
 }
 
@@ -56,11 +63,21 @@ fn summary(document: &mut Document, found: &[SetScores], system: System) {
             named(ALTERNATIVE),
             best.map_or("–".into(), |(mean, _)| shown(first(set), mean, system)),
             best.map_or("–".into(), |(_, law)| law.to_owned()),
-            format!("{}, {}", set.set.name, first(set).words()),
+            match first(set).words() {
+                CARRY => set.set.name.to_owned(),
+                other => format!("{}, {other}", set.set.name),
+            },
         ]
     });
     document.table(
-        &["drives", default, ALTERNATIVE, "best", "which is", "MAE of"],
+        &[
+            "drives",
+            default,
+            ALTERNATIVE,
+            "best",
+            "which is",
+            "MAE of carry",
+        ],
         rows,
     );
     document.paragraph(format!(

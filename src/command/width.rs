@@ -1,0 +1,32 @@
+//! The width of the terminal: that of `COLUMNS` if it is set, else that of the stream.
+
+use std::io;
+use terminal_size::{Height, Width, terminal_size_of};
+
+/// Columns of text where no terminal is known.
+pub const UNKNOWN: usize = 80;
+
+/// Widths of text, columns. Longer lines are hard to read.
+const WIDTHS: [usize; 2] = [40, 120];
+
+/// Columns of answers and help on standard output.
+pub fn of_answers() -> usize {
+    width(terminal_size_of(io::stdout()))
+}
+
+/// Columns of messages on standard error.
+pub fn of_messages() -> usize {
+    width(terminal_size_of(io::stderr()))
+}
+
+fn width(size: Option<(Width, Height)>) -> usize {
+    let stated = std::env::var("COLUMNS").ok();
+    let stated = stated.and_then(|columns| columns.parse().ok());
+    let of_terminal = size.map(|(Width(columns), _)| usize::from(columns));
+    let [least, most] = WIDTHS;
+    stated
+        .filter(|columns| *columns > 0)
+        .or(of_terminal)
+        .unwrap_or(UNKNOWN)
+        .clamp(least, most)
+}

@@ -1,0 +1,57 @@
+//! The setup that an answer is about.
+
+use super::document::{Document, Line};
+use super::shown;
+use crate::parameters::{Parameter, Setup};
+use crate::units::System;
+
+/// The setup that an answer is about: the first lines of its text, and `from` of its JSON.
+#[derive(Clone, Debug, Default)]
+pub struct Origin {
+    /// Preset or file with the settings of the request: "tour-average, swing.speed=95mph".
+    pub title: String,
+    /// False if the setup has no name in the request, as for standard input.
+    pub has_name: bool,
+    /// Parameters that a search would vary, with their stated values: they are held.
+    pub held: Vec<(&'static Parameter, f64)>,
+    /// Advice on the setup; empty if there is none.
+    pub advice: String,
+}
+
+impl Origin {
+    /// Holds these parameters at their values in the setup.
+    #[must_use]
+    pub fn with_held(self, held: &[&'static Parameter], setup: &Setup<f64>) -> Self {
+        let held = held
+            .iter()
+            .filter_map(|parameter| Some((*parameter, setup.value(parameter)?)))
+            .collect();
+        Self { held, ..self }
+    }
+
+    /// The title; `None` if the setup has no name.
+    pub fn name(&self) -> Option<&str> {
+        self.has_name.then_some(self.title.as_str())
+    }
+
+    /// Puts the setup before the other lines of an answer.
+    pub fn put_before(&self, document: &mut Document, system: System) {
+        if self.title.is_empty() {
+            return;
+        }
+        let held: Vec<_> = self
+            .held
+            .iter()
+            .map(|(parameter, value)| {
+                let value = shown::stated(parameter, *value, system);
+                format!("{} {value}", parameter.name)
+            })
+            .collect();
+        let lines = [
+            Some(format!("from {}", self.title)),
+            (!held.is_empty()).then(|| format!("held, as stated: {}", held.join(", "))),
+            (!self.advice.is_empty()).then(|| self.advice.clone()),
+        ];
+        document.put_first(lines.into_iter().flatten().map(Line::flush));
+    }
+}

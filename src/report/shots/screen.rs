@@ -1,0 +1,93 @@
+//! Flown shots for a terminal: six columns of fixed width.
+
+use super::columns::launch;
+use crate::drive::Outcome;
+use crate::report::shown;
+use crate::shots::Flown;
+use crate::units::{System, fixed, printed, signed};
+
+/// Columns of text of the number of a line.
+const LINE: usize = 5;
+
+/// Columns of text of each other column.
+const WIDTH: usize = 15;
+
+/// The launch of each shot, and its first outcome: predicted, and less the measured value.
+#[derive(Clone, Debug)]
+pub(super) struct Screen {
+    of: Option<Outcome>,
+    system: System,
+}
+
+impl Screen {
+    pub fn new(of: &[Outcome], system: System) -> Self {
+        Self {
+            of: of.first().copied(),
+            system,
+        }
+    }
+
+    /// The lines of heads: the outcomes, and their units.
+    pub fn head(&self) -> Vec<u8> {
+        let launch = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Spin];
+        let columns = launch
+            .into_iter()
+            .chain(self.of.iter().copied().cycle().take(2));
+        let unit = |of: Outcome| format!("[{}]", printed(self.system.unit(of.unit())));
+        let mut names = vec!["line".to_owned()];
+        let mut units = vec![String::new()];
+        for (column, of) in columns.enumerate() {
+            names.push(match column {
+                4 => "residual".into(),
+                _ => shown::words(of.name()),
+            });
+            units.push(unit(of));
+        }
+        let mut bytes = vec![];
+        for cells in [names, units] {
+            push(&mut bytes, &cells);
+            bytes.push(b'\n');
+        }
+        bytes
+    }
+
+    /// Appends the cells of a row.
+    pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
+        let shot = &flown.shots()[row];
+        let [speed, angle, _, spin, _] = launch(shot);
+        let launch = [
+            (Outcome::BallSpeed, speed),
+            (Outcome::LaunchAngle, angle),
+            (Outcome::Spin, spin),
+        ];
+        let mut cells = vec![shot.line.to_string()];
+        cells.extend(launch.map(|(of, value)| self.number(of, value, false)));
+        if let Some(of) = self.of {
+            cells.push(match flown.predicted(row, 0) {
+                Some(carry) => self.number(of, Some(carry), false),
+                None => flown.flight(row).to_owned(),
+            });
+            cells.push(self.number(of, flown.residual(row, 0), true));
+        }
+        push(bytes, &cells);
+    }
+
+    fn number(&self, of: Outcome, value: Option<f64>, has_sign: bool) -> String {
+        let Some(value) = value else {
+            return shown::NONE.into();
+        };
+        let unit = self.system.unit(of.unit());
+        let size = of.quantity().size_of(unit).unwrap_or(1.0);
+        let decimals = usize::from(unit != "rpm");
+        let text = fixed(value / size, decimals);
+        if has_sign { signed(value, text) } else { text }
+    }
+}
+
+/// Appends the cells of a line, right-aligned.
+fn push(bytes: &mut Vec<u8>, cells: &[String]) {
+    for (column, cell) in cells.iter().enumerate() {
+        let width = if column == 0 { LINE } else { WIDTH };
+        bytes.extend(format!("{cell:>width$}").into_bytes());
+    }
+}

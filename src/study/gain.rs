@@ -1,0 +1,72 @@
+//! The value of an optimum in reach of the club alone.
+
+use super::optimum::{Optimum, optimum};
+use super::search::Search;
+use crate::error::Result;
+use crate::optimize::{Observer, Status};
+use crate::parameters::Parameter;
+
+/// The best value with the swing as set up: the rest of a gain needs another swing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClubAlone {
+    /// The value of the objective as set up, SI.
+    pub as_set_up: f64,
+    /// The optimum over the varied parameters of club and ball.
+    pub optimum: Optimum,
+    /// The value of the objective there, SI.
+    pub value: f64,
+    /// The change of the objective from there to the optimum over club and swing, SI.
+    pub rest: f64,
+}
+
+/// The best value with the swing as set up. `None` unless the search varies parameters of the club
+/// and of the swing, and for a start or a club without a value.
+///
+/// # Errors
+/// The errors of [`optimum`].
+pub fn club_alone(best: &Optimum) -> Result<Option<ClubAlone>> {
+    let (club, swing): (Vec<_>, Vec<_>) = best
+        .search
+        .vary
+        .iter()
+        .copied()
+        .partition(|vary| is_bought(vary.parameter));
+    let is_of_swing = |parameter: &Parameter| {
+        ["swing.", "strike."]
+            .iter()
+            .any(|group| parameter.name.starts_with(group))
+    };
+    if club.is_empty()
+        || swing.is_empty()
+        || !swing.iter().all(|vary| is_of_swing(vary.parameter))
+        || !best.search.scenarios.is_one_drive()
+    {
+        return Ok(None);
+    }
+    let start = best.start_drive.as_ref();
+    let of = best.search.outcome();
+    let Some(as_set_up) = start.and_then(|start| of.value(start)) else {
+        return Ok(None);
+    };
+    let search = Search {
+        vary: club,
+        ..best.search.clone()
+    };
+    let optimum = optimum(&best.start, search, Observer::default())?;
+    let value = optimum
+        .value()
+        .filter(|_| optimum.solution.status == Status::Converged);
+    Ok(value.zip(best.value()).map(|(value, best)| ClubAlone {
+        as_set_up,
+        optimum,
+        value,
+        rest: best - value,
+    }))
+}
+
+/// True for parameters of the club and the ball.
+fn is_bought(parameter: &Parameter) -> bool {
+    ["club.", "ball."]
+        .iter()
+        .any(|group| parameter.name.starts_with(group))
+}

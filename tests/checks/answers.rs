@@ -1,0 +1,275 @@
+//! Answers begin with the answer, fit a screen and its width, and name their setup.
+
+use crate::command_line::{Output, json, longdrive, number};
+use crate::program;
+use longdrive::{Drive, Outcome, Setup};
+use serde_json::Value;
+
+/// Lines of a screen.
+const SCREEN: usize = 40;
+
+/// Runs a command in a terminal of this width; `None` for a pipe.
+fn in_columns(columns: Option<usize>, words: &[&str]) -> Output {
+    let mut command = program::command();
+    command.args(words).env_remove("COLUMNS");
+    if let Some(columns) = columns {
+        command.env("COLUMNS", columns.to_string());
+    }
+    let output = command.output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    Output {
+        status: output.status.code().unwrap(),
+        out: text(output.stdout),
+        err: text(output.stderr),
+    }
+}
+
+fn widest(text: &str) -> usize {
+    text.lines()
+        .map(|line| line.chars().count())
+        .max()
+        .unwrap_or(0)
+}
+
+#[test]
+fn long_answers_fit_a_screen_and_all_prints_the_rest() {
+    for words in [
+        &["optimize"][..],
+        &["optimum-sensitivity"],
+        &["uncertainty", "--samples", "128"],
+        &["design", "--scenarios", "64"],
+        &["validate"],
+        &["parameters"],
+    ] {
+        let short = in_columns(Some(80), words);
+        assert_eq!(short.status, 0, "{words:?}: {}", short.err);
+        let lines = short.out.lines().count();
+        assert!(
+            lines <= SCREEN,
+            "{words:?} has {lines} lines:\n{}",
+            short.out
+        );
+        let all = in_columns(Some(80), &[words, &["--all"]].concat());
+        assert!(!all.out.contains("--all"), "{words:?}: {}", all.out);
+        let is_whole = words[0] == "optimize";
+        assert_eq!(short.out.contains("--all"), !is_whole, "{words:?}");
+        assert_eq!(short.out == all.out, is_whole, "{words:?}");
+    }
+}
+
+#[test]
+fn text_and_help_wrap_to_the_terminal() {
+    let answers = [
+        &["simulate"][..],
+        &["optimize"],
+        &["optimum-sensitivity"],
+        &["compare", "--set-b", "club.loft=12deg"],
+        &["uncertainty", "--samples", "128"],
+        &["parameters"],
+        &["presets"],
+        &["--help"],
+        &["optimize", "--help"],
+        &["delivery", "--help"],
+    ];
+    for words in answers {
+        for (columns, most) in [(Some(60), 60), (Some(80), 80), (Some(120), 120), (None, 80)] {
+            let said = in_columns(columns, words);
+            let text = said.out + &said.err;
+            let wide: Vec<_> = text.lines().filter(|line| widest(line) > most).collect();
+            // a table of two columns cannot be narrower, and a word stays whole
+            let is_table = |line: &&&str| line.trim().split("  ").count() > 1;
+            let wide: Vec<_> = wide.iter().filter(|line| !is_table(line)).collect();
+            assert!(wide.is_empty(), "{words:?} in {columns:?}: {wide:#?}");
+        }
+    }
+}
+
+#[test]
+fn details_of_the_computation_are_for_verbose() {
+    let words = ["optimum-sensitivity"];
+    let plain = longdrive(&words);
+    let verbose = longdrive(&[&words[..], &["--verbose"]].concat());
+    for detail in ["KKT", "left out, because they have no value", "trust region"] {
+        let [plain, verbose] = [&plain, &verbose].map(|said| said.out.clone() + &said.err);
+        assert!(!plain.contains(detail), "{detail} in {plain}");
+        assert!(verbose.contains(detail), "no {detail} in {verbose}");
+    }
+    assert!(plain.out.lines().last().unwrap().starts_with("converged: "));
+    let (_, answer) = json(&words);
+    let left_out = answer["left_out"][0].as_str().unwrap();
+    assert!(left_out.contains("ball.inertia"), "{left_out}");
+    // a search without an optimum keeps its numbers
+    let said = longdrive(&["optimize", "--max-iterations", "1"]);
+    assert_eq!(said.status, 1);
+    assert!(said.out.contains("KKT residual"), "{}", said.out);
+    let said = longdrive(&["optimize", "--verbose", "--quiet"]);
+    assert_eq!(said.status, 2);
+}
+
+#[test]
+fn every_answer_names_its_setup_and_what_was_changed() {
+    let set = ["--set", "swing.speed=95mph"];
+    let title = "tour-average, swing.speed=95mph";
+    for words in [
+        &["simulate"][..],
+        &["gradient"],
+        &["sensitivity"],
+        &["uncertainty", "--samples", "16"],
+        &["optimize"],
+        &["optimum-sensitivity", "--wrt", "club.mass"],
+        &[
+            "chart",
+            "--along",
+            "air.density",
+            "--at",
+            "1.1kg/m^3,1.2kg/m^3",
+        ],
+        &[
+            "pareto",
+            "--maximize",
+            "carry",
+            "--minimize",
+            "apex_height",
+            "--points",
+            "3",
+        ],
+        &["robust", "--model", "aero.law=ferguson"],
+        &["verify", "--of", "carry", "--wrt", "club.loft"],
+        &["parameters"],
+    ] {
+        let said = longdrive(&[words, &set[..]].concat());
+        let first = said.out.lines().next().unwrap_or_default();
+        assert_eq!(first, format!("from {title}"), "{words:?}: {}", said.err);
+        let (_, answer) = json(&[words, &set[..]].concat());
+        assert_eq!(answer["from"], title, "{words:?}");
+    }
+    let (_, design) = json(&[
+        "design",
+        "tour-average",
+        "--rules",
+        "none",
+        "--scenarios",
+        "64",
+        set[0],
+        set[1],
+    ]);
+    assert_eq!(design["from"], title);
+    let compared = longdrive(&[&["compare"], &set[..], &["--set-b", "club.loft=12deg"]].concat());
+    let names = format!("a: {title}\nb: {title}, club.loft=12deg\n");
+    assert!(compared.out.starts_with(&names), "{}", compared.out);
+}
+
+/// The loft depends on shaft and strike, which a measured launch tells.
+#[test]
+fn the_loft_of_an_average_comes_with_the_command_for_ones_own() {
+    let advice = "finds your own from a measured launch";
+    for (words, has_advice) in [
+        (&["optimize"][..], true),
+        (
+            &["optimize", "--vary", "swing.attack_angle=-5deg..5deg"],
+            false,
+        ),
+        (&["optimize", "modern-driver"], false),
+        (&["chart", "--along", "swing.speed", "--at", "100mph"], true),
+        (&["simulate"], false),
+    ] {
+        let said = longdrive(words);
+        let text = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(text.contains(advice), has_advice, "{words:?}: {text}");
+    }
+}
+
+fn carry_at(found: &Value, name: &str, value: f64) -> f64 {
+    let mut setup = Setup::preset("tour-average").unwrap();
+    for (varied, best) in found["optimum"].as_object().unwrap() {
+        let value = if varied == name { value } else { number(best) };
+        setup.set(varied, &format!("{value} rad")).unwrap();
+    }
+    Outcome::Carry.value(&Drive::new(&setup).unwrap()).unwrap()
+}
+
+/// At each end of an interval that is no bound, the flight carries one yard less.
+#[test]
+fn exact_loss_at_the_ends_of_the_intervals_of_an_optimum() {
+    let (_, found) = json(&["optimize"]);
+    let loss = number(&found["window_loss"]);
+    assert!((loss - 0.9144).abs() < 1e-12);
+    let best = number(&found["value"]);
+    let mut ends = 0;
+    for (name, window) in found["window"].as_object().unwrap() {
+        for (end, limit) in [("low", "low_limit"), ("high", "high_limit")] {
+            let lost = best - carry_at(&found, name, number(&window[end]));
+            if window[limit] == "loss" {
+                assert!((lost - loss).abs() < 1e-6, "{name} {end}: {lost}");
+                ends += 1;
+            } else {
+                assert_eq!(window[limit], "bound");
+                assert!(lost < loss, "{name} {end}: {lost}");
+            }
+        }
+    }
+    assert_eq!(ends, 3, "{}", found["window"]);
+}
+
+/// The gain of the club alone is that of a search over the loft with the swing as set up.
+#[test]
+fn same_gain_of_the_club_as_a_search_over_the_loft_alone() {
+    let (_, both) = json(&["optimize"]);
+    let (_, loft) = json(&["optimize", "--vary", "club.loft=4deg..20deg"]);
+    let (_, start) = json(&["simulate"]);
+    let before = number(&start["flight"]["carry"]);
+    let [both_carry, loft_carry] = [&both, &loft].map(|found| number(&found["value"]));
+    let club = &both["club_alone"];
+    let close = |value: &Value, exact: f64| (number(value) - exact).abs() < 1e-6;
+    assert!(close(&club["club_gain"], loft_carry - before), "{club}");
+    assert!(
+        close(&club["swing_gain"], both_carry - loft_carry),
+        "{club}"
+    );
+    let best = number(&loft["optimum"]["club.loft"]);
+    assert!(close(&club["optimum"]["club.loft"], best), "{club}");
+    assert!(loft["club_alone"].is_null());
+    let said = longdrive(&["optimize", "-q"]).out;
+    assert!(said.contains("the club alone, with the swing as set up: "));
+}
+
+/// The Reynolds number of an amateur's ball leaves the range of the law near the landing, which
+/// changes little; that of a very slow ball changes the carry.
+#[test]
+fn a_law_outside_its_range_is_a_warning_where_it_changes_the_carry() {
+    for preset in ["amateur-average", "tour-average", "lpga-average"] {
+        let (_, drive) = json(&["simulate", preset]);
+        assert_eq!(drive["warnings"], serde_json::json!([]), "{preset}");
+    }
+    let slow = ["--set", "swing.speed=30mph", "--set", "club.loft=14deg"];
+    let (_, drive) = json(&[&["simulate"], &slow[..]].concat());
+    let warning = drive["warnings"][0].as_str().unwrap();
+    let says = "with the law held at the end of its range the carry is ";
+    assert!(warning.contains(says), "{warning}");
+    let said = longdrive(&[&["simulate", "-q"], &slow[..]].concat());
+    let text = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(text.contains("of the carry is extrapolated"), "{text}");
+}
+
+#[test]
+fn a_stated_temperature_says_that_the_ball_is_not_colder() {
+    let (_, cold) = json(&["simulate", "--set", "air.temperature=40F"]);
+    let warning = cold["warnings"][0].as_str().unwrap();
+    assert!(
+        warning.contains("a cold ball is slower too, which is not modelled")
+            && warning.contains("1.3 yd to 2 yd in published"),
+        "{warning}"
+    );
+    let (_, warm) = json(&["simulate", "--set", "air.temperature=25degC"]);
+    assert_eq!(warm["warnings"], serde_json::json!([]));
+    // the effect here is that of two flights 10 °F apart
+    let carry = |temperature: &str| {
+        let set = format!("air.temperature={temperature}");
+        number(&json(&["simulate", "--set", &set]).1["flight"]["carry"]) / 0.9144
+    };
+    let ours = carry("45F") - carry("35F");
+    assert!(
+        warning.contains(&format!("changes by {ours:.1} yd here")),
+        "{ours}: {warning}"
+    );
+}
