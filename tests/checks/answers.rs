@@ -89,7 +89,11 @@ fn details_of_the_computation_are_for_verbose() {
     let words = ["optimum-sensitivity"];
     let plain = longdrive(&words);
     let verbose = longdrive(&[&words[..], &["--verbose"]].concat());
-    for detail in ["KKT", "left out, because they have no value", "trust region"] {
+    for detail in [
+        "KKT",
+        "left out, because they have no value",
+        "trust region",
+    ] {
         let [plain, verbose] = [&plain, &verbose].map(|said| said.out.clone() + &said.err);
         assert!(!plain.contains(detail), "{detail} in {plain}");
         assert!(verbose.contains(detail), "no {detail} in {verbose}");
