@@ -130,11 +130,17 @@ enum Amount {
     Part(f64),
     /// Uncertainty of the mean wind, m/s, in addition to its gusts.
     Wind(f64),
+    /// Uncertainty of the mark of a strike, m. A strike that is measured from the sweet spot also
+    /// has the uncertainty of its place, [`SWEET_SPOT`].
+    Strike(f64),
 }
 
 /// Roughness length for gusts in a setup with uniform wind, m: open country with low vegetation (EN
 /// 1991-1-4, terrain category II).
 const OPEN_COUNTRY: f64 = 0.05;
+
+/// Standard uncertainty of the height of the sweet spot on the face, m.
+const SWEET_SPOT: f64 = 3e-3;
 
 /// σ_v/σ_u: ratio of gusts across and along the wind (Panofsky & Dutton 1984: 1.92/2.39).
 const ACROSS: f64 = 0.8;
@@ -162,6 +168,9 @@ const MONITOR: &str =
 const BALL: &str = "assumed: what launch monitors state of a ball, as for `calibrate` without \
                     stated uncertainties";
 const STRIKE: &str = "assumed: a mark on the face, read to a millimetre";
+const STRIKE_HIGH: &str = "assumed: a mark on the face, read to a millimetre; from the sweet spot, \
+                           its height within 3 mm too (docs/sources.md)";
+const SPOT: &str = "docs/sources.md: the sweet spot within 3 mm";
 const LAW_DRAG: &str = "docs/sources.md: credible laws differ by 0.015 in C_D";
 const LAW_LIFT: &str = "docs/sources.md: credible laws differ by 0.02 in C_L, a tenth of it";
 const AIR: &str = "assumed: temperature within 1.5 °C";
@@ -181,12 +190,8 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
     ("swing.path", Amount::Of(0.3, "deg"), MONITOR),
     ("swing.face_angle", Amount::Of(0.3, "deg"), MONITOR),
     ("club.loft", Amount::Of(0.3, "deg"), MONITOR),
-    (
-        "club.cg_high",
-        Amount::Of(3.0, "mm"),
-        "docs/sources.md: sweet spots of two measured sets differ by 3 mm and more",
-    ),
-    ("strike.high", Amount::Of(1.0, "mm"), STRIKE),
+    ("club.cg_high", Amount::Of(1e3 * SWEET_SPOT, "mm"), SPOT),
+    ("strike.high", Amount::Strike(1e-3), STRIKE_HIGH),
     ("strike.toe", Amount::Of(1.0, "mm"), STRIKE),
     ("launch.ball_speed", Amount::Of(1.0, "mph"), BALL),
     ("launch.launch_angle", Amount::Of(0.3, "deg"), BALL),
@@ -252,6 +257,10 @@ pub fn with_defaults(setup: &Setup<f64>, given: &[Sigma], of: &[Outcome]) -> Res
         let value = match amount {
             Amount::Of(number, unit) => number * parameter.quantity.size_of(unit).unwrap_or(1.0),
             Amount::Part(part) => part * setup.value(parameter).unwrap_or_default().abs(),
+            Amount::Strike(mark) => match setup.club.cg_high {
+                Some(_) => *mark,
+                None => mark.hypot(SWEET_SPOT),
+            },
             Amount::Wind(mean) => {
                 let [right, downrange, speed] = gusts(setup);
                 mean.hypot(match *name {
