@@ -290,7 +290,7 @@ fn tip_of_unknown_option(argument: &str) -> String {
     let commands = commands_with(name.trim_start_matches('-'));
     let others = match commands.len() {
         0 | 6.. => String::new(),
-        _ => format!("; it is one of {}", commands.join(", ")),
+        _ => format!("; it is an option of {}", commands.join(", ")),
     };
     format!("this command has no option '{name}'{others}; --help lists those that it has")
 }

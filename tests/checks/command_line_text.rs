@@ -436,7 +436,7 @@ fn messages_have_plain_numbers_chosen_units_and_suggestions() {
         (
             vec!["simulate", "--threads", "3"],
             2,
-            "this command has no option '--threads'; --help lists",
+            "this command has no option '--threads'; it is an option of sweep, fly; --help lists",
             "'-- ",
         ),
         (

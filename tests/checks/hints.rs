@@ -15,7 +15,7 @@ fn an_option_of_other_commands_is_not_taken_for_one_that_begins_alike() {
     for (words, says) in [
         (
             &["plot", "contour", "--over", "club.loft", "-o", "x.svg"][..],
-            "no option '--over'; it is one of sweep, plot laws",
+            "no option '--over'; it is an option of plot laws, sweep",
         ),
         (&["optimize", "--spd", "95mph"], "no option '--spd'; --help"),
         (&["gradient", "--vary=x"], "no option '--vary'"),
