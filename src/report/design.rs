@@ -182,7 +182,7 @@ impl Designed<'_> {
         let goal = &self.best.search.of;
         let told = match (constraint.by, price, margin) {
             (Enforcement::Unknown, ..) => "not checked; it can be stated as a relation".into(),
-            (Enforcement::Value(_), _, Some(_)) => "met; no varied parameter changes it".into(),
+            (Enforcement::Value(_), _, Some(_)) => "met; not varied".into(),
             (_, Some(price), _) => {
                 let amount = price
                     * constraint.step

@@ -1079,5 +1079,6 @@ fn a_setting_that_has_no_effect_is_refused() {
         "--samples",
         "16",
     ];
-    assert!(longdrive(&asked).out.contains("normal: 90 mph ± 1 mph"));
+    let said = longdrive(&[&asked[..], &["--all"]].concat());
+    assert!(said.out.contains("normal: 90 mph ± 1 mph"));
 }

@@ -331,7 +331,7 @@ fn what_validation_md_shows_is_that_of_the_program() {
 fn a_folder_gets_a_page_and_markdown_and_two_formats_are_refused() {
     let said = &VALIDATED.said;
     assert!(
-        said.status == 0 && said.out.contains("lengths in m,"),
+        said.status == 0 && said.out.contains("MAE [m] of carry"),
         "{}",
         said.err
     );

@@ -209,14 +209,16 @@ fn each_law_names_its_fitted_range() {
             .any(|it| it.contains("speed through the air of 25 m/s to 68 m/s")),
         "{found:?}"
     );
-    let found = warnings(
-        "modern-driver",
-        &[("swing.speed", "30 mph"), ("club.loft", "14 deg")],
-    );
+    let low_spin = [
+        ("launch.ball_speed", "170 mph"),
+        ("launch.launch_angle", "12 deg"),
+        ("launch.backspin", "1200 rpm"),
+    ];
+    let found = warnings("modern-driver", &low_spin);
     assert!(
         found
             .iter()
-            .any(|it| it.contains("Reynolds number of 70000 to 230000")),
+            .any(|it| it.contains("spin ratio of 0.06 to 0.33")),
         "{found:?}"
     );
     let found = warnings(
@@ -418,11 +420,17 @@ fn exact_validity_limits_of_a_batch_by_their_definitions() {
 
 #[test]
 fn charts_and_calibrations_count_drives_beyond_the_law() {
-    let (status, chart) = json(&["chart", "--along", "swing.speed=25mph..30mph"]);
+    let (status, chart) = json(&[
+        "chart",
+        "--set",
+        "aero.law=smits-smith",
+        "--along",
+        "swing.speed=140mph..145mph",
+    ]);
     let points = chart["points"].as_array().unwrap().len();
     let told = format!(
         "{points} of {points} optima: with more than 0.3 yd of carry outside of what the law \
-         launch-monitor"
+         smits-smith"
     );
     assert!(
         status == 0 && chart["warnings"][0].as_str().unwrap().starts_with(&told),
@@ -432,7 +440,7 @@ fn charts_and_calibrations_count_drives_beyond_the_law() {
     assert_eq!(usual["warnings"].as_array().unwrap().len(), 0, "{usual}");
 
     let mut table = tempfile::Builder::new().suffix(".csv").tempfile().unwrap();
-    let rows = "160,12,2600,250\n150,12,2500,240\n40,14,1500,35\n";
+    let rows = "160,12,2600,250\n150,12,2500,240\n170,12,1200,260\n";
     std::io::Write::write_all(
         &mut table,
         format!("ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]\n{rows}").as_bytes(),
@@ -487,13 +495,15 @@ fn drives_without_a_landing_have_a_warning_if_the_flight_is_requested() {
 fn a_warning_of_a_chart_names_each_part() {
     let said = longdrive(&[
         "chart",
+        "--set",
+        "aero.law=winfield-tan",
         "--along",
         "swing.speed",
         "--at",
-        "70mph,90mph,100mph,130mph",
+        "50mph,90mph,100mph,140mph",
     ]);
     let err = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(err.contains("; swing.speed = 70 mph, and 130 mph"), "{err}");
+    assert!(err.contains("; swing.speed = 50 mph, and 140 mph"), "{err}");
 }
 
 /// The optima of plots and pages are checked as those of `chart`: one warning of each kind, with
@@ -503,10 +513,15 @@ fn plots_and_reports_of_optima_warn_once_for_each_kind() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).display().to_string();
     let (svg, page) = (file("a.svg"), file("page"));
-    let slow = ["--along", "swing.speed=25mph..30mph"];
+    let fast = [
+        "--set",
+        "aero.law=smits-smith",
+        "--along",
+        "swing.speed=140mph..145mph",
+    ];
     let says = [
         "optima: with more than 0.3 yd of carry outside of",
-        "; swing.speed = 25 mph to 30 mph",
+        "; swing.speed = 140 mph to 145 mph",
     ];
     let of_optima = |answer: &serde_json::Value| {
         let warnings = answer["warnings"]
@@ -523,7 +538,7 @@ fn plots_and_reports_of_optima_warn_once_for_each_kind() {
         vec!["plot", "chart", "-o", &svg],
         vec!["report", "-o", &page],
     ] {
-        let (_, answer) = json(&[&command[..], &slow].concat());
+        let (_, answer) = json(&[&command[..], &fast].concat());
         let found = of_optima(&answer);
         assert!(
             found.len() == 1 && says.iter().all(|says| found[0].contains(says)),
@@ -543,9 +558,9 @@ fn plots_and_reports_of_optima_warn_once_for_each_kind() {
     // the setup's own drive is usual, the optimum is not
     let vary = [
         "--vary",
-        "club.loft=4deg..60deg",
+        "club.loft=2deg..60deg",
         "--vary",
-        "swing.speed=20mph..30mph",
+        "swing.speed=155mph..165mph",
         "--maximize",
         "carry",
     ];
@@ -563,14 +578,18 @@ fn plots_and_reports_of_optima_warn_once_for_each_kind() {
 /// outside, of an optimum too.
 #[test]
 fn share_outside_the_range_of_a_law_is_in_the_answer() {
-    let slow = ["--set", "swing.speed=30mph", "--set", "club.loft=14deg"];
-    let (_, answer) = json(&[&["simulate"], &slow[..]].concat());
-    let reynolds = &answer["law_range"]["reynolds"];
+    let slow = ["--set", "swing.speed=30mph"];
+    let low_spin = [
+        "--launch",
+        "ball_speed=170mph,launch_angle=12deg,backspin=1200rpm",
+    ];
+    let (_, answer) = json(&[&["simulate"], &low_spin[..]].concat());
+    let spin_ratio = &answer["law_range"]["spin_ratio"];
     assert_eq!(
-        reynolds["fitted"],
-        serde_json::json!({ "low": 7e4, "high": 2.3e5 })
+        spin_ratio["fitted"],
+        serde_json::json!({ "low": 0.06, "high": 0.33 })
     );
-    let share = reynolds["share_outside"].as_f64().unwrap();
+    let share = spin_ratio["share_outside"].as_f64().unwrap();
     assert!(
         answer["warnings"]
             .to_string()
@@ -583,7 +602,7 @@ fn share_outside_the_range_of_a_law_is_in_the_answer() {
     let best = json(
         &[
             &["optimize"],
-            &slow[..2],
+            &slow[..],
             &["--vary", "club.loft=8deg..20deg"],
         ]
         .concat(),
@@ -682,7 +701,7 @@ fn a_flat_landing_has_a_warning_with_the_total_and_at_an_optimum() {
 /// best loft leaves the range of the law: the mean swing is well within it.
 #[test]
 fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
-    let swings = "swing.speed=truncated(120mph,10mph,90mph,150mph)";
+    let swings = "swing.speed=truncated(100mph,10mph,85mph,130mph)";
     let asked = [
         "--distribution",
         swings,
@@ -690,17 +709,21 @@ fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
         "club.loft=4deg..20deg",
         "--scenarios",
         "2000",
+        "--set",
+        "aero.law=winfield-tan",
     ];
     let (status, found) = json(&[&["optimize"], &asked[..], &SET_RIGID_TOUR].concat());
     assert_eq!(status, 0, "{found}");
     let told = warning_of(
         &found,
-        " % of the swings: with more than 0.3 yd of carry outside of what the law launch-monitor",
+        " % of the swings: with more than 0.3 yd of carry outside of what the law winfield-tan",
     );
     let share: f64 = told.split(' ').next().unwrap().parse().unwrap();
     let mut setup = Setup::preset("tour-average").unwrap();
     setup.set_all(RIGID).unwrap();
-    setup.set("strike.high", "3 mm").unwrap();
+    setup
+        .set_all([("strike.high", "3 mm"), ("aero.law", "winfield-tan")])
+        .unwrap();
     setup
         .set(
             "club.loft",
@@ -716,8 +739,8 @@ fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
             .iter()
             .any(|it| it.to_string().contains("fitted to"))
     };
-    assert!(!is_outside(120.0) && !is_outside(90.0) && is_outside(150.0));
-    let (mut within, mut outside) = (120.0, 150.0);
+    assert!(!is_outside(100.0) && !is_outside(85.0) && is_outside(130.0));
+    let (mut within, mut outside) = (100.0, 130.0);
     while outside - within > 1e-3 {
         let middle = 0.5 * (within + outside);
         *(if is_outside(middle) {
@@ -727,8 +750,8 @@ fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
         }) = middle;
     }
     let normal = statrs::distribution::Normal::standard();
-    let below = |mph: f64| statrs::distribution::ContinuousCDF::cdf(&normal, (mph - 120.0) / 10.0);
-    let expected = 100.0 * (below(150.0) - below(outside)) / (below(150.0) - below(90.0));
+    let below = |mph: f64| statrs::distribution::ContinuousCDF::cdf(&normal, (mph - 100.0) / 10.0);
+    let expected = 100.0 * (below(130.0) - below(outside)) / (below(130.0) - below(85.0));
     assert!(
         expected > 2.0 && (share - expected).abs() < 1.0,
         "{share} beside {expected}"
@@ -786,7 +809,8 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
         "--vary",
         "club.loft=4deg..20deg",
     ];
-    let (_, found) = json(&[&models, &fast[..]].concat());
+    let low = ["--vary", "club.loft=2deg..20deg"];
+    let (_, found) = json(&[&models[..3], &low, &fast].concat());
     let told = warning_of(
         &found,
         "with the model 'as set up': the law launch-monitor was fitted to",
@@ -801,7 +825,8 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
         "--points",
         "5",
     ];
-    let (_, found) = json(&[&front, &fast[..]].concat());
+    let law = ["--set", "aero.law=smits-smith"];
+    let (_, found) = json(&[&front, &fast[..], &law].concat());
     let points = found["points"].as_array().unwrap().len();
     let told = warning_of(&found, says);
     assert!(
@@ -825,7 +850,7 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
         "--points",
         "4",
     ];
-    let (_, found) = json(&[&goals[..], &swings, &fast, &SET_RIGID_TOUR].concat());
+    let (_, found) = json(&[&goals[..], &swings, &fast, &law, &SET_RIGID_TOUR].concat());
     let told = warning_of(&found, says);
     assert!(
         told.contains(

@@ -245,11 +245,7 @@ impl Request {
     pub fn origin_of_search(&self, vary: &[Vary]) -> Origin {
         let varies_loft = vary.iter().any(|vary| vary.parameter.name == "club.loft");
         let advice = if varies_loft && self.source.is_average() {
-            format!(
-                "shaft and strike are those of {}; `delivery()` finds your own from a measured \
-                 launch, for another best loft",
-                self.source.name()
-            )
+            "shaft and strike are the average's; `delivery()` takes your own launch".into()
         } else {
             String::new()
         };

@@ -69,15 +69,9 @@ fn summary(document: &mut Document, found: &[SetScores], system: System) {
             },
         ]
     });
+    let head = format!("MAE [{}] of carry", system.unit("yd"));
     document.table(
-        &[
-            "drives",
-            default,
-            ALTERNATIVE,
-            "best",
-            "which is",
-            "MAE of carry",
-        ],
+        &["drives", default, ALTERNATIVE, "best", "which is", &head],
         rows,
     );
     document.paragraph(format!(
