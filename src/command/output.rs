@@ -273,7 +273,8 @@ fn with_named_arguments(message: &str, error: &clap::Error) -> String {
     message
 }
 
-/// The largest number of letters in which a suggested option differs, as a share of its length.
+/// The largest number of letters in which a suggested option differs, as a share of its length;
+/// one letter may always differ.
 const MOST_DIFFERENT: f64 = 0.3;
 
 /// True for a misspelling of an option: `--threds` of `--threads`, and not `--over` of
@@ -281,7 +282,7 @@ const MOST_DIFFERENT: f64 = 0.3;
 fn is_misspelt(argument: &str, option: &str) -> bool {
     let [typed, known] = [argument, option].map(|text| text.trim_start_matches('-'));
     let different = strsim::damerau_levenshtein(typed, known) as f64;
-    different <= MOST_DIFFERENT * known.len() as f64
+    different <= (MOST_DIFFERENT * known.len() as f64).max(1.0)
 }
 
 /// The tip about an option that this command does not have: the commands that have it.

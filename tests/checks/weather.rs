@@ -561,7 +561,7 @@ fn contradictory_weather_settings_are_refused() {
         ),
         (
             &["simulate", "--set", "air.altitude=20km"],
-            "air.altitude = 20000 m (20km) is outside its range",
+            "air.altitude = 20000 m (65616.8 ft) (20km) is outside its range",
         ),
         (
             &["simulate", "--set", "air.pressure=29.9hPa"],
