@@ -286,7 +286,9 @@ def test_warnings_point_at_the_line_that_asked():
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         said = longdrive.chart(
-            along={"swing.speed": ("80 mph", "90 mph")}, vary={"club.loft": (0.1, 0.3)}
+            {"aero.law": "smits-smith"},
+            along={"swing.speed": ("80 mph", "90 mph")},
+            vary={"club.loft": (0.1, 0.3)},
         )
     assert [str(warning.message) for warning in caught] == ["\n".join(said.warnings)]
     assert said.warnings and {warning.filename for warning in caught} == {__file__}

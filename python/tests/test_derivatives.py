@@ -96,6 +96,8 @@ def test_a_jacobian_has_a_row_for_each_outcome() -> None:
 def test_same_numbers_as_the_program(program: Callable[..., str]) -> None:
     report = json.loads(program("simulate", "modern-driver", "--set", "club.loft=11deg", "--json"))
     drive = longdrive.simulate({"preset": "modern-driver", "club.loft": "11 deg"})
+    # the program also names the setup as it was stated
+    assert report.pop("from") == "modern-driver, club.loft=11deg"
     assert drive.report == report
     assert drive["carry"] == report["flight"]["carry"]
     theirs = json.loads(

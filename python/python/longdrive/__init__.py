@@ -8,7 +8,7 @@ Hessians with respect to every parameter.
 >>> drive.status
 'landed'
 >>> value, gradient = longdrive.gradient("tour-average", of="carry", wrt=["club.loft", "swing.speed"])
->>> value == drive["carry"]
+>>> abs(value - drive["carry"]) < 1e-9
 True
 
 Numbers are SI and radians; a text carries its unit. Bad input is an :class:`InputError`, a question without an answer a

@@ -51,8 +51,8 @@ def compare(
     of: Names | None = None,
     progress: Progress = False,
 ) -> Reply:
-    """Compare two drives, with the cause of each difference. The outcomes of both, and the share of
-    each parameter and launch condition in the difference.
+    """Compare two drives: their outcomes, and which part of the difference is due to which parameter
+    and launch condition.
 
     Args:
         setup: the first drive, which messages call a: a setup, the name of a preset, a dict, or
@@ -66,8 +66,8 @@ def compare(
         tolerance: every length is within this length of its exact value, m or a text; without it 1
             um where many drives are flown, unless the setup gives flight.method or flight.step.
         own_step: integrate by flight.method and flight.step of the setup in every case.
-        launch_a: the launch conditions of drive a, as in launch.
-        launch_b: the launch conditions of drive b, as in launch.
+        launch_a: the launch conditions of a, as in launch.
+        launch_b: the launch conditions of b, as in launch.
         of: the outcomes whose difference is split, one or several; "all" for every one [default:
             carry].
         progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
@@ -99,8 +99,8 @@ def optimize(
     overwrite: bool = False,
     progress: Progress = False,
 ) -> Optimum:
-    """Find the drive that carries farthest, or any best outcome. Finds the parameters that maximize or
-    minimize an outcome: by default, the loft and attack angle of the longest carry.
+    """Find the parameters that maximize or minimize an outcome: by default, the loft and attack angle
+    of the longest carry.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -123,8 +123,8 @@ def optimize(
         swings: search for the best over many swings: a TOML file with [distributions] and
             [[correlations]], or a table (CSV, Parquet, Arrow) of recorded swings, a column for each
             parameter. Goals are then written like "mean(carry)", "std(lateral)", "lowest(carry,
-            10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and by default only
-            the loft is varied.
+            10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft
+            alone by default.
         distribution: the distribution of a parameter from swing to swing:
             NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
             NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
@@ -133,9 +133,9 @@ def optimize(
         scenarios: take this many swings of the distributions, by a quasi-random sequence [default:
             quadrature for up to 3 parameters, else 512 swings].
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
-        strokes: a CSV table of the expected strokes from a distance, with the columns "distance
-            [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to hole out
-            after this drive.
+        strokes: a CSV table of the strokes that are expected from a distance, with the columns
+            "distance [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to
+            hole out after this drive.
         starts: search from this many starts, spread evenly over the ranges (the first is the
             setup's own), and list the local optima [default: 1].
         checkpoint: save the search to this file after every iteration; if the file exists, continue
@@ -174,8 +174,8 @@ def optimum_sensitivity(
     loss: Amount | None = None,
     progress: Progress = False,
 ) -> Optimum:
-    """Sensitivity of the optimum, and how flat it is. How the optimum depends on every other
-    parameter, and the price of its bounds and constraints.
+    """How the optimum depends on every other parameter, what its bounds and constraints cost, and how
+    flat it is.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -198,8 +198,8 @@ def optimum_sensitivity(
         swings: search for the best over many swings: a TOML file with [distributions] and
             [[correlations]], or a table (CSV, Parquet, Arrow) of recorded swings, a column for each
             parameter. Goals are then written like "mean(carry)", "std(lateral)", "lowest(carry,
-            10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and by default only
-            the loft is varied.
+            10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft
+            alone by default.
         distribution: the distribution of a parameter from swing to swing:
             NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
             NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
@@ -208,9 +208,9 @@ def optimum_sensitivity(
         scenarios: take this many swings of the distributions, by a quasi-random sequence [default:
             quadrature for up to 3 parameters, else 512 swings].
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
-        strokes: a CSV table of the expected strokes from a distance, with the columns "distance
-            [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to hole out
-            after this drive.
+        strokes: a CSV table of the strokes that are expected from a distance, with the columns
+            "distance [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to
+            hole out after this drive.
         starts: search from this many starts, spread evenly over the ranges (the first is the
             setup's own), and list the local optima [default: 1].
         checkpoint: save the search to this file after every iteration; if the file exists, continue
@@ -222,7 +222,7 @@ def optimum_sensitivity(
         change: a change of a parameter, e.g. swing.speed=+5mph or air.density=-20% of its value:
             its effect on the optimum is predicted, and compared with a new search.
         loss: the loss of the outcome for which tolerances of the optimum are computed [default: 1
-            yd for a distance, or 1 % of the carry if that is below 10 yd; 1 % of the outcome
+            yd for a distance, or 1 % of the carry where that is below 10 yd; 1 % of the outcome
             otherwise].
         progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
             cannot be counted.
@@ -254,8 +254,8 @@ def design(
     output: PathLike | None = None,
     progress: Progress = False,
 ) -> Optimum:
-    """Design head and face under the Rules of Golf. For swings that vary: the best bulge, roll, loft,
-    inertia or movable weights, with the price of each rule.
+    """Design head and face for swings that vary, under the Rules of Golf: the best bulge, roll, loft,
+    inertia or movable weights, with what each rule costs.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset modern-driver.
@@ -275,16 +275,16 @@ def design(
         scenarios: take this many swings of the distributions, by a quasi-random sequence [default:
             quadrature for up to 3 parameters, else 512 swings].
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
-        strokes: a CSV table of the expected strokes from a distance, with the columns "distance
-            [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to hole out
-            after this drive.
+        strokes: a CSV table of the strokes that are expected from a distance, with the columns
+            "distance [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to
+            hole out after this drive.
         starts: search from this many starts, spread evenly over the ranges (the first is the
             setup's own), and list the local optima [default: 1].
         checkpoint: save the search to this file after every iteration; if the file exists, continue
             from it.
         overwrite: replace the file if it exists.
-        rules: the rules for the design: golf (moment of inertia, volume, spring effect, ball) or
-            none [default: golf].
+        rules: the rules that hold the design: those of golf (moment of inertia, volume, spring
+            effect, ball), or none [default: golf].
         maximize: the goal to maximize, e.g. "mean(carry)" [default: "mean(carry) -
             0.5*rms(lateral)", unless minimize is given].
         minimize: the goal to minimize, e.g. "rms(lateral)".
@@ -312,7 +312,6 @@ def calibrate(
     launch: Given | None = None,
     tolerance: Amount | None = None,
     own_step: bool = False,
-    only: Given | None = None,
     huber: bool = False,
     starts: int | None = None,
     folds: int | None = None,
@@ -323,8 +322,7 @@ def calibrate(
     overwrite: bool = False,
     progress: Progress = False,
 ) -> Reply:
-    """Fit parameters to measured shots. With their uncertainties, and the combinations of parameters
-    that the data do not determine.
+    """Fit parameters to measured shots, with their uncertainties and what the data do not determine.
 
     Args:
         data: measured shots as CSV, one row per shot; the head of each column names a parameter or
@@ -337,15 +335,13 @@ def calibrate(
         tolerance: every length is within this length of its exact value, m or a text; without it 1
             um where many drives are flown, unless the setup gives flight.method or flight.step.
         own_step: integrate by flight.method and flight.step of the setup in every case.
-        only: read only the rows with this text in a column, e.g. Club=Driver, in upper or lower
-            case; several texts of one column are alternatives.
         fit: a parameter to fit, e.g. aero.cd0 or aero.cd0=0.1..0.4.
-        huber: use Huber's loss: an outlier has no more influence than a residual of 1.345 σ.
-        starts: search from this many starts: the setup's own values, then points spread evenly over
-            the fitted ranges. State these ranges: the default is the whole allowed range, in which
+        huber: limit the influence of outliers to that of a residual of 1.345 σ (Huber's loss).
+        starts: search from this many starts, spread evenly over the ranges of what is fitted; the
+            first is the setup's own. Give the ranges: without one it is all that is allowed, where
             few drives fly [default: 1].
-        folds: Cross-validate: fit K times, each time without a K-th of the rows, and show the
-            prediction errors of the omitted rows [default: 0].
+        folds: Cross-validate: fit K times, each time without a K-th of the rows, and show how well
+            those rows are predicted [default: 0].
         compare: compare with another aerodynamic law, as published and fitted, by its
             cross-validation error.
         max_iterations: the largest number of iterations of a search [default: 200].
@@ -373,7 +369,6 @@ def delivery(
     backspin: Amount | None = None,
     sidespin: Amount | None = None,
     shots: TableLike | None = None,
-    only: Given | None = None,
     vary: Given | None = None,
     sigma: Given | None = None,
     output: PathLike | None = None,
@@ -381,8 +376,8 @@ def delivery(
     overwrite: bool = False,
     progress: Progress = False,
 ) -> Reply:
-    """Find the swing and strike behind a measured launch. With the combinations of parameters that the
-    launch does not determine.
+    """Find the delivery and strike that explain a measured launch, and what the launch does not tell
+    of them.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -397,26 +392,24 @@ def delivery(
         launch_angle: the measured angle of the launch above horizontal, e.g. 10.9deg.
         launch_direction: the measured direction of the launch, + right of the target line [default:
             not measured].
-        spin: the measured total spin, e.g. 2686rpm; with spin_axis.
+        spin: the measured spin in all, e.g. 2686rpm; with spin_axis.
         spin_axis: the measured tilt of the spin axis, + for a ball that curves to the right
             [default: not measured].
         backspin: the measured backspin, in place of spin; with sidespin.
         sidespin: the measured sidespin, + for a ball that curves to the right [default: not
             measured].
         shots: measured shots as CSV, one row per shot, as a launch monitor exports them or as
-            calibrate reads them. Club values in a row count as measured too.
-        only: read only the rows with this text in a column, e.g. Club=Driver, in upper or lower
-            case; several texts of one column are alternatives.
+            calibrate reads them. What a row states of the club is taken as measured too.
         vary: a parameter to find and its range, e.g. club.loft=4deg..20deg. [default: the speed,
-            attack angle, shaft lean, path and face angle of the swing, and the impact point on the
-            face].
-        sigma: the prior standard uncertainty of a parameter about its value in the setup, e.g.
-            swing.attack_angle=1deg.
-        output: write the setup with the delivery into this file; for several shots, with their mean
-            delivery.
-        swings: write the swings that explain the shots into this file, for "longdrive optimize
-            swings": a table with a row for each shot (.csv), or distributions with correlations,
-            without the errors of the launch monitor (.toml).
+            attack angle, shaft lean, path and face angle of the swing, and where the face strikes
+            the ball].
+        sigma: how well a parameter is known before the shot: the standard uncertainty of its value
+            in the setup, e.g. swing.attack_angle=1deg.
+        output: write the setup with the delivery found into this file; of several shots, with their
+            mean.
+        swings: write the swings behind the shots into this file, for "longdrive optimize swings":
+            as a table, a row for each shot (.csv), or as distributions with correlations, without
+            the errors of the launch monitor (.toml).
         overwrite: replace files that exist.
         progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
             cannot be counted.
@@ -439,7 +432,7 @@ def chart(
     at: Names | None = None,
     progress: Progress = False,
 ) -> Reply:
-    """The optimum along a parameter, such as club speed.
+    """Compute the optimum as a function of a parameter.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -461,8 +454,8 @@ def chart(
         max_iterations: the largest number of iterations of a search [default: 500].
         along: the parameter to follow the optimum along, with its range, e.g.
             swing.speed=80mph..130mph.
-        at: the values of the parameter of along at which the optimum is computed, one or several,
-            e.g. 90mph,100mph,110mph; along then needs only the name [default: as many values as the
+        at: the values of that parameter at which the optimum is computed, one or several, e.g.
+            90mph,100mph,110mph; along may then be the name alone [default: as many values as the
             curve needs].
         progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
             cannot be counted.
@@ -493,8 +486,8 @@ def pareto(
     overwrite: bool = False,
     progress: Progress = False,
 ) -> Reply:
-    """The best compromises between two goals. For example carry and dispersion, with the rate of
-    exchange between them.
+    """Find the best compromises between two goals, such as carry and dispersion, with what one costs
+    of the other.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -505,21 +498,21 @@ def pareto(
         tolerance: every length is within this length of its exact value, m or a text; without it 1
             um where many drives are flown, unless the setup gives flight.method or flight.step.
         own_step: integrate by flight.method and flight.step of the setup in every case.
-        maximize: a goal to maximize: an outcome, or over many swings a statistic of it, e.g.
-            "mean(carry)". Give two goals in total, with maximize and minimize.
+        maximize: a goal to maximize: an outcome, or over many swings what of it, e.g.
+            "mean(carry)". Give two goals in all, with maximize and minimize.
         minimize: a goal to minimize, e.g. "std(lateral)".
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
             20 deg; for one drive also attack angle -5 to 5 deg].
         subject_to: a constraint on a goal, e.g. "apex_height <= 35 yd", over many swings
             "mean(carry) >= 240 yd"; every limit with its unit.
-        points: the number of points, spread evenly from the optimum of one goal to the optimum of
-            the other [default: 15].
+        points: the number of points, spread evenly from the best of one goal to the best of the
+            other [default: 15].
         max_iterations: the largest number of iterations of a search [default: 500].
         swings: search for the best over many swings: a TOML file with [distributions] and
             [[correlations]], or a table (CSV, Parquet, Arrow) of recorded swings, a column for each
             parameter. Goals are then written like "mean(carry)", "std(lateral)", "lowest(carry,
-            10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and by default only
-            the loft is varied.
+            10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft
+            alone by default.
         distribution: the distribution of a parameter from swing to swing:
             NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
             NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
@@ -528,9 +521,9 @@ def pareto(
         scenarios: take this many swings of the distributions, by a quasi-random sequence [default:
             quadrature for up to 3 parameters, else 512 swings].
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
-        strokes: a CSV table of the expected strokes from a distance, with the columns "distance
-            [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to hole out
-            after this drive.
+        strokes: a CSV table of the strokes that are expected from a distance, with the columns
+            "distance [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to
+            hole out after this drive.
         output: write the points into this file: .csv for all of them (SI units and radians), .toml
             for the setup at one of them, which at chooses.
         at: the point whose setup is written: "knee", or its number in the table [default: knee].
@@ -565,8 +558,7 @@ def robust(
     overwrite: bool = False,
     progress: Progress = False,
 ) -> Optimum:
-    """The design that loses least, whichever model is true. Several models of impact and flight are
-    compared.
+    """Find the design that loses least whichever of several models of impact and flight is true.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -589,8 +581,8 @@ def robust(
         swings: search for the best over many swings: a TOML file with [distributions] and
             [[correlations]], or a table (CSV, Parquet, Arrow) of recorded swings, a column for each
             parameter. Goals are then written like "mean(carry)", "std(lateral)", "lowest(carry,
-            10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and by default only
-            the loft is varied.
+            10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft
+            alone by default.
         distribution: the distribution of a parameter from swing to swing:
             NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
             NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
@@ -599,16 +591,15 @@ def robust(
         scenarios: take this many swings of the distributions, by a quasi-random sequence [default:
             quadrature for up to 3 parameters, else 512 swings].
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
-        strokes: a CSV table of the expected strokes from a distance, with the columns "distance
-            [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to hole out
-            after this drive.
+        strokes: a CSV table of the strokes that are expected from a distance, with the columns
+            "distance [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to
+            hole out after this drive.
         starts: make each search from this many starts, spread evenly over the ranges (the first is
             the setup's own) [default: 1].
-        model: a model in addition to the setup itself: changes of the setup, e.g.
-            "aero.law=ferguson" or "impact.friction=0.3,impact.gear_scale=0.5". [default: the laws
-            launch-monitor and ferguson, a friction of 0.3 and half the gear effect, each as its own
-            model].
-        within: the allowed loss of each model against its own best design [default: 1 yd for a
+        model: a model beside the setup as it is: its changes, e.g. "aero.law=ferguson" or
+            "impact.friction=0.3,impact.gear_scale=0.5". [default: the laws launch-monitor and
+            ferguson, a friction of 0.3 and half the gear effect, each alone].
+        within: the loss beside the best for each model that is allowed [default: 1 yd for a
             distance].
         output: write the setup with the robust design into this setup file.
         overwrite: replace the file if it exists.
@@ -635,8 +626,8 @@ def report(
     along: Given | None = None,
     progress: Progress = False,
 ) -> Reply:
-    """Write a page: drive, optimum, map, sensitivities. An HTML page of the drive, the optimum, a map
-    around it, sensitivities and uncertainties, with plots and data.
+    """Write a page (HTML) of the drive, the optimum, a map around it, sensitivities and uncertainties,
+    with plots and data.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -664,7 +655,7 @@ def report(
             Repeatable; other parameters have the default uncertainties of "longdrive sensitivity".
         along: the parameter to follow the optimum along, with its range [default:
             swing.speed=80mph..130mph; with launch, launch.ball_speed=120mph..190mph; around the
-            drive's own speed if this is outside of the range].
+            drive's own speed where that lies outside].
         progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
             cannot be counted.
     """
@@ -678,7 +669,6 @@ def fly(
     launch: Given | None = None,
     tolerance: Amount | None = None,
     own_step: bool = False,
-    only: Given | None = None,
     of: Names | None = None,
     output: PathLike | None = None,
     format: Literal["csv", "launch-monitor", "jsonl", "open-connect", "parquet"] | None = None,
@@ -686,13 +676,13 @@ def fly(
     threads: int | None = None,
     progress: Progress = False,
 ) -> Reply:
-    """Fly the shots of a launch monitor. From a CSV export or GSPro Open Connect: predicted flights,
-    compared with the measured flights.
+    """Fly the shots of a launch monitor (a CSV export, or GSPro Open Connect): predicted flights
+    beside the measured ones.
 
     Args:
-        shots: shots, one per row: the CSV export of a launch monitor, any CSV with columns such as
+        shots: shots, a row each: the CSV export of a launch monitor, any CSV with columns such as
             "ball_speed [mph]", "launch_angle [deg]" and "backspin [rpm]", or messages of GSPro Open
-            Connect as JSON (one per line, or an array); "-" is standard input. See
+            Connect as JSON (one a line, or an array); "-" is standard input. See
             docs/launch-monitors.md.
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
         launch: compute the flight of a ball with these launch conditions, as a launch monitor
@@ -702,17 +692,16 @@ def fly(
         tolerance: every length is within this length of its exact value, m or a text; without it 1
             um where many drives are flown, unless the setup gives flight.method or flight.step.
         own_step: integrate by flight.method and flight.step of the setup in every case.
-        only: read only the rows with this text in a column, e.g. Club=Driver, in upper or lower
-            case; several texts of one column are alternatives.
-        of: the outcomes of the flight to predict, one or several; "all" for every one [default:
-            carry_distance,lateral,apex_height,flight_time,descent_angle,total].
-        output: the file for the rows; its extension selects the format (.csv, .jsonl, .parquet;
-            .json for Open Connect). "-" is standard output. With json and without a file only the
-            summary is printed.
-        format: the format, whatever the extension of the file [default for standard output: csv].
+        of: the outcomes to predict, one or several: those of the flight; "all" for every one of
+            them [default: carry_distance,lateral,apex_height,flight_time,descent_angle,total].
+        output: the file to write the rows into; its ending says in which format (.csv, .jsonl,
+            .parquet; .json for Open Connect). "-" is standard output. With json and without a file
+            only the summary is printed.
+        format: the format, whatever the name of the file ends in [default for standard output:
+            csv].
         overwrite: replace the file if it exists.
-        threads: the number of threads (0: one per processor). The results do not depend on it
-            [default: 0].
+        threads: the number of threads (0: as many as there are processors). The results do not
+            depend on it [default: 0].
         progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
             cannot be counted.
     """
@@ -726,7 +715,7 @@ def reproduce(
     overwrite: bool = False,
     progress: Progress = False,
 ) -> Reply:
-    """Reproduce a published study, number by number.
+    """Reproduce a published study: each printed number beside the computed one.
 
     Args:
         study: the study.
@@ -745,12 +734,13 @@ def validate(
     overwrite: bool = False,
     progress: Progress = False,
 ) -> Reply:
-    """Compare every law of flight with published drives. Bias and mean absolute error of carry, apex
-    and descent.
+    """Compare every law of drag and lift with published drives: bias and mean absolute error of carry,
+    apex and descent.
 
     Args:
-        output: write the comparison to this folder, as a page (index.html) and Markdown with
-            pictures and their data; or, to a name that ends in .csv, every law on every drive.
+        output: write the comparison too: into this folder as a page (index.html) and Markdown with
+            pictures and their data, or, where the name ends in .csv, every law on every drive into
+            this file.
         overwrite: replace files that exist.
         progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
             cannot be counted.
@@ -768,8 +758,8 @@ def verify(
     wrt: Names | None = None,
     progress: Progress = False,
 ) -> Reply:
-    """Check every derivative against finite differences. Also checks smoothness, convergence and the
-    landing; exit status 1 if a check fails.
+    """Compare every exact derivative with numerical differences, and check what both rest on; exit
+    status 1 if a check fails.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -806,8 +796,8 @@ def sensitivity(
     max_iterations: int | None = None,
     progress: Progress = False,
 ) -> Reply:
-    """Effect of each parameter on the outcomes. Slopes, elasticities, and the effect of the
-    uncertainty of each parameter.
+    """How outcomes depend on parameters: slopes, elasticities, and the effect of the uncertainty of
+    each parameter.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -822,8 +812,8 @@ def sensitivity(
         sigma: the standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5% of
             its value.
         no_defaults: use no default uncertainties: only parameters with a sigma are uncertain.
-        at_optimum: compute the slopes and effects at the optimum of a search, and show the total
-            derivatives of the optimum too.
+        at_optimum: compute the slopes and effects at the optimum of a search, and show the slopes
+            of the optimum beside those of the drive.
         maximize: the outcome to maximize [default: carry, unless minimize is given].
         minimize: the outcome to minimize.
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
@@ -852,8 +842,8 @@ def uncertainty(
     seed: int | None = None,
     progress: Progress = False,
 ) -> Reply:
-    """Spread of the outcomes from uncertain parameters. By exact derivatives, and by a sample of
-    drives.
+    """Compute the uncertainty of outcomes from uncertain parameters: by exact derivatives, and by a
+    sample of drives.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -885,7 +875,7 @@ def laws(
     *,
     progress: Progress = False,
 ) -> Reply:
-    """List the laws of drag and lift. Authors, formula, ball, source, and fitted range of each law.
+    """List the laws of drag and lift: authors, formula, ball, source, and what each was fitted to.
 
     Args:
         progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they

@@ -196,7 +196,7 @@ def pareto(
     width: int | None = None,
     progress: Progress = False,
 ) -> Picture:
-    """The Pareto front of two goals, with its ends, its knee and the slope at the knee.
+    """The best compromises between two goals, with their ends, the knee and the slope there.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -207,21 +207,21 @@ def pareto(
         tolerance: every length is within this length of its exact value, m or a text; without it 1
             um where many drives are flown, unless the setup gives flight.method or flight.step.
         own_step: integrate by flight.method and flight.step of the setup in every case.
-        maximize: a goal to maximize: an outcome, or over many swings a statistic of it, e.g.
-            "mean(carry)". Give two goals in total, with maximize and minimize.
+        maximize: a goal to maximize: an outcome, or over many swings what of it, e.g.
+            "mean(carry)". Give two goals in all, with maximize and minimize.
         minimize: a goal to minimize, e.g. "std(lateral)".
         vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
             20 deg; for one drive also attack angle -5 to 5 deg].
         subject_to: a constraint on a goal, e.g. "apex_height <= 35 yd", over many swings
             "mean(carry) >= 240 yd"; every limit with its unit.
-        points: the number of points, spread evenly from the optimum of one goal to the optimum of
-            the other [default: 15].
+        points: the number of points, spread evenly from the best of one goal to the best of the
+            other [default: 15].
         max_iterations: the largest number of iterations of a search [default: 500].
         swings: search for the best over many swings: a TOML file with [distributions] and
             [[correlations]], or a table (CSV, Parquet, Arrow) of recorded swings, a column for each
             parameter. Goals are then written like "mean(carry)", "std(lateral)", "lowest(carry,
-            10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and by default only
-            the loft is varied.
+            10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft
+            alone by default.
         distribution: the distribution of a parameter from swing to swing:
             NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
             NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
@@ -230,9 +230,9 @@ def pareto(
         scenarios: take this many swings of the distributions, by a quasi-random sequence [default:
             quadrature for up to 3 parameters, else 512 swings].
         seed: the seed of the swings; the same seed gives the same swings [default: 0].
-        strokes: a CSV table of the expected strokes from a distance, with the columns "distance
-            [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to hole out
-            after this drive.
+        strokes: a CSV table of the strokes that are expected from a distance, with the columns
+            "distance [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to
+            hole out after this drive.
         output: the file to write: .svg or .png for a picture, .csv for its data (SI units and
             radians).
         overwrite: replace files that exist.
@@ -317,8 +317,8 @@ def compare(
         tolerance: every length is within this length of its exact value, m or a text; without it 1
             um where many drives are flown, unless the setup gives flight.method or flight.step.
         own_step: integrate by flight.method and flight.step of the setup in every case.
-        launch_a: the launch conditions of drive a, as in launch.
-        launch_b: the launch conditions of drive b, as in launch.
+        launch_a: the launch conditions of a, as in launch.
+        launch_b: the launch conditions of b, as in launch.
         output: the file to write: .svg or .png for a picture, .csv for its data (SI units and
             radians).
         overwrite: replace files that exist.
@@ -365,7 +365,7 @@ def vcurve(
             text does not change [default: 480].
         of: the outcomes, one or several [default: carry].
         wrt: the parameters, one or several. Without: loft and attack angle, or the launch
-            conditions if they are given.
+            conditions where these are given.
         progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
             cannot be counted.
     """
@@ -406,12 +406,12 @@ def laws(
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the
             text does not change [default: 480].
-        laws: the laws, one or several; "table" for your own table of set aero.table [default: all
-            laws].
+        laws: the laws, one or several; "table" for your own of set aero.table. Without: all of
+            them.
         show: the coefficient to draw [default: cd].
-        over: the horizontal axis [default: spin-ratio].
-        reynolds: the constant Reynolds number of a plot over the spin ratio [default: 1.5e5].
-        spin_ratio: the constant spin ratio of a plot over the Reynolds number [default: 0.1].
+        over: what to draw it over [default: spin-ratio].
+        reynolds: the Reynolds number, over the spin ratio [default: 1.5e5].
+        spin_ratio: the spin ratio, over the Reynolds number [default: 0.1].
         progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
             cannot be counted.
     """
@@ -436,8 +436,8 @@ def fairway(
     sigma: Given | None = None,
     progress: Progress = False,
 ) -> Picture:
-    """The landings of the drive and of the optimum from above, at true scale, with the ellipses of
-    half and of 95 % of the landings.
+    """Where the drive and the best one land, from above at true scale, with the ellipses that hold
+    half and 95 % of the landings.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -463,9 +463,9 @@ def fairway(
         dark: draw for a dark background.
         width: the width of the picture in pixels; a PNG has twice the resolution. The size of the
             text does not change [default: 480].
-        sigma: the standard deviation of a parameter of the golfer from drive to drive, e.g.
-            swing.face_angle=2deg. Repeatable; other parameters of swing, strike and club have the
-            default uncertainties of "longdrive sensitivity".
+        sigma: how much a parameter of the golfer varies from drive to drive, one standard
+            deviation, e.g. swing.face_angle=2deg. Repeatable; other parameters of swing, strike and
+            club have the default uncertainties of "longdrive sensitivity".
         progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
             cannot be counted.
     """
@@ -526,8 +526,8 @@ def strike(
     width: int | None = None,
     progress: Progress = False,
 ) -> Picture:
-    """Carry, lateral, ball speed and spin axis over the club face, for the drive as set up and for the
-    optimum, or for two designs.
+    """Carry, lateral, ball speed and spin axis over the club face, of the drive as set up and of the
+    best one, or of two designs.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
@@ -547,8 +547,8 @@ def strike(
             also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
             club.weight_2.mass <= 20 g".
         max_iterations: the largest number of iterations of a search [default: 500].
-        after: a preset or setup file of another design to draw in place of the optimum, e.g.
-            best.toml of "longdrive optimize -o".
+        after: a preset or setup file of another design, drawn beside this one in place of the best
+            one, e.g. best.toml of "longdrive optimize -o".
         output: the file to write: .svg or .png for a picture, .csv for its data (SI units and
             radians).
         overwrite: replace files that exist.
@@ -578,8 +578,8 @@ def launch(
     width: int | None = None,
     progress: Progress = False,
 ) -> Picture:
-    """Carry over launch angle and backspin at the drive's ball speed, with the launches of the drive
-    and of the optimum.
+    """Carry over launch angle and backspin at the drive's ball speed, with its launch and the best
+    one.
 
     Args:
         setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
