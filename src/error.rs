@@ -444,8 +444,10 @@ pub(crate) fn nearest<'a>(
     // among equally similar names, prefer the one that looks most similar: o like 0, l like 1
     let glyphs = |text: &str| text.replace('0', "o").replace('1', "l");
     let by_glyphs = |known: &str| similarity(&glyphs(name), &glyphs(known));
+    // the first of the names that are left: swing.speed before wind.speed
     similarities
         .into_iter()
+        .rev()
         .filter(|(similarity, _)| *similarity == largest)
         .max_by(|a, b| by_glyphs(a.1).total_cmp(&by_glyphs(b.1)))
 }
@@ -496,6 +498,9 @@ mod tests {
         let coefficients = ["aero.cd0", "aero.cd1", "aero.cd2"];
         let message = Error::unknown("parameter", "aero.cdo", coefficients, "list").to_string();
         assert!(message.contains("did you mean 'aero.cd0'?"), "{message}");
+        let speeds = ["swing.speed", "wind.speed"];
+        let message = Error::unknown("parameter", "speed", speeds, "list").to_string();
+        assert!(message.contains("did you mean 'swing.speed'?"), "{message}");
         for strange in ["xyzzy", "sw"] {
             let message = Error::unknown("parameter", strange, names, "list").to_string();
             assert!(!message.contains("did you mean"), "{message}");

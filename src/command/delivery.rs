@@ -29,7 +29,7 @@ pub fn run(args: &DeliveryArgs) -> Result<Answer> {
     warn(&warnings);
     let unknowns = read_unknowns(args, &requests.club, &setup)?;
     let found = match &args.shots {
-        None => of_launch(&setup, &launched, &unknowns)?,
+        None => of_launch(&requests.club, &setup, &launched, &unknowns)?,
         Some(file) => {
             let filter = RowFilter::read(&args.only)?;
             let table = ShotTable::open_launch_rows(&setup, file, filter)?;
@@ -61,8 +61,8 @@ struct Deliveries {
     from: String,
     /// Number of rows that an interruption left out.
     left_out: usize,
-    /// Warnings of the table.
-    of_table: Vec<Message>,
+    /// The warnings that the host has already.
+    warned: Vec<Message>,
 }
 
 impl Deliveries {
@@ -71,8 +71,8 @@ impl Deliveries {
         self.all.iter().filter_map(Delivery::explained).count()
     }
 
-    /// All warnings. The host gets only the warnings about the deliveries, because it already has
-    /// the warnings of the table.
+    /// All warnings. The host gets only those about the deliveries, because it already has the
+    /// others.
     fn warnings(&self) -> Vec<Message> {
         let mut warnings = vec![];
         if self.left_out > 0 {
@@ -83,17 +83,20 @@ impl Deliveries {
         let population = self.population.iter().flatten();
         warnings.extend(population.flat_map(|found| population_warnings(found, system())));
         warn(&warnings);
-        [self.of_table.clone(), warnings].concat()
+        [self.warned.clone(), warnings].concat()
     }
 }
 
 /// The delivery of one measured launch.
 fn of_launch(
+    club: &Request,
     setup: &Setup<f64>,
     launched: &Setup<f64>,
     unknowns: &[Unknown],
 ) -> Result<Deliveries> {
     note_assumed(unknowns);
+    let of_loft = loft_warning(club, setup, unknowns);
+    warn(&of_loft);
     let found = delivery(setup, &launches(launched), unknowns)?;
     Ok(Deliveries {
         all: vec![Delivery {
@@ -103,13 +106,13 @@ fn of_launch(
         population: None,
         from: "a measured launch".into(),
         left_out: 0,
-        of_table: vec![],
+        warned: of_loft,
     })
 }
 
 /// The deliveries of the shots in a table.
 fn of_shots(
-    table: ShotTable,
+    mut table: ShotTable,
     requests: &Requests,
     setup: &Setup<f64>,
     unknowns: &[Unknown],
@@ -122,6 +125,11 @@ fn of_shots(
     let why = format!("every row of {} has a value of its own", table.file);
     requests.club.refuse_stated(&given, &why)?;
     requests.launched.refuse_stated(&given, &why)?;
+    if !given.iter().any(|parameter| parameter.name == LOFT) {
+        table
+            .warnings
+            .extend(loft_warning(&requests.club, setup, unknowns));
+    }
     warn(&table.warnings);
     let remarks = table
         .remarks
@@ -144,8 +152,31 @@ fn of_shots(
         all,
         population: Some(population),
         from: table.file,
-        of_table: table.warnings,
+        warned: table.warnings,
     })
+}
+
+/// The parameter of a club that a golfer reads on it.
+const LOFT: &str = "club.loft";
+
+/// The warning that the loft is that of an average: later answers about a loft are relative to it.
+fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec<Message> {
+    let is_varied = unknowns
+        .iter()
+        .any(|unknown| unknown.parameter.name == LOFT);
+    let is_stated = club.stated().any(|name| name == LOFT);
+    if is_varied || is_stated || !club.source().is_average() {
+        return vec![];
+    }
+    let loft = setup.variable(LOFT).ok().map(|parameter| {
+        let loft = parameter_text(parameter, setup.club.loft, system());
+        format!(
+            "{LOFT} = {loft} is that of {}, and a best loft is found relative to it; state that \
+             of your club, for example `set {LOFT}=10.5deg`",
+            club.source().name()
+        )
+    });
+    loft.into_iter().map(Message::from).collect()
 }
 
 /// The parameters to find, with the prior knowledge of each. A club value that the command line

@@ -114,6 +114,7 @@ pub fn no_setup(file: &Path) -> Option<String> {
             "; give a table of swings with `swings FILE`"
         }
         Some("calibrate" | "fly") => "; name the measured shots first, then the setup",
+        _ if kind == "csv" => "; `fly()` flies a table of shots",
         _ => "",
     };
     Some(format!("a table is no setup{advice}"))

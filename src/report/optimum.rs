@@ -682,15 +682,12 @@ pub(super) fn drive_lines(
 /// message of the search already contains the comparison.
 fn sample_line(optimum: &Optimum) -> Option<Line> {
     let is_told = optimum.solution.status == Status::Infeasible;
-    let Some(Sample {
+    let Sample {
         points,
         feasible,
         better,
         improved,
-    }) = optimum.sample.filter(|_| !is_told)
-    else {
-        return None;
-    };
+    } = optimum.sample.filter(|_| !is_told)?;
     let found = if improved {
         "found from a point of a sample of the ranges; "
     } else {

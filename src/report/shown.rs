@@ -12,7 +12,8 @@ use crate::units::{
 pub(super) const NONE: &str = "–";
 
 /// A remark about strikes off the centre.
-pub(super) const SIDE_SPIN: &str = "the side spin of strikes off the centre is known to about 30 %";
+pub(super) const GEAR_EFFECT: &str =
+    "the gear effect of strikes off the centre is known to about 30 %";
 
 /// Parameters that have another name on launch monitors.
 const NAMES: [(&str, &str); 2] = [("swing.speed", "club speed"), ("swing.path", "club path")];

@@ -266,7 +266,7 @@ pub(super) fn notes(best: &Optimum, over: OverSwings<'_>, system: System) -> Vec
     if strikes.next().is_some() || best.setup.strike.toe != 0.0 {
         notes.push(format!(
             "{}; the scatter to the sides has this doubt",
-            shown::SIDE_SPIN
+            shown::GEAR_EFFECT
         ));
     }
     notes.extend(designs(best, nominal(over.price)));

@@ -170,7 +170,7 @@ fn every_answer_names_its_setup_and_what_was_changed() {
 /// The loft depends on shaft and strike, which a measured launch tells.
 #[test]
 fn the_loft_of_an_average_comes_with_the_command_for_ones_own() {
-    let advice = "takes your own launch";
+    let advice = "starts from your own launch";
     for (words, has_advice) in [
         (&["optimize"][..], true),
         (

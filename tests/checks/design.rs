@@ -444,7 +444,7 @@ fn assumptions_of_a_design_are_printed() {
         "Bliss & Langdown 2026",
         "default goal: the largest mean(carry) - 0.5*rms(lateral)",
         "varied by default: club.bulge_radius, club.roll_radius, club.loft",
-        "the side spin of strikes off the centre is known to about 30 %",
+        "the gear effect of strikes off the centre is known to about 30 %",
         "moment of inertia",
         "not checked; it can be stated as a relation",
         "under the Rules of Golf",

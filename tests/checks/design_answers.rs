@@ -305,7 +305,7 @@ fn the_error_of_side_spin_is_printed_once() {
         longdrive(&["design"])
             .out
             .replace('\n', " ")
-            .matches("side spin of strikes off the centre is known")
+            .matches("gear effect of strikes off the centre is known")
             .count(),
         1
     );

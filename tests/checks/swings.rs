@@ -865,7 +865,7 @@ fn parameters_without_swings_are_reported() {
         .collect::<Vec<_>>()
         .join(" ");
     assert!(
-        said.contains("side spin of strikes off the centre is known to about 30 %"),
+        said.contains("gear effect of strikes off the centre is known to about 30 %"),
         "{said}"
     );
     // a setup file names its goal

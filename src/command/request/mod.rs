@@ -245,7 +245,12 @@ impl Request {
     pub fn origin_of_search(&self, vary: &[Vary]) -> Origin {
         let varies_loft = vary.iter().any(|vary| vary.parameter.name == "club.loft");
         let advice = if varies_loft && self.source.is_average() {
-            "shaft and strike are the average's; `delivery()` takes your own launch".into()
+            format!(
+                "the loft is for the shaft and strike of {}: those of other golfers move it by \
+                 degrees, and the launch to aim for carries over; `delivery()` starts from your \
+                 own launch",
+                self.source.name()
+            )
         } else {
             String::new()
         };

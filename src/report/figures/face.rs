@@ -218,6 +218,6 @@ fn note(face: &Face, largest: f64, system: System) -> String {
         place(longest),
         Quantity::ANGLE.read_off(largest, "deg"),
         reference(face),
-        super::map::capital(shown::SIDE_SPIN),
+        super::map::capital(shown::GEAR_EFFECT),
     )
 }

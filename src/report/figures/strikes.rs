@@ -128,6 +128,6 @@ fn note(designs: &[(&str, &Face)], system: System) -> String {
          gear effect together. {}. Seen from the front, so that right of the target line is on the \
          left. The \
          outline is that of a usual driver, for scale only.",
-        capital(shown::SIDE_SPIN)
+        capital(shown::GEAR_EFFECT)
     )
 }
