@@ -1,6 +1,6 @@
 //! The value of an optimum in reach of the club alone.
 
-use super::optimum::{Optimum, optimum};
+use super::optimum::{Optimum, local_optimum};
 use super::search::Search;
 use crate::error::Result;
 use crate::optimize::{Observer, Status};
@@ -52,7 +52,7 @@ pub fn club_alone(best: &Optimum) -> Result<Option<ClubAlone>> {
         vary: club,
         ..best.search.clone()
     };
-    let optimum = optimum(&best.start, search, Observer::default())?;
+    let optimum = local_optimum(&best.start, search, Observer::default())?;
     let value = optimum
         .value()
         .filter(|_| optimum.solution.status == Status::Converged);
