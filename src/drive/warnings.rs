@@ -7,7 +7,7 @@ use super::validity::{
 use super::{Drive, Outcome};
 use crate::aerodynamics::{AerodynamicLaw, FittedRange, range_in_words};
 use crate::atmosphere::{AirState, WindField};
-use crate::flight::{Flight, change_by_holding, fly, trajectory};
+use crate::flight::{Flight, carry_by_holding, fly, trajectory};
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity};
 
@@ -181,7 +181,9 @@ impl Drive<f64> {
             let is_held = is_below && held_below || is_above && held_above;
             let change = match is_held {
                 true => None,
-                false => change_by_holding(setup, &self.launch, variable, range),
+                false => carry_by_holding(setup, &self.launch, variable, range)
+                    .zip(self.landed().ok())
+                    .map(|(held, landed)| held - landed.carry),
             };
             let weighs = match change {
                 Some(change) => change.abs() > LEAST_WARNED_CHANGE,

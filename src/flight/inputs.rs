@@ -6,9 +6,9 @@ use crate::parameters::{Law, Method, Setup};
 use std::f64::consts::PI;
 
 /// Everything a flight depends on (docs/model.md, eqs. 12–15). The impact enters only through the
-/// launch velocity, the spin and its axis.
+/// launch velocity, the spin and its axis. `L` is the law of drag and lift.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Inputs<T> {
+pub(crate) struct Inputs<T, L = Law<T>> {
     /// Velocity at launch, m/s.
     pub velocity: Vector<T>,
     /// |ω₀| = √(ω₀·ω₀ + η²), rad/s.
@@ -33,7 +33,7 @@ pub(crate) struct Inputs<T> {
     /// Height of the landing area, m.
     pub ground: T,
     /// Law of drag and lift.
-    pub law: Law<T>,
+    pub law: L,
     /// Turf of the landing area, if the run is requested.
     pub turf: Option<Turf<T>>,
     /// Runge–Kutta method.
@@ -75,6 +75,28 @@ impl<T: Numbers> Inputs<T> {
                 time_limit: setup.flight.time_limit,
             }
         }))
+    }
+
+    /// The same flight by another law of drag and lift.
+    pub fn with_law<L>(self, law: L) -> Inputs<T, L> {
+        Inputs {
+            velocity: self.velocity,
+            spin: self.spin,
+            axis: self.axis,
+            force_per_mass: self.force_per_mass,
+            gravity: self.gravity,
+            radius: self.radius,
+            reynolds_per_speed: self.reynolds_per_speed,
+            decay: self.decay,
+            damping: self.damping,
+            wind: self.wind,
+            ground: self.ground,
+            law,
+            turf: self.turf,
+            method: self.method,
+            step: self.step,
+            time_limit: self.time_limit,
+        }
     }
 
     /// Spin ratio, spin, Reynolds number and airspeed at launch: the order of

@@ -7,6 +7,7 @@ use super::result::{FlightResult, Landed, RequestedOutputs};
 use super::septic::Path;
 use super::step::{Observer, Step, Stepper};
 use super::tableau::Tableau;
+use crate::aerodynamics::AerodynamicLaw;
 use crate::ground::Landing;
 use crate::number::{Mask, Numbers, Vector, inlined};
 
@@ -38,7 +39,7 @@ struct StepEvents<M> {
     has_time_limit: bool,
 }
 
-impl<T: Numbers> Inputs<T> {
+impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     /// Integrates the flights of these lanes up to the landing. A lane flies if it starts above the
     /// ground or upwards.
     #[inline(always)]

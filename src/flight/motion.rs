@@ -4,7 +4,7 @@
 //! The order of the operations is chosen for latency (`src/number/mod.rs`, "Pipelines").
 
 use super::inputs::Inputs;
-use crate::aerodynamics::{AerodynamicLaw, Coefficients, Stream};
+use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::number::{Numbers, Vector, inlined};
 
 /// Smallest airspeed, m/s (eq. 14): |v_r| and its derivatives stay finite in still air.
@@ -46,32 +46,17 @@ pub(crate) struct Node<T> {
     pub rate: Rate<T>,
 }
 
-impl<T: Numbers> Inputs<T> {
+impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     /// Acceleration (eq. 12) and airspeed at velocity `v_r` through the air and spin |ω|. Inlined
     /// into the loop over the stages: a drive takes 2 to 10 % less time.
     #[inline(always)]
     pub(super) fn rate(&self, v_r: Vector<T>, spin: T) -> Rate<T> {
-        self.rate_by(
-            v_r,
-            spin,
-            inlined!(|stream: Stream<T>| self.law.coefficients(stream)),
-        )
-    }
-
-    /// Like [`rate`](Self::rate), with these coefficients of drag and lift.
-    #[inline(always)]
-    pub(super) fn rate_by(
-        &self,
-        v_r: Vector<T>,
-        spin: T,
-        coefficients: impl Fn(Stream<T>) -> Coefficients<T>,
-    ) -> Rate<T> {
         // |v_r|² + (1e-6 m/s)² and |v_r|, eq. 14
         let least = T::constant(LEAST_SPEED * LEAST_SPEED);
         let square = v_r.x.mul_add(v_r.x, least) + v_r.y.mul_add(v_r.y, v_r.z * v_r.z);
         let (speed, _) = square.sqrt_recip();
         // C_D and C_L
-        let c = coefficients(Stream {
+        let c = self.law.coefficients(Stream {
             spin,
             speed,
             square,

@@ -3,6 +3,7 @@
 
 use super::inputs::Inputs;
 use super::step::Step;
+use crate::aerodynamics::AerodynamicLaw;
 use crate::number::{Mask, Numbers, Vector, inlined};
 
 /// Hermite polynomial of degree 7 of one coordinate within a step, in s = (t − t₀)/h: it has the
@@ -158,7 +159,7 @@ pub(super) struct Path<T> {
 impl<T: Numbers> Path<T> {
     /// The path within a step.
     #[inline(always)]
-    pub fn new(inputs: &Inputs<T>, step: &Step<'_, T>, h: f64) -> Self {
+    pub fn new<L: AerodynamicLaw<T>>(inputs: &Inputs<T, L>, step: &Step<'_, T>, h: f64) -> Self {
         // a loop, for a single call site of the equation of motion
         let mut jerks = [step.velocity_increment; 2];
         for (jerk, node) in jerks.iter_mut().zip([&*step.from, &*step.to]) {

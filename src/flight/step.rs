@@ -3,11 +3,12 @@
 use super::inputs::Inputs;
 use super::motion::{Node, Rate};
 use super::tableau::{MOST_STAGES, Tableau};
+use crate::aerodynamics::AerodynamicLaw;
 use crate::number::{Numbers, Vector, inlined};
 
 /// Steps of one flight with a fixed step.
-pub(super) struct Stepper<'a, T> {
-    inputs: &'a Inputs<T>,
+pub(super) struct Stepper<'a, T, L> {
+    inputs: &'a Inputs<T, L>,
     tableau: &'static Tableau,
     /// Step h, s.
     h: f64,
@@ -52,9 +53,9 @@ impl<T: Numbers> Step<'_, T> {
     }
 }
 
-impl<'a, T: Numbers> Stepper<'a, T> {
+impl<'a, T: Numbers, L: AerodynamicLaw<T>> Stepper<'a, T, L> {
     #[inline(always)]
-    pub fn new(inputs: &'a Inputs<T>, tableau: &'static Tableau, h: f64) -> Self {
+    pub fn new(inputs: &'a Inputs<T, L>, tableau: &'static Tableau, h: f64) -> Self {
         let mut decay_factors = [T::constant(1.0); MOST_STAGES + 1];
         for (factor, time) in decay_factors
             .iter_mut()
