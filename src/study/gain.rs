@@ -23,7 +23,7 @@ pub struct ClubAlone {
 /// and of the swing, and for a start or a club without a value.
 ///
 /// # Errors
-/// The errors of [`optimum`].
+/// The errors of [`optimum`](crate::study::optimum).
 pub fn club_alone(best: &Optimum) -> Result<Option<ClubAlone>> {
     let (club, swing): (Vec<_>, Vec<_>) = best
         .search
