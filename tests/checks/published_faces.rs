@@ -1,5 +1,5 @@
 //! Published cases of off-centre strikes and of a golfer's scatter, compared with this model;
-//! docs/swings.md has the numbers. A rigid impact is known to differ from the side spin of such
+//! docs/validation.md has the numbers. A rigid impact is known to differ from the side spin of such
 //! strikes by 30 to 50 % (Caldwell 2023): each case is tested for its own claim.
 
 use longdrive::derivative::gradient;
