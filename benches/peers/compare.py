@@ -540,7 +540,7 @@ def main():
     (BUILD / "raw.json").write_text(json.dumps(raw, indent=1))
     if DOCUMENT.exists():
         text = between(DOCUMENT.read_text(), "results", "\n\n".join([about, *tables]))
-        DOCUMENT.write_text(between(text, "work and precision", steps))
+        DOCUMENT.write_text(text)
     print(tables[0])
     problems = wrong(rows)
     print("\n".join(problems), file=sys.stderr)
