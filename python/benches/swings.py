@@ -1,4 +1,4 @@
-"""longdrive's optimizer beside SciPy's on the design of a head for many swings: a table like that of docs/swings.md, on standard output.
+"""longdrive's optimizer beside SciPy's on the design of a head for many swings: a table like that of docs/optimizer.md, on standard output.
 
 Usage: swings.py [SCENARIOS ...], with the package built in release. The objective is the same for all, with exact gradients and, where a solver
 asks for them, Hessians. The residual is judged here from the design alone: the largest component of u - P(u - g/|f|), with u and g in units of

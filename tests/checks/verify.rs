@@ -848,8 +848,8 @@ fn differences_to_one_side_certify_at_the_end_of_a_range() {
     );
 }
 
-/// docs/model.md: on the report's loop a small difference gives −65 m/rad at 10° of loft, and the
-/// derivative of carry is +337.
+/// docs/validation.md: on the report's loop a small difference gives −65 m/rad at 10° of loft, and
+/// the derivative of carry is +337.
 #[test]
 fn published_while_loop_has_derivatives_of_the_wrong_sign() {
     let setup = Setup::preset("mae494").unwrap();
