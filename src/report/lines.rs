@@ -1,5 +1,7 @@
 //! Wraps texts into lines for a terminal.
 
+use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
+
 /// Spaces before a line of a list.
 const INDENT: usize = 2;
 
@@ -56,27 +58,17 @@ pub fn remark(text: &str, width: usize) -> String {
 /// Wraps a text to `most` columns; the first line is indented by `first`, the others by `by`. A word
 /// that is too wide stays whole, because it may be a file name. It ends with a line break.
 pub fn wrapped(text: &str, [first, by]: [usize; 2], most: usize) -> String {
-    let mut lines = String::new();
-    for paragraph in text.lines() {
-        lines += &" ".repeat(first);
-        let (mut width, mut is_begun) = (first, false);
-        for word in paragraph.split(' ') {
-            let size = word.chars().count();
-            if is_begun && width + 1 + size > most {
-                lines += "\n";
-                lines += &" ".repeat(by);
-                (width, is_begun) = (by, false);
-            }
-            if is_begun {
-                lines += " ";
-                width += 1;
-            }
-            lines += word;
-            (width, is_begun) = (width + size, true);
-        }
-        lines += "\n";
-    }
-    lines
+    let [first, by] = [first, by].map(|columns| " ".repeat(columns));
+    let options = Options::new(most)
+        .initial_indent(&first)
+        .subsequent_indent(&by)
+        .break_words(false)
+        .word_separator(WordSeparator::AsciiSpace)
+        .word_splitter(WordSplitter::NoHyphenation)
+        .wrap_algorithm(WrapAlgorithm::FirstFit);
+    text.lines()
+        .map(|paragraph| textwrap::fill(paragraph, &options) + "\n")
+        .collect()
 }
 
 #[cfg(test)]

@@ -1,15 +1,14 @@
 //! `longdrive sweep`: files, kills and resumes, full disks, closed pipes, and bad input.
 
 use crate::command_line::{json, longdrive, wait_until};
-use crate::program;
+use crate::program::{self, FORMATS};
 use std::fs;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+#[cfg(feature = "full")]
 use std::sync::Arc;
 use std::sync::OnceLock;
-
-const FORMATS: [&str; 3] = ["csv", "jsonl", "parquet"];
 
 /// Some sixty thousand drives in coarse steps, which take half a second, with so many columns that
 /// they are three row groups. Some do not fly.
@@ -234,7 +233,8 @@ fn readable(path: &Path, format: &str) -> usize {
                 .filter(|line| serde_json::from_str::<serde_json::Value>(line).is_ok())
                 .count()
         }
-        _ => {
+        #[cfg(feature = "full")]
+        "parquet" => {
             use parquet::file::reader::{FileReader, SerializedFileReader};
             let file = SerializedFileReader::new(fs::File::open(path).unwrap()).unwrap();
             file.get_row_iter(None)
@@ -242,6 +242,7 @@ fn readable(path: &Path, format: &str) -> usize {
                 .filter(Result::is_ok)
                 .count()
         }
+        other => panic!("{other} is no format of these tests"),
     }
 }
 
@@ -255,11 +256,13 @@ fn same_json_lines_of_a_killed_and_resumed_sweep() {
     killed_and_resumed(&many(), "jsonl", Uninterrupted::of_many("jsonl"));
 }
 
+#[cfg(feature = "full")]
 #[test]
 fn same_parquet_of_a_killed_and_resumed_sweep() {
     killed_and_resumed(&many(), "parquet", Uninterrupted::of_many("parquet"));
 }
 
+#[cfg(feature = "full")]
 #[test]
 fn same_rows_of_an_arrow_table_killed_and_resumed() {
     use arrow_array::{ArrayRef, Float64Array, RecordBatch};
@@ -289,7 +292,30 @@ fn same_rows_of_an_arrow_table_killed_and_resumed() {
     killed_and_resumed(&many, "csv", &Uninterrupted::new(&many, "csv"));
 }
 
+#[cfg(not(feature = "full"))]
+#[test]
+fn a_format_that_is_not_compiled_in_names_its_feature() {
+    let table = |name: &str| format!("{}/data/tables/{name}", env!("CARGO_MANIFEST_DIR"));
+    let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("a.png").display().to_string();
+    for (args, feature) in [
+        (["sweep", "--points", &table("points.parquet")], "parquet"),
+        (["sweep", "--points", &table("points.arrow")], "arrow"),
+        (
+            ["plot", "trajectory", &format!("--output={picture}")],
+            "png",
+        ),
+    ] {
+        let said = longdrive(&args);
+        let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let says = format!("cargo install --path . --features {feature}");
+        assert_eq!(said.status, 2, "{told}");
+        assert!(told.contains(&says), "{told}");
+    }
+}
+
 /// Tables of the same points, written by pyarrow in each format and by Python in CSV.
+#[cfg(feature = "full")]
 #[test]
 fn independent_tables_in_every_format_give_the_same_bytes() {
     let table = |name: &str| format!("{}/data/tables/{name}", env!("CARGO_MANIFEST_DIR"));
@@ -378,7 +404,7 @@ fn independent_tables_in_every_format_give_the_same_bytes() {
 #[test]
 fn a_full_disk_leaves_complete_rows_that_can_be_resumed() {
     let folder = tempfile::tempdir().unwrap();
-    for format in FORMATS {
+    for &format in FORMATS {
         let (whole, part) = (
             &Uninterrupted::of_many(format).bytes,
             folder.path().join(format!("part.{format}")),
@@ -766,7 +792,6 @@ fn bad_input_to_a_sweep_is_status_2_and_says_what_to_write() {
             with(&["-o", "Cargo.toml", "--format", "csv", "--resume"]),
             "nothing to resume",
         ),
-        (with(&["--format", "parquet"]), "Parquet needs a file"),
         (with(&["--resume"]), "only a file can be resumed"),
         (with(&["--max-size", "much"]), "write a size like"),
         (with(&["--sample", "0"]), "--sample"),
@@ -789,6 +814,20 @@ fn bad_input_to_a_sweep_is_status_2_and_says_what_to_write() {
         );
         assert!(said.err.contains(says), "{args:?}: {}", said.err);
     }
+}
+
+#[cfg(feature = "full")]
+#[test]
+fn parquet_on_standard_output_is_refused() {
+    let said = longdrive(&[
+        "sweep",
+        "--over",
+        "club.loft=5deg..15deg:3",
+        "--format",
+        "parquet",
+    ]);
+    assert_eq!((said.status, said.out.as_str()), (2, ""));
+    assert!(said.err.contains("Parquet needs a file"), "{}", said.err);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use crate::command_line::{json, longdrive};
 use crate::common::close;
+use crate::program::FORMATS;
 use crate::sweep::table;
 use longdrive::Setup;
 use longdrive::table::open_table;
@@ -112,7 +113,7 @@ fn written_columns_are_read_again_and_ignored_ones_listed() {
         ("launched", &launched),
     ] {
         let all = ["--outcomes", "all", "--gradient"];
-        for ending in ["csv", "parquet"] {
+        for ending in FORMATS.iter().filter(|ending| **ending != "jsonl") {
             let (first, second) = (
                 file(&format!("{name}-1.{ending}")),
                 file(&format!("{name}-of-{ending}.csv")),

@@ -421,6 +421,10 @@ fn every_example_of_the_documentation_is_what_the_program_prints() {
         let (block, _) = block.split_once("```").unwrap();
         let (question, answer) = block.split_once('\n').unwrap();
         let args: Vec<&str> = question.split_whitespace().collect();
+        // parts are Parquet files
+        if args.contains(&"--part") && !program::FORMATS.contains(&"parquet") {
+            continue;
+        }
         let folder = tempfile::tempdir().unwrap();
         let shots = format!("{}/data/shots/trackman.csv", env!("CARGO_MANIFEST_DIR"));
         fs::copy(shots, folder.path().join("shots.csv")).unwrap();
@@ -443,7 +447,7 @@ fn every_example_of_the_documentation_is_what_the_program_prints() {
         );
         shown += 1;
     }
-    assert!(shown >= 6, "{shown} examples");
+    assert!(shown >= 5, "{shown} examples");
 }
 
 /// Whether an answer has the values of an example: numbers to the digits shown; "…" is an omission.

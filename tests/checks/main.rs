@@ -9,6 +9,7 @@ mod command_line;
 mod command_line_calibrate;
 mod command_line_certainty;
 mod command_line_files;
+#[cfg(feature = "full")]
 mod command_line_parts;
 mod command_line_search;
 mod command_line_sweep;
@@ -83,6 +84,7 @@ mod swings;
 mod swings_certainty;
 mod swings_theory;
 mod table_units;
+#[cfg(feature = "full")]
 mod tables;
 mod tolerance;
 mod uncertainty;

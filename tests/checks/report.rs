@@ -590,6 +590,7 @@ fn the_ending_of_the_file_chooses_the_format_of_a_plot() {
     assert_eq!((status, answer["file"].as_str()), (0, Some(svg.as_str())));
 }
 
+#[cfg(feature = "full")]
 #[test]
 fn a_png_has_its_size_and_its_words() {
     let folder = tempfile::tempdir().unwrap();

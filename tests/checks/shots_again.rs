@@ -466,6 +466,7 @@ fn text_shows_the_run_beside_a_total_and_the_air_that_the_weather_gives() {
 }
 
 /// More rows than a row group has: the numbers are those of the JSON lines.
+#[cfg(feature = "full")]
 #[test]
 fn same_shots_in_parquet_and_in_json_lines() {
     use parquet::file::reader::{FileReader, SerializedFileReader};

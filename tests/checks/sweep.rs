@@ -473,11 +473,6 @@ fn bad_tables_are_refused_by_row_and_column_before_any_work() {
             "club.loft [rad]\n0.1\n",
             "a table's name must end in .csv",
         ),
-        (
-            "a.parquet",
-            "club.loft [rad]\n0.1\n",
-            "it is not a Parquet file",
-        ),
     ] {
         let (_folder, path) = table(name, text);
         let message = open_table(&setup, &path).err().expect(text).to_string();
@@ -584,6 +579,7 @@ fn same_rows_after_reading_csv_and_json_lines() {
     }
 }
 
+#[cfg(feature = "full")]
 mod in_parquet {
     use super::{Setup, all, blocks, open_table, small};
     use longdrive::batch::{Batch, Run};
@@ -598,6 +594,14 @@ mod in_parquet {
     use std::fs::File;
     use std::path::Path;
     use std::sync::Arc;
+
+    #[test]
+    fn text_named_as_parquet_is_refused() {
+        let (_folder, path) = super::table("a.parquet", "club.loft [rad]\n0.1\n");
+        let message = open_table(&Setup::default(), &path).err().unwrap();
+        let message = message.to_string();
+        assert!(message.contains("it is not a Parquet file"), "{message}");
+    }
 
     #[test]
     fn same_rows_from_row_groups_written_separately() {

@@ -5,8 +5,11 @@ use super::target::Target;
 use crate::batch::{Batch, Points};
 use crate::command::args::Sweep;
 use crate::{Error, Result};
+use bytesize::ByteSize;
+use indicatif::HumanDuration;
+use std::fmt::Display;
 use std::path::Path;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Number of drives in the trial that measures the size and time of a row.
 const TRIED: usize = 64;
@@ -78,56 +81,23 @@ fn free(path: &Path) -> Option<(f64, String)> {
     ))
 }
 
-const SIZES: [(&str, f64); 5] = [
-    ("TB", 1e12),
-    ("GB", 1e9),
-    ("MB", 1e6),
-    ("kB", 1e3),
-    ("B", 1.0),
-];
-
 fn read_size(text: &str) -> Result<f64> {
-    let refuse = || Error::Unreadable {
-        name: format!("`max_size {text}`"),
-        source: "write a size like 500MB, 50GB or 1.5TB".into(),
-    };
-    let digits = text
-        .trim()
-        .trim_end_matches(|c: char| c.is_ascii_alphabetic());
-    let unit = text.trim()[digits.len()..].to_uppercase();
-    let (_, of) = SIZES
-        .into_iter()
-        .find(|(name, _)| name.to_uppercase() == unit)
-        .ok_or_else(refuse)?;
-    let number: f64 = digits.trim().parse().map_err(|_| refuse())?;
-    if number > 0.0 && number.is_finite() {
-        Ok(number * of)
-    } else {
-        Err(refuse())
+    let size: ByteSize = text.trim().parse().unwrap_or_default();
+    if size.as_u64() == 0 {
+        return Err(Error::Unreadable {
+            name: format!("`max_size {text}`"),
+            source: "write a size like 500MB, 50GB or 1.5TB".into(),
+        });
     }
+    Ok(size.as_u64() as f64)
 }
 
 /// A number of bytes with a unit.
-fn size(bytes: f64) -> String {
-    let (name, of) = SIZES
-        .into_iter()
-        .find(|(_, of)| bytes >= *of)
-        .unwrap_or(("B", 1.0));
-    format!("{} {name}", crate::units::significant(bytes / of, 3))
+fn size(bytes: f64) -> impl Display {
+    ByteSize(bytes as u64).display().si()
 }
 
 /// A duration with a unit.
-fn duration(seconds: f64) -> String {
-    let units = [
-        ("years", 3.156e7),
-        ("days", 86400.0),
-        ("h", 3600.0),
-        ("min", 60.0),
-        ("s", 1.0),
-    ];
-    let (name, of) = units
-        .into_iter()
-        .find(|(_, of)| seconds >= 2.0 * of)
-        .unwrap_or(("s", 1.0));
-    format!("{} {name}", crate::units::significant(seconds / of, 2))
+fn duration(seconds: f64) -> impl Display {
+    HumanDuration(Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX))
 }
