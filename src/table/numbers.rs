@@ -102,11 +102,12 @@ pub(super) fn cell_number(cell: &str, has_decimal_comma: bool) -> Option<CellNum
     }
     let (mut found, mut side) = (None, None);
     let mut rest = cell;
-    // the side may come before the number
-    if let Some((word, after)) = cell
-        .split_once(' ')
-        .or_else(|| cell.char_indices().nth(1).map(|(at, _)| cell.split_at(at)))
-        && let Some(named) = Side::named(word)
+    // the side may come before the number: `R 4.6`, `R4.6 deg`
+    let word = cell.split_once(' ');
+    let letter = cell.char_indices().nth(1).map(|(at, _)| cell.split_at(at));
+    let mut beginnings = [word, letter].into_iter().flatten();
+    if let Some((named, after)) =
+        beginnings.find_map(|(word, after)| Some((Side::named(word)?, after)))
     {
         (side, rest) = (Some(named), after.trim());
     }
@@ -266,6 +267,8 @@ mod tests {
             ("3,2R", true, 3.2, None, right),
             ("Left 3", false, 3.0, None, left),
             ("L3", false, 3.0, None, left),
+            ("L4.8 deg", false, 4.8, Some("deg"), left),
+            ("R 4.8 deg", false, 4.8, Some("deg"), right),
             ("1.2 D", false, 1.2, None, down),
             ("0.8 I-O", false, 0.8, None, inside),
             ("0.1 C", false, 0.1, None, closed),
