@@ -48,14 +48,7 @@ pub fn delivery(
         });
     }
     let moved = with_unknowns(&own, unknowns, &found.x)?;
-    let taylors = evaluator.at(&found.x)?;
-    let explained = measured
-        .iter()
-        .zip(&taylors)
-        .map(|(measured, taylor)| Explained {
-            measured: *measured,
-            computed: taylor.value,
-        });
+    let explained = explained(measured, &evaluator.at(&found.x)?);
     let free: Vec<usize> = (0..unknowns.len())
         .filter(|&i| (unknowns[i].low < found.x[i]) && (found.x[i] < unknowns[i].high))
         .collect();
@@ -73,10 +66,21 @@ pub fn delivery(
         status: found.status,
         message: found.message.clone(),
         posteriors,
-        explained: explained.collect(),
+        explained,
         jacobian: found.rows.jacobian[..measured.len()].to_vec(),
         unidentified: unidentified(&jacobian, &free_parameters),
     })
+}
+
+/// The measurements with the computed values.
+fn explained(measured: &[Measurement], taylors: &[Taylor]) -> Vec<Explained> {
+    let values = measured.iter().zip(taylors);
+    values
+        .map(|(measured, taylor)| Explained {
+            measured: *measured,
+            computed: taylor.value,
+        })
+        .collect()
 }
 
 /// The setup with values of the unknowns.
