@@ -263,8 +263,14 @@ impl<J: Lanes<Lane: Derivatives>> FlownLanes<'_, J> {
     fn exceeded_limits(&self, lane: usize, fitted: &Fitted, has_run: bool) -> ExceededLimits {
         let value = inlined!(|number: J| number.lane(lane).re());
         let (strike, ground) = (&self.setup.strike, &self.setup.ground);
+        let [spin_ratio, spin, reynolds, air_speed] = self.stream;
         ExceededLimits {
-            law: !fitted.holds(self.stream.map(value)),
+            law: !fitted.holds([
+                value(spin_ratio),
+                value(spin),
+                value(reynolds),
+                value(air_speed),
+            ]),
             face: self.launched.club_speed.is_some()
                 && is_outside_any_face(value(strike.toe), value(strike.high)),
             flat: has_run
