@@ -261,7 +261,7 @@ pub fn chart_at(
         }
         let to = target(stride.to(here.at, along.high), here.at, at, width);
         let next = match follower.step(here, to, &mut stride) {
-            Step::Taken(next) => next,
+            Step::Taken(next) => *next,
             Step::Rejected => continue,
             Step::NoOptimum(reason) => {
                 chart.ended = Some(reason);
@@ -338,7 +338,7 @@ struct Follower<'a> {
 
 /// Result of a step of the continuation.
 enum Step {
-    Taken(ChartPoint),
+    Taken(Box<ChartPoint>),
     /// Another step is tried: a shorter one, unless the search was interrupted.
     Rejected,
     /// No optimum was found, with the reason.
@@ -362,7 +362,7 @@ impl Follower<'_> {
         };
         let next = self.with_event(here, point, apart);
         stride.adapt(apart);
-        Step::Taken(next)
+        Step::Taken(Box::new(next))
     }
 
     /// Marks a jump, or locates a change of the active set.

@@ -290,7 +290,7 @@ struct Moments {
 /// Rows f_A, f_B, f_AB1 … with a finite value at each point, less the mean: an offset would add
 /// noise to the products.
 fn complete_rows(values: &[Vec<Option<f64>>], mean: f64) -> Vec<Vec<f64>> {
-    let centred = |value: f64| value.is_finite().then(|| value - mean);
+    let centred = |value: f64| value.is_finite().then_some(value - mean);
     (0..values[0].len())
         .filter_map(|row| {
             values
