@@ -2,12 +2,12 @@
 
 use super::block::{Block, Status};
 use super::definition::Batch;
-use crate::aerodynamics::AerodynamicLaw;
+use crate::aerodynamics::{AerodynamicLaw, Fitted};
 use crate::drive::{
     ExceededLimits, LaunchState, Outcome, OutcomeGroup, OutcomeInputs, flat_landing_angle,
     is_outside_any_face,
 };
-use crate::flight::{Inputs, RequestedOutputs};
+use crate::flight::{Inputs, Landed, RequestedOutputs};
 use crate::impact::Head;
 use crate::number::{
     Derivatives, Lanes, Mask, Number, OverNumbers, Task, in_lane, inlined, over_drives,
@@ -156,19 +156,10 @@ impl LaneBatch<'_> {
             .map(|parameter| self.wrt.iter().position(|row| row == parameter))
             .collect();
         for group in rows.chunks(J::WIDTH) {
-            // the last group is filled up with copies of its last row
-            let row_of = |lane: usize| group[lane.min(group.len() - 1)].row;
-            let block = &*self.block;
-            setup.put(
-                &batch.parameters,
-                inlined!(|k| seeded_in(
-                    J::with_values(|lane| block.point(row_of(lane))[k]),
-                    directions[k]
-                )),
-            );
+            self.put_group(&mut setup, group, &directions);
             let launched = LaunchState::new(&setup);
             let inputs = Inputs::new(&setup, &launched.launch, has_run);
-            let [spin_ratio, spin, reynolds, air_speed] = inputs.stream();
+            let stream = inputs.stream();
             let head = (has_head && launched.club_speed.is_some())
                 .then(|| J::not_inlined(|| Head::new(&setup.club)));
             let ended = inputs.integrate(
@@ -176,43 +167,49 @@ impl LaneBatch<'_> {
                 RequestedOutputs { apex, defect: true },
                 None,
             );
+            let flown = FlownLanes {
+                setup: &setup,
+                launched: &launched,
+                stream,
+                head: head.as_ref(),
+                landed: &ended.landed,
+            };
             for (lane, &FlyingRow { row, .. }) in group.iter().enumerate() {
                 if !ended.has_landed.holds(lane) {
                     scalar_rows.push(row);
                     continue;
                 }
-                let landed = &ended.landed;
-                let drive = OutcomeInputs {
-                    launch: &launched.launch,
-                    club_speed: launched.club_speed,
-                    landed: Some(landed),
-                    head: head.as_ref(),
-                    read: in_lane(lane),
-                };
                 let value = inlined!(|number: J| number.lane(lane).re());
                 self.block.status[row] = Status::Landed;
-                self.block.defect[row] = landed.defect.map_or(0.0, value);
-                self.block.beyond[row] = ExceededLimits {
-                    law: !fitted.holds([
-                        value(spin_ratio),
-                        value(spin),
-                        value(reynolds),
-                        value(air_speed),
-                    ]),
-                    face: launched.club_speed.is_some()
-                        && is_outside_any_face(value(setup.strike.toe), value(setup.strike.high)),
-                    flat: has_run
-                        && flat_landing_angle(
-                            [value(setup.ground.slope), value(setup.ground.side_slope)],
-                            &landed.map(value),
-                        )
-                        .is_some(),
-                };
+                self.block.defect[row] = ended.landed.defect.map_or(0.0, value);
+                self.block.beyond[row] = flown.exceeded_limits(lane, &fitted, has_run);
+                let drive = flown.outcome_inputs(lane);
                 for (i, outcome) in batch.of.iter().enumerate() {
                     self.write(row, i, outcome.evaluate(&drive));
                 }
             }
         }
+    }
+
+    /// Sets the swept parameters to the values of a group of rows; `directions` seeds those of
+    /// differentiation.
+    #[inline(always)]
+    fn put_group<J: Lanes>(
+        &self,
+        setup: &mut Setup<J>,
+        group: &[FlyingRow],
+        directions: &[Option<usize>],
+    ) {
+        // the last group is filled up with copies of its last row
+        let row_of = |lane: usize| group[lane.min(group.len() - 1)].row;
+        let block = &*self.block;
+        setup.put(
+            &self.batch.parameters,
+            inlined!(|k| seeded_in(
+                J::with_values(|lane| block.point(row_of(lane))[k]),
+                directions[k]
+            )),
+        );
     }
 
     /// Seeds the parameters of differentiation at the setup's own values.
@@ -234,6 +231,54 @@ impl LaneBatch<'_> {
         for k in 0..self.wrt.len() {
             let column = outcome * self.batch.wrt.len() + self.first + k;
             self.block.derivatives[column][row] = number.first(k);
+        }
+    }
+}
+
+/// Impact and flight of a group of rows, one row per lane.
+struct FlownLanes<'a, J: Lanes> {
+    setup: &'a Setup<J>,
+    launched: &'a LaunchState<J>,
+    /// Spin ratio, spin, Reynolds number and air speed at launch.
+    stream: [J; 4],
+    head: Option<&'a Head<J>>,
+    landed: &'a Landed<J>,
+}
+
+impl<J: Lanes<Lane: Derivatives>> FlownLanes<'_, J> {
+    /// Quantities of a lane that outcomes are computed from.
+    #[inline(always)]
+    fn outcome_inputs(&self, lane: usize) -> OutcomeInputs<'_, J, impl Fn(J) -> J::Lane + Copy> {
+        OutcomeInputs {
+            launch: &self.launched.launch,
+            club_speed: self.launched.club_speed,
+            landed: Some(self.landed),
+            head: self.head,
+            read: in_lane(lane),
+        }
+    }
+
+    /// Validity limits that a lane exceeds.
+    #[inline(always)]
+    fn exceeded_limits(&self, lane: usize, fitted: &Fitted, has_run: bool) -> ExceededLimits {
+        let value = inlined!(|number: J| number.lane(lane).re());
+        let (strike, ground) = (&self.setup.strike, &self.setup.ground);
+        let [spin_ratio, spin, reynolds, air_speed] = self.stream;
+        ExceededLimits {
+            law: !fitted.holds([
+                value(spin_ratio),
+                value(spin),
+                value(reynolds),
+                value(air_speed),
+            ]),
+            face: self.launched.club_speed.is_some()
+                && is_outside_any_face(value(strike.toe), value(strike.high)),
+            flat: has_run
+                && flat_landing_angle(
+                    [value(ground.slope), value(ground.side_slope)],
+                    &self.landed.map(value),
+                )
+                .is_some(),
         }
     }
 }

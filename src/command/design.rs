@@ -1,16 +1,17 @@
 //! The `design` command: the best head and face.
 
-use crate::command::args::DesignArgs;
+use crate::command::args::{DesignArgs, Optimize};
 use crate::command::interrupt;
 use crate::command::output::{Answer, system};
 use crate::command::ranges::DefaultRanges;
+use crate::command::request::Request;
 use crate::command::swings::{SwingsSearch, found, sought};
 use crate::parameters::Parameter;
 use crate::report::Designed;
 use crate::study::design::{Design, GOLFER, golfer, improvements, usual_vary};
 use crate::study::swings::{Scenarios, Swings};
 use crate::study::{Goal, Search, Sense};
-use crate::{Error, Result};
+use crate::{Error, Result, Setup};
 
 /// The default objective.
 const GOAL: &str = "mean(carry) - 0.5*rms(lateral)";
@@ -19,25 +20,11 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
     let search = &args.optimize;
     let request = search.setup_args.request()?;
     let setup = request.setup()?;
-    let mut notes = vec![];
-    if setup.launch.is_given() {
-        let source = "it gives the launch, so no club strikes the ball and there is nothing to \
-                      design; leave it out, or give the swing";
-        return Err(Error::Unreadable {
-            name: request.launch_from(),
-            source: source.into(),
-        });
-    }
-    if !search.swings.is_given() {
-        search.swings.refuse_correlation()?;
-        notes.push(format!(
-            "the swings scatter like those of {GOLFER}, about the setup's swing; for yours give \
-             `swings FILE`"
-        ));
-    }
+    refuse_launch(&request, &setup)?;
     let swings = if search.swings.is_given() {
         search.swings.read(&setup)?
     } else {
+        search.swings.refuse_correlation()?;
         golfer(&setup)?
     };
     request.refuse_stated(&distributed(args, &swings), "the swings have values of it")?;
@@ -54,18 +41,7 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
         &|setup| DefaultRanges::new(usual_vary(setup)?, &request).vary(),
     )?;
     request.note_starts(&setup, &asked.vary);
-    if search.search.maximize.is_none() && search.search.minimize.is_none() {
-        notes.push(format!(
-            "default goal: the largest {GOAL}; for another give `maximize GOAL`"
-        ));
-    }
-    if search.search.vary.is_empty() {
-        let varied: Vec<_> = asked.vary.iter().map(|vary| vary.parameter.name).collect();
-        notes.push(format!(
-            "varied by default: {}; others: `vary NAME=LOW..HIGH`",
-            varied.join(", ")
-        ));
-    }
+    let mut notes = notes_on_defaults(args, &asked);
     let scenarios = Scenarios::new(&swings, search.swings.rule(&swings, true)?)?;
     let asked = Search { scenarios, ..asked };
     let design = Design::new(&setup, asked, args.rules == "golf")?;
@@ -99,6 +75,44 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
         Answer::document_about(document, &request.origin())
     };
     Ok(answer.found(found.is_found()))
+}
+
+/// Refuses a setup that gives the launch.
+fn refuse_launch(request: &Request, setup: &Setup<f64>) -> Result<()> {
+    if !setup.launch.is_given() {
+        return Ok(());
+    }
+    let source = "it gives the launch, so no club strikes the ball and there is nothing to \
+                  design; leave it out, or give the swing";
+    Err(Error::Unreadable {
+        name: request.launch_from(),
+        source: source.into(),
+    })
+}
+
+/// Notes on the swings, the goal and the varied parameters that the user did not state.
+fn notes_on_defaults(args: &DesignArgs, asked: &Search) -> Vec<String> {
+    let Optimize { search, swings, .. } = &args.optimize;
+    let mut notes = vec![];
+    if !swings.is_given() {
+        notes.push(format!(
+            "the swings scatter like those of {GOLFER}, about the setup's swing; for yours give \
+             `swings FILE`"
+        ));
+    }
+    if search.maximize.is_none() && search.minimize.is_none() {
+        notes.push(format!(
+            "default goal: the largest {GOAL}; for another give `maximize GOAL`"
+        ));
+    }
+    if search.vary.is_empty() {
+        let varied: Vec<_> = asked.vary.iter().map(|vary| vary.parameter.name).collect();
+        notes.push(format!(
+            "varied by default: {}; others: `vary NAME=LOW..HIGH`",
+            varied.join(", ")
+        ));
+    }
+    notes
 }
 
 /// The parameters whose distributions the user stated. A setting may override the parameters of the

@@ -1,13 +1,17 @@
-use crate::command::args::{Optimize, OptimumSensitivity};
+use crate::command::args::{Optimize, OptimumSensitivity, SwingsArgs};
 use crate::command::names::variables;
 use crate::command::output::{Answer, bar, show, spinner, system, tell, tell_error, warn};
+use crate::command::request::Request;
 use crate::command::search::write;
 use crate::parameters::Parameter;
-use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_document};
-use crate::study::{
-    Change, Changed, Flatness, Optimum, Search, Sensitivity, change, flatness, refuse_varied,
-    sensitivities, short_drive, usual_loss,
+use crate::report::{
+    Analysis, Document, Origin, OverSwings, Reply, SensitivityReport, optimum_document,
 };
+use crate::study::{
+    Change, Changed, Flatness, Optima, Optimum, Search, Sensitivity, change, flatness,
+    refuse_varied, sensitivities, short_drive, usual_loss,
+};
+use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
 use std::sync::atomic::AtomicBool;
 
@@ -20,14 +24,7 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
         ..
     } = &args.optimize;
     swings.refuse_stray()?;
-    if swings.is_given() {
-        let source = "the sensitivity of an optimum is computed for one drive; leave it out, or use \
-             \"optimize\"";
-        return Err(Error::Unreadable {
-            name: "`swings` or `distribution`".into(),
-            source: source.into(),
-        });
-    }
+    refuse_swings(swings)?;
     let request = setup_args.request()?;
     let own = request.setup_with_starts(&search.vary)?;
     let search = search.search(&request, &own)?;
@@ -51,40 +48,71 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let warnings = best.warnings(&AtomicBool::new(false));
     warn(&warnings);
     if optima.stopped() > 0 {
-        let answer = if request.is_json() {
-            Answer::json(&SensitivityReport::none(&optima, None, warnings).about(&origin))
-        } else {
-            let document = optimum_document(best, OverSwings::default(), None, system());
-            Answer::document_about(document, &origin)
-        };
-        return Ok(answer.found(false));
+        return Ok(Analysed::without(&optima, None, warnings).answer(&request, &origin));
     }
     // each changed setup gets its own integration step, as `optimize` of that setup would
     let integrated = |mut changed: Setup<f64>| {
         (changed.method, changed.flight.step) = (own.method, own.flight.step);
         request.for_many(changed, &search.vary)
     };
-    let (is_found, document, mut reply) = match analyse(best, &asked, &integrated) {
+    let mut analysed = match analyse(best, &asked, &integrated) {
         Err(error) if error.is_an_outcome() => {
             tell_error(&error);
-            let reply = SensitivityReport::none(&optima, Some(&error), warnings);
-            let document = optimum_document(best, OverSwings::default(), None, system());
-            (false, document, reply)
+            Analysed::without(&optima, Some(&error), warnings)
         }
-        found => {
-            let found = found?;
-            let analysis = found.analysis(best);
-            let reply = SensitivityReport::reply(&optima, &analysis, warnings);
-            (found.is_answered(), analysis.document(system()), reply)
+        analyses => Analysed::new(&optima, &analyses?, warnings),
+    };
+    analysed.reply.body.optimum.file = written;
+    Ok(analysed.answer(&request, &origin))
+}
+
+fn refuse_swings(swings: &SwingsArgs) -> Result<()> {
+    if !swings.is_given() {
+        return Ok(());
+    }
+    let source = "the sensitivity of an optimum is computed for one drive; leave it out, or use \
+         \"optimize\"";
+    Err(Error::Unreadable {
+        name: "`swings` or `distribution`".into(),
+        source: source.into(),
+    })
+}
+
+/// An optimum with its analysis, for JSON and for readers.
+struct Analysed {
+    /// True if a sensitivity exists, or if none was requested.
+    is_found: bool,
+    document: Document,
+    reply: Reply<SensitivityReport>,
+}
+
+impl Analysed {
+    fn new(optima: &Optima, analyses: &Analyses, warnings: Vec<Message>) -> Self {
+        let analysis = analyses.analysis(&optima.best);
+        Self {
+            is_found: analyses.is_answered(),
+            document: analysis.document(system()),
+            reply: SensitivityReport::reply(optima, &analysis, warnings),
         }
-    };
-    let answer = if request.is_json() {
-        reply.body.optimum.file = written;
-        Answer::json(&reply.about(&origin))
-    } else {
-        Answer::document_about(document, &origin)
-    };
-    Ok(answer.found(is_found))
+    }
+
+    /// The optimum without an analysis, with the reason.
+    fn without(optima: &Optima, reason: Option<&Error>, warnings: Vec<Message>) -> Self {
+        Self {
+            is_found: false,
+            document: optimum_document(&optima.best, OverSwings::default(), None, system()),
+            reply: SensitivityReport::none(optima, reason, warnings),
+        }
+    }
+
+    fn answer(self, request: &Request, origin: &Origin) -> Answer {
+        let answer = if request.is_json() {
+            Answer::json(&self.reply.about(origin))
+        } else {
+            Answer::document_about(self.document, origin)
+        };
+        answer.found(self.is_found)
+    }
 }
 
 /// The requested derivatives and changes.

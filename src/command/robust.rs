@@ -30,22 +30,11 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
     let within = args.within(&search.of)?;
     request.note_starts(&setup, &search.vary);
     let ranges = ranges(&search);
-    let models = args.models(&setup, &search)?;
-    let flown = |model: Model| {
-        Ok(Model {
-            setup: request.for_many(model.setup, &ranges)?,
-            ..model
-        })
-    };
-    let models = models.into_iter().map(flown).collect::<Result<Vec<_>>>()?;
-    for (k, model) in models.iter().enumerate() {
-        let reason = if model.reason.is_empty() {
-            String::new()
-        } else {
-            format!(" ({})", model.reason)
-        };
-        tell_detail(&format!("model {}: {}{reason}", k + 1, model.name));
+    let mut models = args.models(&setup, &search)?;
+    for model in &mut models {
+        model.setup = request.for_many(model.setup, &ranges)?;
     }
+    tell_models(&models);
     let spinner = spinner("searching for one design for all models");
     let interrupt = interrupt::stops("stopping with the best design so far");
     let follow = Observers {
@@ -84,6 +73,17 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
         request.is_json(),
     );
     Ok(answer.found(is_found))
+}
+
+fn tell_models(models: &[Model]) {
+    for (k, model) in models.iter().enumerate() {
+        let reason = if model.reason.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", model.reason)
+        };
+        tell_detail(&format!("model {}: {}{reason}", k + 1, model.name));
+    }
 }
 
 impl RobustArgs {

@@ -126,20 +126,7 @@ impl OverNumbers for Pass<'_> {
         let mut setup = point.setup.constant::<J>();
         let mut components = self.launch_constants::<J>();
         self.seed(per_lane, &mut setup, &mut components);
-        let launched = if let Stage::Flight(_) = self.stage {
-            let [up, right, downrange, spin @ ..] = components;
-            let launch = Launch {
-                velocity: Vector::new(up, right, downrange),
-                spin: Vector::from_array(spin),
-            };
-            LaunchState {
-                launch,
-                club_speed: None,
-                is_valid: J::Mask::first(lanes),
-            }
-        } else {
-            LaunchState::new(&setup)
-        };
+        let launched = self.launch_state(&setup, components, lanes);
         if !launched.is_valid.holds(0) {
             return Err(point.impact_error());
         }
@@ -175,27 +162,10 @@ impl OverNumbers for Pass<'_> {
                 head: head.as_ref(),
                 read: in_lane(lane),
             };
-            let variables = self.directions.in_lane(lane, per_lane);
-            let (outcomes, components) = self.taylors.split_at_mut(point.of.len());
-            for (outcome, taylor) in point
-                .of
-                .iter()
-                .zip(outcomes)
-                .filter(|(outcome, _)| self.stage.has(**outcome))
-            {
-                let number = outcome
-                    .evaluate(&drive)
-                    .ok_or_else(|| outcome.unavailable())?;
-                put(taylor, variables, &number);
-            }
-            let Launch {
-                velocity: v,
-                spin: s,
-            } = &launched.launch;
-            let numbers = [&v.x, &v.y, &v.z, &s.x, &s.y, &s.z];
-            for (taylor, number) in components.iter_mut().zip(numbers) {
-                put(taylor, variables, &number.lane(lane));
-            }
+            let directions = self.directions;
+            let variables = directions.in_lane(lane, per_lane);
+            self.put_outcomes(variables, &drive)?;
+            self.put_launch(variables, &launched.launch, lane);
         }
         Ok(())
     }
@@ -219,6 +189,61 @@ impl Pass<'_> {
                 .get(i)
                 .map_or(J::zero(), |component| J::constant(component.value))
         })
+    }
+
+    /// The launch of all lanes: of the drive, or with these components.
+    #[inline(always)]
+    fn launch_state<J: Lanes>(
+        &self,
+        setup: &Setup<J>,
+        components: [J; COMPONENTS],
+        lanes: usize,
+    ) -> LaunchState<J> {
+        if !matches!(self.stage, Stage::Flight(_)) {
+            return LaunchState::new(setup);
+        }
+        let [up, right, downrange, spin @ ..] = components;
+        LaunchState {
+            launch: Launch {
+                velocity: Vector::new(up, right, downrange),
+                spin: Vector::from_array(spin),
+            },
+            club_speed: None,
+            is_valid: J::Mask::first(lanes),
+        }
+    }
+
+    /// Writes the derivatives of the outcomes of this stage.
+    #[inline(always)]
+    fn put_outcomes<J: Lanes<Lane: Derivatives>>(
+        &mut self,
+        variables: &[usize],
+        drive: &OutcomeInputs<'_, J, impl Fn(J) -> J::Lane + Copy>,
+    ) -> Result<()> {
+        let outcomes = self.point.of.iter().zip(&mut *self.taylors);
+        for (outcome, taylor) in outcomes.filter(|(outcome, _)| self.stage.has(**outcome)) {
+            let number = outcome
+                .evaluate(drive)
+                .ok_or_else(|| outcome.unavailable())?;
+            put(taylor, variables, &number);
+        }
+        Ok(())
+    }
+
+    /// Writes the derivatives of the components of the launch, which follow the outcomes.
+    #[inline(always)]
+    fn put_launch<J: Lanes<Lane: Derivatives>>(
+        &mut self,
+        variables: &[usize],
+        launch: &Launch<J>,
+        lane: usize,
+    ) {
+        let (v, s) = (&launch.velocity, &launch.spin);
+        let numbers = [&v.x, &v.y, &v.z, &s.x, &s.y, &s.z];
+        let components = &mut self.taylors[self.point.of.len()..];
+        for (taylor, number) in components.iter_mut().zip(numbers) {
+            put(taylor, variables, &number.lane(lane));
+        }
     }
 
     /// Seeds the variables of this pass in the setup and in the components of the launch.

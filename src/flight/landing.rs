@@ -65,15 +65,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     ) -> FlightResult<T> {
         let (tableau, h, ground) = (Tableau::of(self.method), self.step, self.ground);
         let mut stepper = Stepper::new(self, tableau, h);
-        // before the first step both nodes are the launch
         let mut nodes = [self.launch(); 2];
-        let [from, to] = &mut nodes;
-        let mut step = Step {
-            from,
-            to,
-            position_increment: Vector::zero(),
-            velocity_increment: Vector::zero(),
-        };
+        let mut step = Step::before_first(&mut nodes);
         let has_been_above = ground.below(0.0);
         let mut lanes = Lanes {
             flying: lanes & (has_been_above | is_rising(step.to)),

@@ -35,7 +35,18 @@ pub(crate) struct Step<'n, T> {
 /// Callback for each step and the time at its start.
 pub(crate) type Observer<'o, T> = Option<&'o mut dyn FnMut(f64, &Step<'_, T>)>;
 
-impl<T: Numbers> Step<'_, T> {
+impl<'n, T: Numbers> Step<'n, T> {
+    /// The state before the first step, when both nodes are the launch.
+    #[inline(always)]
+    pub fn before_first([from, to]: &'n mut [Node<T>; 2]) -> Self {
+        Self {
+            from,
+            to,
+            position_increment: Vector::zero(),
+            velocity_increment: Vector::zero(),
+        }
+    }
+
     /// Defect of a step of length h, m (docs/model.md, eq. 16a): the difference between the step
     /// and Hermite's quadrature over the step, times (|Δv|/|v_r|)⁴. The defect of a step is O(h⁹),
     /// the sum over a flight O(h⁸).

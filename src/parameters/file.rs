@@ -328,9 +328,20 @@ mod tests {
         assert_eq!(setup.law.name(), "linear");
     }
 
+    /// Checks the start of the message about each text, and words that it contains.
+    fn assert_refused(texts: &[(&str, &str, &str)]) {
+        for (text, start, says) in texts {
+            let message = Setup::from_toml(text, "f").unwrap_err().to_string();
+            assert!(
+                message.starts_with(start) && message.contains(says),
+                "{text:?}: {message}"
+            );
+        }
+    }
+
     #[test]
-    fn every_mistake_has_its_line_and_column() {
-        for (text, start, says) in [
+    fn every_wrong_value_has_its_line_and_column() {
+        assert_refused(&[
             (
                 "[club]\nloft = '10 kg'",
                 "f:2:8: club.loft: \"10 kg\" is not an angle",
@@ -357,24 +368,9 @@ mod tests {
                 "9.8 deg",
             ),
             (
-                "[club]\nloft = { x = 1 }",
-                "f:2:10: unknown parameter 'club.loft.x'",
-                "did you mean 'club.loft'",
-            ),
-            (
-                "\n\nprset = 'mae494'",
-                "f:3:1: unknown parameter 'prset'",
-                "`parameters()` lists them all",
-            ),
-            (
                 "preset = 'mae'",
                 "f:1:10: unknown preset 'mae'; did you mean 'mae494'?",
                 "winfield-tan",
-            ),
-            (
-                "[aero]\nlaw = 'linear'\ncd0 = 0.3",
-                "f:3:1: 'aero.cd0' is a coefficient of robinson, ",
-                "robinson",
             ),
             (
                 "club = 3",
@@ -386,18 +382,37 @@ mod tests {
                 "f:1:1: 'swing' is an array; expected a table",
                 "[swing]",
             ),
+        ]);
+    }
+
+    #[test]
+    fn every_wrong_name_has_its_line_and_column() {
+        assert_refused(&[
+            (
+                "[club]\nloft = { x = 1 }",
+                "f:2:10: unknown parameter 'club.loft.x'",
+                "did you mean 'club.loft'",
+            ),
+            (
+                "\n\nprset = 'mae494'",
+                "f:3:1: unknown parameter 'prset'",
+                "`parameters()` lists them all",
+            ),
+            (
+                "[aero]\nlaw = 'linear'\ncd0 = 0.3",
+                "f:3:1: 'aero.cd0' is a coefficient of robinson, ",
+                "robinson",
+            ),
             (
                 "\"swing.speed\" = 50\n[swing]\nspeed = 40",
                 "f:3:1: 'swing.speed' is given twice, here and at line 1",
                 "keep one",
             ),
-        ] {
-            let message = Setup::from_toml(text, "f").unwrap_err().to_string();
-            assert!(
-                message.starts_with(start) && message.contains(says),
-                "{text:?}: {message}"
-            );
-        }
+        ]);
+    }
+
+    #[test]
+    fn a_mistake_of_the_syntax_has_its_line_and_column() {
         let message = Setup::from_toml("[club\nloft = 1", "f")
             .unwrap_err()
             .to_string();

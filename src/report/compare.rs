@@ -310,17 +310,7 @@ fn add_shares(
              {at_once}"
         ));
     }
-    let remainder = shown::change(of, split.remainder, system);
-    // a remainder without a sign is displayed as 0
-    if remainder.starts_with(['+', '-']) && !is_rounding(split.remainder) {
-        let why = if split.remainder.abs() <= split.error {
-            let error = shown::spread(of, split.error, system);
-            format!("the shares are integrals between a and b, computed within {error}")
-        } else {
-            "there is a corner of the model between a and b".into()
-        };
-        remarks.push(format!("not in these shares: {remainder}; {why}"));
-    }
+    remarks.extend(remainder_text(difference, split, system));
 
     if with.is_empty() {
         let remarks = remarks.into_iter().map(Line::item);
@@ -344,6 +334,24 @@ fn add_shares(
         table.remark(remark);
     }
     document.add(table);
+}
+
+/// The part of a difference that is in no share, with its reason; `None` if it is rounding.
+fn remainder_text(difference: &Difference, split: &Shares, system: System) -> Option<String> {
+    let of = difference.of;
+    let remainder = shown::change(of, split.remainder, system);
+    // a remainder without a sign is displayed as 0
+    let is_shown = remainder.starts_with(['+', '-']);
+    if !is_shown || shown::is_rounding(of, difference.values[0], split.remainder) {
+        return None;
+    }
+    let why = if split.remainder.abs() <= split.error {
+        let error = shown::spread(of, split.error, system);
+        format!("the shares are integrals between a and b, computed within {error}")
+    } else {
+        "there is a corner of the model between a and b".into()
+    };
+    Some(format!("not in these shares: {remainder}; {why}"))
 }
 
 fn names(causes: impl Iterator<Item = Cause>) -> String {

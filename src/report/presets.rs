@@ -195,61 +195,75 @@ pub fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Ve
         .parameters()
         .into_iter()
         .filter(|row| setup.why_replaced(row).is_none());
-    let numbers = used.filter_map(|row| {
-        // compare a coefficient of another law with its own default
-        let from = base
-            .parameter(row.name)
-            .map_or_else(|_| row.default_value(), |known| base.value(known));
-        let to = setup.value(row);
-        (from != to).then(|| {
-            let short = [from, to]
-                .map(|value| value.map_or(UNSET.into(), |value| shown::told(row, value, system)));
-            // show all digits if the first four are equal
-            let [from, to] = if short[0] == short[1] {
-                [from, to].map(|value| shown::set(row, value, system))
-            } else {
-                short
-            };
-            Change {
-                parameter: Some(row),
-                name: shown::words(row.name),
-                from,
-                to,
-            }
-        })
-    });
-    let law = setup
-        .law
-        .table()
-        .map_or(setup.law.name(), |table| table.file());
-    let words = [
-        ("law of drag and lift", base.law.name(), law),
-        (
-            "method of integration",
-            base.method.name(),
-            setup.method.name(),
-        ),
-        (
-            "hand of the golfer",
-            base.golfer.name(),
-            setup.golfer.name(),
-        ),
-        (
-            "point of the club speed",
-            base.speed_of.name(),
-            setup.speed_of.name(),
-        ),
-    ];
-    let words = words
-        .into_iter()
-        .filter(|(_, from, to)| from != to)
-        .map(|(name, from, to)| Change {
+    let numbers = used.filter_map(|row| changed_number(setup, &base, row, system));
+    Ok(numbers.chain(changed_choices(setup, &base)).collect())
+}
+
+/// The change of a number; `None` if it is equal in both setups.
+fn changed_number(
+    setup: &Setup<f64>,
+    base: &Setup<f64>,
+    row: &'static Parameter,
+    system: System,
+) -> Option<Change> {
+    // compare a coefficient of another law with its own default
+    let from = base
+        .parameter(row.name)
+        .map_or_else(|_| row.default_value(), |known| base.value(known));
+    let to = setup.value(row);
+    if from == to {
+        return None;
+    }
+    let short =
+        [from, to].map(|value| value.map_or(UNSET.into(), |value| shown::told(row, value, system)));
+    // show all digits if the first four are equal
+    let [from, to] = if short[0] == short[1] {
+        [from, to].map(|value| shown::set(row, value, system))
+    } else {
+        short
+    };
+    Some(Change {
+        parameter: Some(row),
+        name: shown::words(row.name),
+        from,
+        to,
+    })
+}
+
+/// The changes of the parameters whose values are names.
+fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item = Change> {
+    let change = |name: &str, from: &str, to: &str| {
+        (from != to).then(|| Change {
             parameter: None,
             name: name.into(),
             from: from.into(),
             to: to.into(),
-        });
-    Ok(numbers.chain(words).collect())
+        })
+    };
+    let law = setup
+        .law
+        .table()
+        .map_or(setup.law.name(), |table| table.file());
+    [
+        change("law of drag and lift", base.law.name(), law),
+        change(
+            "method of integration",
+            base.method.name(),
+            setup.method.name(),
+        ),
+        change(
+            "hand of the golfer",
+            base.golfer.name(),
+            setup.golfer.name(),
+        ),
+        change(
+            "point of the club speed",
+            base.speed_of.name(),
+            setup.speed_of.name(),
+        ),
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// Presets with every number and its source.

@@ -14,6 +14,9 @@ use crate::units::{System, counted};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
+/// Head of the column with the multipliers in words.
+const CHANGE: &str = "change of the greatest loss";
+
 /// Minimum multiplier of a model whose loss determines the design.
 const IDLE: f64 = 1e-6;
 
@@ -271,78 +274,86 @@ fn losses(found: &Robust, system: System) -> Table {
 /// Adds the robust design to a document, with the multipliers of its bounds and constraints, which
 /// refer to the greatest loss.
 fn add_design(document: &mut Document, found: &Robust, system: System) {
-    let (search, solution) = (&found.search, &found.solution);
-    let goal = &search.of;
-    let is_converged = solution.status == Status::Converged;
-    let objective = Objective {
-        of: (goal.quantity, goal.unit),
-        value: solution.value.unwrap_or_default(),
-        sense: Sense::Minimize,
-        is_converged,
-    };
-    let rows = search.vary.iter().enumerate().map(|(i, vary)| {
-        let by = (vary.parameter.quantity, vary.parameter.unit);
-        let multipliers = [solution.lower_multipliers[i], solution.upper_multipliers[i]];
-        let held = match () {
-            () if vary.low == vary.high => "fixed".into(),
-            () if !is_converged => String::new(),
-            () => {
-                let prices = found.bound_prices(i);
-                let [lower, upper] = prices
-                    .map(|price| of_the_bests(multipliers, objective.price(price, by, system)));
-                limits::bound(multipliers, prices, |amount| {
-                    objective.price(amount, by, system)
-                }) + &lower.map_or(String::new(), |price| {
-                    format!("; {price} that its lower bound is lowered")
-                }) + &upper.map_or(String::new(), |price| {
-                    format!("; {price} that its upper bound is raised")
-                })
-            }
-        };
-        let value = shown::within(vary, found.design[i], system);
+    let rows = found.search.vary.iter().enumerate().map(|(i, vary)| {
         vec![
             vary.parameter.name.into(),
-            value,
+            shown::within(vary, found.design[i], system),
             shown::range(vary, system),
-            held,
+            bound_in_words(found, i, system),
         ]
     });
     let head = [
         "vary",
-        ended_at(solution.status, "robust"),
+        ended_at(found.solution.status, "robust"),
         "range",
-        "change of the greatest loss",
+        CHANGE,
     ];
     document.add(Table::new(head, rows).right([1]));
+    add_constraints(document, found, system);
+}
+
+/// The greatest loss as an objective.
+fn greatest_loss(found: &Robust) -> Objective {
+    let goal = &found.search.of;
+    Objective {
+        of: (goal.quantity, goal.unit),
+        value: found.solution.value.unwrap_or_default(),
+        sense: Sense::Minimize,
+        is_converged: found.solution.status == Status::Converged,
+    }
+}
+
+/// The change of the greatest loss with the bounds of varied parameter `i`.
+fn bound_in_words(found: &Robust, i: usize, system: System) -> String {
+    let (vary, solution) = (found.search.vary[i], &found.solution);
+    let objective = greatest_loss(found);
+    if vary.low == vary.high {
+        return "fixed".into();
+    }
+    if !objective.is_converged {
+        return String::new();
+    }
+    let by = (vary.parameter.quantity, vary.parameter.unit);
+    let price = |amount: f64| objective.price(amount, by, system);
+    let multipliers = [solution.lower_multipliers[i], solution.upper_multipliers[i]];
+    let prices = found.bound_prices(i);
+    let [lower, upper] = prices.map(|amount| of_the_bests(multipliers, price(amount)));
+    let mut words = limits::bound(multipliers, prices, price);
+    if let Some(lower) = lower {
+        words += &format!("; {lower} that its lower bound is lowered");
+    }
+    if let Some(upper) = upper {
+        words += &format!("; {upper} that its upper bound is raised");
+    }
+    words
+}
+
+/// Adds a table of the constraints of all models if there are any.
+fn add_constraints(document: &mut Document, found: &Robust, system: System) {
+    let objective = greatest_loss(found);
     let rows = found.limits().map(|(k, j, at, slopes)| {
-        let limit = &search.subject_to[j];
+        let limit = &found.search.subject_to[j];
         let by = (limit.goal.quantity, limit.goal.unit);
         let gain = found.limit_price(k, j, &at);
         let of = Limit {
             gain,
             ..Limit::new(limit, &at, slopes)
         };
-        let value = shown::goal(&limit.goal, at.value, system);
         let bests = of_the_bests([at.multiplier; 2], objective.price(gain, by, system))
-            .filter(|_| is_converged);
+            .filter(|_| objective.is_converged);
         let bests = bests.map_or(String::new(), |price| {
             format!("; {price} that the limit is relaxed")
         });
         vec![
             limit.expression.clone(),
             (k + 1).to_string(),
-            value,
+            shown::goal(&limit.goal, at.value, system),
             objective.limit(of, system) + &bests,
         ]
     });
     let rows: Vec<_> = rows.collect();
     if !rows.is_empty() {
-        let head = [
-            "subject to",
-            "model",
-            "value",
-            "change of the greatest loss",
-        ];
+        let head = ["subject to", "model", "value", CHANGE];
         document.add(Table::new(head, rows).right([1, 2]));
     }
 }

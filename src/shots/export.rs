@@ -1,7 +1,7 @@
 //! Reads the rows of an export as shots.
 
 use super::flown::REFUSED;
-use super::head::ExportHead;
+use super::head::{ExportHead, Read};
 use super::shot::{Club, Origin, Shot, StatedOfClub as Stated, Value, of_conditions, within};
 use crate::drive::Outcome;
 use crate::table::{
@@ -58,6 +58,17 @@ impl ExportHead {
             .then(|| Refusal::new(Refusal::BEFORE, reason.as_ref()))
     }
 
+    /// The number in a cell, SI; `None` if it is empty.
+    fn number(&self, read: &Read, text: &str) -> Result<Option<f64>, String> {
+        if DecimalMark::is_ambiguous(self.decimal_mark, text) {
+            return Err(format!(
+                "'{text}' may have decimals or thousands; write a number without a mark between \
+                 thousands"
+            ));
+        }
+        read.column.value(text)
+    }
+
     fn of_cells<S: AsRef<str>>(&self, row: &[S]) -> Shot {
         let cell = |at: usize| row[at].as_ref();
         let spin = self.spin_type.and_then(|at| Origin::read(cell(at)));
@@ -66,30 +77,16 @@ impl ExportHead {
         for read in &self.read {
             let (of, name) = (read.of, &read.column.head);
             let is_condition = CONDITIONS.contains(&of);
-            let text = cell(read.at);
-            let value = match DecimalMark::is_ambiguous(self.decimal_mark, text) {
-                true => Err(format!(
-                    "'{text}' may have decimals or thousands; write a number without a mark \
-                     between thousands"
-                )),
-                false => read.column.value(text),
-            };
-            match value {
+            match self.number(read, cell(read.at)) {
                 Ok(None) => {}
                 Ok(Some(value)) => {
                     let range = (!is_condition)
                         .then(|| implausible(of, value, || name.clone()))
                         .flatten();
+                    let origin = read.origin.or(spin.filter(|_| OF_SPIN.contains(&of)));
                     match range {
                         Some(reason) => shot.notes.push(format!("not compared: {reason}")),
-                        None => {
-                            let origin = if OF_SPIN.contains(&of) {
-                                read.origin.or(spin)
-                            } else {
-                                read.origin
-                            };
-                            shot.values.push(Value { of, value, origin });
-                        }
+                        None => shot.values.push(Value { of, value, origin }),
                     }
                 }
                 Err(why) if is_condition => {

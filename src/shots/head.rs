@@ -104,18 +104,23 @@ impl ExportHead {
             .needs_a_launch(&columns)
             .map_err(|reason| name.refused(String::new(), reason))?;
         found.find_descriptions();
-        found.decimal_mark = DecimalMark::detect(
-            table.separator,
-            found.read.iter().map(|read| read.at),
-            &table.rows_below(line),
-        );
-        let has_comma = table.separator != b',' && found.decimal_mark != Some(DecimalMark::Point);
-        for read in &mut found.read {
-            read.column = read.column.clone().with_decimal_comma(has_comma);
-        }
+        found.detect_decimal_mark(table, line);
         found.add_remarks(&columns, meant.without_unit, &in_degrees);
         found.remarks.extend(meant.turned.map(Message::from));
         Ok(found)
+    }
+
+    /// Detects the decimal mark from the rows below the head's line.
+    fn detect_decimal_mark(&mut self, table: &TextTable, line: u64) {
+        self.decimal_mark = DecimalMark::detect(
+            table.separator,
+            self.read.iter().map(|read| read.at),
+            &table.rows_below(line),
+        );
+        let has_comma = table.separator != b',' && self.decimal_mark != Some(DecimalMark::Point);
+        for read in &mut self.read {
+            read.column = read.column.clone().with_decimal_comma(has_comma);
+        }
     }
 
     /// Finds the columns of the origin of the spin and of the conditions.

@@ -160,6 +160,43 @@ fn fill(
     }
     let ball = ball_data(message)?;
     let (speed_unit, length_unit) = units(message)?;
+    fill_ball(shot, message, speed_unit, length_unit)?;
+    if let Some(Json::Object(club)) = message.get("ClubData")
+        && option(message, "ContainsClubData") != Some(false)
+    {
+        shot.club = club_data(club, speed_unit, &mut shot.notes);
+    }
+    remove_unsent(&mut shot.values);
+    let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
+    let name = |of: Outcome| {
+        let key = BALL
+            .iter()
+            .find(|(_, known)| *known == of)
+            .map_or("", |(key, _)| *key);
+        format!(
+            "BallData.{key}{}",
+            if ball.contains_key(key) {
+                String::new()
+            } else {
+                suggestion(ball, key)
+            }
+        )
+    };
+    shot.point = launch(&stated, name, |of| {
+        of != Outcome::Spin || !ball.contains_key("BackSpin")
+    });
+    add_notes(shot, &stated, name);
+    Ok(())
+}
+
+/// Fills in the values of `BallData`.
+fn fill_ball(
+    shot: &mut Shot,
+    message: &Map<String, Json>,
+    speed_unit: &str,
+    length_unit: &str,
+) -> Result<(), Refusal> {
+    let ball = ball_data(message)?;
     for (key, of) in BALL {
         let unit = match of {
             Outcome::BallSpeed => speed_unit,
@@ -190,31 +227,6 @@ fn fill(
             Err(refusal) => return Err(refusal),
         }
     }
-    if let Some(Json::Object(club)) = message.get("ClubData")
-        && option(message, "ContainsClubData") != Some(false)
-    {
-        shot.club = club_data(club, speed_unit, &mut shot.notes);
-    }
-    remove_unsent(&mut shot.values);
-    let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
-    let name = |of: Outcome| {
-        let key = BALL
-            .iter()
-            .find(|(_, known)| *known == of)
-            .map_or("", |(key, _)| *key);
-        format!(
-            "BallData.{key}{}",
-            if ball.contains_key(key) {
-                String::new()
-            } else {
-                suggestion(ball, key)
-            }
-        )
-    };
-    shot.point = launch(&stated, name, |of| {
-        of != Outcome::Spin || !ball.contains_key("BackSpin")
-    });
-    add_notes(shot, &stated, name);
     Ok(())
 }
 

@@ -260,22 +260,14 @@ pub fn chart_at(
             break;
         }
         let to = target(stride.to(here.at, along.high), here.at, at, width);
-        let (next, apart) = match follower.next(here, to) {
-            Ok(found) if found.1 <= TOO_FAR || !stride.halve() => found,
-            Ok(_) => continue,
-            // an interruption does not shorten the step
-            Err(_) if observer.is_interrupted() => continue,
-            Err(_) if stride.halve() => continue,
-            Err(error) => {
-                let place = along
-                    .parameter
-                    .append_value("no optimum was found beyond ".into(), here.at);
-                chart.ended = Some(place.words(": ").message(why_none(&error)));
+        let next = match follower.step(here, to, &mut stride) {
+            Step::Taken(next) => *next,
+            Step::Rejected => continue,
+            Step::NoOptimum(reason) => {
+                chart.ended = Some(reason);
                 break;
             }
         };
-        let next = follower.with_event(here, next, apart);
-        stride.adapt(apart);
         goes_on = on_point(&next);
         chart.points.push(next);
     }
@@ -329,6 +321,13 @@ fn target(to: f64, from: f64, at: &[f64], width: f64) -> f64 {
         .fold(to, f64::min)
 }
 
+/// A predicted and corrected optimum.
+struct Corrected {
+    point: ChartPoint,
+    /// Distance from the prediction, in units of the ranges.
+    apart: f64,
+}
+
 /// Problem and observer of the continuation.
 struct Follower<'a> {
     setup: &'a Setup<f64>,
@@ -337,7 +336,35 @@ struct Follower<'a> {
     observer: &'a ChartObserver,
 }
 
+/// Result of a step of the continuation.
+enum Step {
+    Taken(Box<ChartPoint>),
+    /// Another step is tried: a shorter one, unless the search was interrupted.
+    Rejected,
+    /// No optimum was found, with the reason.
+    NoOptimum(Message),
+}
+
 impl Follower<'_> {
+    /// Steps from `here` to the parameter value `to`, and adapts the step size.
+    fn step(&self, here: &ChartPoint, to: f64, stride: &mut AdaptiveStep) -> Step {
+        let Corrected { point, apart } = match self.next(here, to) {
+            Ok(corrected) if corrected.apart <= TOO_FAR || !stride.halve() => corrected,
+            Ok(_) => return Step::Rejected,
+            // an interruption does not shorten the step
+            Err(_) if self.observer.is_interrupted() => return Step::Rejected,
+            Err(_) if stride.halve() => return Step::Rejected,
+            Err(error) => {
+                let parameter = self.along.parameter;
+                let place = parameter.append_value("no optimum was found beyond ".into(), here.at);
+                return Step::NoOptimum(place.words(": ").message(why_none(&error)));
+            }
+        };
+        let next = self.with_event(here, point, apart);
+        stride.adapt(apart);
+        Step::Taken(Box::new(next))
+    }
+
     /// Marks a jump, or locates a change of the active set.
     fn with_event(&self, here: &ChartPoint, next: ChartPoint, apart: f64) -> ChartPoint {
         if apart > TOO_FAR {
@@ -399,16 +426,15 @@ impl Follower<'_> {
         while first.at - without > tolerance && !self.observer.is_interrupted() {
             let middle = 0.5 * (without + first.at);
             match self.next(&first, middle) {
-                Ok((found, _)) => first = found,
+                Ok(corrected) => first = corrected.point,
                 Err(_) => without = middle,
             }
         }
         first
     }
 
-    /// Computes the optimum at the parameter value `to`. Also returns its distance from the
-    /// prediction, in units of the ranges.
-    fn next(&self, here: &ChartPoint, to: f64) -> Result<(ChartPoint, f64)> {
+    /// Predicts and corrects the optimum at the parameter value `to`.
+    fn next(&self, here: &ChartPoint, to: f64) -> Result<Corrected> {
         let rates = match sensitivity(&here.best, self.along.parameter) {
             Ok(sensitivity) => sensitivity.optimum,
             // without a sensitivity (at a change of the active set) predict no change
@@ -426,25 +452,22 @@ impl Follower<'_> {
             initial_radius: RADIUS,
             ..self.search.options.clone()
         };
-        let found = point(
-            to,
-            local_optimum(
-                &setup,
-                Search {
-                    options,
-                    ..self.search.clone()
-                },
-                self.observer.search(),
-            )?,
-        )?;
-        let apart = relative_distance(&found.best.solution.x, &predicted, &bounds);
-        Ok((found, apart))
+        let search = Search {
+            options,
+            ..self.search.clone()
+        };
+        let best = local_optimum(&setup, search, self.observer.search())?;
+        let apart = relative_distance(&best.solution.x, &predicted, &bounds);
+        Ok(Corrected {
+            point: point(to, best)?,
+            apart,
+        })
     }
 
     /// Bisects for the first change of the active set between two optima.
     fn located(&self, here: &ChartPoint, there: ChartPoint) -> ChartPoint {
         let tolerance = LOCATED * (self.along.high - self.along.low);
-        let next = |before: &ChartPoint, at: f64| Some(self.next(before, at).ok()?.0);
+        let next = |before: &ChartPoint, at: f64| Some(self.next(before, at).ok()?.point);
         let is_as_before = |found: &ChartPoint| found.active == here.active;
         let after = locate_change(
             [here.clone(), there],

@@ -60,12 +60,7 @@ impl Face {
     /// [`Error::NoFlight`] if no strike flies.
     pub fn of(setup: &Setup<f64>) -> Result<Self> {
         let half = half_of(setup);
-        let [toe, high] = [setup.column("strike.toe")?, setup.column("strike.high")?];
-        let over = |part: f64| -> Result<[Vary; 2]> {
-            let [x, y] = half.map(|half| part * half);
-            Ok([Vary::new(toe, -x, x)?, Vary::new(high, -y, y)?])
-        };
-        let [across, up] = over(1.0)?;
+        let [across, up] = ranges(setup, half)?;
         let plane = Plane::fly(setup, &Self::OUTCOMES, across, up, NODES)?;
         let longest = plane
             .largest(0, |at| is_on(half, at))
@@ -73,8 +68,6 @@ impl Face {
                 reason: "no flight: no strike on the face makes a drive that flies and lands"
                     .into(),
             })?;
-        let [across, up] = over(0.7)?;
-        let tilted = Plane::fly(setup, &[Outcome::SpinAxis], across, up, ARROWS)?;
         let spot = Strike::on_sweet_spot(&setup.club);
         let centred = Setup {
             strike: spot.unwrap_or(Strike {
@@ -83,27 +76,11 @@ impl Face {
             }),
             ..*setup
         };
-        let straight = Drive::new(&centred)
-            .ok()
-            .and_then(|drive| Outcome::SpinAxis.value(&drive))
-            .unwrap_or_default();
-        let tilt = |(node, axis): (usize, &Option<f64>)| {
-            let at = tilted.node(node);
-            Some((
-                at,
-                Outcome::SpinAxis.unwrap_angle((*axis)?, straight) - straight,
-            ))
-            .filter(|(at, _)| is_on(half, *at))
-        };
-        let tilts = tilted.values[0]
-            .iter()
-            .enumerate()
-            .filter_map(tilt)
-            .collect();
+        let tilts = tilts(setup, &centred, half)?;
         let carry = Drive::new(setup)
             .ok()
             .and_then(|drive| Outcome::Carry.value(&drive));
-        let by_toe = evaluate(&centred, &Self::OUTCOMES, &[toe], Order::First).ok();
+        let by_toe = evaluate(&centred, &Self::OUTCOMES, &[across.parameter], Order::First).ok();
         let by_toe = by_toe
             .and_then(|found| <[_; 4]>::try_from(found).ok())
             .map(|found| found.map(|of| of.gradient[0]));
@@ -162,6 +139,32 @@ fn is_on(half: [f64; 2], at: [f64; 2]) -> bool {
         .map(|axis| (at[axis] / half[axis]).abs().powf(ROUNDNESS))
         .sum::<f64>()
         <= 1.0
+}
+
+/// Fraction of the face over which the tilts are computed.
+const TILTED: f64 = 0.7;
+
+/// Ranges of `strike.toe` and `strike.high`.
+fn ranges(setup: &Setup<f64>, [x, y]: [f64; 2]) -> Result<[Vary; 2]> {
+    let [toe, high] = [setup.column("strike.toe")?, setup.column("strike.high")?];
+    Ok([Vary::new(toe, -x, x)?, Vary::new(high, -y, y)?])
+}
+
+/// Points on the face, with the tilt of the spin axis relative to the drive `centred`, rad.
+fn tilts(setup: &Setup<f64>, centred: &Setup<f64>, half: [f64; 2]) -> Result<Vec<([f64; 2], f64)>> {
+    let [across, up] = ranges(setup, half.map(|half| TILTED * half))?;
+    let plane = Plane::fly(setup, &[Outcome::SpinAxis], across, up, ARROWS)?;
+    let straight = Drive::new(centred)
+        .ok()
+        .and_then(|drive| Outcome::SpinAxis.value(&drive))
+        .unwrap_or_default();
+    let tilt = |(node, axis): (usize, &Option<f64>)| {
+        let at = plane.node(node);
+        let axis = Outcome::SpinAxis.unwrap_angle((*axis)?, straight);
+        is_on(half, at).then_some((at, axis - straight))
+    };
+    let nodes = plane.values[0].iter().enumerate();
+    Ok(nodes.filter_map(tilt).collect())
 }
 
 /// Half-width and half-height of the face: typical, limited by bulge and roll.

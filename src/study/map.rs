@@ -109,16 +109,12 @@ pub fn map(
     let values = Evaluator::new(setup, &[of], &wrt, Order::Value)?;
     let gradients = Evaluator::new(setup, &[of], &wrt, Order::First)?;
     let columns = fineness.nodes;
-    let place = |vary: Vary, part: f64| vary.low + part * (vary.high - vary.low);
-
+    let ranges = [across, up];
     let nodes: Vec<Result<f64>> = (0..columns * columns)
         .into_par_iter()
         .map(|i| {
             let part = |at: usize| at as f64 / (columns - 1) as f64;
-            let x = [
-                place(across, part(i % columns)),
-                place(up, part(i / columns)),
-            ];
+            let x = place(ranges, [part(i % columns), part(i / columns)]);
             Ok(values.at(&x)?[0].value)
         })
         .collect();
@@ -137,22 +133,6 @@ pub fn map(
             .message(reason),
         });
     }
-    let slopes = (0..fineness.slopes * fineness.slopes)
-        .into_par_iter()
-        .filter_map(|i| {
-            // centres of equal cells
-            let part = |at: usize| (at as f64 + 0.5) / fineness.slopes as f64;
-            let at = [
-                place(across, part(i % fineness.slopes)),
-                place(up, part(i / fineness.slopes)),
-            ];
-            // no gradient where nothing flies, or at a corner
-            let found = gradients.at(&at).ok()?;
-            Some(Slope {
-                at,
-                gradient: [found[0].gradient[0], found[0].gradient[1]],
-            })
-        });
     Ok(Map {
         of,
         across,
@@ -160,8 +140,30 @@ pub fn map(
         columns,
         values,
         missing,
-        slopes: slopes.collect(),
+        slopes: slopes(&gradients, ranges, fineness.slopes),
     })
+}
+
+/// Gradients at the centres of equal cells. A centre without a flight, or at a corner, has none.
+fn slopes(gradients: &Evaluator, ranges: [Vary; 2], cells: usize) -> Vec<Slope> {
+    (0..cells * cells)
+        .into_par_iter()
+        .filter_map(|i| {
+            let part = |at: usize| (at as f64 + 0.5) / cells as f64;
+            let at = place(ranges, [part(i % cells), part(i / cells)]);
+            let taylors = gradients.at(&at).ok()?;
+            Some(Slope {
+                at,
+                gradient: [taylors[0].gradient[0], taylors[0].gradient[1]],
+            })
+        })
+        .collect()
+}
+
+/// The point at parts of both ranges, from 0 to 1.
+fn place([across, up]: [Vary; 2], parts: [f64; 2]) -> [f64; 2] {
+    let at = |vary: Vary, part: f64| vary.low + part * (vary.high - vary.low);
+    [at(across, parts[0]), at(up, parts[1])]
 }
 
 /// Refuses equal parameters, ranges of a single value, and fewer than 2 nodes.

@@ -201,90 +201,65 @@ mod tests {
     use std::collections::HashSet;
 
     #[test]
-    fn heads_of_launch_monitors_are_known_and_other_names_are_not() {
-        for (head, name, of) in [
+    fn units_are_split_from_heads() {
+        for (head, name) in [
+            ("Club Speed [mph]", "Club Speed"),
+            ("Carry Flat - Length [yds]", "Carry Flat - Length"),
+            ("Carry Flat - Land. Angle", "Carry Flat - Land. Angle"),
+            ("Ball Speed (mph)", "Ball Speed"),
+            ("Ball Speed MPH", "Ball Speed"),
+            ("Carry Yards", "Carry"),
+            ("BallSpeed", "BallSpeed"),
+            ("LaunchAngleDeg", "LaunchAngle"),
+            ("spin_rate_rpm", "spin_rate"),
+            ("Attack Ang. [deg]", "Attack Ang."),
+            ("Ballgeschwindigkeit", "Ballgeschwindigkeit"),
+            ("Launch V (°)", "Launch V"),
+        ] {
+            assert_eq!(split_unit(head).0, name, "{head}");
+        }
+    }
+
+    #[test]
+    fn names_of_launch_monitors_are_known_and_other_names_are_not() {
+        for (name, of) in [
+            ("Club Speed", Meaning::Input("swing.speed")),
+            ("Attack Ang.", Meaning::Input("swing.attack_angle")),
             (
-                "Club Speed [mph]",
-                "Club Speed",
-                Meaning::Input("swing.speed"),
-            ),
-            (
-                "Carry Flat - Length [yds]",
                 "Carry Flat - Length",
                 Meaning::Outcome(Outcome::CarryDistance),
             ),
             (
                 "Carry Flat - Land. Angle",
-                "Carry Flat - Land. Angle",
                 Meaning::Outcome(Outcome::DescentAngle),
             ),
-            (
-                "Ball Speed (mph)",
-                "Ball Speed",
-                Meaning::Outcome(Outcome::BallSpeed),
-            ),
-            (
-                "Ball Speed MPH",
-                "Ball Speed",
-                Meaning::Outcome(Outcome::BallSpeed),
-            ),
-            (
-                "Carry Yards",
-                "Carry",
-                Meaning::Outcome(Outcome::CarryDistance),
-            ),
-            (
-                "BallSpeed",
-                "BallSpeed",
-                Meaning::Outcome(Outcome::BallSpeed),
-            ),
-            (
-                "LaunchAngleDeg",
-                "LaunchAngle",
-                Meaning::Outcome(Outcome::LaunchAngle),
-            ),
-            (
-                "spin_rate_rpm",
-                "spin_rate",
-                Meaning::Outcome(Outcome::Spin),
-            ),
-            (
-                "Attack Ang. [deg]",
-                "Attack Ang.",
-                Meaning::Input("swing.attack_angle"),
-            ),
-            (
-                "Ballgeschwindigkeit",
-                "Ballgeschwindigkeit",
-                Meaning::Outcome(Outcome::BallSpeed),
-            ),
-            (
-                "Launch V (°)",
-                "Launch V",
-                Meaning::Outcome(Outcome::LaunchAngle),
-            ),
+            ("Carry", Meaning::Outcome(Outcome::CarryDistance)),
+            ("Ball Speed", Meaning::Outcome(Outcome::BallSpeed)),
+            ("BallSpeed", Meaning::Outcome(Outcome::BallSpeed)),
+            ("Ballgeschwindigkeit", Meaning::Outcome(Outcome::BallSpeed)),
+            ("LaunchAngle", Meaning::Outcome(Outcome::LaunchAngle)),
+            ("Launch V", Meaning::Outcome(Outcome::LaunchAngle)),
+            ("spin_rate", Meaning::Outcome(Outcome::Spin)),
         ] {
-            assert_eq!(
-                (split_unit(head).0, meaning(name)),
-                (name, Some(of)),
-                "{head}"
-            );
+            assert_eq!(meaning(name), Some(of), "{name}");
         }
+        for name in ["carry", "Total", "spin_axis"] {
+            assert_eq!(meaning(name), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn some_names_have_a_meaning_with_their_unit_only() {
         assert_eq!(
             meaning_with("Ball", Some("km/h")),
             Some(Meaning::Outcome(Outcome::BallSpeed))
         );
-        assert_eq!(
-            (
-                meaning_with("Ball", None),
-                meaning_with("Club", Some("deg"))
-            ),
-            (None, None)
-        );
-        assert_eq!(
-            (meaning("carry"), meaning("Total"), meaning("spin_axis")),
-            (None, None, None)
-        );
+        assert_eq!(meaning_with("Ball", None), None);
+        assert_eq!(meaning_with("Club", Some("deg")), None);
+    }
+
+    #[test]
+    fn exports_are_told_from_other_tables() {
         assert!(is_export(
             ["Ball Speed", "Launch Angle", "Player"].into_iter()
         ));
@@ -297,6 +272,10 @@ mod tests {
         assert!(!is_export(
             ["ball_speed", "launch_angle [deg]", "spin_axis"].into_iter()
         ));
+    }
+
+    #[test]
+    fn each_head_is_listed_once_and_names_a_parameter_or_an_outcome() {
         let mut seen = HashSet::new();
         for (head, of) in super::HEADS.iter() {
             assert!(seen.insert(head), "{head} is listed twice");

@@ -42,19 +42,12 @@ fn fly(args: &Fly) -> Result<Answer> {
     let mut shots = read_shots(file, filter, &request, &setup)?;
     // print notes about the outcomes after all checks of the input
     let of = asked(args)?;
-    request.refuse_replaced(&setup, shots.further())?;
-    let mut flying = followed(&request, &setup, &of, |setup| {
-        Flying::new(setup, &shots, &of)
-    })?;
-    let is_on_their_ground = request.gives_ground();
-    if is_on_their_ground {
-        flying = flying.on_their_ground();
-    }
+    let flying = flying(&request, &setup, &shots, &of)?;
     let mut warnings = Warnings::default();
     warnings.add(setup.warnings());
     let mut remarks = Remarks::new(file);
     remarks.add(shots.remarks().iter().cloned());
-    remarks.add(not_compared(&shots, &of, is_on_their_ground));
+    remarks.add(not_compared(&shots, &of, request.gives_ground()));
     let run = Run {
         threads: args.threads,
         stop: Some(&stop),
@@ -94,6 +87,17 @@ fn fly(args: &Fly) -> Result<Answer> {
         &remarks.all,
         missing,
     ))
+}
+
+/// The flights of the shots, on the ground where they were measured if the request gives it.
+fn flying(request: &Request, setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Flying> {
+    request.refuse_replaced(setup, shots.further())?;
+    let flying = followed(request, setup, of, |setup| Flying::new(setup, shots, of))?;
+    Ok(if request.gives_ground() {
+        flying.on_their_ground()
+    } else {
+        flying
+    })
 }
 
 /// Refuses a preset name given as the file of shots.

@@ -27,12 +27,8 @@ use std::sync::atomic::AtomicBool;
 use target::{Output, Target};
 
 pub fn run(args: &Sweep) -> Result<Answer> {
-    if let Some(path) = args
-        .check
-        .as_deref()
-        .or(args.part.and(Some(args.output.as_path())))
-    {
-        return of_parts(args, path);
+    if let Some(folder) = folder_of_parts(args) {
+        return of_parts(args, folder);
     }
     refuse_options_of_parts(args)?;
     // interruptible from here on: reading a long table takes time before the first drive
@@ -52,14 +48,14 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     warnings.add(setup.warnings());
     let total = points.rows();
     let is_complete = write_rows(args, &batch, points.as_mut(), &writer, &mut output, &stop)?;
-
+    let counts = output.status_counts();
     // an incomplete file has another name
     let file = target
         .part()
         .filter(|_| !is_complete)
         .unwrap_or(&args.output);
-    let summary = Summary::new(total, output.status_counts(), notes, file);
-    warnings.add(output.status_counts().beyond().warnings(
+    let summary = Summary::new(total, counts, notes, file);
+    warnings.add(counts.beyond().warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
         CheckScope::Launch,
@@ -67,36 +63,48 @@ pub fn run(args: &Sweep) -> Result<Answer> {
     if !is_complete {
         tell(&stopped(&summary, &target, &output));
     }
-    let nothing = (is_complete && !output.status_counts().has_any(batch.outcomes()))
-        .then(|| no_outcome(&summary, &output.status_counts(), batch.outcomes()));
+    let nothing = (is_complete && !counts.has_any(batch.outcomes()))
+        .then(|| no_outcome(&summary, &counts, batch.outcomes()));
     if let Some(nothing) = &nothing {
         say_error(nothing);
     }
     let is_answered = is_complete && nothing.is_none();
     // standard output gets the counts if the rows go to a file
-    let all_landed = output
-        .status_counts()
-        .counts()
-        .all(|(status, count)| status == Status::Landed || count == 0);
-    if is_answered && !all_landed && target.is_standard_output() {
+    if is_answered && !all_landed(&counts) && target.is_standard_output() {
         tell(&summary.text(None));
     }
     let answer = if request.is_json() {
         let reply = Reply::done("sweep", warnings.into_vec(), &summary);
-        Answer::json(&match (is_complete, nothing) {
-            (true, None) => reply,
-            (true, nothing) => reply.ended("no-answer", nothing),
-            (false, _) => {
-                let stopped = format!("stopped: {}", summary.text(None));
-                reply.ended("interrupted", Some(stopped))
-            }
-        })
+        Answer::json(&ended(reply, is_complete, nothing))
     } else if is_complete && !target.is_standard_output() {
         Answer::text(summary.text(target.file()) + "\n")
     } else {
         Answer::text(String::new())
     };
     Ok(answer.found(is_answered))
+}
+
+/// The folder, if a part is written or the parts are checked.
+fn folder_of_parts(args: &Sweep) -> Option<&Path> {
+    let folder = args.part.and(Some(args.output.as_path()));
+    args.check.as_deref().or(folder)
+}
+
+/// The reply with its status; `nothing` is the reason if no drive has an outcome.
+fn ended(reply: Reply<&Summary>, is_complete: bool, nothing: Option<String>) -> Reply<&Summary> {
+    match (is_complete, nothing) {
+        (true, None) => reply,
+        (true, nothing) => reply.ended("no-answer", nothing),
+        (false, _) => {
+            let stopped = format!("stopped: {}", reply.body.text(None));
+            reply.ended("interrupted", Some(stopped))
+        }
+    }
+}
+
+fn all_landed(status_counts: &StatusCounts) -> bool {
+    let mut counts = status_counts.counts();
+    counts.all(|(status, count)| status == Status::Landed || count == 0)
 }
 
 /// Refuses options that apply only to a part of a sweep, if no part is written.

@@ -88,15 +88,20 @@ pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
         let reply = Reply::done("sweep", warnings.into_vec(), body);
         return Ok(Answer::json(&reply.ended("done", there)));
     }
+    Ok(Answer::text(written_text(part, folder, &manifest, there)))
+}
+
+/// "part 1 of 8: 1000 drives in sweep/part-1.parquet".
+fn written_text(part: PartOf, folder: &Path, manifest: &Manifest, there: Option<String>) -> String {
     let drives = counted(manifest.part.rows, "drive");
     let path = folder.join(&manifest.file);
     let there = there.map_or(String::new(), |there| format!("; {there}"));
-    Ok(Answer::text(format!(
+    format!(
         "part {} of {}: {drives} in {}{there}\n",
         part.part,
         part.parts,
         path.display()
-    )))
+    )
 }
 
 /// The answer for an interrupted part.

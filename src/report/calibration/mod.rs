@@ -80,6 +80,18 @@ pub struct DataReport {
     pub remarks: Vec<Message>,
 }
 
+impl DataReport {
+    fn new(table: &ShotTable) -> Self {
+        Self {
+            file: table.file.clone(),
+            shots: table.shots.len(),
+            values: table.residuals(),
+            launch_conditions: table.is_launched,
+            remarks: table.remarks.clone(),
+        }
+    }
+}
+
 /// The estimate of a parameter.
 #[derive(Clone, Debug, Serialize)]
 pub struct EstimateReport {
@@ -113,6 +125,19 @@ pub struct StartsReport {
     pub same: usize,
     /// Number of the other starts, by status.
     pub elsewhere: ByName<usize>,
+}
+
+impl StartsReport {
+    fn new(found: &Calibration) -> Self {
+        let elsewhere = found.elsewhere.iter();
+        Self {
+            made: found.starts,
+            same: found.at_minimum,
+            elsewhere: elsewhere
+                .map(|(status, count)| (status.name(), *count))
+                .collect(),
+        }
+    }
 }
 
 /// The residual of a measured value.
@@ -170,19 +195,12 @@ impl<'a> CalibrationReport<'a> {
             let parts = direction.parts.iter();
             parts.map(|(at, part)| (names[*at], *part)).collect()
         });
-        let elsewhere = found.elsewhere.iter();
         Self {
             table,
             found,
             held: held_out,
             interrupted: is_interrupted(found, held_out),
-            data: DataReport {
-                file: table.file.clone(),
-                shots: table.shots.len(),
-                values: table.residuals(),
-                launch_conditions: table.is_launched,
-                remarks: table.remarks.clone(),
-            },
+            data: DataReport::new(table),
             estimates: estimates.collect(),
             covariance: Matrix::new(names.clone(), |a, b| statistics.covariance[a][b]),
             correlation: Matrix::new(names.clone(), |a, b| statistics.correlation(a, b)),
@@ -197,13 +215,7 @@ impl<'a> CalibrationReport<'a> {
                 count: found.fit.refused,
                 last: found.fit.why_refused.clone(),
             },
-            starts: StartsReport {
-                made: found.starts,
-                same: found.at_minimum,
-                elsewhere: elsewhere
-                    .map(|(status, count)| (status.name(), *count))
-                    .collect(),
-            },
+            starts: StartsReport::new(found),
             residuals: found.remainders.iter().map(RemainderReport::new).collect(),
             held_out: held_out
                 .iter()

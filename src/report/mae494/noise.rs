@@ -7,7 +7,6 @@ use crate::reproduce::{Landings, Noise, Slopes};
 use crate::units::{Quantity, significant};
 
 pub(super) fn noise(document: &mut Document, noise: &Noise, shown: Published) {
-    let per_radian = |slope: f64| shown.per_radian(slope);
     document.heading("The noise of its flight loop");
     document.paragraph(format!(
         "The report's flight loop stops at the first step of {} s that ends below the ground. \
@@ -30,6 +29,27 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: Published) {
          takes them:",
         significant(noise.difference, 3)
     ));
+    add_slopes(document, noise, shown);
+    document.figure(slopes(&noise.slopes));
+    document.paragraph(
+        "A shorter time step does not help. At loft 10°, attack angle 0° the loop's \
+                    differences with it:",
+    );
+    let rows = noise.shorter_steps.iter().map(|(step, slope)| {
+        let slope = shown.per_radian(*slope);
+        vec![format!("{step} s"), slope, String::new()]
+    });
+    document.table(&["time step", "loop", ""], rows);
+    document.paragraph(
+        "Longer differences reach over several jumps, but have an error from the curvature \
+         instead. The same loft and attack angle, with the original time step:",
+    );
+    add_longer_differences(document, noise, shown);
+}
+
+/// Adds a table of the slopes of carry by loft.
+fn add_slopes(document: &mut Document, noise: &Noise, shown: Published) {
+    let per_radian = |slope: f64| shown.per_radian(slope);
     let rows = noise.slopes.iter().map(|slopes| {
         vec![
             format!("{:.0}°", slopes.loft.to_degrees()),
@@ -56,22 +76,12 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: Published) {
         ],
         rows,
     );
-    document.figure(slopes(&noise.slopes));
-    document.paragraph(
-        "A shorter time step does not help. At loft 10°, attack angle 0° the loop's \
-                    differences with it:",
-    );
-    let rows = noise
-        .shorter_steps
-        .iter()
-        .map(|(step, slope)| vec![format!("{step} s"), per_radian(*slope), String::new()]);
-    document.table(&["time step", "loop", ""], rows);
-    document.paragraph(
-        "Longer differences reach over several jumps, but have an error from the curvature \
-         instead. The same loft and attack angle, with the original time step:",
-    );
+}
+
+/// Adds a table of longer differences.
+fn add_longer_differences(document: &mut Document, noise: &Noise, shown: Published) {
     let rows = noise.longer_differences.iter().map(|(difference, slopes)| {
-        let [overshot, interpolated, smooth] = slopes.map(per_radian);
+        let [overshot, interpolated, smooth] = slopes.map(|slope| shown.per_radian(slope));
         vec![
             format!("{} rad", significant(*difference, 3)),
             overshot,

@@ -70,7 +70,18 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Publish
             ),
         ],
     );
+    document.paragraph(optima_of_subsystems(found, shown));
     document.paragraph(format!(
+        "The change of carry there in {} for one degree, through each part of the launch (exact):",
+        shown.length_unit()
+    ));
+    add_parts_of_slopes(document, found, shown);
+}
+
+/// The optima of impact and flight alone, against the optimum of the whole.
+fn optima_of_subsystems(found: &Mae494, shown: Published) -> String {
+    let parts = &found.subsystems;
+    format!(
         "The optimum of the impact alone is the greatest ball speed, which a face without loft \
          gives: at attack angle {} it carries {}. The optimum \
          of the flight alone has no spin, and only a face without loft gives that: at an attack \
@@ -81,7 +92,12 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Publish
         shown.length(parts.impact.carry),
         degrees(found.energy.farthest.angle),
         shown.length(parts.flight.carry - parts.whole.carry),
-    ));
+    )
+}
+
+/// Adds a table of the slopes of carry through each part of the launch.
+fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: Published) {
+    let parts = &found.subsystems;
     let through = |parts: &[f64; 3]| {
         let for_a_degree = |part: f64| with_sign(shown.length_number(part).to_radians());
         let [speed, angle, spin] = parts.map(for_a_degree);
@@ -93,10 +109,6 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Publish
             for_a_degree(if sum.abs() < 1e-9 { 0.0 } else { sum }),
         ]
     };
-    document.paragraph(format!(
-        "The change of carry there in {} for one degree, through each part of the launch (exact):",
-        shown.length_unit()
-    ));
     let rows = [
         ("loft", &parts.by_loft),
         ("attack angle", &parts.by_attack_angle),

@@ -2,7 +2,7 @@
 
 use super::super::sweep::push_number;
 use crate::drive::Outcome;
-use crate::shots::{Club, Export, Flown, Section, Shots};
+use crate::shots::{Club, Export, Flown, Section, Shot, Shots};
 use std::sync::Arc;
 
 /// The keys of the launch, in the order of [`crate::shots::Shot::launch`].
@@ -29,6 +29,13 @@ fn text(bytes: &mut Vec<u8>, text: &str) {
     let _ = serde_json::to_writer(bytes, text);
 }
 
+fn text_or_null(bytes: &mut Vec<u8>, value: Option<&str>) {
+    match value {
+        Some(value) => text(bytes, value),
+        None => bytes.extend_from_slice(b"null"),
+    }
+}
+
 fn number(bytes: &mut Vec<u8>, value: Option<f64>) {
     match value.filter(|value| value.is_finite()) {
         Some(value) => push_number(bytes, value),
@@ -46,6 +53,20 @@ fn numbers<'a>(bytes: &mut Vec<u8>, of: impl Iterator<Item = (&'a str, Option<f6
         text(bytes, name);
         bytes.push(b':');
         number(bytes, value);
+    }
+    bytes.push(b'}');
+}
+
+/// Appends an object of the origins that a shot states.
+fn origins(bytes: &mut Vec<u8>, shot: &Shot) {
+    bytes.push(b'{');
+    let origins = shot
+        .values
+        .iter()
+        .filter_map(|value| Some((value.of.name(), value.origin?.name())));
+    for (at, (name, origin)) in origins.enumerate() {
+        let comma = if at > 0 { "," } else { "" };
+        bytes.extend_from_slice(format!("{comma}\"{name}\":\"{origin}\"").as_bytes());
     }
     bytes.push(b'}');
 }
@@ -84,43 +105,49 @@ impl Keys {
 
     pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
         let shot = &flown.shots()[row];
-        bytes.extend_from_slice(
-            format!(
-                "{{\"line\":{},\"flight\":\"{}\",\"reason\":",
-                shot.line,
-                flown.flight(row)
-            )
-            .as_bytes(),
-        );
-        match flown.reason(row) {
-            Some(reason) => text(bytes, reason),
-            None => bytes.extend_from_slice(b"null"),
-        }
+        let flight = flown.flight(row);
+        let start = format!("{{\"line\":{},\"flight\":\"{flight}\",", shot.line);
+        bytes.extend_from_slice(start.as_bytes());
+        bytes.extend_from_slice(b"\"reason\":");
+        text_or_null(bytes, flown.reason(row));
         bytes.extend_from_slice(b",\"notes\":");
         let _ = serde_json::to_writer(&mut *bytes, &shot.notes);
-        let normalized = if shot.is_normalized == Some(true) {
-            "true"
-        } else {
-            "null"
+        self.measured(shot, bytes);
+        let outcomes = || self.of.iter().enumerate();
+        bytes.extend_from_slice(b",\"predicted\":");
+        numbers(
+            bytes,
+            outcomes().map(|(at, of)| (of.name(), flown.predicted(row, at))),
+        );
+        bytes.extend_from_slice(b",\"residual\":");
+        numbers(
+            bytes,
+            outcomes().map(|(at, of)| (of.name(), flown.residual(row, at))),
+        );
+        bytes.extend_from_slice(b",\"row\":");
+        let refusal = shot.refusal();
+        let is_unreadable = refusal.is_some_and(|refusal| refusal.is_unreadable());
+        self.own(shot.text.as_str(), is_unreadable, bytes);
+        bytes.push(b'}');
+    }
+
+    /// Appends the measured values of a shot: `,"normalized":` to `"origins":{…}`.
+    fn measured(&self, shot: &Shot, bytes: &mut Vec<u8>) {
+        let normalized: &[u8] = match shot.is_normalized {
+            Some(true) => b",\"normalized\":true,\"launch\":",
+            _ => b",\"normalized\":null,\"launch\":",
         };
-        bytes.extend_from_slice(format!(",\"normalized\":{normalized},\"launch\":").as_bytes());
+        bytes.extend_from_slice(normalized);
         match shot.launch() {
-            Some(launch) => numbers(
-                bytes,
-                LAUNCH
-                    .into_iter()
-                    .zip(launch.iter().map(|value| Some(*value))),
-            ),
+            Some(launch) => {
+                let launch = launch.iter().map(|value| Some(*value));
+                numbers(bytes, LAUNCH.into_iter().zip(launch));
+            }
             None => bytes.extend_from_slice(b"null"),
         }
         bytes.extend_from_slice(b",\"parameters\":");
-        numbers(
-            bytes,
-            self.further
-                .iter()
-                .copied()
-                .zip(shot.further().iter().map(|value| Some(*value))),
-        );
+        let further = shot.further().iter().map(|value| Some(*value));
+        numbers(bytes, self.further.iter().copied().zip(further));
         bytes.extend_from_slice(b",\"club\":");
         let club = Club::NAMES
             .into_iter()
@@ -128,51 +155,15 @@ impl Keys {
             .filter(|(_, value)| value.is_some());
         numbers(bytes, club);
         bytes.extend_from_slice(b",\"condition\":");
-        match &shot.condition {
-            Some(condition) => text(bytes, condition),
-            None => bytes.extend_from_slice(b"null"),
-        }
+        text_or_null(bytes, shot.condition.as_deref());
         bytes.extend_from_slice(b",\"stated\":");
+        let stated = shot.values.iter();
         numbers(
             bytes,
-            shot.values
-                .iter()
-                .map(|value| (value.of.name(), Some(value.value))),
+            stated.map(|value| (value.of.name(), Some(value.value))),
         );
-        bytes.extend_from_slice(b",\"origins\":{");
-        let origins = shot
-            .values
-            .iter()
-            .filter_map(|value| Some((value.of.name(), value.origin?.name())));
-        for (at, (name, origin)) in origins.enumerate() {
-            bytes.extend_from_slice(
-                format!("{}\"{name}\":\"{origin}\"", if at > 0 { "," } else { "" }).as_bytes(),
-            );
-        }
-        bytes.extend_from_slice(b"},\"predicted\":");
-        numbers(
-            bytes,
-            self.of
-                .iter()
-                .enumerate()
-                .map(|(at, of)| (of.name(), flown.predicted(row, at))),
-        );
-        bytes.extend_from_slice(b",\"residual\":");
-        numbers(
-            bytes,
-            self.of
-                .iter()
-                .enumerate()
-                .map(|(at, of)| (of.name(), flown.residual(row, at))),
-        );
-        bytes.extend_from_slice(b",\"row\":");
-        self.own(
-            shot.text.as_str(),
-            shot.refusal()
-                .is_some_and(|refusal| refusal.is_unreadable()),
-            bytes,
-        );
-        bytes.push(b'}');
+        bytes.extend_from_slice(b",\"origins\":");
+        origins(bytes, shot);
     }
 
     /// Appends the original row.

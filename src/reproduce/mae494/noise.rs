@@ -74,43 +74,17 @@ impl Noise {
     /// The study in the air and with the club of a setup.
     pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
         let (step, difference) = (setup.flight.step, f64::EPSILON.sqrt());
-        let loop_at = |loft: f64, step: f64| fly_past_the_ground(&level(setup, loft), step);
         let smooth_at = |loft: f64| tables::carried(&level(setup, loft));
         let ten = 10.0_f64.to_radians();
 
         let zoom = (0..=ZOOM).map(|k| {
             let loft = (10.0 + REACH * (2.0 * f64::from(k) / f64::from(ZOOM) - 1.0)).to_radians();
-            let Stop {
-                overshot,
-                interpolated,
-            } = loop_at(loft, step)?;
-            Ok(Landings {
-                loft,
-                overshot,
-                interpolated,
-                smooth: smooth_at(loft)?,
-            })
+            Landings::at(setup, loft)
         });
         let zoom: Vec<Landings> = zoom.collect::<Result<_>>()?;
-        let forward = |loft: f64, by: f64, step: f64| {
-            let (here, there) = (loop_at(loft, step)?, loop_at(loft + by, step)?);
-            Ok([
-                (there.overshot - here.overshot) / by,
-                (there.interpolated - here.interpolated) / by,
-            ])
-        };
-        let slopes = (6..=20).map(|degrees| {
-            let loft = f64::from(degrees).to_radians();
-            let [overshot, interpolated] = forward(loft, difference, step)?;
-            let (exact, at_fixed_time) = exact_slopes(&level(setup, loft))?;
-            Ok(Slopes {
-                loft,
-                exact,
-                at_fixed_time,
-                overshot,
-                interpolated,
-            })
-        });
+        let forward = |loft: f64, by: f64, step: f64| loop_slopes(setup, loft, by, step);
+        let slopes =
+            (6..=20).map(|degrees| Slopes::at(setup, f64::from(degrees).to_radians(), difference));
         let shorter = [step, 0.1 * step, 0.01 * step, 0.001 * step];
         let shorter = shorter.map(|shorter| Ok((shorter, forward(ten, difference, shorter)?[0])));
         let longer = [difference, 1e-6, 1e-4, 1e-3, 1e-2, 1e-1].map(|longer| {
@@ -142,6 +116,47 @@ impl Noise {
             .filter(|slopes| slopes.overshot * slopes.exact < 0.0)
             .count()
     }
+}
+
+impl Landings {
+    fn at(setup: &Setup<f64>, loft: f64) -> Result<Self> {
+        let level = level(setup, loft);
+        let Stop {
+            overshot,
+            interpolated,
+        } = fly_past_the_ground(&level, setup.flight.step)?;
+        Ok(Self {
+            loft,
+            overshot,
+            interpolated,
+            smooth: tables::carried(&level)?,
+        })
+    }
+}
+
+impl Slopes {
+    fn at(setup: &Setup<f64>, loft: f64, difference: f64) -> Result<Self> {
+        let step = setup.flight.step;
+        let [overshot, interpolated] = loop_slopes(setup, loft, difference, step)?;
+        let (exact, at_fixed_time) = exact_slopes(&level(setup, loft))?;
+        Ok(Self {
+            loft,
+            exact,
+            at_fixed_time,
+            overshot,
+            interpolated,
+        })
+    }
+}
+
+/// Forward differences of the report's loop and of the interpolated loop, m/rad.
+fn loop_slopes(setup: &Setup<f64>, loft: f64, by: f64, step: f64) -> Result<[f64; 2]> {
+    let here = fly_past_the_ground(&level(setup, loft), step)?;
+    let there = fly_past_the_ground(&level(setup, loft + by), step)?;
+    Ok([
+        (there.overshot - here.overshot) / by,
+        (there.interpolated - here.interpolated) / by,
+    ])
 }
 
 impl Sawtooth {

@@ -212,15 +212,8 @@ impl Reading {
         remarks.extend(written.remark("columns that a sweep computes are not read"));
         // for a delivery the launch is a measurement; otherwise it is the input of the flight
         let is_launched = head.is_launched() && club == ClubColumns::Ignored;
-        let inputs = head
-            .columns
-            .iter()
-            .filter_map(|column| match column.content {
-                Content::Input(parameter) => Some(parameter.name),
-                _ => None,
-            });
         setup
-            .refuse_replaced(&inputs.collect::<Vec<_>>())
+            .refuse_replaced(&inputs(&head.columns))
             .map_err(|error| refused(String::new(), error.to_string()))?;
         let is_text = |at: usize| head.columns[at].content == Content::Note;
         let club_name = club_column(&head.heads, is_text).map(|at| ClubName {
@@ -236,17 +229,25 @@ impl Reading {
             columns: head.columns,
             remarks,
         };
-        let has_club = || reading.columns.iter().any(Column::is_of_the_strike);
-        if is_export && club == ClubColumns::Ignored && !is_launched && !has_club() {
-            let near = near_known(&reading.columns);
-            let reason = format!(
-                "it has neither a whole launch (ball speed, launch angle and spin) nor a column of \
-                 the club, such as club speed{near}; add \
-                 the missing columns"
-            );
-            return Err(refused(String::new(), reason));
+        match reading.why_not_flown() {
+            Some(reason) => Err(refused(String::new(), reason)),
+            None => Ok(reading),
         }
-        Ok(reading)
+    }
+
+    /// The reason why no row of an export can fly: it has neither launches nor deliveries. `None`
+    /// if the rows fly.
+    fn why_not_flown(&self) -> Option<String> {
+        let is_flown = self.is_launched || self.columns.iter().any(Column::is_of_the_strike);
+        if !self.is_export || self.club != ClubColumns::Ignored || is_flown {
+            return None;
+        }
+        let near = near_known(&self.columns);
+        Some(format!(
+            "it has neither a whole launch (ball speed, launch angle and spin) nor a column of \
+             the club, such as club speed{near}; add \
+             the missing columns"
+        ))
     }
 
     /// Columns for messages and for lines written by `fly`. There is a column for every value that
@@ -684,40 +685,11 @@ impl Reading {
                 // no row has this measurement
                 Content::Outcome(outcome) if !is_measured(outcome) => {}
                 Content::Outcome(outcome) if !has(Content::Sigma(outcome)) => {
-                    match instrument(outcome) {
-                        Some((instrument, sigma)) => {
-                            let without = format!(
-                                "{} has no column 'sigma {}': ",
-                                column.head,
-                                outcome.name()
-                            );
-                            let remark = Message::from(without)
-                                .quantity(
-                                    outcome.quantity(),
-                                    outcome.unit(),
-                                    sigma,
-                                    Digits::Significant(3),
-                                )
-                                .words(" is taken for each (")
-                                .message(instrument.source())
-                                .words(")");
-                            remarks.push(remark);
-                            if worth == Uncertainties::Stated {
-                                worth = Uncertainties::Instruments;
-                            }
-                        }
-                        None => {
-                            remarks.push(
-                                format!(
-                                    "{0} has no column 'sigma {0}': 1 {1} is taken for each, as a \
-                                 weight",
-                                    outcome.name(),
-                                    column.unit()
-                                )
-                                .into(),
-                            );
-                            worth = Uncertainties::Weights;
-                        }
+                    remarks.push(assumed_sigma(column, outcome));
+                    if instrument(outcome).is_none() {
+                        worth = Uncertainties::Weights;
+                    } else if worth == Uncertainties::Stated {
+                        worth = Uncertainties::Instruments;
                     }
                 }
                 Content::Stationary if !has(Content::SigmaStationary) => {
@@ -733,6 +705,40 @@ impl Reading {
         }
         (remarks, worth)
     }
+}
+
+/// Remark on the standard uncertainty of an outcome without a column 'sigma': that of the
+/// instrument, or 1 unit as a weight.
+fn assumed_sigma(column: &Column, outcome: Outcome) -> Message {
+    let Some((instrument, sigma)) = instrument(outcome) else {
+        return format!(
+            "{0} has no column 'sigma {0}': 1 {1} is taken for each, as a weight",
+            outcome.name(),
+            column.unit()
+        )
+        .into();
+    };
+    let digits = Digits::Significant(3);
+    Message::from(format!(
+        "{} has no column 'sigma {}': ",
+        column.head,
+        outcome.name()
+    ))
+    .quantity(outcome.quantity(), outcome.unit(), sigma, digits)
+    .words(" is taken for each (")
+    .message(instrument.source())
+    .words(")")
+}
+
+/// Names of the parameters that have a column.
+fn inputs(columns: &[Column]) -> Vec<&'static str> {
+    columns
+        .iter()
+        .filter_map(|column| match column.content {
+            Content::Input(parameter) => Some(parameter.name),
+            _ => None,
+        })
+        .collect()
 }
 
 /// Removes the columns of the ball's rest position from an export, because the ground of the export

@@ -225,20 +225,8 @@ impl Statistics {
             Uncertainties::Weights => None,
             _ => Some(1.0),
         };
-        // a bound is active only if the gradient pushes the parameter against it; a parameter
-        // without influence may have drifted to the bound
-        let slope = |i: usize| -> f64 {
-            (0..m)
-                .map(|row| weights[row] * rows.residuals[row] * rows.jacobian[row][i])
-                .sum()
-        };
-        let is_pressed = |i: usize| slope(i).abs() * fitted[i].width > 1.0;
-        let loose = Columns::new(
-            &jacobian,
-            (0..n)
-                .filter(|&i| fitted[i].is_free || !is_pressed(i))
-                .collect(),
-        )?;
+        let is_loose = |i: usize| fitted[i].is_free || !is_pressed(rows, &weights, fitted[i], i);
+        let loose = Columns::new(&jacobian, (0..n).filter(|&i| is_loose(i)).collect())?;
         let undetermined: Vec<_> = (0..loose.at.len())
             .filter_map(|k| loose.undetermined(k, scale, fitted))
             .collect();
@@ -284,6 +272,17 @@ impl Statistics {
     pub fn correlation(&self, a: usize, b: usize) -> Option<f64> {
         Some(self.covariance[a][b]? / (self.standard_error(a)? * self.standard_error(b)?))
     }
+}
+
+/// True if the gradient of χ² pushes parameter `at` against its bound. A parameter without
+/// influence may have drifted to the bound.
+fn is_pressed(rows: &Rows, weights: &[f64], fitted: Fitted, at: usize) -> bool {
+    let residuals = rows.residuals.iter().zip(&rows.jacobian);
+    let gradient: f64 = residuals
+        .zip(weights)
+        .map(|((residual, slopes), weight)| weight * residual * slopes[at])
+        .sum();
+    gradient.abs() * fitted.width > 1.0
 }
 
 /// Checks the size of the Jacobian, and that all numbers are finite.
@@ -438,8 +437,7 @@ mod tests {
         }
     }
 
-    /// Columns that differ by 1e-4 give a standard error of 1e4, which exceeds a narrow range. A
-    /// parameter without influence is undetermined on a bound too.
+    /// Columns that differ by 1e-4 give a standard error of 1e4, which exceeds a narrow range.
     #[test]
     fn standard_errors_beyond_the_range_are_no_answers() {
         let rows = Rows {
@@ -467,9 +465,12 @@ mod tests {
             (narrow.standard_error(0), narrow.standard_error(1)),
             (None, None)
         );
+    }
 
-        // correlation 0.6: standard errors of 1.12 and 0.56 along the two directions combine to
-        // 1.25
+    /// At a correlation of 0.6, standard errors of 1.12 and 0.56 along the two directions combine
+    /// to 1.25.
+    #[test]
+    fn standard_errors_of_two_directions_combine() {
         let rows = Rows {
             residuals: vec![0.3, -0.3],
             jacobian: vec![vec![1.0, 0.6], vec![0.0, 0.8]],
@@ -484,7 +485,10 @@ mod tests {
             !narrow.determines(0) && narrow.undetermined.len() == 1,
             "{narrow:?}"
         );
+    }
 
+    #[test]
+    fn parameters_without_influence_are_undetermined_on_a_bound_too() {
         let held = Fitted {
             is_free: false,
             width: 1.0,

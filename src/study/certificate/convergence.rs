@@ -110,65 +110,35 @@ pub(super) fn convergence(
         return Ok(vec![]);
     };
     let fading = fading(setup, &drive);
-    let at = |steps: u32| {
+    let at = |level: usize, steps: u32| {
         let mut setup = *setup;
         // half a step more, so that no step ends just before or after the landing
         setup.flight.step = time / (f64::from(steps) - 0.5);
         // a flight that fails at too coarse a step is skipped
         let is_short = setup.flight.step <= 1.0 && setup.flight.step * fading <= 1.0;
-        let taylors = (is_short && goes_on())
-            .then(|| jacobian(&setup, of, wrt).ok())
-            .flatten();
-        taylors.map(|taylors| (setup.flight.step, taylors))
-    };
-    let (Some((_, reference)), Some((_, beside))) = (at(REFERENCE), at(BESIDE_THE_REFERENCE))
-    else {
-        return Ok(vec![]);
-    };
-    let has_joins = setup.law.continuous_derivatives().is_some();
-    let levels = if has_joins {
-        LEVELS_ACROSS_JOINS
-    } else {
-        LEVELS
-    };
-    let flown: Vec<_> = (0..levels.count)
-        .flat_map(|level| levels.steps(level).map(move |steps| (level, steps)))
-        .filter_map(|(level, steps)| {
-            let (step, taylors) = at(steps)?;
-            Some(Flown {
-                level,
-                step,
-                taylors,
-            })
+        if !is_short || !goes_on() {
+            return None;
+        }
+        Some(Flown {
+            level,
+            step: setup.flight.step,
+            taylors: jacobian(&setup, of, wrt).ok()?,
         })
-        .collect();
-    let coarsest = flown
-        .iter()
-        .map(|flown| flown.level)
-        .min()
-        .unwrap_or(levels.count);
-    if coarsest + MEASURED > levels.count || !goes_on() {
-        return Ok(vec![]);
-    }
-    let comparison = Comparison {
-        setup,
-        drive: &drive,
-        scales: wrt
-            .iter()
-            .map(|parameter| scale(setup, parameter))
-            .collect(),
-        reference,
-        beside,
-        flown,
-        measure: if has_joins { measure_largest } else { measure },
     };
-    Ok((0..of.len())
-        .map(|i| comparison.convergence(i, of[i]))
+    let scales = wrt.iter().map(|parameter| scale(setup, parameter));
+    let comparison = Comparison::new(setup, &drive, scales.collect(), &at);
+    let Some(comparison) = comparison.filter(|_| goes_on()) else {
+        return Ok(vec![]);
+    };
+    let outcomes = of.iter().enumerate();
+    Ok(outcomes
+        .map(|(i, of)| comparison.convergence(i, *of))
         .collect())
 }
 
 /// Outcomes with derivatives, computed with one time step.
 struct Flown {
+    /// Level of the number of steps; see [`Levels`].
     level: usize,
     /// Time step, s.
     step: f64,
@@ -187,7 +157,40 @@ struct Comparison<'a> {
     measure: fn(&[Errors], u32, f64, f64) -> Option<Measured>,
 }
 
-impl Comparison<'_> {
+impl<'a> Comparison<'a> {
+    /// Flies with the step sizes of all levels, after the reference flights. `None` if a reference
+    /// flight fails, or if fewer levels fly than an order needs.
+    fn new(
+        setup: &'a Setup<f64>,
+        drive: &'a Drive<f64>,
+        scales: Vec<f64>,
+        fly: &dyn Fn(usize, u32) -> Option<Flown>,
+    ) -> Option<Self> {
+        let reference = fly(0, REFERENCE);
+        let beside = fly(0, BESIDE_THE_REFERENCE);
+        let (reference, beside) = (reference?.taylors, beside?.taylors);
+        let has_joins = setup.law.continuous_derivatives().is_some();
+        let levels = if has_joins {
+            LEVELS_ACROSS_JOINS
+        } else {
+            LEVELS
+        };
+        let flown: Vec<Flown> = (0..levels.count)
+            .flat_map(|level| levels.steps(level).map(move |steps| (level, steps)))
+            .filter_map(|(level, steps)| fly(level, steps))
+            .collect();
+        let coarsest = flown.iter().map(|flown| flown.level).min()?;
+        (coarsest + MEASURED <= levels.count).then_some(Self {
+            setup,
+            drive,
+            scales,
+            reference,
+            beside,
+            flown,
+            measure: if has_joins { measure_largest } else { measure },
+        })
+    }
+
     /// Convergence of outcome `i`.
     fn convergence(&self, i: usize, of: Outcome) -> Convergence {
         let size = size(of, self.setup, self.drive);

@@ -48,7 +48,6 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
         return Ok(vec![]);
     }
     let (setup, landed) = ending_with_a_step(setup)?;
-    let time = landed.flight_time;
     let exact = jacobian(&setup, &AT_LANDING, wrt)?;
     let drive = Drive::new(&setup)?;
     let judged = if drive.corners(&setup).is_empty() {
@@ -60,28 +59,10 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
     let mut all = vec![];
     for (k, parameter) in wrt.iter().enumerate() {
         let at = setup.value(parameter).unwrap_or_default();
-        let moved = |value: f64| {
-            let mut moved = setup;
-            moved.set_value(parameter, Some(value)).ok()?;
-            let ground = moved.ground.height;
-            moved.ground.height -= LOWERED_BY;
-            // stop at T
-            moved.flight.time_limit = time - 0.5 * setup.flight.step;
-            let launch = match Launch::given(&moved) {
-                Some(launch) => launch,
-                None => strike(&moved).ok()?.launch,
-            };
-            let path = trajectory(&moved, &launch).ok()?;
-            Some(to_ground(
-                path.points.last()?.position,
-                landed.velocity,
-                ground,
-                time,
-            ))
-        };
         let sample = |steps| {
             Ladder::sample(at, scale(&setup, parameter), steps, &mut |value| {
-                moved(value).map_or(vec![f64::NAN; 3], |outcomes| outcomes.to_vec())
+                extrapolated_landing(&setup, &landed, parameter, value)
+                    .map_or(vec![f64::NAN; 3], |outcomes| outcomes.to_vec())
             })
         };
         let judge = |(i, ladder): (usize, Ladder)| {
@@ -126,6 +107,31 @@ fn ending_with_a_step(setup: &Setup<f64>) -> Result<(Setup<f64>, Landed<f64>)> {
         }
     }
     Ok((setup, landed))
+}
+
+/// Carry, lateral and flight time of the drive with a changed parameter: its state at the landing
+/// time of the unchanged drive, extrapolated along that drive's landing velocity. `None` without a
+/// flight.
+fn extrapolated_landing(
+    setup: &Setup<f64>,
+    landed: &Landed<f64>,
+    parameter: &Parameter,
+    value: f64,
+) -> Option<[f64; 3]> {
+    let time = landed.flight_time;
+    let mut moved = *setup;
+    moved.set_value(parameter, Some(value)).ok()?;
+    let ground = moved.ground.height;
+    moved.ground.height -= LOWERED_BY;
+    // stop at T
+    moved.flight.time_limit = time - 0.5 * setup.flight.step;
+    let launch = match Launch::given(&moved) {
+        Some(launch) => launch,
+        None => strike(&moved).ok()?.launch,
+    };
+    let path = trajectory(&moved, &launch).ok()?;
+    let position = path.points.last()?.position;
+    Some(to_ground(position, landed.velocity, ground, time))
 }
 
 /// Carry, lateral and flight time of a state extrapolated along a straight line to the ground.

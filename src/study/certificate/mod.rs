@@ -81,71 +81,70 @@ impl Certificate {
 
     /// The failed checks: "convergence with the time step (landing_speed)"; empty if none failed.
     pub fn failures(&self) -> Vec<String> {
-        fn part(name: &str, failed: impl Iterator<Item = String>) -> Option<String> {
-            let all: Vec<String> = failed.collect();
-            let shown = all[..all.len().min(NAMED)].join(", ");
-            let others = all.len().saturating_sub(NAMED);
-            let others = if others > 0 {
-                format!(" and {others} more")
-            } else {
-                String::new()
-            };
-            (!all.is_empty()).then(|| format!("{name} ({shown}{others})"))
-        }
-        let of = |of: Outcome| of.name().to_owned();
-        let second = |row: &&Row| row.first.verdict == Verdict::Pass && row.second_fails();
-        let by = |row: &Row| format!("{} by {}", row.of.name(), row.parameter.name);
-        let parts = [
-            part(
+        let by =
+            |of: Outcome, parameter: &Parameter| format!("{} by {}", of.name(), parameter.name);
+        let rows = |fails: fn(&Row) -> bool| -> Vec<String> {
+            let failed = self.rows.iter().filter(|row| fails(row));
+            failed.map(|row| by(row.of, row.parameter)).collect()
+        };
+        let landing = self.landing.iter();
+        let landing = landing.filter(|row| row.check.verdict == Verdict::Fail);
+        let continuity = self.continuity.iter().filter(|check| !check.passed());
+        let convergence = self.convergence.iter().filter(|check| !check.passed());
+        let planted = self.planted.iter().filter(|test| !test.is_caught());
+        let checks = [
+            (
                 "first derivatives",
-                self.rows
-                    .iter()
-                    .filter(|row| row.first.verdict == Verdict::Fail)
-                    .map(by),
+                rows(|row| row.first.verdict == Verdict::Fail),
             ),
-            part(
+            (
                 "first derivatives by num-dual",
-                self.rows.iter().filter(|row| row.num_dual_fails()).map(by),
+                rows(|row| row.num_dual_fails()),
             ),
-            part(
+            (
                 "second derivatives",
-                self.rows.iter().filter(second).map(by),
+                rows(|row| row.first.verdict == Verdict::Pass && row.second_fails()),
             ),
-            part(
+            (
                 "the landing as an implicit function",
-                self.landing
-                    .iter()
-                    .filter(|row| row.check.verdict == Verdict::Fail)
-                    .map(|row| format!("{} by {}", row.of.name(), row.parameter.name)),
+                landing.map(|row| by(row.of, row.parameter)).collect(),
             ),
-            part(
+            (
                 "smoothness where the number of time steps changes",
-                self.continuity
-                    .iter()
-                    .filter(|found| !found.passed())
-                    .map(|found| of(found.of)),
+                continuity.map(|check| check.of.name().into()).collect(),
             ),
-            part(
+            (
                 "convergence with the time step",
-                self.convergence
-                    .iter()
-                    .filter(|found| !found.passed())
-                    .map(|found| of(found.of)),
+                convergence.map(|check| check.of.name().into()).collect(),
             ),
-            part(
+            (
                 "planted errors that were not found",
-                self.planted
-                    .iter()
-                    .filter(|it| !it.is_caught())
-                    .map(|it| format!("\"{}\"", it.error.name())),
+                planted
+                    .map(|test| format!("\"{}\"", test.error.name()))
+                    .collect(),
             ),
         ];
-        parts.into_iter().flatten().collect()
+        checks
+            .into_iter()
+            .filter(|(_, failed)| !failed.is_empty())
+            .map(|(check, failed)| failed_check(check, &failed))
+            .collect()
     }
 
     /// True if every injected error was detected in every row.
     pub fn caught(&self) -> bool {
         self.planted.iter().all(DetectionTest::is_caught)
+    }
+}
+
+/// A failed check with its first failures: "second derivatives (carry by club.loft and 2 more)".
+fn failed_check(check: &str, failed: &[String]) -> String {
+    let shown = failed[..failed.len().min(NAMED)].join(", ");
+    let others = failed.len().saturating_sub(NAMED);
+    if others > 0 {
+        format!("{check} ({shown} and {others} more)")
+    } else {
+        format!("{check} ({shown})")
     }
 }
 
@@ -170,104 +169,151 @@ pub fn certify(
     }
     let (of, missing) = present(setup, of, wrt)?;
     let drive = Drive::new(setup)?;
-    let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
-    let is_stopped = |done: usize| {
-        // once stopped, stay stopped
-        if !stopped.load(Ordering::Relaxed) && !progress(done, wrt.len()) {
-            stopped.store(true, Ordering::Relaxed);
-        }
-        stopped.load(Ordering::Relaxed)
+    let work = Work {
+        progress,
+        all: wrt.len(),
+        done: AtomicUsize::new(0),
+        stopped: AtomicBool::new(false),
     };
-    let mut rows = rows_by_parameter(setup, &drive, &of, wrt, &done, &is_stopped)?;
+    let mut rows = rows_by_parameter(setup, &drive, &of, wrt, &work)?;
     let planted = detection::detection_tests(setup, &rows, LandingTerms::new(setup, wrt).as_ref());
     rows.sort_by(|a, b| {
         a.verdict()
             .cmp(&b.verdict())
             .then(b.severity().total_cmp(&a.severity()))
     });
-
     let has_corner = rows.iter().any(|row| row.verdict() == Verdict::Corner);
     let flown: Vec<Outcome> = of
-        .iter()
-        .copied()
+        .into_iter()
         .filter(|of| of.group() == OutcomeGroup::Flight)
         .collect();
-    // at a corner no outcome is smooth; the row of each parameter reports the corner
-    let is_smooth = !flown.is_empty() && !has_corner;
-    let done = done.into_inner();
-    let goes_on = || is_smooth && !is_stopped(done);
-    let pair = &wrt[..wrt.len().min(2)];
-    let landing = if goes_on() {
-        landing::at_landing(setup, wrt)?
-    } else {
-        vec![]
-    };
-    let continuity = if goes_on() {
-        continuity::continuity(setup, &flown, pair, &goes_on)?
-    } else {
-        vec![]
-    };
-    let convergence = if goes_on() {
-        convergence::convergence(setup, &flown, pair, &goes_on)?
-    } else {
-        vec![]
-    };
-    let step = if flown.is_empty() || is_stopped(done) {
-        vec![]
-    } else {
-        step::step_errors(setup, &flown, wrt)?
-    };
-    let is_interrupted = stopped.load(Ordering::Relaxed);
-    let conditions = Conditions {
-        is_interrupted,
-        has_corner,
-        has_log_wind: setup.wind.roughness.is_some(),
-    };
-    let empty = [
-        landing.is_empty(),
-        continuity.is_empty(),
-        convergence.is_empty(),
-    ];
-    let not_examined = if flown.is_empty() {
-        vec![]
-    } else {
-        conditions.not_examined(empty)
-    };
+    let flight = FlightChecks::new(setup, &flown, wrt, has_corner, &work)?;
     Ok(Certificate {
-        stopped: is_interrupted.then_some([done, wrt.len()]),
-        step,
-        not_examined,
-        landing,
-        continuity,
-        convergence,
-        planted,
         rows,
+        landing: flight.landing,
+        continuity: flight.continuity,
+        convergence: flight.convergence,
+        step: flight.step,
+        not_examined: flight.not_examined,
+        planted,
         missing,
         corners: drive.corners(setup),
+        stopped: work.interrupted_at(),
     })
 }
 
-/// The rows of all parameters, in parallel; `done` counts the finished parameters.
+/// The progress of a certificate.
+struct Work<'a> {
+    /// Receives the numbers of finished and of all parameters; false stops the work.
+    progress: &'a (dyn Fn(usize, usize) -> bool + Sync),
+    /// Number of parameters.
+    all: usize,
+    /// Number of finished parameters.
+    done: AtomicUsize,
+    stopped: AtomicBool,
+}
+
+impl Work<'_> {
+    /// Reports the progress; true once the work is stopped.
+    fn is_stopped(&self) -> bool {
+        self.is_stopped_after(self.done.load(Ordering::Relaxed))
+    }
+
+    /// Counts a finished parameter and reports the progress.
+    fn finish_parameter(&self) {
+        self.is_stopped_after(self.done.fetch_add(1, Ordering::Relaxed) + 1);
+    }
+
+    fn is_stopped_after(&self, done: usize) -> bool {
+        // once stopped, stay stopped
+        if !self.is_interrupted() && !(self.progress)(done, self.all) {
+            self.stopped.store(true, Ordering::Relaxed);
+        }
+        self.is_interrupted()
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
+    }
+
+    /// Numbers of finished and of all parameters, if the work was interrupted.
+    fn interrupted_at(&self) -> Option<[usize; 2]> {
+        let done = self.done.load(Ordering::Relaxed);
+        self.is_interrupted().then_some([done, self.all])
+    }
+}
+
+/// Results of the checks of the flight; empty if no outcome belongs to the flight.
+#[derive(Default)]
+struct FlightChecks {
+    landing: Vec<AtLanding>,
+    continuity: Vec<Continuity>,
+    convergence: Vec<Convergence>,
+    step: Vec<StepError>,
+    not_examined: Vec<NotExamined>,
+}
+
+impl FlightChecks {
+    fn new(
+        setup: &Setup<f64>,
+        of: &[Outcome],
+        wrt: &[&'static Parameter],
+        has_corner: bool,
+        work: &Work<'_>,
+    ) -> Result<Self> {
+        let mut checks = Self::default();
+        if of.is_empty() {
+            return Ok(checks);
+        }
+        // at a corner no outcome is smooth; the row of each parameter reports the corner
+        let goes_on = || !has_corner && !work.is_stopped();
+        let pair = &wrt[..wrt.len().min(2)];
+        if goes_on() {
+            checks.landing = landing::at_landing(setup, wrt)?;
+        }
+        if goes_on() {
+            checks.continuity = continuity::continuity(setup, of, pair, &goes_on)?;
+        }
+        if goes_on() {
+            checks.convergence = convergence::convergence(setup, of, pair, &goes_on)?;
+        }
+        if !work.is_stopped() {
+            checks.step = step::step_errors(setup, of, wrt)?;
+        }
+        let conditions = Conditions {
+            is_interrupted: work.is_interrupted(),
+            has_corner,
+            has_log_wind: setup.wind.roughness.is_some(),
+        };
+        checks.not_examined = conditions.not_examined([
+            checks.landing.is_empty(),
+            checks.continuity.is_empty(),
+            checks.convergence.is_empty(),
+        ]);
+        Ok(checks)
+    }
+}
+
+/// The rows of all parameters, in parallel.
 fn rows_by_parameter(
     setup: &Setup<f64>,
     drive: &Drive<f64>,
     of: &[Outcome],
     wrt: &[&'static Parameter],
-    done: &AtomicUsize,
-    is_stopped: &(dyn Fn(usize) -> bool + Sync),
+    work: &Work<'_>,
 ) -> Result<Vec<Row>> {
     let exact = evaluate(setup, of, wrt, Order::First)?;
-    let is_stopped_now = || is_stopped(done.load(Ordering::Relaxed));
     let by_parameter = wrt.par_iter().enumerate().map(|(k, parameter)| {
-        if is_stopped_now() {
+        if work.is_stopped() {
             return Ok(vec![]);
         }
         let slopes: Vec<f64> = exact.iter().map(|taylor| taylor.gradient[k]).collect();
-        let rows = rows::rows(setup, drive, of, parameter, &slopes, &is_stopped_now)?;
+        let is_stopped = || work.is_stopped();
+        let rows = rows::rows(setup, drive, of, parameter, &slopes, &is_stopped)?;
         let Some(rows) = rows else {
             return Ok(vec![]);
         };
-        is_stopped(done.fetch_add(1, Ordering::Relaxed) + 1);
+        work.finish_parameter();
         Ok(rows)
     });
     Ok(by_parameter.collect::<Result<Vec<_>>>()?.concat())

@@ -91,64 +91,12 @@ pub(super) fn rows(
     exact: &[f64],
     is_stopped: &dyn Fn() -> bool,
 ) -> Result<Option<Vec<Row>>> {
-    let (has_corners, is_without_spin) =
-        (!drive.corners(setup).is_empty(), drive.is_without_spin());
-    let judge = |of: Outcome, ladder: &Ladder, exact: f64| {
-        let is_on_a_corner = has_corners || of == Outcome::Spin && is_without_spin;
-        let judge = if is_on_a_corner {
-            Ladder::judge_on_a_corner
-        } else {
-            Ladder::judge
-        };
-        judge(ladder, exact, demand(setup))
-    };
-    let (at, scale) = (
-        setup.value(parameter).unwrap_or_default(),
-        scale(setup, parameter),
-    );
-    let evaluator = |order| Evaluator::new(setup, of, &[parameter], order);
-    let (values, gradients) = (evaluator(Order::Value)?, evaluator(Order::First)?);
-    let curvatures = evaluate(setup, of, &[parameter], Order::Second).ok();
-    let own: Vec<f64> = of
-        .iter()
-        .map(|of| of.value(drive).unwrap_or_default())
-        .collect();
-    let sample = |evaluator: &Evaluator, x: f64, f: &dyn Fn(usize, &Taylor) -> f64| {
-        if is_stopped() {
-            return vec![];
-        }
-        evaluator.at(&[x]).map_or(vec![f64::NAN; of.len()], |all| {
-            all.iter()
-                .enumerate()
-                .map(|(i, taylor)| f(i, taylor))
-                .collect()
-        })
-    };
-    let unwrapped = |i: usize, taylor: &Taylor| of[i].unwrap_angle(taylor.value, own[i]);
-    let of_values = Ladder::sample(at, scale, STEPS, &mut |x| sample(&values, x, &unwrapped));
-    let of_values: Vec<Ladder> = of_values
-        .into_iter()
-        .zip(of)
-        .map(|(ladder, of)| ladder.rounded_as(size(*of, setup, drive)))
-        .collect();
-    let curvature = |i: usize| curvatures.as_ref().map(|taylors| taylors[i].hessian[0][0]);
-    let seconds = in_few_steps(
-        |steps| {
-            Ladder::sample(at, scale, steps, &mut |x| {
-                sample(&gradients, x, &|_, taylor| taylor.gradient[0])
-            })
-        },
-        |(i, gradients)| {
-            let (size, rounded) = (of_values[i].size / scale, of_values[i].rounded / scale);
-            curvature(i).map(|d| {
-                gradients
-                    .made_of(size)
-                    .rounded_as(rounded)
-                    .judge(d, Demand::SECOND)
-            })
-        },
-        |second| second.as_ref().is_some_and(Check::failed),
-    );
+    let neighbours = Neighbours::new(setup, drive, of, parameter, is_stopped)?;
+    let curvatures: Option<Vec<f64>> = evaluate(setup, of, &[parameter], Order::Second)
+        .ok()
+        .map(|taylors| taylors.iter().map(|taylor| taylor.hessian[0][0]).collect());
+    let values = neighbours.value_ladders();
+    let seconds = neighbours.second_checks(curvatures.as_deref(), &values);
     if is_stopped() {
         return Ok(None);
     }
@@ -156,21 +104,123 @@ pub(super) fn rows(
     let row = |(i, (ladder, second)): (usize, (Ladder, Option<Check>))| Row {
         of: of[i],
         parameter,
-        first: judge(of[i], &ladder, exact[i]),
+        first: neighbours.first_check(of[i], &ladder, exact[i]),
         num_dual: Agreement::new(exact[i], over_num_dual[i], &ladder),
         second,
-        slopes: taylor_slopes(&ladder, exact[i], curvature(i).unwrap_or_default()),
+        slopes: taylor_slopes(
+            &ladder,
+            exact[i],
+            curvatures.as_ref().map_or(0.0, |curvatures| curvatures[i]),
+        ),
         ladder,
     };
-    Ok(Some(
-        of_values
+    let ladders = values.into_iter().zip(seconds);
+    Ok(Some(ladders.enumerate().map(row).collect()))
+}
+
+/// Neighbouring drives, which differ in one parameter.
+struct Neighbours<'a> {
+    setup: &'a Setup<f64>,
+    drive: &'a Drive<f64>,
+    of: &'a [Outcome],
+    /// Value of the parameter.
+    at: f64,
+    /// Characteristic size of the parameter.
+    scale: f64,
+    values: Evaluator,
+    gradients: Evaluator,
+    /// True if the drive lies on a non-differentiable point.
+    has_corners: bool,
+    is_stopped: &'a dyn Fn() -> bool,
+}
+
+impl<'a> Neighbours<'a> {
+    fn new(
+        setup: &'a Setup<f64>,
+        drive: &'a Drive<f64>,
+        of: &'a [Outcome],
+        parameter: &'static Parameter,
+        is_stopped: &'a dyn Fn() -> bool,
+    ) -> Result<Self> {
+        Ok(Self {
+            setup,
+            drive,
+            of,
+            at: setup.value(parameter).unwrap_or_default(),
+            scale: scale(setup, parameter),
+            values: Evaluator::new(setup, of, &[parameter], Order::Value)?,
+            gradients: Evaluator::new(setup, of, &[parameter], Order::First)?,
+            has_corners: !drive.corners(setup).is_empty(),
+            is_stopped,
+        })
+    }
+
+    /// A number of each outcome at a value of the parameter; NaN where the drive has not all
+    /// outcomes, and empty once stopped.
+    fn sample(
+        &self,
+        evaluator: &Evaluator,
+        x: f64,
+        number: impl Fn(usize, &Taylor) -> f64,
+    ) -> Vec<f64> {
+        if (self.is_stopped)() {
+            return vec![];
+        }
+        let Ok(taylors) = evaluator.at(&[x]) else {
+            return vec![f64::NAN; self.of.len()];
+        };
+        let taylors = taylors.iter().enumerate();
+        taylors.map(|(i, taylor)| number(i, taylor)).collect()
+    }
+
+    /// Samples of the values of all outcomes.
+    fn value_ladders(&self) -> Vec<Ladder> {
+        let own: Vec<f64> = self
+            .of
             .iter()
-            .cloned()
-            .zip(seconds)
-            .enumerate()
-            .map(row)
-            .collect(),
-    ))
+            .map(|of| of.value(self.drive).unwrap_or_default())
+            .collect();
+        let ladders = Ladder::sample(self.at, self.scale, STEPS, &mut |x| {
+            self.sample(&self.values, x, |i, taylor| {
+                self.of[i].unwrap_angle(taylor.value, own[i])
+            })
+        });
+        ladders
+            .into_iter()
+            .zip(self.of)
+            .map(|(ladder, of)| ladder.rounded_as(size(*of, self.setup, self.drive)))
+            .collect()
+    }
+
+    /// Compares a first derivative with differences of values.
+    fn first_check(&self, of: Outcome, values: &Ladder, exact: f64) -> Check {
+        let is_at_zero_spin = of == Outcome::Spin && self.drive.is_without_spin();
+        let judge = if self.has_corners || is_at_zero_spin {
+            Ladder::judge_on_a_corner
+        } else {
+            Ladder::judge
+        };
+        judge(values, exact, demand(self.setup))
+    }
+
+    /// Compares the second derivatives with differences of gradients; `None` without second
+    /// derivatives.
+    fn second_checks(&self, curvatures: Option<&[f64]>, values: &[Ladder]) -> Vec<Option<Check>> {
+        let sample = |steps| {
+            Ladder::sample(self.at, self.scale, steps, &mut |x| {
+                self.sample(&self.gradients, x, |_, taylor| taylor.gradient[0])
+            })
+        };
+        let judge = |(i, gradients): (usize, Ladder)| {
+            let curvature = curvatures?[i];
+            let gradients = gradients
+                .made_of(values[i].size / self.scale)
+                .rounded_as(values[i].rounded / self.scale);
+            Some(gradients.judge(curvature, Demand::SECOND))
+        };
+        let fails = |second: &Option<Check>| second.as_ref().is_some_and(Check::failed);
+        in_few_steps(sample, judge, fails)
+    }
 }
 
 /// Compares with few steps first. If a comparison fails, it is repeated with all steps, because the

@@ -22,11 +22,8 @@ pub fn delivery(
     unknowns: &[Unknown],
 ) -> Result<Delivered> {
     check(measured, unknowns)?;
-    let refuse = |reason: String| Error::Delivery { reason };
-    let mut own = *setup;
-    for unknown in unknowns {
-        own.set_value(unknown.parameter, Some(unknown.prior))?;
-    }
+    let priors: Vec<f64> = unknowns.iter().map(|unknown| unknown.prior).collect();
+    let own = with_unknowns(setup, unknowns, &priors)?;
     let of: Vec<Outcome> = measured
         .iter()
         .map(|measurement| measurement.outcome)
@@ -41,26 +38,17 @@ pub fn delivery(
         unknowns.iter().map(|unknown| unknown.low).collect(),
         unknowns.iter().map(|unknown| unknown.high).collect(),
     )?;
-    let start: Vec<f64> = unknowns.iter().map(|unknown| unknown.prior).collect();
-    let found = fit(&rows, &domain, &start, &Options::default())?;
+    let found = fit(&rows, &domain, &priors, &Options::default())?;
     if found.rows.residuals.is_empty() {
-        return Err(refuse(format!(
-            "the search cannot begin at the setup's own values: {}",
-            found.message
-        )));
-    }
-    let mut moved = own;
-    for (unknown, value) in unknowns.iter().zip(&found.x) {
-        moved.set_value(unknown.parameter, Some(*value))?;
-    }
-    let taylors = evaluator.at(&found.x)?;
-    let explained = measured
-        .iter()
-        .zip(&taylors)
-        .map(|(measured, taylor)| Explained {
-            measured: *measured,
-            computed: taylor.value,
+        return Err(Error::Delivery {
+            reason: format!(
+                "the search cannot begin at the setup's own values: {}",
+                found.message
+            ),
         });
+    }
+    let moved = with_unknowns(&own, unknowns, &found.x)?;
+    let explained = explained(measured, &evaluator.at(&found.x)?);
     let free: Vec<usize> = (0..unknowns.len())
         .filter(|&i| (unknowns[i].low < found.x[i]) && (found.x[i] < unknowns[i].high))
         .collect();
@@ -78,10 +66,30 @@ pub fn delivery(
         status: found.status,
         message: found.message.clone(),
         posteriors,
-        explained: explained.collect(),
+        explained,
         jacobian: found.rows.jacobian[..measured.len()].to_vec(),
         unidentified: unidentified(&jacobian, &free_parameters),
     })
+}
+
+/// The measurements with the computed values.
+fn explained(measured: &[Measurement], taylors: &[Taylor]) -> Vec<Explained> {
+    let values = measured.iter().zip(taylors);
+    values
+        .map(|(measured, taylor)| Explained {
+            measured: *measured,
+            computed: taylor.value,
+        })
+        .collect()
+}
+
+/// The setup with values of the unknowns.
+fn with_unknowns(setup: &Setup<f64>, unknowns: &[Unknown], values: &[f64]) -> Result<Setup<f64>> {
+    let mut moved = *setup;
+    for (unknown, value) in unknowns.iter().zip(values) {
+        moved.set_value(unknown.parameter, Some(*value))?;
+    }
+    Ok(moved)
 }
 
 /// Refuses a search without measurements or unknowns, or with an outcome of the flight.

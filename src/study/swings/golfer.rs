@@ -80,6 +80,45 @@ impl Correlation {
     }
 }
 
+/// The correlation matrix of the normal scores of the inputs.
+///
+/// # Errors
+/// [`Error::Unreadable`] for a correlation of a parameter without a distribution, and for two
+/// correlations of the same parameters.
+fn correlation_matrix(inputs: &[Uncertain], correlations: &[Correlation]) -> Result<Vec<Vec<f64>>> {
+    let n = inputs.len();
+    let mut matrix: Vec<Vec<f64>> = (0..n)
+        .map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect())
+        .collect();
+    for (k, correlation) in correlations.iter().enumerate() {
+        let [one, other] = correlation.between;
+        let unreadable = |source: String| Error::Unreadable {
+            name: format!("the correlation {},{}", one.name, other.name),
+            source: source.into(),
+        };
+        let place = |parameter: &'static Parameter| {
+            inputs
+                .iter()
+                .position(|input| input.parameter == parameter)
+                .ok_or_else(|| {
+                    unreadable(format!(
+                        "{} has no distribution; give it one, or leave the correlation out",
+                        parameter.name
+                    ))
+                })
+        };
+        let (i, j) = (place(one)?, place(other)?);
+        let is_of_these =
+            |before: &Correlation| [[one, other], [other, one]].contains(&before.between);
+        if correlations[..k].iter().any(is_of_these) {
+            return Err(unreadable("it is given twice; keep one".into()));
+        }
+        matrix[i][j] = correlation.coefficient;
+        matrix[j][i] = correlation.coefficient;
+    }
+    Ok(matrix)
+}
+
 impl Swings {
     /// Swings described by distributions and correlations. A correlation that is not given is 0.
     ///
@@ -106,43 +145,7 @@ impl Swings {
                 });
             }
         }
-        let n = inputs.len();
-        let mut matrix: Vec<Vec<f64>> = (0..n)
-            .map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect())
-            .collect();
-        for (k, correlation) in correlations.iter().enumerate() {
-            let name = correlation
-                .between
-                .map(|parameter| parameter.name)
-                .join(",");
-            let unreadable = |source: String| Error::Unreadable {
-                name: format!("the correlation {name}"),
-                source: source.into(),
-            };
-            let place = |parameter: &'static Parameter| {
-                inputs
-                    .iter()
-                    .position(|input| input.parameter == parameter)
-                    .ok_or_else(|| {
-                        unreadable(format!(
-                            "{} has no distribution; give it one, or leave the correlation out",
-                            parameter.name
-                        ))
-                    })
-            };
-            let [i, j] = [
-                place(correlation.between[0])?,
-                place(correlation.between[1])?,
-            ];
-            let is_of_these = |other: &Correlation| {
-                other.between == correlation.between
-                    || other.between == [correlation.between[1], correlation.between[0]]
-            };
-            if correlations[..k].iter().any(is_of_these) {
-                return Err(unreadable("it is given twice; keep one".into()));
-            }
-            (matrix[i][j], matrix[j][i]) = (correlation.coefficient, correlation.coefficient);
-        }
+        let matrix = correlation_matrix(&inputs, correlations)?;
         let factor = factored(&matrix).map_err(|i| Error::Unreadable {
             name: "the correlations".into(),
             source: format!(

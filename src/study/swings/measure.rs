@@ -129,54 +129,29 @@ impl Measure {
                 is_second,
             )
         };
+        let lowest = |sign: f64, of: &Outcome, share: f64| {
+            let share = LowestShare {
+                drives: &each().collect::<Vec<_>>(),
+                sign,
+                share,
+                smoothing: SMOOTHING * one(of),
+            };
+            share.mean(is_second)
+        };
         match self {
             Self::Mean(_) => sum(&|f| [f, 1.0, 0.0]),
-            Self::Deviation(of) => {
-                let Taylor {
-                    value: mean,
-                    gradient,
-                    ..
-                } = summed(each().map(|(f, w)| (f, [w * f.value, w, 0.0])), &[], false);
-                // Σ w (f − mean) = 0 cancels the derivatives of the mean
-                let squares = each().map(|(f, w)| {
-                    let off = f.value - mean;
-                    (f, [w * off * off, 2.0 * w * off, 2.0 * w])
-                });
-                root(
-                    &summed(squares, &gradient, is_second),
-                    LEAST_DEVIATION * one(of),
-                )
-            }
+            Self::Deviation(of) => deviation(each, LEAST_DEVIATION * one(of), is_second),
             Self::RootMeanSquare(of) => {
                 root(&sum(&|f| [f * f, 2.0 * f, 2.0]), LEAST_DEVIATION * one(of))
             }
-            Self::Lowest(of, share) => lowest(
-                &each().collect::<Vec<_>>(),
-                1.0,
-                *share,
-                SMOOTHING * one(of),
-                is_second,
-            ),
-            Self::Highest(of, share) => lowest(
-                &each().collect::<Vec<_>>(),
-                -1.0,
-                *share,
-                SMOOTHING * one(of),
-                is_second,
-            )
-            .negated(),
+            Self::Lowest(of, share) => lowest(1.0, of, *share),
+            Self::Highest(of, share) => lowest(-1.0, of, *share).negated(),
             Self::Within(of, half) => sum(&|f| within(f, *half, one(of))),
             Self::Strokes(strokes, hole) => {
-                let whole = |f: &Taylor| {
-                    let (n, mut whole) = (f.gradient.len(), f.clone());
-                    if is_second && whole.hessian.is_empty() {
-                        whole.hessian = vec![vec![0.0; n]; n];
-                    }
-                    whole
-                };
+                let of_order = |f: &Taylor| with_hessian(f, is_second);
                 let strokes = drives
                     .iter()
-                    .map(|end| strokes.from(&whole(end[0]), &whole(end[1]), *hole));
+                    .map(|end| strokes.from(&of_order(end[0]), &of_order(end[1]), *hole));
                 let strokes: Vec<_> = strokes.zip(weights).collect();
                 Taylor::sum(strokes.iter().map(|(strokes, weight)| (strokes, **weight)))
             }
@@ -231,6 +206,32 @@ fn lowest_mean(drives: impl Iterator<Item = (f64, f64)>, share: f64) -> f64 {
     sum / counted
 }
 
+/// Standard deviation of weighted drives, smoothed at 0.
+fn deviation<'a, D: Iterator<Item = (&'a Taylor, f64)>>(
+    drives: impl Fn() -> D,
+    least: f64,
+    is_second: bool,
+) -> Taylor {
+    let weighted = drives().map(|(f, w)| (f, [w * f.value, w, 0.0]));
+    let mean = summed(weighted, &[], false);
+    // Σ w (f − mean) = 0 cancels the derivatives of the mean
+    let squares = drives().map(|(f, w)| {
+        let off = f.value - mean.value;
+        (f, [w * off * off, 2.0 * w * off, 2.0 * w])
+    });
+    root(&summed(squares, &mean.gradient, is_second), least)
+}
+
+/// The value or gradient, with a Hessian of 0 where the second order has none.
+fn with_hessian(f: &Taylor, is_second: bool) -> Taylor {
+    let n = f.gradient.len();
+    let mut of_order = f.clone();
+    if is_second && of_order.hessian.is_empty() {
+        of_order.hessian = vec![vec![0.0; n]; n];
+    }
+    of_order
+}
+
 /// √(f + η²).
 fn root(f: &Taylor, least: f64) -> Taylor {
     let root = (f.value + least * least).sqrt();
@@ -248,93 +249,101 @@ fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
     std::array::from_fn(|k| above[k] - below[k])
 }
 
-/// max over t of t − 1/α Σ wₖ φ(t − uₖ), φ(z) = (z + √(z² + 4ε²))/2 with uₖ = ±fₖ: for ε → 0 the
-/// mean of the lowest share α of uₖ.
-///
-/// At the maximum the derivative by t is 0, so that the gradient equals the gradient at fixed t.
-/// The Hessian includes the change of t.
-fn lowest(
-    drives: &[(&Taylor, f64)],
+/// The lowest share α of the values uₖ = ±fₖ. Its mean, smoothed, is the maximum over t of
+/// t − 1/α Σ wₖ φ(t − uₖ), φ(z) = (z + √(z² + 4ε²))/2: for ε → 0 the mean of the lowest share.
+struct LowestShare<'a> {
+    /// Values or gradients, with weights.
+    drives: &'a [(&'a Taylor, f64)],
+    /// −1 for the highest share.
     sign: f64,
+    /// α.
     share: f64,
+    /// ε.
     smoothing: f64,
-    is_second: bool,
-) -> Taylor {
-    let plus = |z: f64| {
+}
+
+impl LowestShare<'_> {
+    /// The smoothed mean. At the maximum the derivative by t is 0, so that the gradient equals the
+    /// gradient at fixed t. The Hessian includes the change of t.
+    fn mean(&self, is_second: bool) -> Taylor {
+        let t = self.threshold();
+        let terms = self.drives.iter().map(|(f, weight)| {
+            let [value, slope, bend] = self.plus(t - self.sign * f.value);
+            // −φ(t − u) by f
+            let by_f = [-value, self.sign * slope, -bend];
+            (*f, by_f.map(|part| weight / self.share * part))
+        });
+        let mut mean = summed(terms, &[], is_second);
+        mean.value += t;
+        self.add_threshold_change(t, &mut mean.hessian);
+        mean
+    }
+
+    /// φ, φ′ and φ″.
+    fn plus(&self, z: f64) -> [f64; 3] {
+        let smoothing = self.smoothing;
         let width = (z * z + 4.0 * smoothing * smoothing).sqrt();
         [
             0.5 * (z + width),
             0.5 * (1.0 + z / width),
             2.0 * smoothing * smoothing / width.powi(3),
         ]
-    };
-    let excess = |t: f64| {
-        drives
-            .iter()
-            .map(|(f, weight)| weight * plus(t - sign * f.value)[1])
-            .sum::<f64>()
-            - share
-    };
-    // the function rises with t from −α to 1 − α: bisect to the last bit
-    let ends = |start: f64, pick: fn(f64, f64) -> f64| {
-        drives.iter().map(|(f, _)| sign * f.value).fold(start, pick)
-    };
-    let (mut low, mut high) = (
-        ends(f64::INFINITY, f64::min),
-        ends(f64::NEG_INFINITY, f64::max),
-    );
-    let mut reach = smoothing;
-    while excess(low) > 0.0 {
-        low -= reach;
-        reach *= 2.0;
     }
-    reach = smoothing;
-    while excess(high) < 0.0 {
-        high += reach;
-        reach *= 2.0;
-    }
-    loop {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
+
+    /// The t of the maximum: the zero of Σ wₖ φ′(t − uₖ) − α, which rises with t from −α to 1 − α,
+    /// bisected to the last bit.
+    fn threshold(&self) -> f64 {
+        let excess = |t: f64| {
+            let weighted =
+                |(f, weight): &(&Taylor, f64)| weight * self.plus(t - self.sign * f.value)[1];
+            self.drives.iter().map(weighted).sum::<f64>() - self.share
+        };
+        let values = || self.drives.iter().map(|(f, _)| self.sign * f.value);
+        let mut low = values().fold(f64::INFINITY, f64::min);
+        let mut high = values().fold(f64::NEG_INFINITY, f64::max);
+        let mut reach = self.smoothing;
+        while excess(low) > 0.0 {
+            low -= reach;
+            reach *= 2.0;
         }
-        if excess(middle) > 0.0 {
-            high = middle
-        } else {
-            low = middle
+        reach = self.smoothing;
+        while excess(high) < 0.0 {
+            high += reach;
+            reach *= 2.0;
+        }
+        loop {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                return middle;
+            }
+            if excess(middle) > 0.0 {
+                high = middle
+            } else {
+                low = middle
+            }
         }
     }
-    let t = 0.5 * (low + high);
-    let terms = drives.iter().map(|(f, weight)| {
-        let [value, slope, bend] = plus(t - sign * f.value);
-        // −φ(t − u) by f
-        (
-            *f,
-            [-value, sign * slope, -bend].map(|part| weight / share * part),
-        )
-    });
-    let mut all = summed(terms, &[], is_second);
-    all.value += t;
-    let bends: Vec<f64> = drives
-        .iter()
-        .map(|(f, weight)| weight / share * plus(t - sign * f.value)[2])
-        .collect();
-    let bend: f64 = bends.iter().sum();
-    // −∂²/∂t∂x
-    let mixed = |i: usize| {
-        bends
+
+    /// Adds the change of t with the variables x, (∂²/∂t∂x)(∂²/∂t∂x)ᵀ / (−∂²/∂t²).
+    fn add_threshold_change(&self, t: f64, hessian: &mut [Vec<f64>]) {
+        let bends: Vec<f64> = self
+            .drives
             .iter()
-            .zip(drives)
-            .map(|(bend, (f, _))| bend * f.gradient[i])
-            .sum::<f64>()
-    };
-    let mixed: Vec<f64> = (0..all.hessian.len()).map(mixed).collect();
-    for (row, across) in all.hessian.iter_mut().zip(&mixed) {
-        row.iter_mut()
-            .zip(&mixed)
-            .for_each(|(second, along)| *second += across * along / bend);
+            .map(|(f, weight)| weight / self.share * self.plus(t - self.sign * f.value)[2])
+            .collect();
+        let bend: f64 = bends.iter().sum();
+        // −∂²/∂t∂x
+        let mixed = |i: usize| {
+            let drives = bends.iter().zip(self.drives);
+            drives.map(|(bend, (f, _))| bend * f.gradient[i]).sum()
+        };
+        let mixed: Vec<f64> = (0..hessian.len()).map(mixed).collect();
+        for (row, across) in hessian.iter_mut().zip(&mixed) {
+            for (second, along) in row.iter_mut().zip(&mixed) {
+                *second += across * along / bend;
+            }
+        }
     }
-    all
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@ use super::scenarios::Scenarios;
 use crate::error::{Error, Result};
 use crate::optimize::front::{Front, FrontError, FrontEvent, FrontPoint, front};
 use crate::optimize::sensitivity::ActiveSet;
-use crate::optimize::{Evaluation, Observers, Options, Problem, Status};
+use crate::optimize::{Observers, Options, Problem, Status};
 use crate::parameters::{Setup, Vary};
 use crate::study::cancellable::stopped;
 use crate::study::problem::SearchProblem;
@@ -114,45 +114,24 @@ pub fn pareto(
     scenarios: Scenarios,
     follow: &Observers,
 ) -> Result<Pareto> {
-    let [(first, sense), (second, against)] = search.goals.clone();
-    let (expression, low, high) = (second.expression.clone(), f64::NEG_INFINITY, f64::INFINITY);
-    let limits = search.subject_to.iter().cloned().chain([Constraint {
-        expression,
-        goal: second,
-        low,
-        high,
-    }]);
-    let (vary, options) = (search.vary.clone(), search.options.clone());
-    let alone = Search {
-        of: first,
-        sense,
-        vary,
-        subject_to: limits.collect(),
-        scenarios: scenarios.clone(),
-        options,
-    };
-    let problem = SearchProblem::new(setup, &alone, &follow.interrupt)?;
+    let [(_, sense), (_, against)] = search.goals;
+    let first_goal = search.first_goal(&scenarios);
+    let problem = SearchProblem::new(setup, &first_goal, &follow.interrupt)?;
     let own = problem.as_set_up();
     if own.is_err() && follow.interrupt.load(Ordering::Relaxed) {
         return Err(stopped("the search began"));
     }
-    let minimised = |x: &[f64]| {
-        let Evaluation {
-            objective,
-            mut constraints,
-        } = problem.evaluate(x)?;
+    let minimized = |x: &[f64]| {
+        let mut functions = problem.evaluate(x)?;
         if against == Sense::Maximize {
-            let second = constraints.pop().unwrap_or_default();
-            constraints.push(second.negated());
+            let second = functions.constraints.pop().unwrap_or_default();
+            functions.constraints.push(second.negated());
         }
-        Ok(Evaluation {
-            objective,
-            constraints,
-        })
+        Ok(functions)
     };
     let start = problem.domain.variables.project(&problem.start());
     let found = front(
-        &minimised,
+        &minimized,
         &problem.domain,
         &start,
         &search.options,
@@ -188,6 +167,26 @@ pub fn pareto(
 }
 
 impl ParetoSearch {
+    /// The search for the best first goal. The second goal is its last constraint, without limits.
+    fn first_goal(&self, scenarios: &Scenarios) -> Search {
+        let [(first, sense), (second, _)] = self.goals.clone();
+        let mut subject_to = self.subject_to.clone();
+        subject_to.push(Constraint {
+            expression: second.expression.clone(),
+            goal: second,
+            low: f64::NEG_INFINITY,
+            high: f64::INFINITY,
+        });
+        Search {
+            of: first,
+            sense,
+            vary: self.vary.clone(),
+            subject_to,
+            scenarios: scenarios.clone(),
+            options: self.options.clone(),
+        }
+    }
+
     /// A point of the front with its goals, also after an interrupt. `sign` converts the slope of
     /// the minimized functions to the slope of the goals.
     fn point(&self, problem: &SearchProblem, point: FrontPoint, sign: f64) -> Result<ParetoPoint> {

@@ -1,7 +1,7 @@
 use crate::error::{Error, Result};
 use crate::number::Taylor;
 use crate::optimize::{
-    Bounds, ConstraintValue, Domain, Evaluation, Observers, Problem, Solution, Status,
+    Bounds, ConstraintValue, Domain, Evaluation, Observers, Options, Problem, Solution, Status,
     minimize_from, starts,
 };
 use crate::parameters::{LAW, NO_CLUB, Parameter, Setup};
@@ -303,37 +303,21 @@ pub fn robust(
             .map(|(_, best)| best.solution.value.unwrap_or(f64::NAN))
             .collect(),
     };
-    let domain = greatest.domain()?;
-    let ends = minimize_from(&greatest, &domain, &starts, &search.options, follow)?;
-    let interrupted = ends
-        .iter()
-        .filter(|end| end.solution.status == Status::Interrupted);
-    let stopped = interrupted.map(|end| end.starts.len()).sum();
-    let best = ends.into_iter().next().ok_or(Error::Nothing {
-        doing: "search from",
-        what: "start",
-    })?;
-    let solution = best.solution;
-    if solution.value.is_none() {
-        return Err(Error::NotConverged {
-            status: solution.status.name(),
-            message: solution.message.into(),
-        });
-    }
-    let design = solution.x[..search.vary.len()].to_vec();
+    let least = greatest.minimize(&starts, &search.options, follow)?;
+    let design = least.solution.x[..search.vary.len()].to_vec();
     let goals = losses.goals(&design)?;
     Ok(Robust {
         setup: losses.problems[0].moved(&design)?,
         losses: losses.of(&goals),
-        shares: shares(&solution, search.subject_to.len()),
+        shares: shares(&least.solution, search.subject_to.len()),
         models,
         matrix,
-        solution,
+        solution: least.solution,
         design,
         goals,
         as_set_up,
         searches: starts.len(),
-        stopped,
+        stopped: least.stopped,
         search,
     })
 }
@@ -479,7 +463,44 @@ struct GreatestLoss<'a> {
     least: Vec<f64>,
 }
 
+/// The smallest greatest loss.
+struct LeastLoss {
+    solution: Solution,
+    /// Number of interrupted searches.
+    stopped: usize,
+}
+
 impl GreatestLoss<'_> {
+    /// Searches from each start (x, t).
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] if no point of the search has a value; the errors of
+    /// [`minimize_from`].
+    fn minimize(
+        &self,
+        starts: &[Vec<f64>],
+        options: &Options,
+        follow: &Observers,
+    ) -> Result<LeastLoss> {
+        let ends = minimize_from(self, &self.domain()?, starts, options, follow)?;
+        let interrupted = ends
+            .iter()
+            .filter(|end| end.solution.status == Status::Interrupted);
+        let stopped = interrupted.map(|end| end.starts.len()).sum();
+        let best = ends.into_iter().next().ok_or(Error::Nothing {
+            doing: "search from",
+            what: "start",
+        })?;
+        let solution = best.solution;
+        if solution.value.is_none() {
+            return Err(Error::NotConverged {
+                status: solution.status.name(),
+                message: solution.message.into(),
+            });
+        }
+        Ok(LeastLoss { solution, stopped })
+    }
+
     fn domain(&self) -> Result<Domain> {
         let Bounds { mut low, mut high } = self.problems[0].domain.variables.clone();
         low.push(f64::NEG_INFINITY);

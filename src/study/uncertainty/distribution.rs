@@ -48,6 +48,23 @@ pub enum Distribution {
 const FIRST_ZERO_OF_J0: f64 = 2.404_825_557_695_773;
 
 impl Distribution {
+    /// The distribution with a name and its numbers; `None` for another name, or another number of
+    /// numbers.
+    fn named(name: &str, numbers: &[f64]) -> Option<Self> {
+        Some(match (name, numbers) {
+            ("normal", &[mean, deviation]) => Self::Normal { mean, deviation },
+            ("truncated", &[mean, deviation, low, high]) => Self::Truncated {
+                mean,
+                deviation,
+                low,
+                high,
+            },
+            ("uniform", &[low, high]) => Self::Uniform { low, high },
+            ("triangular", &[low, mode, high]) => Self::Triangular { low, mode, high },
+            _ => return None,
+        })
+    }
+
     /// Checks the numbers of the distribution.
     ///
     /// # Errors
@@ -345,18 +362,8 @@ impl Uncertain {
         let amounts = amounts
             .collect::<std::result::Result<Vec<_>, _>>()
             .map_err(unreadable)?;
-        let distribution = match (kind.trim(), amounts.as_slice()) {
-            ("normal", &[mean, deviation]) => Distribution::Normal { mean, deviation },
-            ("truncated", &[mean, deviation, low, high]) => Distribution::Truncated {
-                mean,
-                deviation,
-                low,
-                high,
-            },
-            ("uniform", &[low, high]) => Distribution::Uniform { low, high },
-            ("triangular", &[low, mode, high]) => Distribution::Triangular { low, mode, high },
-            _ => return Err(unreadable(how.into())),
-        };
+        let distribution =
+            Distribution::named(kind.trim(), &amounts).ok_or_else(|| unreadable(how.into()))?;
         let read = Self {
             parameter,
             distribution,

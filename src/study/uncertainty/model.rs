@@ -117,14 +117,13 @@ impl Design {
             asked == given,
             "the sets of the design have {asked:?} points, and there are {given:?} values"
         );
-        let is_finite = |value: &f64| value.is_finite();
         // A and B are independent: use all their values for the moments
         let mut all: Vec<f64> = values[..2]
             .iter()
             .flatten()
             .flatten()
             .copied()
-            .filter(is_finite)
+            .filter(|value| value.is_finite())
             .collect();
         if all.len() < 2 {
             return None;
@@ -135,32 +134,14 @@ impl Design {
             let constant = all[0];
             all.fill(constant);
         }
-        let (mean, deviation) = mean_and_deviation(&all);
-        let resample = |stream: u64| {
-            let mut random = self.random(stream);
-            let drawn: Vec<f64> = (0..all.len())
-                .map(|_| all[index(&mut random, all.len())])
-                .collect();
-            mean_and_deviation(&drawn)
-        };
-        let (means, deviations): (Vec<f64>, Vec<f64>) =
-            (0..RESAMPLES as u64).into_par_iter().map(resample).unzip();
-        // use complete rows only, centred: an offset would add noise to the products
-        let rows: Vec<Vec<f64>> = (0..values[0].len())
-            .filter_map(|row| {
-                values
-                    .iter()
-                    .map(|column| column[row].filter(is_finite).map(|value| value - mean))
-                    .collect()
-            })
-            .collect();
-        let left_out = values[0].len() - rows.len();
-        let inputs = values.len() - 2;
+        let moments = self.moments(&all);
+        let rows = complete_rows(values, moments.mean.value);
         let of_rows: Vec<f64> = rows
             .iter()
-            .flat_map(|row| [row[0] + mean, row[1] + mean])
+            .flat_map(|row| [row[0] + moments.mean.value, row[1] + moments.mean.value])
             .collect();
         let has_shares = varies && rows.len() >= 2 && self::varies(&of_rows);
+        let inputs = values.len() - 2;
         let indices = if has_shares {
             self.indices(&rows, inputs)
         } else {
@@ -168,12 +149,30 @@ impl Design {
         };
         all.sort_by(f64::total_cmp);
         Some(Statistics {
-            mean: interval(mean, means),
-            deviation: interval(deviation, deviations),
+            mean: moments.mean,
+            deviation: moments.deviation,
             quantiles: [0.025, 0.5, 0.975].map(|p| quantile(&all, p)),
             indices,
-            left_out,
+            left_out: values[0].len() - rows.len(),
         })
+    }
+
+    /// Mean and standard deviation with bootstrap intervals.
+    fn moments(&self, values: &[f64]) -> Moments {
+        let (mean, deviation) = mean_and_deviation(values);
+        let resample = |stream: u64| {
+            let mut random = self.random(stream);
+            let drawn: Vec<f64> = (0..values.len())
+                .map(|_| values[index(&mut random, values.len())])
+                .collect();
+            mean_and_deviation(&drawn)
+        };
+        let (means, deviations): (Vec<f64>, Vec<f64>) =
+            (0..RESAMPLES as u64).into_par_iter().map(resample).unzip();
+        Moments {
+            mean: interval(mean, means),
+            deviation: interval(deviation, deviations),
+        }
     }
 
     /// Means over the points of A divided by the variance of an output, with bootstrap intervals
@@ -280,6 +279,26 @@ impl Design {
             self.seed ^ (stream + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
         )
     }
+}
+
+/// Mean and standard deviation of an output.
+struct Moments {
+    mean: Interval,
+    deviation: Interval,
+}
+
+/// Rows f_A, f_B, f_AB1 … with a finite value at each point, less the mean: an offset would add
+/// noise to the products.
+fn complete_rows(values: &[Vec<Option<f64>>], mean: f64) -> Vec<Vec<f64>> {
+    let centred = |value: f64| value.is_finite().then_some(value - mean);
+    (0..values[0].len())
+        .filter_map(|row| {
+            values
+                .iter()
+                .map(|column| column[row].and_then(centred))
+                .collect()
+        })
+        .collect()
 }
 
 /// First-order and total index of each variable from rows f_A, f_B, f_AB1 …: estimators of Saltelli

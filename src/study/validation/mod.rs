@@ -12,6 +12,7 @@ pub use sets::{Computation, SETS, Set};
 
 use crate::error::Result;
 use crate::parameters::Law;
+use predicted::Predicted;
 
 /// Temperature range for drives without a stated air, K: 15 and 35 °C.
 pub const SWEPT: [f64; 2] = [288.15, 308.15];
@@ -104,64 +105,86 @@ pub fn validation(own: Option<Law<f64>>) -> Result<Vec<SetScores>> {
 fn scores(set: &'static Set, own: Option<Law<f64>>) -> Result<SetScores> {
     let mut cases = cases::cases(set.rows)?;
     let base = set.computation.has_base().then(|| cases.remove(0));
-    let is_stated = cases.iter().all(|case| case.density.is_some());
+    let published = Published { set, base, cases };
     let laws = Law::NAMES
         .iter()
         .filter_map(|name| Law::named(name))
         .chain(own)
-        .map(|law| {
-            let at = |temperature| -> Result<Vec<Score>> {
-                let computed = cases
-                    .iter()
-                    .map(|case| predicted::predicted(set, case, base.as_ref(), law, temperature));
-                let computed = computed.collect::<Result<Vec<_>>>()?;
-                let score = |of: &Compared| {
-                    let residual = |(case, found): (usize, &predicted::Predicted)| {
-                        let (predicted, published) = (found.of(*of)?, cases[case].published(*of)?);
-                        Some(Residual {
-                            case,
-                            predicted,
-                            published,
-                        })
-                    };
-                    Score {
-                        of: *of,
-                        residuals: computed.iter().enumerate().filter_map(residual).collect(),
-                    }
-                };
-                let is_published =
-                    |of: &&Compared| cases.iter().any(|case| case.published(**of).is_some());
-                Ok(set
-                    .computation
-                    .compared()
-                    .iter()
-                    .filter(is_published)
-                    .map(score)
-                    .collect())
-            };
-            let scores = at(None)?;
-            let averaged = || {
-                let bias = scores.first().and_then(Score::bias)?;
-                let less = cases
-                    .iter()
-                    .map(|case| predicted::of_averaging(case, law))
-                    .collect::<Option<Vec<_>>>()?;
-                Some(bias + less.iter().sum::<f64>() / less.len() as f64)
-            };
-            let averaged = if set.is_averaged { averaged() } else { None };
-            let swept = if is_stated || set.computation == Computation::Optimum {
-                None
-            } else {
-                let [cold, warm] = SWEPT.map(|temperature| at(Some(temperature)));
-                Some([cold?, warm?].map(|scores| scores.first().and_then(Score::bias)))
-            };
-            Ok(LawScores {
-                law: law.name(),
-                scores,
-                swept,
-                averaged,
+        .map(|law| published.law_scores(law))
+        .collect::<Result<_>>()?;
+    Ok(SetScores {
+        set,
+        laws,
+        cases: published.cases,
+    })
+}
+
+/// The published cases of a set.
+struct Published {
+    set: &'static Set,
+    /// The case with which the other cases are compared.
+    base: Option<Case>,
+    cases: Vec<Case>,
+}
+
+impl Published {
+    fn law_scores(&self, law: Law<f64>) -> Result<LawScores> {
+        let scores = self.scores(law, None)?;
+        let averaged = if self.set.is_averaged {
+            self.bias_of_scattered(law, &scores)
+        } else {
+            None
+        };
+        let has_density = self.cases.iter().all(|case| case.density.is_some());
+        let swept = if has_density || self.set.computation == Computation::Optimum {
+            None
+        } else {
+            let [cold, warm] = SWEPT.map(|temperature| self.scores(law, Some(temperature)));
+            Some([cold?, warm?].map(|scores| scores.first().and_then(Score::bias)))
+        };
+        Ok(LawScores {
+            law: law.name(),
+            scores,
+            swept,
+            averaged,
+        })
+    }
+
+    /// The errors of a law in each published quantity, in air of this temperature.
+    fn scores(&self, law: Law<f64>, temperature: Option<f64>) -> Result<Vec<Score>> {
+        let predict =
+            |case| predicted::predicted(self.set, case, self.base.as_ref(), law, temperature);
+        let predicted: Vec<Predicted> = self.cases.iter().map(predict).collect::<Result<_>>()?;
+        let residual = |of: Compared, case: usize| {
+            Some(Residual {
+                case,
+                predicted: predicted[case].of(of)?,
+                published: self.cases[case].published(of)?,
             })
-        });
-    let laws = laws.collect::<Result<_>>()?;
-    Ok(SetScores { set, laws, cases })
+        };
+        let is_published =
+            |of: &&Compared| self.cases.iter().any(|case| case.published(**of).is_some());
+        let compared = self.set.computation.compared();
+        Ok(compared
+            .iter()
+            .filter(is_published)
+            .map(|of| Score {
+                of: *of,
+                residuals: (0..self.cases.len())
+                    .filter_map(|case| residual(*of, case))
+                    .collect(),
+            })
+            .collect())
+    }
+
+    /// Bias of the first quantity for the mean of scattered drives; `None` if a case has none.
+    fn bias_of_scattered(&self, law: Law<f64>, scores: &[Score]) -> Option<f64> {
+        let bias = scores.first().and_then(Score::bias)?;
+        let less = self
+            .cases
+            .iter()
+            .map(|case| predicted::of_averaging(case, law))
+            .collect::<Option<Vec<_>>>()?;
+        Some(bias + less.iter().sum::<f64>() / less.len() as f64)
+    }
 }

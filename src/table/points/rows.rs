@@ -46,7 +46,8 @@ impl<R: Rows> Table<R> {
         };
         let mut ranges: Vec<Vary> = rows.columns().parameters.iter().map(none).collect();
         let (mut count, mut fingerprint, mut values) = (0, Fingerprint::new(), vec![]);
-        let (mut row_number, mut listed, mut others) = (0_u64, vec![], 0_u64);
+        let mut invalid = InvalidRows::default();
+        let mut row_number = 0_u64;
         rows.rewind()?;
         loop {
             match rows.read(CHUNK, &mut values)? {
@@ -59,12 +60,8 @@ impl<R: Rows> Table<R> {
                     .iter()
                     .zip(row)
                     .find_map(|(range, value)| wrong(range.parameter, *value));
-                match wrong {
-                    Some(wrong) if listed.len() < LISTED => {
-                        listed.push(format!("row {row_number}: {wrong}"))
-                    }
-                    Some(_) => others += 1,
-                    None => {}
+                if let Some(wrong) = wrong {
+                    invalid.add(row_number, &wrong);
                 }
                 for (range, value) in ranges.iter_mut().zip(row) {
                     fingerprint.add(*value);
@@ -77,19 +74,7 @@ impl<R: Rows> Table<R> {
         }
         ranges.retain(|range| range.low <= range.high);
         let mut notes = rows.notes();
-        if others > 0 {
-            listed.push(format!("and {others} more"));
-        }
-        if !listed.is_empty() {
-            let status = Status::OutOfRange;
-            notes.push(
-                format!(
-                    "rows that are no drives, with the status {status}: {}",
-                    listed.join("; ")
-                )
-                .into(),
-            );
-        }
+        notes.extend(invalid.note());
         rows.rewind()?;
         Ok(Self {
             rows,
@@ -99,6 +84,36 @@ impl<R: Rows> Table<R> {
             notes,
             next: 0,
         })
+    }
+}
+
+/// The invalid rows of a table.
+#[derive(Default)]
+struct InvalidRows {
+    /// The first rows, with the reason.
+    listed: Vec<String>,
+    /// Number of further rows.
+    others: u64,
+}
+
+impl InvalidRows {
+    fn add(&mut self, row_number: u64, reason: &str) {
+        if self.listed.len() < LISTED {
+            self.listed.push(format!("row {row_number}: {reason}"));
+        } else {
+            self.others += 1;
+        }
+    }
+
+    fn note(mut self) -> Option<Message> {
+        if self.others > 0 {
+            self.listed.push(format!("and {} more", self.others));
+        }
+        if self.listed.is_empty() {
+            return None;
+        }
+        let (status, rows) = (Status::OutOfRange, self.listed.join("; "));
+        Some(format!("rows that are no drives, with the status {status}: {rows}").into())
     }
 }
 

@@ -1,0 +1,113 @@
+//! The drive at an optimum of one drive: its gain, its launch and its flight.
+
+use super::super::document::Line;
+use super::super::drive::extrapolated;
+use super::super::shown;
+use crate::drive::{Drive, Outcome};
+use crate::study::Optimum;
+use crate::units::{System, signed};
+
+/// "carry 286.0 yd → 300.4 yd: +14.4 yd" with the change of the total. If carry and total disagree
+/// about the better drive, it adds advice.
+pub(in crate::report) fn gain_lines(
+    optimum: &Optimum,
+    drive: &Drive<f64>,
+    system: System,
+) -> Vec<Line> {
+    let objective = optimum.search.of.outcome().unwrap_or(Outcome::Carry);
+    let start = optimum.start_drive.as_ref();
+    let before = |of: Outcome| start.and_then(|start| of.value(start));
+    let change = |of: Outcome| Some(of.value(drive)? - before(of)?);
+    let line = |of: Outcome| {
+        let best = shown::outcome(of, of.value(drive)?, system);
+        let name = shown::words(of.name());
+        let (Some(before), Some(gain)) = (before(of), change(of)) else {
+            return Some(format!("{name} {best}"));
+        };
+        let before = shown::outcome(of, before, system);
+        let unit = system.unit(of.unit());
+        let gain = signed(gain, of.quantity().read_off(gain, unit));
+        Some(format!("{name} {before} → {best}: {gain}"))
+    };
+    let rolls = Outcome::Run.value(drive).is_some_and(|run| run != 0.0);
+    let is_distance = [Outcome::Carry, Outcome::Total].contains(&objective);
+    if !is_distance || !rolls {
+        return line(objective).map(Line::flush).into_iter().collect();
+    }
+    let other = match objective {
+        Outcome::Total => Outcome::Carry,
+        _ => Outcome::Total,
+    };
+    let lines: Vec<_> = [objective, other].into_iter().filter_map(line).collect();
+    let text = format!("{} (totals are known to 10 yd)", lines.join("; "));
+    let falls = |of: Outcome| change(of).is_some_and(|change| change < 0.0);
+    let advice = match objective {
+        Outcome::Carry if !falls(Outcome::Carry) && falls(Outcome::Total) => {
+            "the carry grows and the total falls: `maximize total` finds the longest total"
+        }
+        _ => "",
+    };
+    let advice = (!advice.is_empty()).then(|| Line::flush(advice));
+    let beyond = extrapolated(&optimum.setup, drive, system).map(Line::flush);
+    [Line::flush(text)]
+        .into_iter()
+        .chain(beyond)
+        .chain(advice)
+        .collect()
+}
+
+/// The optimal drive: objective, carry, roll-out, launch and flight.
+pub(in crate::report) fn drive_lines(
+    optimum: &Optimum,
+    value: f64,
+    drive: &Drive<f64>,
+    system: System,
+) -> Vec<Line> {
+    const LAUNCH: [Outcome; 4] = [
+        Outcome::BallSpeed,
+        Outcome::LaunchAngle,
+        Outcome::Backspin,
+        Outcome::SmashFactor,
+    ];
+    const FLIGHT: [Outcome; 4] = [
+        Outcome::ApexHeight,
+        Outcome::DescentAngle,
+        Outcome::FlightTime,
+        Outcome::Lateral,
+    ];
+    let of = optimum.search.of.outcome();
+    let line = |outcomes: [Outcome; 4]| {
+        let one = |outcome: Outcome| {
+            let value = shown::outcome_or_dash(outcome, outcome.value(drive), system);
+            format!("{} {value}", shown::words(outcome.name()))
+        };
+        outcomes.map(one).join(", ")
+    };
+    let row = |name: &str, text: &str| Line::item(format!("{name:<8}{text}"));
+    let both = |of: Outcome| {
+        let value = of.value(drive)?;
+        Some(row(of.name(), &shown::both(of, value, system)))
+    };
+    let objective = match of {
+        Some(Outcome::Carry) => None,
+        Some(of) => Some(row(
+            &format!("{} ", shown::words(of.name())),
+            &shown::both(of, value, system),
+        )),
+        None => Some(row(
+            &format!("{} ", optimum.search.of.expression),
+            &shown::goal(&optimum.search.of, value, system),
+        )),
+    };
+    // an objective of the roll-out is shown with the other outcomes of the roll-out
+    let run = [Outcome::Total, Outcome::Run]
+        .into_iter()
+        .filter(|other| of.is_some_and(|of| of.needs_run() && *other != of))
+        .filter_map(both);
+    objective
+        .into_iter()
+        .chain(both(Outcome::Carry))
+        .chain(run)
+        .chain([row("launch", &line(LAUNCH)), row("flight", &line(FLIGHT))])
+        .collect()
+}

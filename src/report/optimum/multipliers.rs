@@ -1,0 +1,74 @@
+//! Multipliers of constraints and bounds in words.
+
+use super::super::limits::{self, Limit, Objective};
+use super::super::shown;
+use crate::optimize::Status;
+use crate::study::{Optimum, Sense};
+use crate::units::{System, signed};
+
+fn objective(optimum: &Optimum) -> Objective {
+    let goal = &optimum.search.of;
+    Objective {
+        of: (goal.quantity, goal.unit),
+        value: optimum.value().unwrap_or_default(),
+        sense: optimum.search.sense,
+        is_converged: optimum.solution.status == Status::Converged,
+    }
+}
+
+/// "active: +0.52 yd for each degree that the limit is relaxed".
+pub(in crate::report) fn constraint_in_words(
+    optimum: &Optimum,
+    j: usize,
+    system: System,
+) -> String {
+    let all = optimum.constraints();
+    let Some((constraint, at)) = all.get(j) else {
+        return String::new();
+    };
+    let slopes = optimum.solution.jacobian.get(j);
+    let limit = Limit::new(constraint, at, slopes.map_or(&[], Vec::as_slice));
+    objective(optimum).limit(limit, system)
+}
+
+/// "at its upper bound: +2.11 yd for each degree that it is raised".
+pub(in crate::report) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> String {
+    let vary = optimum.search.vary[i];
+    let goal = &optimum.search.of;
+    let lower = optimum.solution.lower_multipliers[i];
+    let upper = optimum.solution.upper_multipliers[i];
+    let value = optimum.value().unwrap_or_default();
+    let gain = if optimum.search.sense == Sense::Maximize {
+        1.0
+    } else {
+        -1.0
+    };
+    let of = (goal.quantity, goal.unit);
+    let by = vary.parameter;
+    let price = |amount: f64| {
+        let amount = shown::settled(gain * amount, value, of, &[by]);
+        let text = shown::price(of, amount, (by.quantity, by.unit), system);
+        signed(amount, text)
+    };
+    let is_corner = optimum.solution.kink.is_some_and(|kink| kink.variable == i);
+    if vary.low == vary.high {
+        "fixed".into()
+    } else if optimum.solution.status != Status::Converged {
+        // multipliers have a meaning only at an optimum
+        String::new()
+    } else if is_corner && upper + lower > 0.0 {
+        let (bound, side) = if lower > 0.0 {
+            ("lower", "above")
+        } else {
+            ("upper", "below")
+        };
+        format!(
+            "at its {bound} bound, a corner: {} {side} it",
+            price(-(upper + lower))
+        )
+    } else if optimum.is_idle(i) {
+        "no effect".into()
+    } else {
+        limits::bound([lower, upper], [lower, upper], price)
+    }
+}

@@ -1,0 +1,238 @@
+//! An optimum as JSON.
+
+use super::super::Reply;
+use super::super::drive::{LaunchReport, LawRange, flight, launch, law_range};
+use super::super::json::{ByName, Number, Setting, settings};
+use super::super::swings::{OverSwings, StudiesReport};
+use super::design::DesignReport;
+use super::surroundings::{ClubAloneReport, Surroundings, WindowReport};
+use crate::optimize::{ConstraintValue, Effort};
+use crate::study::{Constraint, LocalOptimum, Optima, Optimum, Sample};
+use crate::units::Message;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// An optimum as JSON, SI and radians.
+#[derive(Clone, Debug, Serialize)]
+pub struct OptimumReport {
+    /// The objective: an outcome, or for swings a sum of statistics.
+    pub objective: String,
+    /// The direction: `maximize` or `minimize`.
+    pub sense: &'static str,
+    /// The value of the objective; `null` if no drive flies.
+    pub value: Number,
+    /// The varied parameters at the optimum.
+    pub optimum: Option<ByName<Number>>,
+    /// The varied parameters at the start, if no point of the search has a value; otherwise
+    /// omitted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub start: Option<ByName<Number>>,
+    /// The gradient of the objective at the optimum.
+    pub gradient: Option<ByName<Number>>,
+    /// The multiplier of each bound, ≥ 0: the gain per unit by which the bound is relaxed.
+    pub multipliers: Option<BTreeMap<&'static str, Multipliers>>,
+    /// The constraints.
+    pub constraints: Vec<ConstraintReport>,
+    /// The relative KKT residual.
+    pub kkt_residual: Number,
+    /// Iterations of the optimizer.
+    pub iterations: u64,
+    /// Evaluations of objective and constraints with derivatives.
+    pub evaluations: u64,
+    /// Counters of the quadratic programs that were solved for the steps.
+    pub steps: Effort,
+    /// The local optima of a search from several starts, best first; `null` for a single
+    /// start.
+    pub optima: Option<Vec<LocalReport>>,
+    /// The sample of the ranges for comparison with the optimum; `null` without one.
+    pub sample: Option<Sample>,
+    /// Every parameter at the optimum. Like launch and flight, it is `null` if no drive flies.
+    pub setup: Option<ByName<Setting>>,
+    /// The launch of the optimal drive; `null` for swings.
+    pub launch: Option<LaunchReport>,
+    /// The flight of the optimal drive; `null` for swings.
+    pub flight: Option<ByName<Number>>,
+    /// The fitted range of the law, and the fraction of the optimal drive's flight outside of it.
+    pub law_range: Option<ByName<Option<LawRange>>>,
+    /// For each varied parameter, its range when it alone varies and costs at most the loss;
+    /// `null` for swings, and without an optimum.
+    pub window: Option<ByName<WindowReport>>,
+    /// The loss of the windows, SI.
+    pub window_loss: Number,
+    /// The part of the gain that needs no other swing; `null` unless club and swing are varied.
+    pub club_alone: Option<ClubAloneReport>,
+    /// The setup file that was written; `null` without one.
+    pub file: Option<String>,
+    /// Parameters that the request states, so that the default search does not vary them; omitted
+    /// if there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub held: Vec<&'static str>,
+    /// Results over swings; omitted for a single drive.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub swings: Option<StudiesReport>,
+    /// The limits of a design; omitted for other searches.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub design: Option<DesignReport>,
+}
+
+/// A constraint at an optimum.
+#[derive(Clone, Debug, Serialize)]
+pub struct ConstraintReport {
+    /// The text of the constraint.
+    pub expression: String,
+    /// The value of the limited goal, SI.
+    pub value: f64,
+    /// The distance of the value from the limits, SI; 0 within them.
+    pub violation: f64,
+    /// The gain of the objective for each unit by which the limit is relaxed, ≥ 0; for an equation,
+    /// by which its value is raised.
+    pub multiplier: f64,
+}
+
+impl ConstraintReport {
+    pub(in crate::report) fn new(constraint: &Constraint, at: &ConstraintValue) -> Self {
+        // a decrease of the minimized function is a gain of the objective
+        let multiplier = if constraint.is_equation() {
+            at.multiplier
+        } else {
+            at.multiplier.abs()
+        };
+        Self {
+            expression: constraint.expression.clone(),
+            value: at.value,
+            violation: at.violation.abs(),
+            multiplier,
+        }
+    }
+}
+
+pub(in crate::report) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
+    let all = optimum.constraints();
+    all.iter()
+        .map(|(constraint, at)| ConstraintReport::new(constraint, at))
+        .collect()
+}
+
+/// A local optimum from a search with several starts.
+#[derive(Clone, Debug, Serialize)]
+pub struct LocalReport {
+    /// The status of the searches that ended here.
+    pub status: &'static str,
+    /// The objective; `null` if no drive flies.
+    pub value: Number,
+    /// The varied parameters.
+    pub optimum: ByName<Number>,
+    /// The number of starts that reached this optimum.
+    pub starts: usize,
+}
+
+impl LocalReport {
+    /// The local optima. Interrupted searches are omitted.
+    pub(super) fn all(optima: &Optima) -> Vec<Self> {
+        let vary = &optima.best.search.vary;
+        let one = |local: &LocalOptimum| {
+            let names = vary.iter().map(|vary| vary.parameter.name);
+            let x = local.solution.x.iter().copied();
+            Self {
+                status: local.status(),
+                value: local.value.into(),
+                optimum: names.zip(x).collect(),
+                starts: local.starts.len(),
+            }
+        };
+        optima.ended().map(one).collect()
+    }
+}
+
+/// The multipliers of a parameter's bounds.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Multipliers {
+    /// The multiplier of the lower bound.
+    pub lower: f64,
+    /// The multiplier of the upper bound.
+    pub upper: f64,
+}
+
+impl OptimumReport {
+    /// The answer of `optimize`.
+    pub fn reply(optima: &Optima, over: OverSwings<'_>, warnings: Vec<Message>) -> Reply<Self> {
+        let body = Self {
+            swings: StudiesReport::new(&optima.best, over),
+            ..Self::of_many(optima)
+        };
+        let reply = Reply::done("optimize", warnings, body);
+        let best = &optima.best;
+        match optima.interrupted() {
+            None => reply.ended(best.status(), Some(best.message().to_string())),
+            interrupted => reply.ended("interrupted", interrupted),
+        }
+    }
+
+    /// The report of the best optimum. For several starts it contains all local optima.
+    pub(in crate::report) fn of_many(optima: &Optima) -> Self {
+        Self {
+            optima: (optima.starts > 1).then(|| LocalReport::all(optima)),
+            ..Self::new(&optima.best)
+        }
+    }
+
+    /// The report of an optimum.
+    pub fn new(optimum: &Optimum) -> Self {
+        let (solution, vary) = (&optimum.solution, &optimum.search.vary);
+        let found = optimum.value().is_some();
+        let by_name = |values: &[f64]| -> ByName<Number> {
+            let names = vary.iter().map(|vary| vary.parameter.name);
+            names.zip(values.iter().copied()).collect()
+        };
+        let multipliers = |i: usize| {
+            let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
+            (vary[i].parameter.name, Multipliers { lower, upper })
+        };
+        let drive = optimum.drive.as_ref();
+        Self {
+            objective: optimum.search.of.expression.clone(),
+            sense: optimum.search.sense.name(),
+            value: optimum.value().into(),
+            optimum: found.then(|| by_name(&solution.x)),
+            start: (!found).then(|| by_name(&solution.x)),
+            gradient: found.then(|| by_name(&optimum.gradient())),
+            multipliers: found.then(|| (0..vary.len()).map(multipliers).collect()),
+            constraints: constraints(optimum),
+            kkt_residual: found.then_some(solution.kkt_residual).into(),
+            iterations: solution.iterations,
+            evaluations: solution.evaluations,
+            steps: solution.effort,
+            optima: None,
+            sample: optimum.sample,
+            setup: found.then(|| settings(&optimum.setup)),
+            launch: drive.map(launch),
+            flight: drive.and_then(flight),
+            law_range: drive.and_then(|drive| law_range(&optimum.setup, drive)),
+            window: None,
+            window_loss: Number(None),
+            club_alone: None,
+            file: None,
+            held: vec![],
+            swings: None,
+            design: None,
+        }
+    }
+}
+
+impl OptimumReport {
+    /// Adds the flatness of the optimum, and the gain of the club alone.
+    #[must_use]
+    pub fn with_surroundings(self, optimum: &Optimum, around: &Surroundings<'_>) -> Self {
+        let vary = optimum.search.vary.iter();
+        let window = vary.zip(around.windows).map(|(vary, window)| {
+            let report = WindowReport::new(optimum, window);
+            (vary.parameter.name, report)
+        });
+        Self {
+            window: Some(window.collect()),
+            window_loss: around.loss.into(),
+            club_alone: around.club_alone.map(ClubAloneReport::new),
+            ..self
+        }
+    }
+}

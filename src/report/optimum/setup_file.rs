@@ -1,0 +1,74 @@
+//! The setup at an optimum as a setup file.
+
+use super::super::uncertainty::distribution_text;
+use super::super::{setup_toml, shown};
+use crate::error::Result;
+use crate::parameters::Preset;
+use crate::study::swings::Swings;
+use crate::study::{Optima, Optimum};
+use crate::units::{System, counted};
+
+/// The setup at the best optimum as a setup file in TOML, with full precision.
+///
+/// # Errors
+/// The errors of [`setup_toml`].
+pub fn optimum_toml(optima: &Optima, swings: Option<&Swings>, preset: &Preset) -> Result<String> {
+    best_toml(&optima.best, swings, optima.interrupted(), preset)
+}
+
+/// The setup at an optimum, with a note on interrupted searches.
+pub(in crate::report) fn best_toml(
+    optimum: &Optimum,
+    swings: Option<&Swings>,
+    interrupted: Option<String>,
+    preset: &Preset,
+) -> Result<String> {
+    let search = &optimum.search;
+    let value = optimum
+        .value()
+        .map_or(shown::NONE.into(), |value| match search.of.outcome() {
+            Some(of) => shown::both(of, value, System::default()),
+            None => shown::goal(&search.of, value, System::default()),
+        });
+    let over = match search.scenarios.is_one_drive() {
+        true => String::new(),
+        false => {
+            let count = search.scenarios.points.len() as u64;
+            format!(" over {}", counted(count, "swing"))
+        }
+    };
+    let mut about = vec![format!(
+        "{}, {} {}{over}: {value}",
+        preset.name,
+        search.sense.adjective(),
+        search.of.expression
+    )];
+    match swings {
+        None => {}
+        Some(Swings::Recorded { .. }) => about.push("over recorded swings".into()),
+        Some(Swings::Distributed { inputs, .. }) => about.extend(inputs.iter().map(|input| {
+            let distribution = distribution_text(input, System::default());
+            format!("over swings: {} {distribution}", input.parameter.name)
+        })),
+    }
+    let limits = search.subject_to.iter();
+    about.extend(limits.map(|constraint| format!("subject to {}", constraint.expression)));
+    about.extend(
+        interrupted.map(|interrupted| format!("interrupted: {interrupted}; the best so far:")),
+    );
+    about.push(format!("{}: {}", optimum.status(), optimum.message()));
+    let remarks = search
+        .vary
+        .iter()
+        .zip(&optimum.solution.x)
+        .map(|(vary, x)| {
+            let show = |value: f64| vary.parameter.show(Some(value));
+            let best = shown::as_declared(vary.parameter, *x);
+            let (low, high) = (show(vary.low), show(vary.high));
+            (
+                vary.parameter,
+                format!("optimum: {best} in {low} .. {high}"),
+            )
+        });
+    setup_toml(&optimum.setup, preset, &about, &remarks.collect::<Vec<_>>())
+}

@@ -1,0 +1,133 @@
+//! The flatness of an optimum of one drive, and the gain of the club alone.
+
+use super::super::json::{ByName, Number};
+use super::super::shown;
+use crate::study::{ClubAlone, Limit as WindowLimit, Optimum, Vary, Window};
+use crate::units::{System, signed};
+use serde::Serialize;
+
+/// The surroundings of an optimum of one drive.
+#[derive(Clone, Copy, Debug)]
+pub struct Surroundings<'a> {
+    /// The allowed loss, SI.
+    pub loss: f64,
+    /// The window of each varied parameter for this loss.
+    pub windows: &'a [Window],
+    /// The best value with the swing as set up.
+    pub club_alone: Option<&'a ClubAlone>,
+}
+
+impl Surroundings<'_> {
+    /// "each alone loses less than 1.00 yd: club.loft 5.36° to 6.94°", and the gain of the club
+    /// alone.
+    pub(super) fn lines(&self, optimum: &Optimum, system: System) -> Vec<String> {
+        let loss = shown::spread(optimum.search.outcome(), self.loss, system);
+        let vary = optimum.search.vary.iter().zip(self.windows);
+        let windows: Vec<_> = vary
+            .filter(|(vary, _)| vary.low < vary.high)
+            .map(|(vary, window)| window_text(optimum, vary, window, system))
+            .collect();
+        let windows = format!(
+            "within {loss} of the best, each alone with the others at the optimum: {}",
+            windows.join(", ")
+        );
+        let club = self.club_alone.map(|club| club_text(optimum, club, system));
+        [windows].into_iter().chain(club).collect()
+    }
+}
+
+/// "club.loft 5.36° to 6.94°", with the reason for each end that is not due to the loss.
+fn window_text(optimum: &Optimum, vary: &Vary, window: &Window, system: System) -> String {
+    let end = |value: f64, limit: WindowLimit| {
+        let value = shown::parameter(vary.parameter, value, system);
+        match limit {
+            WindowLimit::Loss => value,
+            WindowLimit::Constraint(j) => {
+                let constraint = shown::constraint(&optimum.search.subject_to[j], system);
+                format!("{value} ({constraint})")
+            }
+            other => format!("{value} ({})", limit_name(optimum, other)),
+        }
+    };
+    format!(
+        "{} {} to {}",
+        vary.parameter.name,
+        end(window.low, window.low_limit),
+        end(window.high, window.high_limit)
+    )
+}
+
+/// "the club alone, with the swing as set up: +2.60 yd (club.loft 10.40°); the swing too: +11.90
+/// yd".
+fn club_text(optimum: &Optimum, club: &ClubAlone, system: System) -> String {
+    let goal = &optimum.search.of;
+    let gain = |amount: f64| signed(amount, shown::goal_difference(goal, amount, system));
+    let vary = club.optimum.search.vary.iter();
+    let values = vary.zip(&club.optimum.solution.x).map(|(vary, x)| {
+        let value = shown::within(vary, *x, system);
+        format!("{} {value}", vary.parameter.name)
+    });
+    let values = values.collect::<Vec<_>>().join(", ");
+    let club_gain = gain(club.value - club.as_set_up);
+    format!(
+        "the club alone, with the swing as set up: {club_gain} ({values}); the swing too: {} more",
+        gain(club.rest)
+    )
+}
+
+/// The range of a parameter that alone varies and costs at most the stated loss.
+#[derive(Clone, Debug, Serialize)]
+pub struct WindowReport {
+    /// Lower end.
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+    /// The reason for the lower end: `loss`, `bound`, `no flight`, or a constraint.
+    pub low_limit: String,
+    /// The reason for the upper end.
+    pub high_limit: String,
+}
+
+impl WindowReport {
+    pub(super) fn new(optimum: &Optimum, window: &Window) -> Self {
+        Self {
+            low: window.low,
+            high: window.high,
+            low_limit: limit_name(optimum, window.low_limit),
+            high_limit: limit_name(optimum, window.high_limit),
+        }
+    }
+}
+
+/// The reason for an end of a window.
+fn limit_name(optimum: &Optimum, limit: WindowLimit) -> String {
+    match limit {
+        WindowLimit::Loss => "loss".into(),
+        WindowLimit::Bound => "bound".into(),
+        WindowLimit::Constraint(j) => optimum.search.subject_to[j].expression.clone(),
+        WindowLimit::NoFlight => "no flight".into(),
+    }
+}
+
+/// The part of a gain that needs no other swing, SI.
+#[derive(Clone, Debug, Serialize)]
+pub struct ClubAloneReport {
+    /// The gain of the best club with the swing as set up.
+    pub club_gain: f64,
+    /// The further gain if the swing is changed too.
+    pub swing_gain: f64,
+    /// The best club with the swing as set up.
+    pub optimum: ByName<Number>,
+}
+
+impl ClubAloneReport {
+    pub(super) fn new(club: &ClubAlone) -> Self {
+        let vary = club.optimum.search.vary.iter();
+        let names = vary.map(|vary| vary.parameter.name);
+        Self {
+            club_gain: club.value - club.as_set_up,
+            swing_gain: club.rest,
+            optimum: names.zip(club.optimum.solution.x.iter().copied()).collect(),
+        }
+    }
+}

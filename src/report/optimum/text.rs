@@ -1,0 +1,304 @@
+//! An optimum, or the optima of several starts, for readers.
+
+use super::super::document::{Detail, Document, Line, Table};
+use super::super::limits::ended_at;
+use super::super::shown;
+use super::super::swings::{OverSwings, goals, nominal_design, notes};
+use super::best_drive::{drive_lines, gain_lines};
+use super::multipliers::{bound_in_words, constraint_in_words};
+use super::surroundings::Surroundings;
+use crate::optimize::{Iteration, Status};
+use crate::study::{Optima, Optimum, Sample, Search};
+use crate::units::{Quantity, System, counted, counted_of, fixed, with_unit};
+
+/// The optimum for readers: the varied parameters with the gains of their bounds, the constraints,
+/// the drive or the goals over the swings, and for several starts the results of all searches.
+pub fn optimize_document(
+    optima: &Optima,
+    over: OverSwings<'_>,
+    around: Option<&Surroundings<'_>>,
+    system: System,
+) -> Document {
+    // the text of a single search already states its interruption or an improvement from a sample
+    let sample = optima.best.sample;
+    let from_sample = usize::from(sample.is_some_and(|sample| sample.improved));
+    let several = optima.starts > 1 + from_sample;
+    let mut document = Document::default();
+    if let Some(stopped) = optima.interrupted().filter(|_| several) {
+        let stopped = format!("interrupted: {stopped}; the best so far:");
+        document.list([Line::flush(stopped)]);
+    }
+    document.append(optimum_document(&optima.best, over, around, system));
+    if several {
+        document.append(optima_document(optima, system));
+    }
+    document
+}
+
+/// One optimum for readers: the result first, the convergence last. Without an optimum, the status
+/// is the answer.
+pub fn optimum_document(
+    optimum: &Optimum,
+    over: OverSwings<'_>,
+    around: Option<&Surroundings<'_>>,
+    system: System,
+) -> Document {
+    let mut document = Document::default();
+    let is_converged = optimum.solution.status == Status::Converged;
+    if !is_converged {
+        let ended = ended_line(optimum, system);
+        let sample = optimum.value().and_then(|_| sample_line(optimum));
+        document.list([ended].into_iter().chain(sample));
+    }
+    let Some(value) = optimum.value() else {
+        return document;
+    };
+    if let Some(drive) = &optimum.drive {
+        if is_converged {
+            document.list(gain_lines(optimum, drive, system));
+        }
+        add_place(&mut document, optimum, around, system);
+        document.list(drive_lines(optimum, value, drive, system));
+    } else {
+        document.add(goals(optimum, over.price, system));
+        document.add(place(optimum, over, system));
+        add_constraints(&mut document, optimum, system);
+        document.list(notes(optimum, over, system));
+    }
+    if is_converged {
+        add_convergence(&mut document, optimum, system);
+    }
+    document
+}
+
+/// Adds the varied parameters of an optimum of one drive with its surroundings, and the constraints.
+pub(in crate::report) fn add_place(
+    document: &mut Document,
+    optimum: &Optimum,
+    around: Option<&Surroundings<'_>>,
+    system: System,
+) {
+    let mut place = place(optimum, OverSwings::default(), system);
+    for text in around
+        .iter()
+        .flat_map(|around| around.lines(optimum, system))
+    {
+        place.remark(text);
+    }
+    document.add(place);
+    add_constraints(document, optimum, system);
+}
+
+/// The varied parameters as a table; for swings, with the best design for the mean swing.
+pub(in crate::report) fn place(optimum: &Optimum, over: OverSwings<'_>, system: System) -> Table {
+    let (search, solution) = (&optimum.search, &optimum.solution);
+    let is_one_drive = search.scenarios.is_one_drive();
+    let nominal = nominal_design(over.price);
+    let rows = search.vary.iter().enumerate().map(|(i, vary)| {
+        let mean_swing = nominal.map_or(shown::NONE.into(), |design| {
+            shown::within(vary, design[i], system)
+        });
+        let mean_swing = (!is_one_drive).then_some(mean_swing);
+        let start = is_one_drive.then(|| {
+            let value = optimum.start.value(vary.parameter);
+            value.map_or(shown::NONE.into(), |value| {
+                shown::within(vary, value, system)
+            })
+        });
+        let name: String = vary.parameter.name.into();
+        let found = shown::within(vary, solution.x[i], system);
+        std::iter::once(name)
+            .chain(start)
+            .chain([found])
+            .chain(mean_swing)
+            .chain([
+                shown::range(vary, system),
+                bound_in_words(optimum, i, system),
+            ])
+            .collect::<Vec<String>>()
+    });
+    if is_one_drive {
+        let found = ended_at(solution.status, "optimum");
+        Table::new(["vary", "as set up", found, "range", ""], rows).right([1, 2])
+    } else {
+        let found = ended_at(solution.status, "best");
+        let head = ["vary", found, "for the mean swing", "range", ""];
+        Table::new(head, rows).right([1, 2])
+    }
+}
+
+/// Adds a table of the constraints with their gains if there are any. For swings, the table of the
+/// goals has their values.
+fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
+    let is_one_drive = optimum.search.scenarios.is_one_drive();
+    let all = optimum.constraints();
+    let rows = all.iter().enumerate().map(|(j, (constraint, at))| {
+        let price = constraint_in_words(optimum, j, system);
+        if is_one_drive {
+            let text = shown::constraint(constraint, system);
+            vec![text, shown::goal(&constraint.goal, at.value, system), price]
+        } else {
+            vec![constraint.expression.clone(), price]
+        }
+    });
+    // for swings, a row without a gain has no content
+    let rows: Vec<_> = rows
+        .filter(|row| is_one_drive || !row[1].is_empty())
+        .collect();
+    if rows.is_empty() {
+        return;
+    }
+    document.add(match is_one_drive {
+        true => Table::new(["subject to", "value", ""], rows).right([1]),
+        false => Table::new(["subject to", ""], rows).right([]),
+    });
+}
+
+/// Adds the comparison with the sample and the convergence of an optimum.
+pub(in crate::report) fn add_convergence(
+    document: &mut Document,
+    optimum: &Optimum,
+    system: System,
+) {
+    let message = optimum.message();
+    let is_of_solver = message.to_string() == optimum.solution.message;
+    let ended = match is_of_solver {
+        true => Line::flush(format!("{}: {}", optimum.status(), effort(optimum))),
+        false => ended_line(optimum, system),
+    };
+    document.list(sample_line(optimum).into_iter().chain([ended]));
+    if is_of_solver {
+        let mut residual = Document::default();
+        residual.paragraph(message.in_units(system));
+        document.append_detail(residual, Detail::Computation);
+    }
+}
+
+/// The status of a search with its message: the numbers of the solver, or what it means for the
+/// drive.
+pub(in crate::report) fn ended_line(optimum: &Optimum, system: System) -> Line {
+    Line::flush(format!(
+        "{}: {} ({})",
+        optimum.status(),
+        optimum.message().in_units(system),
+        effort(optimum)
+    ))
+}
+
+/// "4 iterations, 5 evaluations of 64 swings".
+fn effort(optimum: &Optimum) -> String {
+    let scenarios = &optimum.search.scenarios;
+    let swings = match scenarios.is_one_drive() {
+        true => String::new(),
+        false => format!(" of {}", counted(scenarios.points.len() as u64, "swing")),
+    };
+    format!(
+        "{}, {}{swings}",
+        counted(optimum.solution.iterations, "iteration"),
+        counted(optimum.solution.evaluations, "evaluation")
+    )
+}
+
+/// The comparison of the optimum with the sample of the ranges. `None` without a sample, and if the
+/// message of the search already contains the comparison.
+fn sample_line(optimum: &Optimum) -> Option<Line> {
+    let is_told = optimum.solution.status == Status::Infeasible;
+    let Sample {
+        points,
+        feasible,
+        better,
+        improved,
+    } = optimum.sample.filter(|_| !is_told)?;
+    let found = if improved {
+        "found from a point of a sample of the ranges; "
+    } else {
+        ""
+    };
+    let is_better = match better {
+        0 => format!("none of {points} other points in the ranges is better"),
+        _ => format!(
+            "{better} of {points} other points in the ranges are better; search from more starts, \
+             for example `starts 32`"
+        ),
+    };
+    let met = match (optimum.search.subject_to.is_empty(), feasible) {
+        (true, _) => String::new(),
+        (false, 0) => " (none meets the constraints)".into(),
+        (false, 1) => " (1 meets the constraints)".into(),
+        (false, _) => format!(" ({feasible} meet the constraints)"),
+    };
+    Some(Line::flush(format!("{found}{is_better}{met}")))
+}
+
+/// The results of the searches as a table, best first, and the number of interrupted searches.
+pub fn optima_document(optima: &Optima, system: System) -> Document {
+    let search = &optima.best.search;
+    let all = optima.starts;
+    let names = search.vary.iter().map(|vary| vary.parameter.name);
+    let head: Vec<&str> = [search.of.expression.as_str()]
+        .into_iter()
+        .chain(names)
+        .chain(["starts", ""])
+        .collect();
+    let rows: Vec<Vec<String>> = optima
+        .ended()
+        .map(|local| {
+            let value = local.value.map_or(shown::NONE.into(), |value| {
+                shown::goal(&search.of, value, system)
+            });
+            let x = search.vary.iter().zip(&local.solution.x);
+            let x = x.map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
+            let starts = format!("{} of {all}", local.starts.len());
+            std::iter::once(value)
+                .chain(x)
+                .chain([starts, local.status().into()])
+                .collect()
+        })
+        .collect();
+    let right: Vec<usize> = (0..head.len() - 1).collect();
+    let mut document = Document::default();
+    if !rows.is_empty() {
+        document.add(Table::new(head, rows).right(right));
+    }
+    if optima.stopped() > 0 {
+        let stopped = counted_of(optima.stopped() as u64, all as u64, ["search", "searches"]);
+        document.paragraph(format!("not listed: {stopped} stopped before the end"));
+    }
+    document
+}
+
+/// The progress line of an iteration.
+pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) -> String {
+    let number = |quantity: Quantity, unit: &'static str, value: f64| {
+        let unit = system.unit(unit);
+        with_unit(
+            &fixed(value / quantity.size_of(unit).unwrap_or(1.0), 6),
+            unit,
+        )
+    };
+    let x = search.vary.iter().zip(&iteration.x).map(|(vary, x)| {
+        let parameter = vary.parameter;
+        let value = number(parameter.quantity, parameter.unit, *x);
+        format!("{} {value}", parameter.name)
+    });
+    let of = &search.of;
+    let violation = if search.subject_to.is_empty() {
+        String::new()
+    } else {
+        format!("  violation {:.1e}", iteration.violation)
+    };
+    format!(
+        "{:>3}  {} {}  KKT {:.1e}{violation}  trust region {:.1e}{}  {}",
+        iteration.number,
+        of.expression,
+        number(of.quantity, of.unit, search.sense.sign() * iteration.value),
+        iteration.kkt_residual,
+        iteration.radius,
+        if iteration.accepted {
+            ""
+        } else {
+            "  step refused"
+        },
+        x.collect::<Vec<_>>().join(", ")
+    )
+}
