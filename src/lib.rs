@@ -53,6 +53,9 @@
 // items used only by the reports
 #![cfg_attr(not(feature = "reports"), allow(dead_code, unused_imports))]
 
+#[macro_use]
+mod schema;
+
 pub mod aerodynamics;
 pub mod atmosphere;
 mod atomic_file;

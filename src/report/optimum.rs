@@ -1,8 +1,8 @@
 //! The best drive, or the best design over swings: JSON, text, and setup file.
 
 use super::document::{Detail, Document, Line, Table};
-use super::drive::{LaunchReport, LawRange, extrapolated, flight, launch, law_range};
-use super::json::{ByName, Number, Setting, settings};
+use super::drive::{LaunchReport, LawRanges, extrapolated, flight, launch, law_range};
+use super::json::{ByName, Number, Settings, settings};
 use super::limits::{self, Limit, Objective, ended_at};
 use super::swings::{OverSwings, StudiesReport, goals, nominal_design, notes};
 use super::uncertainty::distribution_text;
@@ -22,22 +22,24 @@ use std::collections::BTreeMap;
 
 /// An optimum as JSON, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct OptimumReport {
     /// The objective: an outcome, or for swings a sum of statistics.
     pub objective: String,
     /// The direction: `maximize` or `minimize`.
+    #[cfg_attr(test, schemars(with = "Sense"))]
     pub sense: &'static str,
-    /// The value of the objective; `null` if no drive flies.
+    /// The value of the objective, SI; `null` if no drive flies.
     pub value: Number,
-    /// The varied parameters at the optimum.
+    /// The varied parameters at the optimum, SI.
     pub optimum: Option<ByName<Number>>,
     /// The varied parameters at the start, if no point of the search has a value; otherwise
     /// omitted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub start: Option<ByName<Number>>,
-    /// The gradient of the objective at the optimum.
+    /// The gradient of the objective at the optimum by the varied parameters, SI.
     pub gradient: Option<ByName<Number>>,
-    /// The multiplier of each bound, ≥ 0: the gain per unit by which the bound is relaxed.
+    /// The multipliers of the bounds of each varied parameter, SI.
     pub multipliers: Option<BTreeMap<&'static str, Multipliers>>,
     /// The constraints.
     pub constraints: Vec<ConstraintReport>,
@@ -52,18 +54,20 @@ pub struct OptimumReport {
     /// The local optima of a search from several starts, best first; `null` for a single
     /// start.
     pub optima: Option<Vec<LocalReport>>,
-    /// The sample of the ranges for comparison with the optimum; `null` without one.
+    /// The sample of the ranges for comparison with the optimum; `null` for swings, and after an
+    /// interruption.
     pub sample: Option<Sample>,
     /// Every parameter at the optimum. Like launch and flight, it is `null` if no drive flies.
-    pub setup: Option<ByName<Setting>>,
+    pub setup: Option<Settings>,
     /// The launch of the optimal drive; `null` for swings.
     pub launch: Option<LaunchReport>,
     /// The flight of the optimal drive; `null` for swings.
+    #[cfg_attr(test, schemars(schema_with = "super::drive::flight_schema"))]
     pub flight: Option<ByName<Number>>,
     /// The fitted range of the law, and the fraction of the optimal drive's flight outside of it.
-    pub law_range: Option<ByName<Option<LawRange>>>,
-    /// For each varied parameter, its range when it alone varies and costs at most the loss;
-    /// `null` for swings, and without an optimum.
+    pub law_range: Option<LawRanges>,
+    /// For each varied parameter, its range when it alone varies and costs at most the loss; `null`
+    /// for swings, and without an optimum.
     pub window: Option<ByName<WindowReport>>,
     /// The loss of the windows, SI.
     pub window_loss: Number,
@@ -85,14 +89,17 @@ pub struct OptimumReport {
 
 /// The limits of a design, and its changes.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct DesignReport {
-    /// The rules: `golf` or `none`.
+    /// The rules that limit the design: `golf`, the Rules of Golf, or `none`.
+    #[cfg_attr(test, schemars(extend("enum" = ["golf", "none"])))]
     pub rules: &'static str,
     /// The assumptions, in sentences.
     pub notes: Vec<String>,
     /// The values of the varied parameters before the search.
     pub as_set_up: ByName<Number>,
-    /// The goals before the search and with the best design.
+    /// The goals before the search and with the best design, over all swings; empty without a best
+    /// design.
     pub parts: Vec<GoalReport>,
     /// The rules and limits.
     pub held: Vec<LimitReport>,
@@ -100,17 +107,19 @@ pub struct DesignReport {
 
 /// A goal before the search and with the best design.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct GoalReport {
     /// The goal.
     pub goal: String,
-    /// The value of the goal before the search.
+    /// The value of the goal before the search, SI; `null` if a swing does not fly.
     pub as_set_up: Number,
-    /// The value of the goal with the best design.
+    /// The value of the goal with the best design, SI.
     pub best: Number,
 }
 
 /// A rule or limit of a design.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LimitReport {
     /// The name of the rule or limit.
     pub name: String,
@@ -118,22 +127,26 @@ pub struct LimitReport {
     pub expression: String,
     /// The source of the rule; `null` for a limit of the user.
     pub source: Option<&'static str>,
-    /// The kind of enforcement: `bound`, `limit`, `value` or `unknown`.
+    /// The kind of enforcement: `bound` of a varied parameter, `limit` of the search, `value` that
+    /// no varied parameter changes, or `unknown`: its value is unknown.
+    #[cfg_attr(test, schemars(extend("enum" = ["bound", "limit", "value", "unknown"])))]
     pub by: &'static str,
-    /// The lower limit; `null` without one.
+    /// The lower limit, SI; `null` without one.
     pub low: Number,
-    /// The upper limit; `null` without one.
+    /// The upper limit, SI; `null` without one.
     pub high: Number,
-    /// The value of the expression.
+    /// The value of the expression, SI.
     pub value: Number,
-    /// The distance from the nearer limit.
+    /// The distance from the nearer limit, SI; negative if the limit is violated.
     pub margin: Number,
-    /// The multiplier of an active limit.
+    /// The multiplier of an active limit: the gain of the goal per SI unit by which the limit is
+    /// relaxed; `null` if the limit is inactive.
     pub price: Number,
 }
 
 /// A constraint at an optimum.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ConstraintReport {
     /// The text of the constraint.
     pub expression: String,
@@ -141,8 +154,9 @@ pub struct ConstraintReport {
     pub value: f64,
     /// The distance of the value from the limits, SI; 0 within them.
     pub violation: f64,
-    /// The gain of the objective for each unit by which the limit is relaxed, ≥ 0; for an equation,
-    /// by which its value is raised.
+    /// The gain of the objective for each SI unit by which the limit is relaxed, ≥ 0; for an
+    /// equation, by which its value is raised. `robust`: the decrease of the greatest loss,
+    /// negative if the best design gains more.
     pub multiplier: f64,
 }
 
@@ -165,12 +179,13 @@ impl ConstraintReport {
 
 /// A local optimum from a search with several starts.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LocalReport {
     /// The status of the searches that ended here.
     pub status: &'static str,
-    /// The objective; `null` if no drive flies.
+    /// The objective, SI; `null` if no drive flies.
     pub value: Number,
-    /// The varied parameters.
+    /// The varied parameters, SI.
     pub optimum: ByName<Number>,
     /// The number of starts that reached this optimum.
     pub starts: usize,
@@ -196,10 +211,11 @@ impl LocalReport {
 
 /// The multipliers of a parameter's bounds.
 #[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Multipliers {
-    /// The multiplier of the lower bound.
+    /// The gain of the objective for each SI unit by which the lower bound is lowered.
     pub lower: f64,
-    /// The multiplier of the upper bound.
+    /// The gain of the objective for each SI unit by which the upper bound is raised.
     pub upper: f64,
 }
 
@@ -300,10 +316,11 @@ pub struct Surroundings<'a> {
 
 /// The range of a parameter that alone varies and costs at most the stated loss.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct WindowReport {
-    /// Lower end.
+    /// Lower end, SI.
     pub low: f64,
-    /// Upper end.
+    /// Upper end, SI.
     pub high: f64,
     /// The reason for the lower end: `loss`, `bound`, `no flight`, or a constraint.
     pub low_limit: String,
@@ -334,12 +351,13 @@ fn limit_name(optimum: &Optimum, limit: WindowLimit) -> String {
 
 /// The part of a gain that needs no other swing, SI.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ClubAloneReport {
-    /// The gain of the best club with the swing as set up.
+    /// The gain of the best club with the swing as set up, SI.
     pub club_gain: f64,
-    /// The further gain if the swing is changed too.
+    /// The further gain if the swing is changed too, SI.
     pub swing_gain: f64,
-    /// The best club with the swing as set up.
+    /// The best club with the swing as set up, SI.
     pub optimum: ByName<Number>,
 }
 
