@@ -50,6 +50,8 @@ impl Status {
     }
 }
 
+schema_of_names!(Status, "DriveStatus");
+
 impl fmt::Display for Status {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())

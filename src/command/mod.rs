@@ -60,6 +60,8 @@ mod reproduce;
 mod request;
 mod robust;
 mod running;
+#[cfg(all(test, feature = "parquet"))]
+mod schemas;
 mod search;
 mod sensitivity;
 mod simulate;

@@ -145,7 +145,8 @@ impl Target {
 
 /// The file of a plot.
 #[derive(Serialize)]
-struct PlotFile<'a> {
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct PlotFile<'a> {
     /// Name of the plot.
     name: &'a str,
     /// Path of the file.

@@ -466,7 +466,8 @@ fn said<T>(part: Result<T>, remarks: &mut Vec<Message>) -> Result<Option<T>> {
 
 /// The files of a page.
 #[derive(Serialize)]
-struct ReportFiles<'a> {
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct ReportFiles<'a> {
     /// The folder.
     folder: String,
     /// Names of the files.

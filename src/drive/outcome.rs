@@ -312,6 +312,22 @@ impl fmt::Display for Outcome {
     }
 }
 
+#[cfg(test)]
+impl schemars::JsonSchema for Outcome {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Outcome".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        let names: Vec<_> = Self::EVERY.iter().map(|outcome| outcome.name()).collect();
+        schemars::json_schema!({
+            "description": "The name of an outcome.",
+            "type": "string",
+            "enum": names
+        })
+    }
+}
+
 /// Parses a name like [`Outcome::named`].
 impl FromStr for Outcome {
     type Err = Error;

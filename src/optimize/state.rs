@@ -31,6 +31,7 @@ const PENALTY_MARGIN: f64 = 1.5;
 
 /// Work counters of a search.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Effort {
     /// Number of evaluations of the functions with their derivatives.
     pub evaluations: u64,

@@ -41,6 +41,18 @@ pub enum Status {
 }
 
 impl Status {
+    /// Every status.
+    pub const ALL: [Self; 8] = [
+        Self::Converged,
+        Self::StalledAtKink,
+        Self::Stalled,
+        Self::Infeasible,
+        Self::Unbounded,
+        Self::IterationLimit,
+        Self::Interrupted,
+        Self::Undefined,
+    ];
+
     /// Name in reports: `converged`.
     pub fn name(self) -> &'static str {
         match self {
@@ -55,6 +67,8 @@ impl Status {
         }
     }
 }
+
+schema_of_names!(Status, "SearchStatus");
 
 impl fmt::Display for Status {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -51,11 +51,14 @@
 
 use super::Range;
 use crate::units::{Digits, Message, Quantity};
+use serde::Serialize;
 use std::fmt;
 use std::hash::{Hash, Hasher};
 
 /// Kind of a parameter.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
 pub enum Kind {
     /// Always has a value.
     Required,

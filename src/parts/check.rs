@@ -11,6 +11,7 @@ use std::path::Path;
 
 /// Kind of a file's fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum FaultKind {
     /// The file cannot be read completely, or its rows have changed.
@@ -29,6 +30,7 @@ pub enum FaultKind {
 
 /// A fault of a file in the folder.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Fault {
     /// File name.
     pub file: String,
@@ -40,8 +42,9 @@ pub struct Fault {
 
 /// Result of the check of a folder of parts.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Checked {
-    /// Definition of the sweep.
+    /// The definition of the sweep, as in each file under the key `longdrive`.
     pub question: SweepDefinition,
     /// Number of valid parts.
     pub present: u64,

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 /// Definition of a sweep: everything that the bytes of its parts depend on. Numbers are written to
 /// the last digit.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SweepDefinition {
     /// Version of longdrive.
     pub version: String,

@@ -14,6 +14,7 @@ pub(super) const PART: &str = "longdrive.part";
 
 /// Description of a part in the footer of its file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Part {
     /// Number of the part, from 1.
     pub part: u64,
@@ -23,7 +24,7 @@ pub struct Part {
     pub first_row: u64,
     /// Number of rows.
     pub rows: u64,
-    /// SHA-256 of the [`SweepDefinition`].
+    /// SHA-256 of the definition of the sweep, which the file contains under the key `longdrive`.
     pub question: String,
     /// Architecture and instruction set of the processor: `x86_64 avx2`.
     pub instructions: String,
@@ -36,6 +37,7 @@ pub struct Part {
 
 /// File of a part, with its content, which does not depend on threads or repetition.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Manifest {
     /// Name of the file.
     pub file: String,

@@ -4,20 +4,23 @@ use super::reply::{Ending, Report};
 use super::shown;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::study::{Active, Chart, ChartPoint, Search};
+use crate::study::{Active, BoundSide, Chart, ChartPoint, Search};
 use crate::units::{Message, Quantity, System, TableUnits};
 use serde::Serialize;
 
 /// Optima along a parameter, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ChartReport<'a> {
     #[serde(skip)]
     chart: &'a Chart,
     /// The parameter along which the chart runs.
     pub parameter: &'static str,
     /// The outcome that is optimized.
+    #[cfg_attr(test, schemars(with = "Outcome"))]
     pub objective: &'static str,
     /// `maximize` or `minimize`.
+    #[cfg_attr(test, schemars(with = "crate::study::Sense"))]
     pub sense: &'static str,
     /// The points of the chart, in order.
     pub points: Vec<ChartPointReport>,
@@ -30,19 +33,20 @@ pub struct ChartReport<'a> {
 
 /// An optimum of a chart.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ChartPointReport {
-    /// The value of the chart's parameter.
+    /// The value of the chart's parameter, SI.
     pub at: f64,
-    /// The optimal value of the objective.
+    /// The optimal value of the objective, SI.
     pub value: Number,
-    /// The varied parameters at the optimum.
+    /// The varied parameters at the optimum, SI.
     pub optimum: ByName<Number>,
-    /// The launch of the optimal drive: ball speed, launch angle and backspin.
+    /// The launch of the optimal drive: ball speed (m/s), launch angle (rad) and backspin (rad/s).
     pub launch: ByName<Number>,
     /// The active bounds and constraints.
     pub active: Vec<String>,
-    /// The active bound of each parameter that is at a bound, `lower` or `upper`.
-    pub bounds: ByName<&'static str>,
+    /// The active bound of each parameter that is at a bound.
+    pub bounds: ByName<BoundSide>,
     /// The change of the active bounds and constraints here.
     pub event: Option<String>,
 }
@@ -138,6 +142,11 @@ impl ChartPointReport {
 
 impl Report for ChartReport<'_> {
     const COMMAND: &'static str = "chart";
+
+    #[cfg(test)]
+    fn statuses() -> Vec<&'static str> {
+        [&super::reply::SHARES[..], &["interrupted"]].concat()
+    }
 
     /// The status is `done`, `interrupted`, `partial` if the optimum is missing for a part of the
     /// range, or `no-answer`.

@@ -1,6 +1,6 @@
 use super::document::{Document, Line, Table};
 use super::drive::{LaunchReport, flight, launch};
-use super::json::{ByName, Number, Setting, settings};
+use super::json::{ByName, Number, Settings, settings};
 use super::reply::{Ending, Report};
 use super::shown;
 use crate::drive::Outcome;
@@ -14,6 +14,7 @@ const NOTHING: &str = "nothing differs: a and b are the same drive";
 
 /// Two drives and their differences, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ComparisonReport<'a> {
     #[serde(skip)]
     comparison: &'a Comparison,
@@ -21,9 +22,9 @@ pub struct ComparisonReport<'a> {
     found: &'a [(Outcome, Result<Difference>)],
     #[serde(skip)]
     titles: [String; 2],
-    /// The first drive.
+    /// The first drive, as computed.
     pub a: ComparedDrive,
-    /// The second drive.
+    /// The second drive, as computed.
     pub b: ComparedDrive,
     /// The differences of the requested outcomes, in the order of the request.
     pub outcomes: Vec<DifferenceReport>,
@@ -31,23 +32,27 @@ pub struct ComparisonReport<'a> {
 
 /// A drive of a comparison.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ComparedDrive {
     /// Every parameter by its dotted name.
-    pub setup: ByName<Setting>,
+    pub setup: Settings,
     /// The launch.
     pub launch: LaunchReport,
     /// The outcomes of the flight; `null` if the ball does not land.
+    #[cfg_attr(test, schemars(schema_with = "super::drive::flight_schema"))]
     pub flight: Option<ByName<Number>>,
 }
 
 /// The difference of an outcome, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct DifferenceReport {
     /// The outcome.
+    #[cfg_attr(test, schemars(with = "Outcome"))]
     pub of: &'static str,
-    /// The value of the outcome in each drive; `null` if the drives cannot be compared.
+    /// The value of the outcome in each drive, SI; `null` if the drives cannot be compared.
     pub values: Option<[Number; 2]>,
-    /// The value of b minus the value of a.
+    /// The value of b minus the value of a, SI.
     pub difference: Number,
     /// The shares of the parameters that differ.
     pub by_parameter: Option<SharesReport>,
@@ -61,30 +66,38 @@ pub struct DifferenceReport {
 
 /// A difference split into its causes.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SharesReport {
-    /// The share of each cause.
+    /// The share of each cause, in the order of the parameters; causes that change in one step come
+    /// last.
     pub shares: Vec<ShareReport>,
-    /// The difference minus the sum of the shares.
+    /// The difference minus the sum of the shares, SI. It is at most `integration_error`, unless
+    /// the model has a corner between the drives.
     pub remainder: Number,
-    /// The error estimate of the integrals that give the shares.
+    /// The error estimate of a share, SI: rounding, 1e-11 of the outcome, for a smooth law, and up
+    /// to 1e-8 of it for a law with pieces.
     pub integration_error: Number,
 }
 
 /// The share of a cause.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ShareReport {
-    /// The parameter or choice that differs.
+    /// The parameter or choice that differs: `aero.law`, `golfer`, `swing.speed_of`; `launch`, if
+    /// only one of the drives has a club; `air` or `wind`, if the drives state it by different
+    /// parameters.
     pub cause: &'static str,
     /// The value of the cause in each drive.
     pub values: [CauseValue; 2],
-    /// The share of the cause in the difference.
+    /// The share of the cause in the difference, SI.
     pub share: Number,
-    /// True if the cause changes in one step, because it has no intermediate values.
+    /// True if the cause changes in one step halfway, because it has no intermediate values.
     pub at_once: bool,
 }
 
 /// The value of a cause in a drive.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum CauseValue {
     /// A number in SI, or radians.
@@ -167,6 +180,11 @@ impl SharesReport {
 
 impl Report for ComparisonReport<'_> {
     const COMMAND: &'static str = "compare";
+
+    #[cfg(test)]
+    fn statuses() -> Vec<&'static str> {
+        Ending::statuses_of_each()
+    }
 
     fn ending(&self) -> Ending {
         let errors = self.found.iter().map(|(_, found)| found.as_ref().err());

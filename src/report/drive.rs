@@ -1,5 +1,5 @@
 use super::document::{Document, Line, Table};
-use super::json::{ByName, Components, Number, Range, Setting, range_key, settings};
+use super::json::{ByName, Components, Number, Range, Settings, settings};
 use super::reply::{Ending, Report};
 use super::shown;
 use crate::aerodynamics::AerodynamicLaw;
@@ -18,13 +18,14 @@ const RUN_WITHIN: f64 = 10.0 * 0.9144;
 
 /// A drive: setup, launch, head after impact and flight.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct DriveReport<'a> {
     #[serde(skip)]
     setup_in_si: &'a Setup<f64>,
     #[serde(skip)]
     drive: &'a Drive<f64>,
     /// Every parameter by its dotted name, and `aero.law`.
-    pub setup: ByName<Setting>,
+    pub setup: Settings,
     /// The launch.
     pub launch: LaunchReport,
     /// The head after impact; `null` if the launch is stated and there is no club.
@@ -32,17 +33,20 @@ pub struct DriveReport<'a> {
     /// True if the ball was still sliding on the face at separation; `null` without a club.
     pub slipped: Option<bool>,
     /// The outcomes of the flight; `null` if the ball does not land.
+    #[cfg_attr(test, schemars(schema_with = "flight_schema"))]
     pub flight: Option<ByName<Number>>,
     /// The fitted and flown range of each quantity in the law's fit; `null` without air or a
     /// flight.
-    pub law_range: Option<ByName<Option<LawRange>>>,
+    pub law_range: Option<LawRanges>,
 }
 
 /// The launch of a drive.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LaunchReport {
     /// The outcomes of the launch.
     #[serde(flatten)]
+    #[cfg_attr(test, schemars(schema_with = "launch_schema"))]
     pub outcomes: ByName<Number>,
     /// The velocity of the ball, m/s.
     pub velocity: Components,
@@ -52,6 +56,7 @@ pub struct LaunchReport {
 
 /// The head of the club after impact.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ClubReport {
     /// The velocity of the centre of mass, m/s.
     pub velocity: Components,
@@ -59,8 +64,24 @@ pub struct ClubReport {
     pub angular_velocity: Components,
 }
 
+/// The fitted and flown range of each quantity that a law may be fitted to; `null` for a quantity
+/// that the law is not fitted to.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct LawRanges {
+    /// Spin ratio r ω/v.
+    pub spin_ratio: Option<LawRange>,
+    /// Spin, rad/s.
+    pub spin: Option<LawRange>,
+    /// Reynolds number.
+    pub reynolds: Option<LawRange>,
+    /// Speed through the air, m/s.
+    pub speed: Option<LawRange>,
+}
+
 /// The fitted range of a quantity of the law, and its range in the flight.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LawRange {
     /// The range of the fit.
     pub fitted: Range,
@@ -92,6 +113,11 @@ impl<'a> DriveReport<'a> {
 
 impl Report for DriveReport<'_> {
     const COMMAND: &'static str = "simulate";
+
+    #[cfg(test)]
+    fn statuses() -> Vec<&'static str> {
+        vec!["landed", "no-flight", "aloft"]
+    }
 
     /// The status is `landed`, `no-flight` or `aloft`; the message is the reason why the ball does
     /// not land.
@@ -137,25 +163,60 @@ impl Report for DriveReport<'_> {
 
 /// The fitted and flown range of each quantity that a law may be fitted to; `None` without air or a
 /// flight.
-pub(super) fn law_range(
-    setup: &Setup<f64>,
-    drive: &Drive<f64>,
-) -> Option<ByName<Option<LawRange>>> {
+pub(super) fn law_range(setup: &Setup<f64>, drive: &Drive<f64>) -> Option<LawRanges> {
     let has_air = AirState::of(&setup.air).density > 0.0;
     if !has_air || matches!(drive.flight, Flight::None(_)) {
         return None;
     }
-    let ranges = setup.law.fitted().ranges().into_iter();
-    let each = ranges.zip(drive.flown_ranges(setup));
-    let each = each.map(|((name, _, fitted), within)| {
-        let range = fitted.zip(within).map(|(fitted, within)| LawRange {
-            fitted: fitted.into(),
+    let (fitted, flown) = (setup.law.fitted().ranges(), drive.flown_ranges(setup));
+    let [spin_ratio, spin, reynolds, speed] = std::array::from_fn(|at| {
+        let (.., fitted) = fitted[at];
+        let within = flown[at].as_ref()?;
+        Some(LawRange {
+            fitted: fitted?.into(),
             flown: within.flown.into(),
             share_outside: within.outside.into(),
-        });
-        (range_key(name), range)
+        })
     });
-    Some(each.collect())
+    Some(LawRanges {
+        spin_ratio,
+        spin,
+        reynolds,
+        speed,
+    })
+}
+
+#[cfg(test)]
+fn launch_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    schema_of_part(OutcomeGroup::Launch, generator)
+}
+
+/// The schema of [`flight`].
+#[cfg(test)]
+pub(super) fn flight_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    let mut schema = schema_of_part(OutcomeGroup::Flight, generator);
+    schema.insert("type".into(), serde_json::json!(["object", "null"]));
+    schema
+}
+
+/// The schema of an object with the outcomes of a part of the drive.
+#[cfg(test)]
+fn schema_of_part(
+    part: OutcomeGroup,
+    generator: &mut schemars::SchemaGenerator,
+) -> schemars::Schema {
+    let mut properties = serde_json::Map::new();
+    for outcome in Outcome::in_group(part) {
+        let mut value = generator.subschema_for::<Number>();
+        let mut description = outcome.doc().to_owned();
+        if !outcome.quantity().si.is_empty() {
+            description += &format!(" SI unit: {}.", outcome.quantity().si);
+        }
+        value.insert("description".into(), description.into());
+        properties.insert(outcome.name().into(), value.into());
+    }
+    let names: Vec<String> = properties.keys().cloned().collect();
+    schemars::json_schema!({ "type": "object", "properties": properties, "required": names })
 }
 
 /// The outcomes of the launch, with the vectors of velocity and spin.

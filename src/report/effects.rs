@@ -16,6 +16,7 @@ pub type Totals = [(&'static Parameter, Result<Sensitivity>)];
 
 /// The effects of all parameters on outcomes, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct EffectsReport<'a> {
     #[serde(skip)]
     found: &'a [Effects],
@@ -29,14 +30,16 @@ pub struct EffectsReport<'a> {
 
 /// The effects of all parameters on an outcome, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct OutcomeEffects {
     /// The outcome.
+    #[cfg_attr(test, schemars(with = "Outcome"))]
     pub of: &'static str,
-    /// The value of the outcome.
+    /// The value of the outcome, SI.
     pub value: Number,
-    /// The standard uncertainty of the outcome, to first order.
+    /// The standard uncertainty of the outcome, SI, to first order for independent parameters.
     pub standard_uncertainty: Number,
-    /// The sum of the second-order terms. The differences of flown drives include them.
+    /// The sum of the second-order terms, SI. The differences of flown drives include them.
     pub linearity: Number,
     /// The effects of the parameters, the largest first.
     pub effects: Vec<EffectReport>,
@@ -44,24 +47,25 @@ pub struct OutcomeEffects {
 
 /// The effect of a parameter on an outcome; `null` if the parameter has no uncertainty.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct EffectReport {
     /// The parameter p.
     pub parameter: &'static str,
-    /// ∂f/∂p.
+    /// ∂f/∂p, SI.
     pub derivative: Number,
     /// (p/f) ∂f/∂p.
     pub elasticity: Number,
-    /// The standard uncertainty σ.
+    /// The standard uncertainty σ, SI.
     pub standard_uncertainty: Number,
     /// The source of σ.
     pub source: Option<&'static str>,
-    /// σ ∂f/∂p.
+    /// σ ∂f/∂p, SI.
     pub effect: Number,
-    /// ½ σ² ∂²f/∂p².
+    /// ½ σ² ∂²f/∂p², SI.
     pub second_order: Number,
-    /// The change of f in drives computed at p − σ and p + σ.
+    /// The change of f in drives computed at p − σ and p + σ, SI.
     pub flown: Option<[Number; 2]>,
-    /// df*/dp of the optimum.
+    /// df*/dp of the optimum, SI; `null` for the drive as set up.
     pub derivative_of_optimum: Number,
 }
 

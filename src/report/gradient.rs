@@ -11,6 +11,7 @@ use serde::Serialize;
 
 /// Outcomes with their derivatives, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct GradientReport<'a> {
     #[serde(skip)]
     found: &'a [(Outcome, Result<Taylor>)],
@@ -22,14 +23,16 @@ pub struct GradientReport<'a> {
 
 /// An outcome with its derivatives, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct OutcomeReport {
     /// The outcome.
+    #[cfg_attr(test, schemars(with = "Outcome"))]
     pub of: &'static str,
-    /// The value of the outcome; `null` if the drive does not have it.
+    /// The value of the outcome, SI; `null` if the drive does not have it.
     pub value: Number,
-    /// The derivative by each parameter.
+    /// The derivative by each parameter, SI.
     pub gradient: Option<ByName<Number>>,
-    /// The second derivatives; `null` if they were not requested.
+    /// The second derivatives, SI; `null` if they were not requested.
     pub hessian: Option<Matrix>,
     /// The reason why the drive does not have the outcome; `null` if it has the outcome.
     pub message: Option<String>,
@@ -55,6 +58,11 @@ impl<'a> GradientReport<'a> {
 
 impl Report for GradientReport<'_> {
     const COMMAND: &'static str = "gradient";
+
+    #[cfg(test)]
+    fn statuses() -> Vec<&'static str> {
+        Ending::statuses_of_each()
+    }
 
     fn ending(&self) -> Ending {
         Ending::of_each(self.found.iter().map(|(_, taylor)| taylor.as_ref().err()))

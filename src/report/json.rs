@@ -35,8 +35,23 @@ impl Serialize for Number {
     }
 }
 
+#[cfg(test)]
+impl schemars::JsonSchema for Number {
+    fn schema_name() -> Cow<'static, str> {
+        "Number".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({
+            "description": "A number in SI units and radians; null if it does not exist.",
+            "anyOf": [{ "type": ["number", "null"] }, { "enum": ["inf", "-inf"] }]
+        })
+    }
+}
+
 /// The components of a vector: up, right, downrange.
 #[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Components([Number; 3]);
 
 impl From<Vector<f64>> for Components {
@@ -47,6 +62,7 @@ impl From<Vector<f64>> for Components {
 
 /// A range of values; an open end is `"-inf"` or `"inf"`.
 #[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Range {
     /// Lower end, SI.
     pub low: Number,
@@ -92,8 +108,24 @@ impl<V: Serialize> Serialize for ByName<V> {
     }
 }
 
+#[cfg(test)]
+impl<V: schemars::JsonSchema> schemars::JsonSchema for ByName<V> {
+    fn schema_name() -> Cow<'static, str> {
+        format!("ByName_of_{}", V::schema_name()).into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        <std::collections::BTreeMap<String, V>>::json_schema(generator)
+    }
+}
+
 /// A matrix whose rows and columns are parameters.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Matrix {
     /// The parameters of the rows and columns.
     pub names: Vec<&'static str>,
@@ -120,6 +152,7 @@ impl Matrix {
 
 /// The value of a parameter: a number, or the name of a choice.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Setting {
     /// A number in SI, or radians.
@@ -130,7 +163,30 @@ pub enum Setting {
 
 /// Every parameter of a setup by its dotted name, with its value in the drive, and the choices:
 /// hand, point of the club speed, law, method.
-pub(super) fn settings(setup: &Setup<f64>) -> ByName<Setting> {
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(extend(
+    "properties" = choices(),
+    "required" = [GOLFER, SPEED_OF, LAW, METHOD]
+)))]
+pub struct Settings(ByName<Setting>);
+
+/// The schemas of the choices.
+#[cfg(test)]
+fn choices() -> serde_json::Value {
+    use crate::parameters::{Golfer, Method, SpeedOf};
+    let of = |names: Vec<&str>| serde_json::json!({ "enum": names });
+    serde_json::json!({
+        GOLFER: of(Golfer::ALL.iter().map(|golfer| golfer.name()).collect()),
+        SPEED_OF: of(SpeedOf::ALL.iter().map(|point| point.name()).collect()),
+        METHOD: of(Method::ALL.iter().map(|method| method.name()).collect()),
+        LAW: { "type": "string" },
+        TABLE: { "type": "string" }
+    })
+}
+
+/// The settings of a setup.
+pub(super) fn settings(setup: &Setup<f64>) -> Settings {
     let setup = &in_effect(setup);
     let choice = |name: &str| Setting::Choice(name.to_owned());
     let mut all: Vec<(&'static str, Setting)> = vec![(GOLFER, choice(setup.golfer.name()))];
@@ -151,15 +207,5 @@ pub(super) fn settings(setup: &Setup<f64>) -> ByName<Setting> {
             all.push((METHOD, choice(setup.method.name())));
         }
     }
-    all.into_iter().collect()
-}
-
-/// The key of a quantity in the law's fit: `spin_ratio`, `spin`, `reynolds`, `speed`.
-pub(super) fn range_key(name: &'static str) -> &'static str {
-    match name {
-        "spin ratio" => "spin_ratio",
-        "Reynolds number" => "reynolds",
-        "speed through the air" => "speed",
-        other => other,
-    }
+    Settings(all.into_iter().collect())
 }

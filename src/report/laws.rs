@@ -8,6 +8,7 @@ use serde::Serialize;
 
 /// The laws of drag and lift: their authors, formulas and fitted ranges.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LawsReport {
     /// Each law with its published coefficients, then the user's table, if one is given.
     pub laws: Vec<LawReport>,
@@ -15,10 +16,11 @@ pub struct LawsReport {
 
 /// A law of drag and lift.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LawReport {
     #[serde(skip)]
     fitted_in_si: Fitted,
-    /// The name of the law in setups.
+    /// The name of the law, as the value of `aero.law`.
     pub name: &'static str,
     /// True for the default law.
     pub is_default: bool,
@@ -26,7 +28,7 @@ pub struct LawReport {
     pub authors: &'static str,
     /// The year of publication.
     pub year: Option<u16>,
-    /// The ball of the measurements.
+    /// The ball of the measurements; `null` if the source does not state it.
     pub ball: Option<&'static str>,
     /// The publication.
     pub source: &'static str,
@@ -38,6 +40,7 @@ pub struct LawReport {
 
 /// The data of a law's fit; `null` for an unknown range.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct FittedReport {
     /// The measurements.
     pub to: Option<&'static str>,

@@ -64,10 +64,10 @@ pub use delivery::{
 };
 pub use design::Designed;
 pub use document::{Document, Line, TextOptions, document_files};
-pub use drive::{ClubReport, DriveReport, LaunchReport, LawRange, known_within};
+pub use drive::{ClubReport, DriveReport, LaunchReport, LawRange, LawRanges, known_within};
 pub use effects::{EffectReport, EffectsReport, OutcomeEffects, Totals};
 pub use gradient::{GradientReport, OutcomeReport};
-pub use json::{ByName, Components, Matrix, Number, Range, Setting};
+pub use json::{ByName, Components, Matrix, Number, Range, Setting, Settings};
 pub use laws::{FittedReport, LawReport, LawsReport};
 pub use lines::{by_reason, remark, wrapped};
 pub use mae494::Mae494Report;
@@ -91,6 +91,8 @@ pub use sensitivity::{
 pub use setup_file::{preset_toml, setup_toml, setup_toml_without_step};
 #[cfg(feature = "cli")]
 pub(crate) use setup_file::{with_step_of, without_step};
+#[cfg(test)]
+pub(crate) use shots::FlyRow;
 #[cfg(feature = "parquet")]
 pub use shots::ShotParquet;
 pub use shots::{
@@ -103,14 +105,17 @@ pub use shown::{
 };
 #[cfg(feature = "parquet")]
 pub use sweep::SweepParquet;
+#[cfg(test)]
+pub(crate) use sweep::SweepRow;
 pub use sweep::{SweepCsv, SweepJsonLines, summary_document};
 pub use swings::{
-    IntervalReport, NominalReport, OverSwings, ResampledReport, SamplingReport, ScenariosReport,
-    StudiesReport,
+    IntervalReport, NominalReport, OverSwings, ResampledReport, SamplingReport, ScenarioRule,
+    ScenariosReport, StudiesReport,
 };
 pub use uncertainty::{
-    EllipseReport, EstimateInterval, IndicesReport, InputReport, LandingPoint, MeasureFirst,
-    MomentsReport, OutcomeUncertaintyReport, SampledReport, UncertaintyReport,
+    DistributionName, EllipseReport, EllipseSource, EstimateInterval, IndicesReport, InputReport,
+    LandingPoint, MeasureFirst, MomentsReport, OutcomeUncertaintyReport, SampledReport,
+    UncertaintyReport,
 };
 pub use validation::{
     BiasInOtherAir, CaseReport, LawScoresReport, ResidualReport, ScoreReport, SetReport,

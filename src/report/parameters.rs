@@ -12,6 +12,7 @@ use serde::Serialize;
 
 /// Every parameter with its value in a setup.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ParametersReport<'a> {
     #[serde(skip)]
     setup: &'a Setup<f64>,
@@ -28,6 +29,7 @@ pub struct ParametersReport<'a> {
 
 /// A parameter with its value in a setup.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ParameterReport {
     #[serde(skip)]
     row: &'static Parameter,
@@ -39,16 +41,16 @@ pub struct ParameterReport {
     pub unit: &'static str,
     /// The unit in texts.
     pub shown_in: &'static str,
-    /// The value in the setup; `null` if it is unset.
+    /// The value in the setup, SI; `null` if it is unset.
     pub value: Number,
-    /// The default value.
+    /// The default value, SI.
     pub default: Number,
     /// The source of the default.
     pub source: &'static str,
     /// The allowed values.
     pub range: ParameterRange,
-    /// `required`, `optional` (it may be unset), or `setting` (of the numerical method).
-    pub kind: &'static str,
+    /// The kind.
+    pub kind: Kind,
     /// The law, if the parameter is a coefficient of it.
     pub law: Option<&'static str>,
     /// The meaning.
@@ -57,6 +59,7 @@ pub struct ParameterReport {
 
 /// The range of a parameter.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ParameterRange {
     /// Lower end, SI.
     pub low: Number,
@@ -163,11 +166,7 @@ impl ParameterReport {
                 high: range.high.into(),
                 high_included: range.high_included,
             },
-            kind: match row.kind {
-                Kind::Required => "required",
-                Kind::Optional => "optional",
-                Kind::Setting => "setting",
-            },
+            kind: row.kind,
             law: row.law,
             doc: row.doc,
         }

@@ -5,8 +5,8 @@ use super::shown;
 use super::swings::ScenariosReport;
 use crate::error::{Error, Result};
 use crate::parameters::Preset;
-use crate::study::Active;
 use crate::study::swings::{Pareto, ParetoPoint};
+use crate::study::{Active, BoundSide};
 use crate::units::{System, TableUnits, counted, per, significant};
 use serde::Serialize;
 
@@ -28,6 +28,7 @@ pub(super) fn role(found: &Pareto, place: usize) -> Option<String> {
 
 /// The Pareto front of two goals, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ParetoReport<'a> {
     #[serde(skip)]
     found: &'a Pareto,
@@ -35,12 +36,12 @@ pub struct ParetoReport<'a> {
     pub goals: Vec<ParetoGoalReport>,
     /// The points, from the optimum of the first goal to the optimum of the second.
     pub points: Vec<ParetoPointReport>,
-    /// The index of the knee in `points`; `null` without one.
+    /// The index of the knee in `points`, from 0; `null` without one.
     pub knee: Option<usize>,
     /// The distance of the knee from the chord between the ends, relative to the length of the
     /// chord. Both goals are scaled from one end to the other.
     pub bend: Number,
-    /// The goals before the search; `null` if a swing does not fly.
+    /// The goals before the search, SI; `null` if a swing does not fly.
     pub as_set_up: Option<[Number; 2]>,
     /// Number of omitted points that other points dominate.
     pub dominated: usize,
@@ -52,10 +53,12 @@ pub struct ParetoReport<'a> {
 
 /// A goal of a front.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ParetoGoalReport {
     /// The goal.
     pub expression: String,
     /// `maximize` or `minimize`.
+    #[cfg_attr(test, schemars(with = "crate::study::Sense"))]
     pub sense: &'static str,
     /// The SI unit.
     pub unit: &'static str,
@@ -63,19 +66,21 @@ pub struct ParetoGoalReport {
 
 /// A point of a front.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ParetoPointReport {
-    /// The values of the goals.
+    /// The values of the goals, SI.
     pub values: [Number; 2],
-    /// The varied parameters.
+    /// The varied parameters, SI.
     pub design: ByName<Number>,
-    /// The derivative of the first goal by the second along the front.
+    /// The derivative of the first goal by the second along the front, SI; `null` if the front has
+    /// no unique slope here.
     pub slope: Number,
-    /// The role: an end, or the knee.
+    /// The role: an end, or the knee; `null` for the points between.
     pub role: Option<String>,
     /// The active bounds and constraints.
     pub active: Vec<String>,
-    /// The active bound of each parameter that is at a bound, `lower` or `upper`.
-    pub bounds: ByName<&'static str>,
+    /// The active bound of each parameter that is at a bound.
+    pub bounds: ByName<BoundSide>,
     /// The change of the active bounds and constraints here.
     pub event: Option<String>,
 }
@@ -127,6 +132,11 @@ impl ParetoPointReport {
 
 impl Report for ParetoReport<'_> {
     const COMMAND: &'static str = "pareto";
+
+    #[cfg(test)]
+    fn statuses() -> Vec<&'static str> {
+        vec!["done", "partial", "interrupted"]
+    }
 
     fn ending(&self) -> Ending {
         let found = self.found;

@@ -1,5 +1,5 @@
 use super::document::{Document, Table};
-use super::json::{ByName, Setting, settings};
+use super::json::{ByName, Settings, settings};
 use super::reply::Report;
 use super::shown;
 use crate::error::Result;
@@ -268,6 +268,7 @@ fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item 
 
 /// Presets with every number and its source.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PresetsReport {
     /// The presets.
     pub presets: Vec<PresetReport>,
@@ -275,13 +276,14 @@ pub struct PresetsReport {
 
 /// A preset with every number and its source.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PresetReport {
     /// The name by which a setup refers to the preset.
     pub name: &'static str,
     /// A one-line description.
     pub about: &'static str,
     /// Every parameter by its dotted name, SI and radians.
-    pub setup: ByName<Setting>,
+    pub setup: Settings,
     /// The source of each parameter.
     pub sources: ByName<Cow<'static, str>>,
 }

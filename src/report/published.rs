@@ -8,24 +8,26 @@ use serde::Serialize;
 
 /// A delivery with its carry.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct DeliveryPoint {
-    /// The loft.
+    /// The loft, rad.
     #[serde(rename = "club.loft")]
     pub loft: Number,
-    /// The attack angle.
+    /// The attack angle, rad.
     #[serde(rename = "swing.attack_angle")]
     pub attack_angle: Number,
-    /// The carry.
+    /// The carry, m.
     pub carry: Number,
 }
 
 /// A loft with its carry.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LoftCarry {
-    /// The loft.
+    /// The loft, rad.
     #[serde(rename = "club.loft")]
     pub loft: f64,
-    /// The carry.
+    /// The carry, m.
     pub carry: f64,
 }
 

@@ -7,10 +7,11 @@ use serde::Serialize;
 /// An answer as one JSON object: the members of every answer first, then the result of the command.
 /// docs/json.md describes both.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Reply<T> {
     /// The command; `null` if none was recognised.
     pub command: Option<&'static str>,
-    /// The status in a word; `done` if the command has no status words of its own.
+    /// The status in a word.
     pub status: &'static str,
     /// The status in a sentence; `null` if there is nothing to add.
     pub message: Option<String>,
@@ -34,6 +35,12 @@ pub trait Report: Serialize {
     /// The status of the command; by default everything was found.
     fn ending(&self) -> Ending {
         Ending::DONE
+    }
+
+    /// The words that [`ending`](Self::ending) may give as the status.
+    #[cfg(test)]
+    fn statuses() -> Vec<&'static str> {
+        vec!["done"]
     }
 
     /// The result in words, tables and figures, in the units of a system.
@@ -68,6 +75,13 @@ impl Ending {
         message: None,
     };
 
+    /// The status words of [`of_each`](Self::of_each).
+    #[cfg(test)]
+    pub(super) fn statuses_of_each() -> Vec<&'static str> {
+        let errors = ["no-flight", "diverged", "undefined"];
+        SHARES.into_iter().chain(errors).collect()
+    }
+
     /// The status of several outcomes, each with a result or an error.
     pub(super) fn of_each<'a>(errors: impl Iterator<Item = Option<&'a Error>>) -> Self {
         let errors: Vec<Option<&Error>> = errors.collect();
@@ -93,6 +107,7 @@ impl Ending {
 
 /// The empty body of a reply without a result.
 #[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Empty {}
 
 impl<T: Report> Reply<T> {
@@ -144,6 +159,14 @@ impl<T> Reply<T> {
 }
 
 impl Reply<Empty> {
+    /// The status words of a reply without a result: errors, and searches that end without one.
+    #[cfg(test)]
+    pub(crate) fn statuses() -> Vec<&'static str> {
+        let errors = ["error", "no-flight", "aloft", "diverged", "no-answer"];
+        let searches = crate::optimize::Status::ALL.map(crate::optimize::Status::name);
+        errors.into_iter().chain(searches).collect()
+    }
+
     /// The reply to a request without an answer, or to bad input.
     pub fn none(command: Option<&'static str>, error: &Error) -> Self {
         Self::refused(command, error.status(), error.to_string())
@@ -161,6 +184,10 @@ impl Reply<Empty> {
         }
     }
 }
+
+/// The status words of [`share`].
+#[cfg(test)]
+pub(super) const SHARES: [&str; 3] = ["done", "partial", "no-answer"];
 
 /// `done`, `partial` or `no-answer`, by the number of requests with an answer.
 pub(super) fn share(found: usize, asked: usize) -> &'static str {

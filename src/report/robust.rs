@@ -1,5 +1,5 @@
 use super::document::{Document, Line, Table};
-use super::json::{ByName, Number, Setting, settings};
+use super::json::{ByName, Number, Settings, settings};
 use super::limits::{self, Limit, Objective, ended_at};
 use super::optimum::{ConstraintReport, Multipliers};
 use super::reply::{Ending, Report};
@@ -22,6 +22,7 @@ const IDLE: f64 = 1e-6;
 
 /// A robust design for several models, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct RobustReport<'a> {
     #[serde(skip)]
     found: &'a Robust,
@@ -30,14 +31,16 @@ pub struct RobustReport<'a> {
     /// The objective.
     pub objective: String,
     /// `maximize` or `minimize`.
+    #[cfg_attr(test, schemars(with = "Sense"))]
     pub sense: &'static str,
-    /// The varied parameters of the robust design.
+    /// The varied parameters of the robust design, SI.
     pub optimum: ByName<Number>,
-    /// The multipliers of the bounds.
+    /// The multipliers of the bounds: the decrease of the greatest loss for each SI unit by which a
+    /// bound is relaxed; negative if the best design of a model gains more.
     pub multipliers: BTreeMap<&'static str, Multipliers>,
-    /// The greatest loss of any model.
+    /// The greatest loss of any model, SI.
     pub greatest_loss: Number,
-    /// The allowed loss; `null` without one.
+    /// The allowed loss, SI; `null` without one.
     pub within: Number,
     /// True if no model loses more than the allowed loss.
     pub holds_for_all: Option<bool>,
@@ -46,29 +49,31 @@ pub struct RobustReport<'a> {
     /// The swings; `null` for one drive.
     pub swings: Option<ScenariosReport>,
     /// Every parameter with the robust design.
-    pub setup: ByName<Setting>,
+    pub setup: Settings,
     /// The setup file that was written; `null` without one.
     pub file: Option<String>,
 }
 
 /// A model with its own best design, and with the robust design.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ModelReport {
-    /// The model.
+    /// The model, by its changes of the setup.
     pub model: String,
     /// The reason to include the model; `null` for a model of the user.
     pub reason: Option<&'static str>,
-    /// The objective with the model's best design.
+    /// The objective with the model's best design, SI.
     pub value: Number,
-    /// The model's best design.
+    /// The model's best design, SI.
     pub optimum: ByName<Number>,
-    /// The model's loss with the robust design.
+    /// The model's loss with the robust design relative to its best design, SI.
     pub loss: Number,
-    /// The multiplier of the model's loss.
+    /// The multiplier of the model's loss, 0 to 1.
     pub share: Number,
-    /// The model's losses with the best designs of all models.
+    /// The model's losses with the best designs of all models, in order, SI; `null` if a swing does
+    /// not fly.
     pub losses: Vec<Number>,
-    /// The model's loss with the setup before the search.
+    /// The model's loss with the setup before the search, SI.
     pub loss_as_set_up: Number,
     /// The model's constraints with the robust design.
     pub constraints: Vec<ConstraintReport>,
@@ -130,6 +135,11 @@ fn by_parameter(found: &Robust, numbers: &[f64]) -> ByName<Number> {
 
 impl Report for RobustReport<'_> {
     const COMMAND: &'static str = "robust";
+
+    #[cfg(test)]
+    fn statuses() -> Vec<&'static str> {
+        Status::ALL.map(Status::name).to_vec()
+    }
 
     fn ending(&self) -> Ending {
         Ending {

@@ -28,6 +28,7 @@ pub struct Analysis<'a> {
 
 /// An optimum with its sensitivities and windows, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SensitivityReport {
     /// The optimum.
     #[serde(flatten)]
@@ -39,12 +40,14 @@ pub struct SensitivityReport {
 
 /// The analysis of an optimum, SI and radians; every entry is `null` without an optimum.
 #[derive(Clone, Debug, Default, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct AnalysisReport {
     /// The derivatives of the optimum by each parameter.
     pub sensitivity: Option<ByName<SensitivityOf>>,
     /// The directions of the free parameters, the flattest first.
     pub directions: Option<Vec<DirectionReport>>,
-    /// The ellipses of pairs of free parameters.
+    /// The ellipses of pairs of free parameters, from the quadratic model without bounds; empty if
+    /// a constraint is active.
     pub ellipses: Option<Vec<FlatEllipseReport>>,
     /// The effects of stated changes: predicted, and from a new search.
     pub changes: Option<Vec<StatedChangeReport>>,
@@ -52,12 +55,13 @@ pub struct AnalysisReport {
 
 /// The derivatives of an optimum by a parameter p, or `null` with a `message`.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SensitivityOf {
-    /// df*/dp.
+    /// df*/dp, SI.
     pub value: Number,
-    /// dx*/dp of each varied parameter.
+    /// dx*/dp of each varied parameter, SI.
     pub optimum: Option<ByName<Number>>,
-    /// d²f*/dp².
+    /// d²f*/dp², SI.
     pub curvature: Number,
     /// The reason why the derivatives do not exist.
     pub message: Option<String>,
@@ -65,32 +69,35 @@ pub struct SensitivityOf {
 
 /// A direction in the space of the free parameters.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct DirectionReport {
     /// The components of the direction, by parameter.
     pub along: ByName<Number>,
     /// The multiple of the direction at which the quadratic model has the stated loss.
     pub reach: Number,
-    /// The losses of drives computed at this multiple, in both directions.
+    /// The losses of drives computed at this multiple, in both directions, SI.
     pub losses: [Option<f64>; 2],
 }
 
 /// The ellipse in two parameters on which the quadratic model has the stated loss.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct FlatEllipseReport {
     /// The parameters.
     pub parameters: [&'static str; 2],
-    /// The half-axes as components of the parameters, the longer one first.
+    /// The half-axes as components of the parameters, SI, the longer one first.
     pub half_axes: [[f64; 2]; 2],
-    /// The smallest and the largest loss of drives computed on the ellipse.
+    /// The smallest and the largest loss of drives computed on the ellipse, SI.
     pub losses: Option<(f64, f64)>,
 }
 
 /// The effect of a stated change.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct StatedChangeReport {
     /// The parameter.
     pub parameter: &'static str,
-    /// The change of the parameter.
+    /// The change of the parameter, SI.
     pub change: f64,
     /// The optimum by derivatives.
     pub predicted: PredictedOptimum,
@@ -104,23 +111,25 @@ pub struct StatedChangeReport {
 
 /// An optimum predicted from derivatives.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PredictedOptimum {
-    /// The value of the objective to second order.
+    /// The value of the objective to second order, SI.
     pub value: f64,
-    /// The value of the objective to first order.
+    /// The value of the objective to first order, SI.
     pub first_order: f64,
-    /// The varied parameters at the optimum.
+    /// The varied parameters at the optimum, SI.
     pub optimum: ByName<Number>,
 }
 
 /// The result of a new search after a change.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ResolvedOptimum {
     /// The status of the search.
     pub status: &'static str,
-    /// The value of the objective.
+    /// The value of the objective, SI.
     pub value: Number,
-    /// The varied parameters at the optimum.
+    /// The varied parameters at the optimum, SI.
     pub optimum: Option<ByName<Number>>,
     /// The status in a sentence.
     pub message: Message,
@@ -128,8 +137,9 @@ pub struct ResolvedOptimum {
 
 /// A change of the active bounds and constraints.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct EventReport {
-    /// The fraction of the change at which the event occurs.
+    /// The fraction of the change at which the event occurs, 0 to 1.
     pub after: f64,
     /// The event.
     pub message: Message,

@@ -25,23 +25,37 @@ pub struct OverSwings<'a> {
 
 /// The swings of a search as JSON.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ScenariosReport {
     /// The parameters that vary from swing to swing.
     pub parameters: Vec<&'static str>,
     /// The number of swings.
     pub scenarios: usize,
-    /// The rule: `quadrature`, `sequence` or `recorded`.
-    pub rule: &'static str,
+    /// The rule that generates the swings.
+    pub rule: ScenarioRule,
     /// The seed of the sequence.
     pub seed: Option<u32>,
+}
+
+/// A rule that generates swings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum ScenarioRule {
+    /// Gauss's rule.
+    Quadrature,
+    /// A scrambled Sobol' sequence.
+    Sequence,
+    /// Recorded swings.
+    Recorded,
 }
 
 impl ScenariosReport {
     pub(super) fn new(of: &Scenarios) -> Self {
         let (rule, seed) = match of.rule {
-            Rule::Quadrature(_) => ("quadrature", None),
-            Rule::Sequence { seed, .. } => ("sequence", Some(seed)),
-            Rule::Recorded => ("recorded", None),
+            Rule::Quadrature(_) => (ScenarioRule::Quadrature, None),
+            Rule::Sequence { seed, .. } => (ScenarioRule::Sequence, Some(seed)),
+            Rule::Recorded => (ScenarioRule::Recorded, None),
         };
         let parameters = of.parameters.iter().map(|parameter| parameter.name);
         Self {
@@ -55,39 +69,46 @@ impl ScenariosReport {
 
 /// Additional results over swings, as JSON.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct StudiesReport {
     /// The swings.
     #[serde(flatten)]
     pub scenarios: ScenariosReport,
-    /// The goals with the design before the search; `null` if a swing does not fly.
+    /// The goals with the design before the search, SI; `null` if a swing does not fly.
     pub as_set_up: Option<ByName<Number>>,
-    /// The best design for the mean swing; `null` without one.
+    /// The best design for the mean swing; `null` without an optimum, or if the mean swing does not
+    /// fly.
     pub nominal: Option<NominalReport>,
     /// Sentences about results that could not be computed.
     pub unknown: Vec<String>,
-    /// The quadrature error of the objective, SI.
+    /// The error of the objective by Gauss's rules, SI: twice the change from half as many more
+    /// nodes.
     pub quadrature_error: Option<f64>,
-    /// The interval of the objective over other samples of the golfer's swings.
+    /// The 99 % interval of the objective over all swings, from independent sequences of swings.
     pub sampling: Option<SamplingReport>,
-    /// The fraction of the swings whose ball ends where the table of strokes is extrapolated.
+    /// The fraction of the swings whose ball ends where the table of strokes is extrapolated, 0 to
+    /// 1; `null` without such a table.
     pub beyond_strokes: Option<f64>,
-    /// The optima of resamples of recorded swings.
+    /// The optima of resamples of recorded swings, and the number of swings that distinguish the
+    /// two designs.
     pub resampled: Option<ResampledReport>,
 }
 
 /// The best design for the mean swing.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct NominalReport {
-    /// The varied parameters.
+    /// The varied parameters, SI.
     pub optimum: ByName<Number>,
-    /// The goals predicted for the mean swing.
+    /// The goals predicted for the mean swing, SI.
     pub promised: ByName<Number>,
-    /// The goals over all swings; `null` if a swing does not fly.
+    /// The goals over all swings, SI; `null` if a swing does not fly.
     pub kept: Option<ByName<Number>>,
 }
 
 /// An interval of the objective from independent sequences of swings.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SamplingReport {
     /// The 99 % interval.
     pub interval: IntervalReport,
@@ -97,6 +118,7 @@ pub struct SamplingReport {
 
 /// The optima of resamples of recorded swings.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ResampledReport {
     /// The 95 % interval of each varied parameter.
     pub optimum: ByName<IntervalReport>,
@@ -112,6 +134,7 @@ pub struct ResampledReport {
 
 /// A value with an interval, SI.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct IntervalReport {
     /// The value.
     pub value: Number,

@@ -11,6 +11,7 @@ use serde::Serialize;
 
 /// The uncertainty of a drive, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct UncertaintyReport<'a> {
     #[serde(skip)]
     found: &'a Uncertainty,
@@ -27,28 +28,52 @@ pub struct UncertaintyReport<'a> {
     /// Number of drives flown.
     pub drives: u64,
     /// Number of drives by status.
+    #[cfg_attr(
+        test,
+        schemars(with = "std::collections::BTreeMap<crate::batch::Status, u64>")
+    )]
     pub statuses: ByName<u64>,
 }
 
 /// An uncertain parameter.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct InputReport {
     /// The parameter.
     pub parameter: &'static str,
-    /// The distribution: `normal`, `uniform`, `triangular` or `truncated`.
-    pub distribution: &'static str,
-    /// The values of the distribution, in the order in which it is given.
+    /// The distribution.
+    pub distribution: DistributionName,
+    /// The numbers of the distribution, SI, in the order in which it is given: mean and standard
+    /// deviation; lower and upper bound; lower bound, mode and upper bound; or mean, standard
+    /// deviation, lower and upper bound.
     pub values: Vec<f64>,
-    /// The mean of the distribution.
+    /// The mean of the distribution, SI.
     pub mean: f64,
-    /// The standard deviation of the distribution.
+    /// The standard deviation of the distribution, SI.
     pub standard_uncertainty: f64,
+}
+
+/// The name of a distribution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum DistributionName {
+    /// Normal: mean, standard deviation.
+    Normal,
+    /// Uniform: lower and upper bound.
+    Uniform,
+    /// Triangular: lower bound, most probable value, upper bound.
+    Triangular,
+    /// Truncated normal: mean and standard deviation before truncation, lower and upper bound.
+    Truncated,
 }
 
 /// The uncertainty of an outcome.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct OutcomeUncertaintyReport {
     /// The outcome.
+    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
     pub of: &'static str,
     /// True if the outcome varies by more than rounding errors.
     pub varies: bool,
@@ -58,7 +83,7 @@ pub struct OutcomeUncertaintyReport {
     pub second_order: Option<MomentsReport>,
     /// The statistics of the sample; `null` if no drive of the sample has the outcome.
     pub monte_carlo: Option<SampledReport>,
-    /// The share of each uncertain parameter in the variance.
+    /// The Sobol' indices: the share of each uncertain parameter in the variance.
     pub indices: Vec<IndicesReport>,
     /// The parameter whose exact knowledge reduces the uncertainty most.
     pub measure_first: Option<MeasureFirst>,
@@ -66,15 +91,17 @@ pub struct OutcomeUncertaintyReport {
 
 /// Mean and standard deviation of an outcome.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct MomentsReport {
-    /// The mean.
+    /// The mean, SI.
     pub mean: f64,
-    /// The standard deviation.
+    /// The standard deviation, SI.
     pub standard_uncertainty: f64,
 }
 
 /// An estimate with its 95 % interval.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct EstimateInterval {
     /// The estimate.
     pub value: f64,
@@ -86,12 +113,13 @@ pub struct EstimateInterval {
 
 /// The statistics of an outcome over the sample.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SampledReport {
-    /// The mean.
+    /// The mean, SI.
     pub mean: EstimateInterval,
-    /// The standard deviation.
+    /// The standard deviation, SI.
     pub standard_uncertainty: EstimateInterval,
-    /// The quantiles at 2.5, 50 and 97.5 %.
+    /// The quantiles at 2.5, 50 and 97.5 %, SI.
     pub quantiles: ByName<f64>,
     /// Number of omitted points with a drive that does not have the outcome.
     pub rows_left_out: usize,
@@ -99,6 +127,7 @@ pub struct SampledReport {
 
 /// The contribution of an uncertain parameter to the variance of an outcome.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct IndicesReport {
     /// The parameter.
     pub parameter: &'static str,
@@ -106,7 +135,7 @@ pub struct IndicesReport {
     pub first: Option<EstimateInterval>,
     /// The total Sobol' index.
     pub total: Option<EstimateInterval>,
-    /// The mean of the squared derivative over the sample.
+    /// The mean of the squared derivative over the sample, SI.
     pub mean_square_slope: Number,
     /// The upper bound of the total index, from the derivatives.
     pub bound: Option<EstimateInterval>,
@@ -114,34 +143,48 @@ pub struct IndicesReport {
 
 /// The parameter whose exact knowledge reduces the uncertainty of an outcome most.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct MeasureFirst {
     /// The parameter.
     pub parameter: &'static str,
-    /// The standard uncertainty of the outcome once the parameter is known exactly.
+    /// The standard uncertainty of the outcome once the parameter is known exactly, SI.
     pub standard_uncertainty: f64,
 }
 
 /// An ellipse of the landings.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct EllipseReport {
-    /// The nominal fraction of the drives inside the ellipse.
+    /// The nominal fraction of the drives inside the ellipse, 0 to 1.
     pub share: f64,
-    /// The method: `gradient` or `sample`.
-    pub by: &'static str,
+    /// The source of the covariance.
+    pub by: EllipseSource,
     /// The centre.
     pub centre: LandingPoint,
     /// The half-axes as components downrange and to the right, the longer one first, m.
     pub half_axes: [[f64; 2]; 2],
-    /// The fraction of the sample's drives inside the ellipse.
+    /// The fraction of the sample's drives inside the ellipse, 0 to 1.
     pub holds: f64,
+}
+
+/// The source of the covariance of an ellipse.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum EllipseSource {
+    /// The gradients at the means of the parameters.
+    Gradient,
+    /// The sample.
+    Sample,
 }
 
 /// A point on the ground, m.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LandingPoint {
-    /// To the right.
+    /// The distance to the right, m.
     pub lateral: f64,
-    /// Downrange.
+    /// The distance downrange, m.
     pub carry: f64,
 }
 
@@ -150,7 +193,7 @@ impl<'a> UncertaintyReport<'a> {
     pub fn new(found: &'a Uncertainty) -> Self {
         let inputs = found.inputs.iter().map(|input| InputReport {
             parameter: input.parameter.name,
-            distribution: name(&input.distribution),
+            distribution: DistributionName::of(&input.distribution),
             values: values(&input.distribution),
             mean: input.distribution.mean(),
             standard_uncertainty: input.distribution.deviation(),
@@ -162,9 +205,9 @@ impl<'a> UncertaintyReport<'a> {
         let ellipses = found.ellipses.iter().map(|sampled| EllipseReport {
             share: sampled.ellipse.share,
             by: if sampled.by_gradient {
-                "gradient"
+                EllipseSource::Gradient
             } else {
-                "sample"
+                EllipseSource::Sample
             },
             centre: LandingPoint {
                 lateral: sampled.ellipse.centre[0],
@@ -251,6 +294,11 @@ impl From<Interval> for EstimateInterval {
 impl Report for UncertaintyReport<'_> {
     const COMMAND: &'static str = "uncertainty";
 
+    #[cfg(test)]
+    fn statuses() -> Vec<&'static str> {
+        super::reply::SHARES.to_vec()
+    }
+
     fn ending(&self) -> Ending {
         let all = &self.found.outcomes;
         let missing: Vec<_> = all
@@ -301,12 +349,23 @@ impl Report for UncertaintyReport<'_> {
     }
 }
 
-fn name(distribution: &Distribution) -> &'static str {
-    match distribution {
-        Distribution::Normal { .. } => "normal",
-        Distribution::Uniform { .. } => "uniform",
-        Distribution::Triangular { .. } => "triangular",
-        Distribution::Truncated { .. } => "truncated",
+impl DistributionName {
+    fn of(distribution: &Distribution) -> Self {
+        match distribution {
+            Distribution::Normal { .. } => Self::Normal,
+            Distribution::Uniform { .. } => Self::Uniform,
+            Distribution::Triangular { .. } => Self::Triangular,
+            Distribution::Truncated { .. } => Self::Truncated,
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Normal => "normal",
+            Self::Uniform => "uniform",
+            Self::Triangular => "triangular",
+            Self::Truncated => "truncated",
+        }
     }
 }
 
@@ -347,7 +406,7 @@ pub(super) fn distribution_text(input: &Uncertain, system: System) -> String {
         }
         other => format!(
             "{}: {}",
-            name(&other),
+            DistributionName::of(&other).name(),
             values(&other)
                 .into_iter()
                 .map(show)

@@ -16,6 +16,9 @@ pub enum Origin {
 }
 
 impl Origin {
+    /// Every origin.
+    pub const ALL: [Self; 3] = [Self::Measured, Self::Estimated, Self::Modelled];
+
     /// Name in files.
     pub fn name(self) -> &'static str {
         match self {
@@ -35,6 +38,8 @@ impl Origin {
         }
     }
 }
+
+schema_of_names!(Origin, "Origin");
 
 /// A value of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]

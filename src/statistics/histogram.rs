@@ -105,6 +105,7 @@ impl Bins {
 /// assert_eq!((histogram.below, &histogram.counts[..], histogram.above), (1, &[2, 1, 0, 1][..], 1));
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Histogram {
     /// The outcome.
     pub of: String,

@@ -20,6 +20,7 @@ use serde::{Deserialize, Serialize};
 /// assert_eq!((all.least(), all.greatest(), all.deviation()), (Some(1.0), Some(6.0), Some(7.0_f64.sqrt())));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(from = "MomentsRecord", into = "MomentsRecord")]
 pub struct Moments {
     /// Number of rows with a value.
@@ -106,11 +107,17 @@ impl Moments {
 
 /// Moments in files; missing numbers are null.
 #[derive(Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 struct MomentsRecord {
+    /// Number of rows with a value.
     count: u64,
+    /// The mean, SI.
     mean: Option<f64>,
+    /// The sum of squared deviations from the mean, SI.
     m2: Option<f64>,
+    /// The smallest value, SI.
     min: Option<f64>,
+    /// The largest value, SI.
     max: Option<f64>,
 }
 

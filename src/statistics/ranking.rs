@@ -57,6 +57,7 @@ impl RankingSpec {
 
 /// A row with its number, its value of the outcome, and its point, SI.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct RankedRow {
     /// Row number in the whole sweep, from 0.
     pub row: u64,
@@ -69,6 +70,7 @@ pub struct RankedRow {
 
 /// Value of a swept parameter (JSON has no infinity).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Coordinate {
     /// Finite value.
@@ -79,6 +81,7 @@ pub enum Coordinate {
 
 /// Sign of an infinite value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub enum Infinite {
     /// +∞.
     #[serde(rename = "inf")]
@@ -102,6 +105,7 @@ impl Coordinate {
 /// Rows with the highest or lowest values of an outcome, best first. Equal values are sorted by row
 /// number.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Ranking {
     /// The outcome.
     pub of: String,

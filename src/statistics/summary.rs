@@ -20,6 +20,7 @@ pub struct SummarySpec {
 /// and best rows. Summaries of the same batch merge without access to the rows. Merging in the same
 /// order gives the same bits.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Summary {
     /// Number of drives by status.
     pub statuses: BTreeMap<Status, u64>,

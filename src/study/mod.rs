@@ -56,4 +56,4 @@ pub use sensitivity::{
     Change, Changed, Sensitivity, change, refuse_varied, sensitivities, sensitivity,
 };
 pub use sigma::{Sigma, given_twice, with_defaults};
-pub use verdict::Active;
+pub use verdict::{Active, BoundSide};

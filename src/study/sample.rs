@@ -9,12 +9,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The comparison of an optimum with a sample of the ranges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Sample {
     /// The number of points: a scrambled Sobol' sequence over the ranges.
     pub points: usize,
     /// The number of points whose drives fly and meet every constraint.
     pub feasible: usize,
-    /// The number of points better than the optimum.
+    /// The number of points better than the optimum; for an infeasible optimum, points with a
+    /// smaller violation.
     pub better: usize,
     /// True if a search from one of the points led to the optimum.
     pub improved: bool,

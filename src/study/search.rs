@@ -19,6 +19,9 @@ pub enum Sense {
 }
 
 impl Sense {
+    /// Both directions.
+    pub const ALL: [Self; 2] = [Self::Maximize, Self::Minimize];
+
     /// Factor that turns the objective into a function to minimize: −1 or 1.
     pub fn sign(self) -> f64 {
         match self {
@@ -43,6 +46,8 @@ impl Sense {
         }
     }
 }
+
+schema_of_names!(Sense, "Sense");
 
 /// A search for the best drive, or for the best design over swings that vary.
 ///

@@ -7,6 +7,7 @@ use crate::optimize::sensitivity::ActiveSet;
 use crate::optimize::{Kink, Solution, Status};
 use crate::parameters::Vary;
 use crate::units::{self, Digits, Message, Quantity};
+use serde::Serialize;
 use std::fmt;
 
 /// An active bound or constraint of an optimum: `club.loft at its upper bound`, or the text of the
@@ -15,14 +16,39 @@ use std::fmt;
 pub struct Active {
     /// The parameter varied, or the text of the constraint.
     pub name: String,
-    /// The bound, `lower` or `upper`; `None` for a constraint.
-    pub end: Option<&'static str>,
+    /// The bound; `None` for a constraint.
+    pub end: Option<BoundSide>,
 }
+
+/// The lower or the upper bound of a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum BoundSide {
+    /// The lower bound.
+    Lower,
+    /// The upper bound.
+    Upper,
+}
+
+impl BoundSide {
+    /// Both bounds.
+    pub const ALL: [Self; 2] = [Self::Lower, Self::Upper];
+
+    /// Name in JSON: `lower`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Lower => "lower",
+            Self::Upper => "upper",
+        }
+    }
+}
+
+schema_of_names!(BoundSide, "BoundSide");
 
 impl fmt::Display for Active {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.end {
-            Some(end) => write!(f, "{} at its {end} bound", self.name),
+            Some(end) => write!(f, "{} at its {} bound", self.name, end.name()),
             None => f.write_str(&self.name),
         }
     }
@@ -38,7 +64,11 @@ pub(super) fn active(
     let is_bounded = |i: &usize| held.variables[*i] && vary[*i].low < vary[*i].high;
     let bounds = (0..vary.len()).filter(is_bounded).map(|i| Active {
         name: vary[i].parameter.name.into(),
-        end: Some(if is_lower(i) { "lower" } else { "upper" }),
+        end: Some(if is_lower(i) {
+            BoundSide::Lower
+        } else {
+            BoundSide::Upper
+        }),
     });
     let limits = held.active_constraints().into_iter();
     let limits = limits
@@ -52,7 +82,11 @@ pub(super) fn active(
 
 /// Name of the status of a search.
 pub(super) fn status_of(solution: &Solution) -> &'static str {
-    match solution.status {
+    status_name(solution.status)
+}
+
+fn status_name(status: Status) -> &'static str {
+    match status {
         Status::Undefined => "no-flight",
         status => status.name(),
     }
@@ -95,6 +129,12 @@ impl LocalOptimum {
 }
 
 impl Optimum {
+    /// The names of all statuses.
+    #[cfg(test)]
+    pub(crate) fn statuses() -> Vec<&'static str> {
+        Status::ALL.map(status_name).to_vec()
+    }
+
     /// Name of the status; `no-flight` if the optimizer reports `undefined`.
     pub fn status(&self) -> &'static str {
         status_of(&self.solution)

@@ -5,8 +5,6 @@ use crate::common::close;
 use crate::program;
 use crate::schema::faults;
 use crate::validation::ANSWERED;
-use longdrive::Outcome;
-use longdrive::drive::OutcomeGroup;
 use serde_json::Value;
 use std::fs;
 
@@ -388,27 +386,33 @@ fn open_ranges_are_marked_in_the_list_of_parameters() {
 }
 
 #[test]
-fn names_in_the_schemas_are_those_of_the_program() {
-    let file = format!("{}/../docs/schema/common.json", env!("CARGO_MANIFEST_DIR"));
-    let common: Value = serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap();
-    let known = |name: &str| {
-        common["$defs"]["outcome"]["enum"]
-            .as_array()
-            .unwrap()
-            .contains(&name.into())
+fn a_schema_refuses_an_answer_with_another_key_word_or_type() {
+    let (_, answer) = json(&["simulate"]);
+    let carry = |value: Value| {
+        let mut changed = answer.clone();
+        changed["flight"]["carry"] = value;
+        faults("simulate", &changed)
     };
-    for outcome in Outcome::ALL {
-        let part = if outcome.group() == OutcomeGroup::Launch {
-            "launch"
-        } else {
-            "flight"
-        };
-        assert!(known(outcome.name()), "{}", outcome.name());
-        assert!(
-            common["$defs"][part]["properties"][outcome.name()].is_object(),
-            "{}",
-            outcome.name()
-        );
+    assert_eq!(carry(1.0.into()), [""; 0]);
+    assert!(carry("far".into())[0].contains("/flight/carry"));
+    for (place, value) in [
+        ("/flight/extra", Value::from(1.0)),
+        ("/extra", Value::from(1.0)),
+        ("/status", Value::from("done")),
+        ("/command", Value::from("optimize")),
+        ("/setup", Value::Null),
+    ] {
+        let mut changed = answer.clone();
+        let (object, key) = place.rsplit_once('/').unwrap();
+        let object = changed.pointer_mut(object).unwrap().as_object_mut();
+        object.unwrap().insert(key.into(), value);
+        assert_ne!(faults("simulate", &changed), [""; 0], "{place}");
+    }
+    for key in answer.as_object().unwrap().keys() {
+        let mut changed = answer.clone();
+        changed.as_object_mut().unwrap().remove(key);
+        let is_refused = !faults("simulate", &changed).is_empty();
+        assert_eq!(is_refused, key != "from", "{key}");
     }
 }
 

@@ -1,37 +1,25 @@
 //! Checks answers against the schemas of docs/schema.
 
-use jsonschema::{Registry, Validator};
+use jsonschema::error::ValidationErrorKind;
+use jsonschema::{ValidationError, Validator};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// Every schema except the common one, by its command.
+/// The schemas of docs/schema, by file name.
 static SCHEMAS: LazyLock<BTreeMap<String, Validator>> = LazyLock::new(|| {
     let folder = format!("{}/../docs/schema", env!("CARGO_MANIFEST_DIR"));
-    let read = |name: &str| -> Value {
-        serde_json::from_str(&std::fs::read_to_string(format!("{folder}/{name}")).unwrap()).unwrap()
-    };
-    let registry = Registry::new()
-        .add("json-schema:///common.json", read("common.json"))
-        .unwrap()
-        .prepare()
-        .unwrap();
-    let names = std::fs::read_dir(&folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    names
-        .filter(|name| name != "common.json")
-        .map(|name| {
-            let schema = read(&name);
+    let files = std::fs::read_dir(folder).unwrap();
+    files
+        .map(|file| {
+            let file = file.unwrap().path();
+            let name = file.file_stem().unwrap().to_str().unwrap().to_owned();
+            let schema = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
             jsonschema::draft202012::meta::validate(&schema)
                 .unwrap_or_else(|error| panic!("{name}: {error}"));
-            let validator = jsonschema::options()
-                .with_registry(&registry)
-                .build(&schema);
-            (
-                name.trim_end_matches(".json").to_owned(),
-                validator.unwrap_or_else(|error| panic!("{name}: {error}")),
-            )
+            let validator = jsonschema::draft202012::new(&schema);
+            let validator = validator.unwrap_or_else(|error| panic!("{name}: {error}"));
+            (name, validator)
         })
         .collect()
 });
@@ -43,6 +31,25 @@ pub fn faults(command: &str, answer: &Value) -> Vec<String> {
     };
     let faults = schema.iter_errors(answer);
     faults
-        .map(|fault| format!("{command}{}: {fault}", fault.instance_path()))
+        .flat_map(|fault| causes(&fault))
+        .map(|cause| format!("{command}{cause}"))
         .collect()
+}
+
+/// The place and the text of a violation. If an object has none of several shapes, the violations of
+/// the shape whose keys are nearest to its own.
+fn causes(fault: &ValidationError<'_>) -> Vec<String> {
+    let place = fault.instance_path();
+    let wrong_keys = |shape: &&Vec<ValidationError<'_>>| {
+        let here = shape.iter().filter(|cause| cause.instance_path() == place);
+        here.count()
+    };
+    match fault.kind() {
+        ValidationErrorKind::AnyOf { context } => {
+            let nearest = context.iter().min_by_key(wrong_keys).unwrap();
+            assert!(!nearest.is_empty(), "{fault}");
+            nearest.iter().flat_map(causes).collect()
+        }
+        _ => vec![format!("{place}: {fault}")],
+    }
 }

@@ -37,13 +37,20 @@ struct Counts {
     refused: AtomicU64,
 }
 
-/// The counts, as JSON.
+/// The messages of a listener, by answer.
 #[derive(Serialize)]
-struct Summary {
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct MessageCounts {
+    /// Address and port of the listener.
     address: String,
+    /// Number of connections.
     connections: u64,
+    /// Number of shots that were answered with a flight (code 200).
     flown: u64,
+    /// Number of messages without a shot (code 201), and of shots whose ball does not land (code
+    /// 200).
     others: u64,
+    /// Number of messages that cannot be read (code 501).
     refused: u64,
 }
 
@@ -78,7 +85,7 @@ pub fn run(args: &Fly, port: u16) -> Result<Answer> {
     ));
     let counts = accept(&listener.listener, &flying, &stop);
     let count = |of: &AtomicU64| of.load(Ordering::Relaxed);
-    let summary = Summary {
+    let summary = MessageCounts {
         address: listener.address.to_string(),
         connections: count(&counts.connections),
         flown: count(&counts.flown),

@@ -1,6 +1,6 @@
 //! Flies the shots of a launch monitor.
 
-mod listen;
+pub mod listen;
 mod request;
 mod target;
 

@@ -3,7 +3,7 @@
 mod disk_space;
 mod journal;
 #[cfg(feature = "parquet")]
-mod parts;
+pub mod parts;
 mod points;
 mod request;
 mod resumable;
@@ -54,7 +54,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
         .part()
         .filter(|_| !is_complete)
         .unwrap_or(&args.output);
-    let summary = Summary::new(total, counts, notes, file);
+    let summary = SweepSummary::new(total, counts, notes, file);
     warnings.add(counts.beyond().warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
@@ -91,7 +91,11 @@ fn folder_of_parts(args: &Sweep) -> Option<&Path> {
 }
 
 /// The reply with its status; `nothing` is the reason if no drive has an outcome.
-fn ended(reply: Reply<&Summary>, is_complete: bool, nothing: Option<String>) -> Reply<&Summary> {
+fn ended(
+    reply: Reply<&SweepSummary>,
+    is_complete: bool,
+    nothing: Option<String>,
+) -> Reply<&SweepSummary> {
     match (is_complete, nothing) {
         (true, None) => reply,
         (true, nothing) => reply.ended("no-answer", nothing),
@@ -162,7 +166,7 @@ fn write_rows(
 }
 
 /// The note about an interrupted sweep, with the command to continue it.
-fn stopped(summary: &Summary, target: &Target, output: &Output<'_>) -> String {
+fn stopped(summary: &SweepSummary, target: &Target, output: &Output<'_>) -> String {
     let drives = summary.text(None);
     match target.part() {
         Some(part) => format!(
@@ -176,7 +180,7 @@ fn stopped(summary: &Summary, target: &Target, output: &Output<'_>) -> String {
 }
 
 /// The error of a sweep in which no drive has a requested outcome.
-fn no_outcome(summary: &Summary, tally: &StatusCounts, of: &[Outcome]) -> String {
+fn no_outcome(summary: &SweepSummary, tally: &StatusCounts, of: &[Outcome]) -> String {
     let which = if of.len() == 1 {
         "the outcome"
     } else {
@@ -216,20 +220,22 @@ fn of_parts(_: &Sweep, folder: &Path) -> Result<Answer> {
 
 /// The result of a sweep, as JSON.
 #[derive(Serialize)]
-struct Summary {
-    /// The file with the rows.
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct SweepSummary {
+    /// The file with the rows; `FILE.part` if the sweep was interrupted.
     file: String,
-    /// Rows of the whole sweep.
+    /// Number of rows of the whole sweep.
     rows: u64,
-    /// Rows that are written.
+    /// Number of rows that are written.
     written: u64,
-    /// Drives by status.
+    /// Number of drives by status.
+    #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<Status, u64>"))]
     statuses: Map<String, Value>,
-    /// Remarks about the source of the points.
+    /// Remarks about columns of the table of points that are not used; empty without one.
     remarks: Vec<Message>,
 }
 
-impl Summary {
+impl SweepSummary {
     fn new(rows: u64, status_counts: StatusCounts, remarks: Vec<Message>, file: &Path) -> Self {
         let statuses = status_counts
             .counts()

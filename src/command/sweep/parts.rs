@@ -19,7 +19,9 @@ use std::path::Path;
 
 /// A completed part, as JSON.
 #[derive(Serialize)]
-struct OfPart {
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct WrittenPart {
+    /// The folder.
     folder: String,
     #[serde(flatten)]
     manifest: Manifest,
@@ -29,7 +31,9 @@ struct OfPart {
 
 /// A folder of parts, as JSON.
 #[derive(Serialize)]
-struct OfParts {
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct CheckedParts {
+    /// The folder.
     folder: String,
     #[serde(flatten)]
     checked: Checked,
@@ -80,7 +84,7 @@ pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
     let there = (!is_new)
         .then(|| "it existed already, complete and of the same sweep, and is kept".to_owned());
     if request.is_json() {
-        let body = OfPart {
+        let body = WrittenPart {
             folder: folder.display().to_string(),
             manifest,
             remarks: notes,
@@ -181,7 +185,7 @@ pub fn check(args: &Sweep, folder: &Path) -> Result<Answer> {
         let reply = Reply::done(
             "sweep",
             vec![],
-            OfParts {
+            CheckedParts {
                 folder: folder.display().to_string(),
                 checked,
             },

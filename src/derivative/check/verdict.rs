@@ -13,6 +13,9 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// Every verdict.
+    pub const ALL: [Self; 3] = [Self::Fail, Self::Corner, Self::Pass];
+
     /// Name in JSON: `pass`.
     pub fn name(self) -> &'static str {
         match self {
@@ -22,6 +25,8 @@ impl Verdict {
         }
     }
 }
+
+schema_of_names!(Verdict, "Verdict");
 
 /// Tolerance of a derivative, in error estimates of the differences. The estimates are rough: among
 /// ten thousand correct derivatives a few deviate by more than four.

@@ -57,6 +57,18 @@ pub enum Status {
 }
 
 impl Status {
+    /// Every status.
+    pub const ALL: [Self; 8] = [
+        Self::Converged,
+        Self::Undetermined,
+        Self::DominatedByOneResidual,
+        Self::Misfit,
+        Self::Stalled,
+        Self::IterationLimit,
+        Self::Interrupted,
+        Self::Undefined,
+    ];
+
     /// Name in reports: `converged`.
     pub fn name(self) -> &'static str {
         match self {
@@ -71,6 +83,8 @@ impl Status {
         }
     }
 }
+
+schema_of_names!(Status, "FitStatus");
 
 impl fmt::Display for Status {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -4,7 +4,7 @@ mod plots;
 mod text;
 
 use super::document::Document;
-use super::json::{ByName, Matrix, Number, Setting, settings};
+use super::json::{ByName, Matrix, Number, Settings, settings};
 use super::reply::{Ending, Report};
 use super::setup_file::setup_toml;
 use super::shown::as_declared;
@@ -18,6 +18,7 @@ use text::{by_outcome, to_its_error};
 
 /// A calibration, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct CalibrationReport<'a> {
     #[serde(skip)]
     table: &'a ShotTable,
@@ -29,13 +30,14 @@ pub struct CalibrationReport<'a> {
     pub interrupted: bool,
     /// The data.
     pub data: DataReport,
-    /// Each parameter.
+    /// The estimate of each fitted parameter.
     pub estimates: ByName<EstimateReport>,
-    /// The covariance of the estimates.
+    /// The covariance of the estimates, in the product of the SI units of row and column.
     pub covariance: Matrix,
-    /// The correlation of the estimates.
+    /// The correlations of the estimates, −1 to 1.
     pub correlation: Matrix,
-    /// Directions in parameter space that the data do not determine.
+    /// Directions in parameter space that the data do not determine: the change of each parameter,
+    /// SI.
     pub undetermined: Vec<ByName<Number>>,
     /// χ² of the fit.
     pub chi_square: Number,
@@ -43,7 +45,9 @@ pub struct CalibrationReport<'a> {
     pub degrees_of_freedom: usize,
     /// The probability of a larger χ².
     pub probability: Number,
-    /// √(χ²/degrees of freedom).
+    /// √(χ²/degrees of freedom), the factor on the standard uncertainties: 1 if the data state
+    /// their uncertainties, or if the residuals give no scale; `null` if no uncertainty is known
+    /// either.
     pub uncertainty_scale: Number,
     /// Iterations of the fit.
     pub iterations: u64,
@@ -58,7 +62,7 @@ pub struct CalibrationReport<'a> {
     /// The prediction errors on held-out data.
     pub held_out: Vec<HeldOutReport>,
     /// Every parameter of the fitted setup by its dotted name.
-    pub setup: ByName<Setting>,
+    pub setup: Settings,
     /// The setup file that was written; `null` without one.
     pub file: Option<String>,
     /// The folder of the written page; `null` without one.
@@ -67,6 +71,7 @@ pub struct CalibrationReport<'a> {
 
 /// The data of a calibration.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct DataReport {
     /// The file.
     pub file: String,
@@ -94,21 +99,23 @@ impl DataReport {
 
 /// The estimate of a parameter.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct EstimateReport {
-    /// The estimate.
+    /// The estimate, SI.
     pub value: Number,
-    /// The standard uncertainty; `null` if the data do not determine it.
+    /// The standard uncertainty, SI; `null` if the data do not determine it.
     pub standard_uncertainty: Number,
-    /// The 95 % interval.
+    /// The 95 % interval, SI.
     pub interval_95: Option<[f64; 2]>,
     /// True if the estimate is at a bound of the range.
     pub at_bound: bool,
-    /// True if the data determine the parameter.
+    /// True if the data determine the parameter; otherwise many values fit as well.
     pub determined: bool,
 }
 
 /// Trial points that a fit rejected, because the residuals are undefined there.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct RefusedReport {
     /// Number of these points.
     pub count: u64,
@@ -118,12 +125,13 @@ pub struct RefusedReport {
 
 /// The searches of a fit.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct StartsReport {
     /// Number of starts.
     pub made: usize,
     /// Number of starts that reached the smallest sum of squares.
     pub same: usize,
-    /// Number of the other starts, by status.
+    /// Number of the other starts, by status; `undefined` if a row does not fly at the start.
     pub elsewhere: ByName<usize>,
 }
 
@@ -142,17 +150,19 @@ impl StartsReport {
 
 /// The residual of a measured value.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct RemainderReport {
     /// The row of the file.
     pub row: usize,
     /// The outcome.
+    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
     pub of: &'static str,
     /// The parameter in which the row states an optimum of the outcome; `null` for a measured
     /// value.
     pub parameter: Option<&'static str>,
-    /// The measured value.
+    /// The measured value, SI.
     pub measured: Number,
-    /// The computed minus the measured value.
+    /// The computed minus the measured value, SI.
     pub difference: Number,
     /// The difference in units of the standard uncertainty.
     pub residual: Number,
@@ -160,16 +170,17 @@ pub struct RemainderReport {
 
 /// The prediction errors on held-out data.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct HeldOutReport {
     /// The law, and the fitted parameters.
     pub fit: String,
     /// Number of folds; 0 without a fit.
     pub folds: usize,
-    /// Number of fits by status.
+    /// Number of fits by status; the rows of interrupted fits are omitted.
     pub fits: ByName<usize>,
     /// Root mean square of the residuals.
     pub rms_standardized: Number,
-    /// Root mean square of the differences of each outcome.
+    /// Root mean square of the differences of each outcome, SI.
     pub rms: ByName<Number>,
 }
 
@@ -366,6 +377,11 @@ impl HeldOutReport {
 
 impl Report for CalibrationReport<'_> {
     const COMMAND: &'static str = "calibrate";
+
+    #[cfg(test)]
+    fn statuses() -> Vec<&'static str> {
+        Status::ALL.map(Status::name).to_vec()
+    }
 
     /// The status and message of the fit, unless a fit of the cross-validation was interrupted.
     fn ending(&self) -> Ending {

@@ -14,12 +14,14 @@ use serde::Serialize;
 
 /// A certificate of derivatives, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct CertificateReport<'a> {
     #[serde(skip)]
     certificate: &'a Certificate,
     #[serde(skip)]
     loops: &'a [LoopRow],
-    /// True if nothing failed, and every injected error was detected.
+    /// True if nothing failed, every injected error was detected and the command was not
+    /// interrupted.
     pub passed: bool,
     /// The derivative of each outcome by each parameter, the largest error first.
     pub rows: Vec<CertificateRow>,
@@ -44,28 +46,32 @@ pub struct CertificateReport<'a> {
 
 /// A derivative compared with finite differences.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct CertificateRow {
     /// The outcome.
+    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
     pub of: &'static str,
     /// The parameter.
     pub parameter: &'static str,
     /// `pass`, `fail` or `corner`.
+    #[cfg_attr(test, schemars(with = "crate::derivative::check::Verdict"))]
     pub verdict: &'static str,
-    /// The exact derivative.
+    /// The exact derivative, SI.
     pub exact: Number,
-    /// The best numerical derivative.
+    /// The best numerical derivative, SI.
     pub best_difference: Number,
-    /// The difference between the two.
+    /// The difference between the two, SI.
     pub error: Number,
-    /// The largest allowed difference.
+    /// The largest allowed difference, SI.
     pub tolerance: Number,
     /// The derivative from `num_dual::Dual64`.
     pub num_dual: AgreementReport,
-    /// The one-sided derivatives at a corner; `null` on a side outside of the parameter's range.
+    /// The one-sided derivatives below and above a corner, SI; `null` on a side outside of the
+    /// parameter's range.
     pub sides: Option<[Option<f64>; 2]>,
-    /// The step at which the plain central difference has the smallest error.
+    /// The step at which the plain central difference has the smallest error, SI.
     pub best_step: Number,
-    /// The error of the central difference at `best_step`.
+    /// The error of the central difference at `best_step`, SI.
     pub best_step_error: Number,
     /// The slopes of the Taylor remainders of degree 0, 1 and 2 over the step; `null` if the
     /// remainder is dominated by rounding.
@@ -78,45 +84,52 @@ pub struct CertificateRow {
 
 /// A derivative compared with its numerical value.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct CheckReport {
     /// `pass`, `fail` or `corner`.
+    #[cfg_attr(test, schemars(with = "crate::derivative::check::Verdict"))]
     pub verdict: &'static str,
-    /// The exact derivative.
+    /// The exact derivative, SI.
     pub exact: Number,
-    /// The best numerical derivative.
+    /// The best numerical derivative, SI.
     pub best_difference: Number,
-    /// The difference between the two.
+    /// The difference between the two, SI.
     pub error: Number,
-    /// The largest allowed difference.
+    /// The largest allowed difference, SI.
     pub tolerance: Number,
-    /// The one-sided derivatives at a corner.
+    /// The one-sided derivatives below and above a corner, SI; `null` on a side outside of the
+    /// parameter's range.
     pub sides: Option<[Option<f64>; 2]>,
 }
 
 /// A derivative compared with the derivative from `num_dual::Dual64`.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct AgreementReport {
     /// `pass` or `fail`.
+    #[cfg_attr(test, schemars(with = "crate::derivative::check::Verdict"))]
     pub verdict: &'static str,
-    /// The derivative from `num_dual::Dual64`.
+    /// The derivative from `num_dual::Dual64`, SI.
     pub derivative: Number,
-    /// The difference from the exact derivative.
+    /// The difference from the exact derivative, SI.
     pub difference: Number,
-    /// The largest allowed difference.
+    /// The largest allowed difference, SI.
     pub tolerance: Number,
 }
 
 /// The errors of central differences over the step.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Curve {
-    /// The steps.
+    /// The steps, SI.
     pub steps: Vec<f64>,
-    /// The error at each step.
+    /// The error at each step, SI.
     pub errors: Vec<f64>,
 }
 
 /// The detection of injected errors.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct NegativeControl {
     /// True if every injected error was detected.
     pub caught: bool,
@@ -126,6 +139,7 @@ pub struct NegativeControl {
 
 /// An error injected into the derivatives.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PlantedError {
     /// The name of the error.
     pub error: &'static str,
@@ -139,41 +153,48 @@ pub struct PlantedError {
 
 /// A derivative at the landing compared with finite differences at a fixed time.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LandingCheck {
     /// The comparison.
     #[serde(flatten)]
     pub check: CheckReport,
     /// The outcome.
+    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
     pub of: &'static str,
     /// The parameter.
     pub parameter: &'static str,
-    /// The contribution of the landing time to the derivative.
+    /// The contribution of the landing time to the derivative, SI.
     pub landing_term: Number,
 }
 
 /// An outcome at a parameter value where the number of steps changes.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ContinuityCheck {
     /// The outcome.
+    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
     pub of: &'static str,
     /// The parameter.
     pub parameter: &'static str,
-    /// The value of the parameter where the number changes.
+    /// The value of the parameter where the number changes, SI.
     pub at: f64,
     /// The number of steps below and above that value.
     pub steps: [usize; 2],
-    /// The jumps of value, gradient and Hessian.
+    /// The relative jumps of value, gradient and Hessian.
     pub jumps: [f64; 3],
-    /// The largest allowed jumps.
+    /// The largest allowed relative jumps.
     pub tolerances: [f64; 3],
     /// `pass` or `fail`.
+    #[cfg_attr(test, schemars(with = "crate::derivative::check::Verdict"))]
     pub verdict: &'static str,
 }
 
 /// The convergence of an outcome with the time step.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ConvergenceCheck {
     /// The outcome.
+    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
     pub of: &'static str,
     /// The steps, s.
     pub steps: Vec<f64>,
@@ -185,20 +206,24 @@ pub struct ConvergenceCheck {
     pub orders: [Option<f64>; 2],
     /// The expected orders.
     pub expected: [u32; 2],
-    /// The number of continuous derivatives of the law, if they limit the order.
+    /// The number of continuous derivatives of drag and lift, if joins of the law limit an expected
+    /// order; otherwise `null`.
     pub limited_by_law: Option<u32>,
     /// `pass` or `fail`.
+    #[cfg_attr(test, schemars(with = "crate::derivative::check::Verdict"))]
     pub verdict: &'static str,
 }
 
 /// The error of the time step in an outcome.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct StepErrorReport {
     /// The outcome.
+    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
     pub of: &'static str,
-    /// The compared steps, s.
+    /// The time step and the shorter step for comparison, s.
     pub steps: [f64; 2],
-    /// The relative error of the value.
+    /// The error of the value, relative to the numbers from which the outcome is computed.
     pub value_error: Number,
     /// The parameter whose derivative has the largest error.
     pub parameter: Option<&'static str>,
@@ -210,6 +235,7 @@ pub struct StepErrorReport {
 
 /// An omitted check.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct UnmadeCheck {
     /// The check.
     pub check: String,
@@ -219,13 +245,14 @@ pub struct UnmadeCheck {
 
 /// A finite difference of the while-loop's carry.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LoopCheck {
     /// The comparison with the exact derivative.
     #[serde(flatten)]
     pub check: CheckReport,
     /// The parameter.
     pub parameter: &'static str,
-    /// The finite difference with a step of 1e-8.
+    /// The finite difference with a step of 1e-8, SI.
     pub difference: Number,
     /// True if the sign differs from the sign of the derivative.
     pub sign_is_wrong: bool,
@@ -235,8 +262,10 @@ pub struct LoopCheck {
 
 /// An outcome without derivatives.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct MissingOutcome {
     /// The outcome.
+    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
     pub of: &'static str,
     /// The reason.
     pub message: Message,
@@ -283,6 +312,11 @@ impl<'a> CertificateReport<'a> {
 
 impl Report for CertificateReport<'_> {
     const COMMAND: &'static str = "verify";
+
+    #[cfg(test)]
+    fn statuses() -> Vec<&'static str> {
+        vec!["passed", "failed", "interrupted"]
+    }
 
     /// The status is `passed`, `failed` or `interrupted`.
     fn ending(&self) -> Ending {

@@ -22,6 +22,7 @@ use text::{amount, of_one, of_table, verdict};
 
 /// The deliveries that explain measured launches, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct DeliveryReport<'a> {
     #[serde(skip)]
     deliveries: &'a [Delivery],
@@ -33,8 +34,8 @@ pub struct DeliveryReport<'a> {
     pub rows: Vec<DeliveryRow>,
     /// Mean and standard deviation of each parameter over the shots.
     pub spread: Vec<SpreadReport>,
-    /// The population of swings behind the shots, without the measurement errors of the launch
-    /// monitor.
+    /// The normal distribution of the swings behind the shots, without the measurement errors of
+    /// the launch monitor; `null` for fewer than 10 shots with a delivery.
     pub population: Option<PopulationReport>,
 }
 
@@ -49,10 +50,12 @@ pub struct DeliveryOptions {
 
 /// The delivery of a shot.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct DeliveryRow {
-    /// The row in the table.
+    /// The row in the table, from 1.
     pub row: usize,
-    /// The status of the fit: `converged`, `unexplained`, or another status.
+    /// The status of the fit: `converged`, `unexplained` (no delivery within the ranges gives the
+    /// launch), `stalled`, `iteration-limit`, or the status of the error.
     pub status: &'static str,
     /// The status in a sentence.
     pub message: String,
@@ -60,26 +63,27 @@ pub struct DeliveryRow {
     pub known: Vec<KnownReport>,
     /// The launch, measured and computed.
     pub explained: Vec<ExplainedReport>,
-    /// Changes of the delivery that the launch does not determine.
+    /// Changes of the delivery that the launch does not determine, the least determined first.
     #[serde(rename = "untold")]
     pub unidentified: Vec<UnidentifiedReport>,
 }
 
 /// A parameter of a delivery.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct KnownReport {
     /// The parameter.
     pub parameter: &'static str,
-    /// The most probable value.
+    /// The most probable value, SI.
     pub value: f64,
-    /// The posterior standard uncertainty; `null` at a bound.
+    /// The posterior standard uncertainty, SI; `null` at a bound.
     pub standard_uncertainty: Option<f64>,
-    /// The fraction of the prior variance that the shot removes.
+    /// The fraction of the prior variance that the shot removes, 0 to 1; `null` at a bound.
     #[serde(rename = "told")]
     pub identified: Option<f64>,
-    /// The prior value.
+    /// The prior value, SI.
     pub before: f64,
-    /// The prior standard uncertainty.
+    /// The prior standard uncertainty, SI.
     pub standard_uncertainty_before: f64,
     /// The source of the prior uncertainty; `null` if the user stated it.
     pub source: Option<&'static str>,
@@ -89,6 +93,7 @@ pub struct KnownReport {
 
 /// The range of a search.
 #[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SearchRange {
     /// Lower end, SI.
     pub low: f64,
@@ -98,90 +103,100 @@ pub struct SearchRange {
 
 /// An outcome of a launch, measured and computed.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ExplainedReport {
     /// The outcome.
+    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
     pub of: &'static str,
-    /// The measured value.
+    /// The measured value, SI.
     pub measured: f64,
-    /// The standard uncertainty of the measured value.
+    /// The standard uncertainty of the measured value, SI.
     pub standard_uncertainty: f64,
-    /// The value computed from the most probable delivery.
+    /// The value computed from the most probable delivery, SI.
     pub computed: f64,
-    /// The difference between the two, in units of the standard uncertainty.
+    /// The computed minus the measured value, in units of the standard uncertainty.
     pub residual: f64,
 }
 
 /// A change of the delivery that the launch does not determine.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct UnidentifiedReport {
-    /// The fraction of the prior variance that the shot removes.
+    /// The fraction of the prior variance that the shot removes, 0 to 1.
     #[serde(rename = "told")]
     pub identified: f64,
-    /// The change of each parameter.
+    /// The change of each parameter, SI; together they are one prior standard uncertainty.
     pub changes: ByName<f64>,
 }
 
 /// Mean and standard deviation of a parameter.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SpreadReport {
     /// The parameter.
     pub parameter: &'static str,
-    /// The mean.
+    /// The mean over the shots whose fit converged, SI.
     pub mean: f64,
-    /// The standard deviation; `null` for a single shot.
+    /// The standard deviation, SI; `null` for a single shot.
     pub deviation: Option<f64>,
 }
 
 /// The population of swings behind the shots of a table.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PopulationReport {
-    /// Number of shots.
+    /// Number of shots, at least 10.
     pub shots: usize,
-    /// Factor on the prior deviation along the directions that the shots do not identify.
+    /// Factor on the prior deviation along the directions that the shots do not identify, 0 to 1.
     pub kept: f64,
     /// The launch outcomes, measured and computed from the distribution.
     pub launches: Vec<LaunchMoments>,
     /// The distribution of each parameter.
     pub spread: Vec<RecoveredReport>,
-    /// The correlations of the parameters.
+    /// The correlations of the parameters, −1 to 1, in the order of `spread`.
     pub correlations: Vec<Vec<f64>>,
 }
 
 /// An outcome over the shots, measured and computed from the distribution.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LaunchMoments {
     /// The outcome.
+    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
     pub of: &'static str,
     /// Mean and standard deviation of the measured launches.
     pub measured: MeanAndDeviation,
-    /// Mean and standard deviation of launches from the distribution.
+    /// Mean and standard deviation of launches from the distribution, with the measurement errors
+    /// of the launch monitor.
     pub recovered: MeanAndDeviation,
 }
 
 /// A mean with a standard deviation.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct MeanAndDeviation {
-    /// The mean.
+    /// The mean, SI.
     pub mean: f64,
-    /// The standard deviation.
+    /// The standard deviation, SI.
     pub deviation: f64,
 }
 
 /// The distribution of a parameter of the swings.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct RecoveredReport {
     /// The parameter.
     pub parameter: &'static str,
-    /// The mean.
+    /// The mean, SI.
     pub mean: f64,
-    /// The standard deviation.
+    /// The standard deviation, SI.
     pub deviation: f64,
-    /// The fraction of the prior variance that a shot removes.
+    /// The fraction of the prior variance that a shot removes, 0 to 1.
     #[serde(rename = "told")]
     pub identified: f64,
-    /// The standard uncertainty of the mean.
+    /// The standard uncertainty of the mean, SI.
     pub mean_standard_uncertainty: f64,
-    /// The standard uncertainty of the deviation.
+    /// The standard uncertainty of the deviation, SI.
     pub deviation_standard_uncertainty: f64,
 }
 
@@ -212,6 +227,11 @@ impl<'a> DeliveryReport<'a> {
 
 impl Report for DeliveryReport<'_> {
     const COMMAND: &'static str = "delivery";
+
+    #[cfg(test)]
+    fn statuses() -> Vec<&'static str> {
+        [&super::reply::SHARES[..], &["interrupted"]].concat()
+    }
 
     fn ending(&self) -> Ending {
         let (all, left_out) = (self.deliveries, self.options.left_out);

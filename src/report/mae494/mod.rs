@@ -17,12 +17,16 @@ use crate::reproduce::{
 use crate::units::System;
 use serde::Serialize;
 
+const STUDY: &str = "mae494";
+
 /// The reproduction of the report, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Mae494Report<'a> {
     #[serde(skip)]
     found: &'a Mae494,
     /// `mae494`.
+    #[cfg_attr(test, schemars(extend("const" = STUDY)))]
     pub study: &'static str,
     /// The optimum of the report's regression, which evaluates its polynomial with wrong powers.
     pub slipped_optimum: DeliveryPoint,
@@ -50,6 +54,7 @@ pub struct Mae494Report<'a> {
 
 /// An optimum with the multipliers of its bounds.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct OptimumRow {
     /// The optimum.
     #[serde(flatten)]
@@ -57,23 +62,25 @@ pub struct OptimumRow {
     /// The multipliers of the bounds, by parameter.
     pub multipliers: ByName<Multipliers>,
     /// The active bounds, `lower` or `upper`, and constraints, `null`.
-    pub active: ByName<Option<&'static str>>,
+    pub active: ByName<Option<crate::study::BoundSide>>,
 }
 
 /// A row of a table: the exact optimum, and the carry at the printed optimum.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct TableRow {
     /// The exact optimum.
     #[serde(flatten)]
     pub optimum: OptimumRow,
-    /// The carry at the printed optimum.
+    /// The carry at the printed optimum, m.
     pub carry_at_printed: Number,
-    /// The carry lost at the printed optimum.
+    /// The carry lost at the printed optimum, m.
     pub cost: Number,
 }
 
 /// The loft with the best average carry over the attack angles.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct AverageReport {
     /// The best loft and its average carry.
     #[serde(flatten)]
@@ -84,6 +91,7 @@ pub struct AverageReport {
 
 /// The maximum of the report's polynomial in loft, for three choices of powers.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct RegressionReport {
     /// The maximum with the wrong powers, as in the report's listing.
     pub slipped: PeakReport,
@@ -95,48 +103,52 @@ pub struct RegressionReport {
 
 /// The maximum of a polynomial.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PeakReport {
-    /// The loft.
+    /// The loft, rad.
     #[serde(rename = "club.loft")]
     pub loft: f64,
-    /// The distance.
+    /// The distance, m.
     pub distance: f64,
 }
 
 /// A launch with its carry.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LaunchedReport {
-    /// The ball speed.
+    /// The ball speed, m/s.
     pub ball_speed: f64,
-    /// The launch angle.
+    /// The launch angle, rad.
     pub launch_angle: f64,
-    /// The backspin.
+    /// The backspin, rad/s.
     pub backspin: f64,
-    /// The carry.
+    /// The carry, m.
     pub carry: f64,
 }
 
 /// The energy of club and ball.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct EnergyReport {
-    /// The largest ball speed of any delivery.
+    /// The largest ball speed of any delivery, m/s.
     pub fastest_ball_speed: f64,
     /// The launch of the longest carry.
     pub farthest: LaunchedReport,
-    /// The derivative of carry by ball speed.
+    /// The derivative of carry by ball speed, s.
     pub carry_per_ball_speed: f64,
     /// The launch needed for the report's carry.
     pub needed: LaunchedReport,
-    /// The energy of the club.
+    /// The energy of the club, J.
     pub club_energy: f64,
-    /// The energy of the ball.
+    /// The energy of the ball, J.
     pub ball_energy: f64,
-    /// The energy of the ball that the report's carry needs.
+    /// The energy of the ball that the report's carry needs, J.
     pub ball_energy_needed: f64,
 }
 
 /// Optima of impact and flight, separately.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SubsystemsReport {
     /// The launch of the optimum.
     pub whole: LaunchedReport,
@@ -144,16 +156,17 @@ pub struct SubsystemsReport {
     pub flight: LaunchedReport,
     /// The optimal delivery for the impact.
     pub impact: DeliveryPoint,
-    /// The derivative of carry by each launch condition.
+    /// The derivative of carry by each launch condition, SI.
     pub carry_by: ByName<Number>,
-    /// The derivative of carry by loft through each launch condition.
+    /// The derivative of carry by loft through each launch condition, m/rad.
     pub carry_by_loft_through: ByName<Number>,
-    /// The derivative of carry by attack angle through each launch condition.
+    /// The derivative of carry by attack angle through each launch condition, m/rad.
     pub carry_by_attack_angle_through: ByName<Number>,
 }
 
 /// The sensitivity of the optimum to the constants.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ParametricReport {
     /// Each constant.
     pub sensitivity: Vec<ConstantReport>,
@@ -163,23 +176,25 @@ pub struct ParametricReport {
 
 /// The sensitivity of the optimum to a constant.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ConstantReport {
     /// The constant.
     pub parameter: &'static str,
-    /// The value of the constant.
+    /// The value of the constant, SI.
     pub at: f64,
-    /// The derivative of the carry.
+    /// The derivative of the carry, SI.
     pub value: f64,
-    /// The derivative of the optimum.
+    /// The derivative of the optimum, SI.
     pub optimum: ByName<f64>,
 }
 
 /// The optimum after a change of a constant.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ChangeReport {
     /// The constant.
     pub parameter: &'static str,
-    /// The change of the constant.
+    /// The change of the constant, SI.
     pub change: f64,
     /// The optimum by derivatives.
     pub predicted: ChangedOptimum,
@@ -189,26 +204,28 @@ pub struct ChangeReport {
 
 /// An optimum after a change.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ChangedOptimum {
-    /// The carry.
+    /// The carry, m.
     pub value: Number,
-    /// The loft.
+    /// The varied parameters, rad.
     pub optimum: ByName<f64>,
 }
 
 /// The noise of the while-loop, from its landing.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct NoiseReport {
-    /// The attack angle.
+    /// The attack angle, rad.
     #[serde(rename = "swing.attack_angle")]
     pub attack_angle: f64,
     /// The time step, s.
     pub step: f64,
-    /// The step of the finite differences.
+    /// The step of the finite differences by loft, rad.
     pub difference: f64,
     /// The steps (teeth) in the curve of carry over loft.
     pub teeth: TeethReport,
-    /// The derivative of carry by loft at each loft.
+    /// The derivative of carry by loft at each loft, m/rad.
     pub slopes: Vec<SlopesReport>,
     /// Number of lofts where the sign of the difference is wrong.
     pub wrong_signs: usize,
@@ -224,29 +241,31 @@ pub struct NoiseReport {
 
 /// The steps (teeth) in the curve of carry over loft.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct TeethReport {
     /// The number of teeth.
     pub count: usize,
-    /// The width of a tooth.
+    /// The width of a tooth, rad.
     pub width: f64,
-    /// The height of a tooth.
+    /// The height of a tooth, m.
     pub height: f64,
 }
 
 /// The derivative of carry by loft, by each method.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SlopesReport {
-    /// The loft.
+    /// The loft, rad.
     #[serde(rename = "club.loft")]
     pub loft: f64,
-    /// The exact derivative.
+    /// The exact derivative, m/rad.
     pub exact: f64,
-    /// The derivative with a constant landing time.
+    /// The derivative with a constant landing time, m/rad.
     pub at_fixed_time: f64,
-    /// The finite difference of the loop.
+    /// The finite difference of the loop, m/rad.
     #[serde(rename = "loop")]
     pub overshot: f64,
-    /// The finite difference of the loop with an interpolated landing.
+    /// The finite difference of the loop with an interpolated landing, m/rad.
     pub interpolated: f64,
     /// True if the sign of the loop's finite difference is wrong.
     pub sign_is_wrong: bool,
@@ -254,45 +273,49 @@ pub struct SlopesReport {
 
 /// The loop's finite difference for a shorter time step.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ShorterStep {
     /// The time step, s.
     pub step: f64,
-    /// The finite difference of the loop.
+    /// The finite difference of the loop, m/rad.
     #[serde(rename = "loop")]
     pub overshot: f64,
 }
 
 /// The finite differences for a longer step of the parameter.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LongerDifference {
-    /// The step of the parameter.
+    /// The step of the loft, rad.
     pub difference: f64,
-    /// The finite difference of the loop.
+    /// The finite difference of the loop, m/rad.
     #[serde(rename = "loop")]
     pub overshot: f64,
-    /// The finite difference with an interpolated landing.
+    /// The finite difference with an interpolated landing, m/rad.
     pub interpolated: f64,
-    /// The finite difference with the smooth landing.
+    /// The finite difference with the smooth landing, m/rad.
     pub smooth: f64,
 }
 
 /// The carry at a loft, for each landing.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LandingReport {
-    /// The loft.
+    /// The loft, rad.
     #[serde(rename = "club.loft")]
     pub loft: f64,
-    /// The carry of the loop.
+    /// The carry of the loop, m.
     #[serde(rename = "loop")]
     pub overshot: f64,
-    /// The carry with an interpolated landing.
+    /// The carry with an interpolated landing, m.
     pub interpolated: f64,
-    /// The carry with the smooth landing.
+    /// The carry with the smooth landing, m.
     pub smooth: f64,
 }
 
 /// Searches with a landing and a method.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SearchesReport {
     /// The landing.
     pub landing: &'static str,
@@ -304,6 +327,7 @@ pub struct SearchesReport {
 
 /// The result of a search.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct EndReport {
     /// The start.
     pub start: DeliveryPoint,
@@ -317,6 +341,7 @@ pub struct EndReport {
 
 /// The numbers in the printed report.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PrintedReport {
     /// The printed optimum at the attack angle of the regression: the last row of Table 1.
     pub slipped_optimum: Option<DeliveryPoint>,
@@ -338,7 +363,7 @@ impl<'a> Mae494Report<'a> {
         let slipped = found.table1.last();
         Self {
             found,
-            study: "mae494",
+            study: STUDY,
             slipped_optimum: found.slipped.into(),
             optimum: OptimumRow::new(&found.optimum),
             table1: rows(&found.table1),

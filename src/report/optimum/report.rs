@@ -1,12 +1,14 @@
 //! An optimum as JSON.
 
 use super::super::Reply;
-use super::super::drive::{LaunchReport, LawRange, flight, launch, law_range};
-use super::super::json::{ByName, Number, Setting, settings};
+use super::super::drive::{LaunchReport, LawRanges, flight, launch, law_range};
+use super::super::json::{ByName, Number, Settings, settings};
 use super::super::swings::{OverSwings, StudiesReport};
 use super::design::DesignReport;
 use super::surroundings::{ClubAloneReport, Surroundings, WindowReport};
 use crate::optimize::{ConstraintValue, Effort};
+#[cfg(test)]
+use crate::study::Sense;
 use crate::study::{Constraint, LocalOptimum, Optima, Optimum, Sample};
 use crate::units::Message;
 use serde::Serialize;
@@ -14,22 +16,24 @@ use std::collections::BTreeMap;
 
 /// An optimum as JSON, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct OptimumReport {
     /// The objective: an outcome, or for swings a sum of statistics.
     pub objective: String,
     /// The direction: `maximize` or `minimize`.
+    #[cfg_attr(test, schemars(with = "Sense"))]
     pub sense: &'static str,
-    /// The value of the objective; `null` if no drive flies.
+    /// The value of the objective, SI; `null` if no drive flies.
     pub value: Number,
-    /// The varied parameters at the optimum.
+    /// The varied parameters at the optimum, SI.
     pub optimum: Option<ByName<Number>>,
     /// The varied parameters at the start, if no point of the search has a value; otherwise
     /// omitted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub start: Option<ByName<Number>>,
-    /// The gradient of the objective at the optimum.
+    /// The gradient of the objective at the optimum by the varied parameters, SI.
     pub gradient: Option<ByName<Number>>,
-    /// The multiplier of each bound, ≥ 0: the gain per unit by which the bound is relaxed.
+    /// The multipliers of the bounds of each varied parameter, SI.
     pub multipliers: Option<BTreeMap<&'static str, Multipliers>>,
     /// The constraints.
     pub constraints: Vec<ConstraintReport>,
@@ -44,18 +48,20 @@ pub struct OptimumReport {
     /// The local optima of a search from several starts, best first; `null` for a single
     /// start.
     pub optima: Option<Vec<LocalReport>>,
-    /// The sample of the ranges for comparison with the optimum; `null` without one.
+    /// The sample of the ranges for comparison with the optimum; `null` for swings, and after an
+    /// interruption.
     pub sample: Option<Sample>,
     /// Every parameter at the optimum. Like launch and flight, it is `null` if no drive flies.
-    pub setup: Option<ByName<Setting>>,
+    pub setup: Option<Settings>,
     /// The launch of the optimal drive; `null` for swings.
     pub launch: Option<LaunchReport>,
     /// The flight of the optimal drive; `null` for swings.
+    #[cfg_attr(test, schemars(schema_with = "super::super::drive::flight_schema"))]
     pub flight: Option<ByName<Number>>,
     /// The fitted range of the law, and the fraction of the optimal drive's flight outside of it.
-    pub law_range: Option<ByName<Option<LawRange>>>,
-    /// For each varied parameter, its range when it alone varies and costs at most the loss;
-    /// `null` for swings, and without an optimum.
+    pub law_range: Option<LawRanges>,
+    /// For each varied parameter, its range when it alone varies and costs at most the loss; `null`
+    /// for swings, and without an optimum.
     pub window: Option<ByName<WindowReport>>,
     /// The loss of the windows, SI.
     pub window_loss: Number,
@@ -77,6 +83,7 @@ pub struct OptimumReport {
 
 /// A constraint at an optimum.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ConstraintReport {
     /// The text of the constraint.
     pub expression: String,
@@ -84,8 +91,9 @@ pub struct ConstraintReport {
     pub value: f64,
     /// The distance of the value from the limits, SI; 0 within them.
     pub violation: f64,
-    /// The gain of the objective for each unit by which the limit is relaxed, ≥ 0; for an equation,
-    /// by which its value is raised.
+    /// The gain of the objective for each SI unit by which the limit is relaxed, ≥ 0; for an
+    /// equation, by which its value is raised. `robust`: the decrease of the greatest loss,
+    /// negative if the best design gains more.
     pub multiplier: f64,
 }
 
@@ -115,12 +123,13 @@ pub(in crate::report) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport>
 
 /// A local optimum from a search with several starts.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LocalReport {
     /// The status of the searches that ended here.
     pub status: &'static str,
-    /// The objective; `null` if no drive flies.
+    /// The objective, SI; `null` if no drive flies.
     pub value: Number,
-    /// The varied parameters.
+    /// The varied parameters, SI.
     pub optimum: ByName<Number>,
     /// The number of starts that reached this optimum.
     pub starts: usize,
@@ -146,10 +155,11 @@ impl LocalReport {
 
 /// The multipliers of a parameter's bounds.
 #[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Multipliers {
-    /// The multiplier of the lower bound.
+    /// The gain of the objective for each SI unit by which the lower bound is lowered.
     pub lower: f64,
-    /// The multiplier of the upper bound.
+    /// The gain of the objective for each SI unit by which the upper bound is raised.
     pub upper: f64,
 }
 

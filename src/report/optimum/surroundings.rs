@@ -77,10 +77,11 @@ fn club_text(optimum: &Optimum, club: &ClubAlone, system: System) -> String {
 
 /// The range of a parameter that alone varies and costs at most the stated loss.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct WindowReport {
-    /// Lower end.
+    /// Lower end, SI.
     pub low: f64,
-    /// Upper end.
+    /// Upper end, SI.
     pub high: f64,
     /// The reason for the lower end: `loss`, `bound`, `no flight`, or a constraint.
     pub low_limit: String,
@@ -111,12 +112,13 @@ fn limit_name(optimum: &Optimum, limit: WindowLimit) -> String {
 
 /// The part of a gain that needs no other swing, SI.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ClubAloneReport {
-    /// The gain of the best club with the swing as set up.
+    /// The gain of the best club with the swing as set up, SI.
     pub club_gain: f64,
-    /// The further gain if the swing is changed too.
+    /// The further gain if the swing is changed too, SI.
     pub swing_gain: f64,
-    /// The best club with the swing as set up.
+    /// The best club with the swing as set up, SI.
     pub optimum: ByName<Number>,
 }
 

@@ -1,7 +1,11 @@
 //! Flown shots as JSON lines, in SI.
 
+#[cfg(test)]
+use super::super::json::{ByName, Number};
 use super::super::sweep::push_number;
 use crate::drive::Outcome;
+#[cfg(test)]
+use crate::shots::Origin;
 use crate::shots::{Club, Export, Flown, Section, Shot, Shots};
 use std::sync::Arc;
 
@@ -22,6 +26,92 @@ pub(super) struct Keys {
     further: Vec<&'static str>,
     /// The export, with the text `"head":` for each of its columns.
     cells: Option<(Arc<Export>, Vec<String>)>,
+}
+
+/// A shot, SI and radians.
+#[cfg(test)]
+#[derive(schemars::JsonSchema)]
+#[allow(dead_code)]
+pub struct FlyRow {
+    /// The line of the file in which the row begins.
+    #[schemars(range(min = 1))]
+    line: u64,
+    /// The status of the drive.
+    flight: RowStatus,
+    /// The reason why the row has no predicted outcome.
+    reason: Option<String>,
+    /// Notes on values that are assumed, or not compared.
+    notes: Vec<String>,
+    /// True if the export states that its values are normalized; `null` if it states nothing.
+    #[schemars(extend("enum" = [true, null]))]
+    normalized: Option<bool>,
+    /// The launch that is flown; `null` for a refused row.
+    #[schemars(extend("required" = LAUNCH))]
+    launch: Option<ByOutcome<Number>>,
+    /// Other parameters of the setup that the row states.
+    parameters: ByName<Number>,
+    /// The delivery of the club that the row states.
+    #[schemars(extend("propertyNames" = { "enum": Club::NAMES }))]
+    club: ByName<Number>,
+    /// The conditions for which the export states its values.
+    condition: Option<String>,
+    /// The outcomes that the row states, including the launch.
+    stated: ByOutcome<Number>,
+    /// The origins of stated outcomes, if the export states them.
+    origins: ByOutcome<Origin>,
+    /// The predicted outcomes.
+    predicted: ByOutcome<Number>,
+    /// The residuals, predicted − measured.
+    residual: ByOutcome<Number>,
+    /// The row as in the file.
+    row: OriginalRow,
+}
+
+/// The status of the drive of a row.
+#[cfg(test)]
+#[derive(schemars::JsonSchema)]
+#[schemars(rename_all = "lowercase")]
+#[allow(dead_code)]
+enum RowStatus {
+    /// The row is not flown.
+    Refused,
+    #[schemars(untagged)]
+    Flown(crate::batch::Status),
+}
+
+/// A row as in the file.
+#[cfg(test)]
+#[derive(schemars::JsonSchema)]
+#[schemars(untagged)]
+#[allow(dead_code)]
+enum OriginalRow {
+    /// The cells by their heads, or the message.
+    Cells(serde_json::Map<String, serde_json::Value>),
+    /// The text, if it cannot be divided into cells.
+    Text(String),
+}
+
+/// Values by the name of an outcome; the request chooses the outcomes.
+#[cfg(test)]
+struct ByOutcome<V>(std::marker::PhantomData<V>);
+
+#[cfg(test)]
+impl<V: schemars::JsonSchema> schemars::JsonSchema for ByOutcome<V> {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        format!("ByOutcome_of_{}", V::schema_name()).into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({
+            "type": "object",
+            "propertyNames": generator.subschema_for::<Outcome>(),
+            "additionalProperties": generator.subschema_for::<V>()
+        })
+    }
 }
 
 fn text(bytes: &mut Vec<u8>, text: &str) {

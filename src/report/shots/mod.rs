@@ -10,6 +10,8 @@ mod parquet;
 mod screen;
 mod summary;
 
+#[cfg(test)]
+pub use json_lines::FlyRow;
 pub use open_connect::open_connect_answer;
 #[cfg(feature = "parquet")]
 pub use parquet::ShotParquet;

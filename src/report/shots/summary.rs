@@ -9,15 +9,16 @@ use serde::Serialize;
 
 /// A summary of flown shots, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ShotsReport<'a> {
     #[serde(skip)]
     tally: &'a ShotStatistics,
     /// The status of the command.
     #[serde(skip)]
     pub ending: Ending,
-    /// The file of the rows; `null` without one.
+    /// The file of the rows; `null` if the rows are not written to a file.
     pub file: Option<String>,
-    /// The maker of the export, if its heads identify it.
+    /// The maker of the export, if its heads identify it; for JSON, the program that wrote it.
     pub source: Option<&'static str>,
     /// Number of rows.
     pub rows: u64,
@@ -41,6 +42,7 @@ pub struct ShotsReport<'a> {
 
 /// Rows refused for one kind of reason.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct RefusedRows {
     /// The kind of reason.
     pub kind: &'static str,
@@ -54,13 +56,16 @@ pub struct RefusedRows {
 
 /// The residuals of an outcome, SI.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct OutcomeResiduals {
     /// The outcome.
+    #[cfg_attr(test, schemars(with = "Outcome"))]
     pub of: &'static str,
     /// The residuals of all rows.
     #[serde(flatten)]
     pub all: SumsReport,
-    /// The standard deviation of the difference between two instruments for the same drives.
+    /// The standard deviation of the difference between two launch monitors for the same drives,
+    /// SI.
     pub instruments: Option<f64>,
     /// The residuals by ball speed.
     pub bands: Vec<BandReport>,
@@ -68,6 +73,7 @@ pub struct OutcomeResiduals {
 
 /// The shots of a club, SI.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ClubShotsReport {
     /// The name in the table.
     pub club: String,
@@ -81,10 +87,12 @@ pub struct ClubShotsReport {
 
 /// An outcome of the shots of a club, SI.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ClubOutcome {
     /// The outcome.
+    #[cfg_attr(test, schemars(with = "Outcome"))]
     pub of: &'static str,
-    /// The mean of the predictions.
+    /// The mean of the predictions, SI.
     pub predicted: Option<f64>,
     /// The residuals, predicted − measured.
     #[serde(flatten)]
@@ -109,19 +117,21 @@ impl ClubShotsReport {
 
 /// Statistics of residuals, predicted − measured.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SumsReport {
-    /// Number of rows.
+    /// Number of rows with a measured value.
     pub rows: u64,
-    /// The mean.
+    /// The mean, SI.
     pub bias: Option<f64>,
-    /// The mean absolute value.
+    /// The mean absolute value, SI.
     pub mean_absolute: Option<f64>,
-    /// The standard deviation.
+    /// The standard deviation, SI.
     pub deviation: Option<f64>,
 }
 
 /// The rows of a band of ball speeds.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct BandReport {
     /// The lowest ball speed, m/s; `null` in the first band.
     pub from: Option<f64>,
@@ -208,6 +218,11 @@ impl<'a> ShotsReport<'a> {
 
 impl Report for ShotsReport<'_> {
     const COMMAND: &'static str = "fly";
+
+    #[cfg(test)]
+    fn statuses() -> Vec<&'static str> {
+        vec!["done", "no-answer", "interrupted"]
+    }
 
     fn ending(&self) -> Ending {
         self.ending.clone()

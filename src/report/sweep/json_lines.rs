@@ -11,6 +11,18 @@ pub struct SweepJsonLines {
     columns: Columns,
 }
 
+/// A drive of a sweep: the swept parameters, the status, the outcomes, and the derivatives as
+/// `d_OUTCOME/d_PARAMETER`. The request chooses the keys other than `status`.
+#[cfg(test)]
+#[derive(schemars::JsonSchema)]
+#[allow(dead_code)]
+pub struct SweepRow {
+    /// The status of the drive.
+    status: crate::batch::Status,
+    #[schemars(flatten)]
+    values: super::super::json::ByName<super::super::json::Number>,
+}
+
 impl SweepJsonLines {
     /// The table of a batch.
     pub fn new(batch: &Batch) -> Self {

@@ -11,6 +11,8 @@ mod summary;
 
 pub use csv::SweepCsv;
 pub use json_lines::SweepJsonLines;
+#[cfg(test)]
+pub use json_lines::SweepRow;
 #[cfg(feature = "parquet")]
 pub use parquet::SweepParquet;
 pub use summary::summary_document;

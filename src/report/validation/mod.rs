@@ -13,6 +13,7 @@ use serde::Serialize;
 
 /// The errors of every law on every set of published drives, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ValidationReport<'a> {
     #[serde(skip)]
     found: &'a [SetScores],
@@ -22,6 +23,7 @@ pub struct ValidationReport<'a> {
 
 /// The errors of every law on a set of published drives.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SetReport {
     /// The name of the set.
     pub name: &'static str,
@@ -41,49 +43,58 @@ pub struct SetReport {
 
 /// A published drive.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct CaseReport {
     /// The name of the drive.
     pub name: String,
     /// The publication.
     pub source: String,
-    /// The published quantities.
+    /// The published quantities, SI.
+    #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<Compared, Number>"))]
     pub published: ByName<Number>,
 }
 
 /// The errors of a law on a set.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LawScoresReport {
     /// The law.
     pub law: &'static str,
     /// The errors of each quantity.
+    #[cfg_attr(
+        test,
+        schemars(with = "std::collections::BTreeMap<Compared, ScoreReport>")
+    )]
     pub scores: ByName<ScoreReport>,
     /// The bias of the first quantity in colder and warmer air; `null` if the source states the
-    /// air.
+    /// air, and for optima.
     pub bias_in_other_air: Option<BiasInOtherAir>,
-    /// The bias of carry if the drive with the average launch is replaced by the mean over drives
-    /// with scattered launches.
+    /// The bias of carry, m, if the drive with the average launch is replaced by the mean over
+    /// drives with scattered launches; `null` if the published drives are no averages.
     pub bias_averaged: Number,
 }
 
 /// The bias of a quantity for another air than the default.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct BiasInOtherAir {
-    /// The bias at 15 °C.
+    /// The bias at 15 °C, SI.
     #[serde(rename = "at_15_degC")]
     pub at_15_deg_c: Number,
-    /// The bias at 35 °C.
+    /// The bias at 35 °C, SI.
     #[serde(rename = "at_35_degC")]
     pub at_35_deg_c: Number,
 }
 
 /// The errors of a quantity.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ScoreReport {
     /// Number of drives that have the quantity and fly.
     pub count: usize,
-    /// The mean difference, computed minus published.
+    /// The mean difference, computed minus published, SI.
     pub bias: Number,
-    /// The mean absolute difference.
+    /// The mean absolute difference, SI.
     pub mean_absolute_error: Number,
     /// The error of each drive.
     pub residuals: Vec<ResidualReport>,
@@ -91,14 +102,15 @@ pub struct ScoreReport {
 
 /// The error of a quantity for one drive.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ResidualReport {
-    /// The index of the drive in `cases`.
+    /// The index of the drive in `cases`, from 0.
     pub case: usize,
-    /// The computed value.
+    /// The computed value, SI.
     pub predicted: f64,
-    /// The published value.
+    /// The published value, SI.
     pub published: f64,
-    /// The predicted minus the published value.
+    /// The computed minus the published value, SI.
     pub difference: f64,
 }
 

@@ -10,8 +10,11 @@ use crate::reproduce::{Best, Point, SingleShot, WinfieldTan};
 use crate::units::System;
 use serde::Serialize;
 
+const STUDY: &str = "winfield-tan";
+
 /// The reproduction of the paper, SI and radians.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct WinfieldTanReport<'a> {
     #[serde(skip)]
     found: &'a WinfieldTan,
@@ -24,11 +27,13 @@ pub struct WinfieldTanReport<'a> {
     #[serde(rename = "aero.spin_decay")]
     pub spin_decay: FittedNumber,
     /// `winfield-tan`.
+    #[cfg_attr(test, schemars(extend("const" = STUDY)))]
     pub study: &'static str,
 }
 
 /// The numbers of the paper, either computed or printed.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PaperNumbers {
     /// The single shot.
     pub shot: ShotNumbers,
@@ -44,23 +49,25 @@ pub struct PaperNumbers {
 
 /// The numbers of a shot.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ShotNumbers {
-    /// The carry.
+    /// The carry, m.
     pub carry: f64,
-    /// The time of flight.
+    /// The time of flight, s.
     pub flight_time: f64,
-    /// The height of the apex.
+    /// The height of the apex, m.
     pub apex_height: f64,
-    /// The time of the apex.
+    /// The time of the apex, s.
     pub apex_time: f64,
 }
 
 /// A fitted number.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct FittedNumber {
-    /// The estimate.
+    /// The estimate, SI.
     pub value: f64,
-    /// The standard uncertainty of the estimate.
+    /// The standard uncertainty of the estimate, SI.
     pub standard_uncertainty: f64,
 }
 
@@ -86,7 +93,7 @@ impl<'a> WinfieldTanReport<'a> {
                 value,
                 standard_uncertainty,
             },
-            study: "winfield-tan",
+            study: STUDY,
         }
     }
 }

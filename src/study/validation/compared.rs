@@ -62,3 +62,5 @@ impl Compared {
         }
     }
 }
+
+schema_of_names!(Compared, "Compared");
