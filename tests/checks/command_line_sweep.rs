@@ -74,8 +74,8 @@ fn announced_rows(file: &Path) -> usize {
     fs::read_to_string(sidecar(file)).map_or(0, |text| text.matches('\n').count())
 }
 
-#[cfg(feature = "full")]
 /// The sweep over the points of a table.
+#[cfg(feature = "full")]
 fn many_of(table: &str) -> Vec<&str> {
     vec![
         "sweep",
