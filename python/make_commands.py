@@ -1,54 +1,89 @@
-"""Writes ``longdrive/commands.py`` and ``longdrive/plot.py``: a function for each command, of what the commands say of their options.
+"""Writes ``commands.py``, ``plot.py`` and ``replies.py`` of the package.
+
+A function for each command, from its options; a class for each answer, from its JSON schema.
 
     python make_commands.py          writes them
-    python make_commands.py --check  fails if they are not as they would be written
+    python make_commands.py --check  fails if they are not up to date
 """
 
 from __future__ import annotations
 
 import importlib.machinery
 import importlib.util
+import json
+import keyword
 import re
 import sys
 import textwrap
 from pathlib import Path
 from typing import Any
 
-FOLDER = Path(__file__).parent / "python" / "longdrive"
+from make_examples import EXAMPLES
+
+HERE = Path(__file__).parent
+FOLDER = HERE / "python" / "longdrive"
+SCHEMAS = HERE.parent / "docs" / "schema"
 WIDTH = 100
 
-# functions written by hand do these
+# functions that are not generated
 BY_HAND = {"simulate", "gradient", "parameters", "presets", "sweep"}
-# what Python does by other means: Setup.replace, objects as answers, lists
+# replaced in Python by Setup.replace, objects as answers, and a dict of parameters
 LEFT_OUT = {"set", "set-a", "set-b", "json", "csv"}
-LEFT_OUT |= {"speed", "attack", "loft", "temperature", "wind", "altitude"}  # a dict of parameters
-# a port is listened to by the program
+LEFT_OUT |= {"speed", "attack", "loft", "temperature", "wind", "altitude"}
+# only the program listens to a port
 OF_THE_PROGRAM = {"fly": {"listen", "address"}}
 SEARCHES = {"optimize", "optimum-sensitivity", "design", "robust"}
+# studies with an answer of their own class
+REPLIES = [
+    "calibrate",
+    "chart",
+    "compare",
+    "delivery",
+    "fly",
+    "laws",
+    "pareto",
+    "report",
+    "reproduce",
+    "sensitivity",
+    "sweep",
+    "uncertainty",
+    "validate",
+    "verify",
+]
 
 TEXTS = {
-    "tolerance": "every length is within this length of its exact value, m or a text; without it 1 um where many drives are flown, unless the setup gives " "flight.method or flight.step.",
-    "own-step": "integrate by flight.method and flight.step of the setup in every case.",
+    "tolerance": "the largest error of a length, m or a text; without it 1 um where many drives "
+    "are flown, unless the setup states flight.method or flight.step.",
+    "own-step": "keep flight.method and flight.step of the setup.",
+    "other": 'the second drive, b, a setup as the first: for example setup.replace({"club.loft": '
+    '"11 deg"}). Without it launch_a or launch_b gives the difference.',
 }
-"""What options mean in Python, where the program speaks of its other commands and options."""
+"""Help of options in Python, if that of the program is about its command line."""
+
+AXES = "Axes in which the plot is drawn, in SI units and radians; the answer then has its data."
 
 HEAD = '''"""{title}
 
-Each of them raises :class:`longdrive.InputError` for bad input, with the program's message, :class:`longdrive.NoAnswerError` for a sound question
-without an answer, and :class:`longdrive.Interrupted` after Ctrl-C, with what was found so far. ``progress`` is True for a bar, or a function that is
-called with how many parts of how many are done: 0 of 0 while the parts cannot be counted.
-
-Written by make_commands.py from what the program says of its commands; change it there.
+Written by make_commands.py; change it there.
 """
 
 from __future__ import annotations
-
-from typing import Literal
 
 {imports}
 
 __all__ = [{names}]
 '''
+
+IMPORTS = """from typing import Any, Literal
+
+from .optimum import Optimum, optimum
+from .picture import Picture, picture
+from .progress import Progress
+from .replies import {replies}
+from .reply import Reply, as_reply
+from .rows import flown
+from .run_command import run_command
+from .types import Amount, AngleUnit, Given, Goals, Names, PathLike, SetupLike, TableLike"""
 
 
 def main() -> int:
@@ -56,26 +91,14 @@ def main() -> int:
     plots = next(command for command in commands if command["name"] == "plot")["commands"]
     studies = [command for command in commands if command["name"] not in BY_HAND | {"plot"}]
     written = {
-        "commands.py": module(
-            "The studies: a function for each command of the program.",
-            "from ._ask import ask\nfrom .optimum import Optimum, optimum\nfrom .progress import Progress\nfrom .reply import Reply, as_reply\n" "from .rows import flown\nfrom .types import Amount, Goals, Given, Names, PathLike, SetupLike, TableLike",
-            studies,
-            "",
-        ),
-        "plot.py": module(
-            "Plots, as pictures for notebooks and files: a function for each kind.",
-            "from ._ask import ask\nfrom .picture import Picture, picture\nfrom .progress import Progress\n" "from .types import Amount, Goals, Given, Names, PathLike, SetupLike, TableLike",
-            plots,
-            "plot ",
-        ),
+        "commands.py": module("The studies: a function for each command.", studies, ""),
+        "plot.py": module("Plots, as pictures: a function for each kind.", plots, "plot "),
+        "replies.py": replies(),
     }
     stale = [name for name, text in written.items() if read(FOLDER / name) != text]
     if "--check" in sys.argv[1:]:
         for name in stale:
-            print(
-                f"{name} is not what the commands say of their options; run python make_commands.py",
-                file=sys.stderr,
-            )
+            print(f"{name} is not up to date; run python make_commands.py", file=sys.stderr)
         return 1 if stale else 0
     for name, text in written.items():
         (FOLDER / name).write_text(text, encoding="utf-8")
@@ -83,7 +106,7 @@ def main() -> int:
 
 
 def compiled() -> Any:
-    """The compiled half of the package, without what is to be written."""
+    """The compiled module, imported without the package, whose files are about to be written."""
     folders = [FOLDER, *(Path(folder) / "longdrive" for folder in sys.path)]
     files = [
         file
@@ -103,29 +126,131 @@ def read(path: Path) -> str:
     return path.read_text(encoding="utf-8") if path.exists() else ""
 
 
-def module(title: str, imports: str, commands: list[dict[str, Any]], before: str) -> str:
+def module(title: str, commands: list[dict[str, Any]], before: str) -> str:
     functions = "\n\n".join(function(command, before) for command in commands)
-    used = "\n".join(
-        line for line in (kept(line, functions) for line in imports.split("\n")) if line
+    imports = IMPORTS.format(replies=", ".join(map(class_of, REPLIES)))
+    lines = [kept(line, functions) for line in imports.split("\n")]
+    used = "\n".join(line for line in lines if line is not None).strip()
+    return HEAD.format(title=title, imports=used, names=listed(map(name, commands))) + (
+        f"\n\n{functions}"
     )
-    names = (
-        "\n"
-        + "".join(
-            f'    "{name(command)}",\n'
-            for command in sorted(commands, key=lambda command: name(command))
-        )
-    )
-    head = HEAD.format(title=title, imports=used, names=names)
-    if "Literal[" not in functions:
-        head = head.replace("from typing import Literal\n\n", "")
-    return f"{head}\n\n{functions}"
 
 
-def kept(line: str, text: str) -> str:
-    """An import of what is used."""
+def listed(names: Any) -> str:
+    return "\n" + "".join(f'    "{name}",\n' for name in sorted(names))
+
+
+def kept(line: str, text: str) -> str | None:
+    """An import with the names that the text uses; None without any."""
+    if not line:
+        return line
     source, names = line.split(" import ")
     used = [name for name in names.split(", ") if re.search(rf"\b{name}\b", text)]
-    return f"{source} import {', '.join(sorted(used))}" if used else ""
+    short = f"{source} import {', '.join(sorted(used))}"
+    if len(short) > WIDTH:
+        return f"{source} import (\n" + "".join(f"    {name},\n" for name in sorted(used)) + ")"
+    return short if used else None
+
+
+def class_of(command: str) -> str:
+    """The name of the class of an answer: ``CompareReply``."""
+    return "".join(word.title() for word in command.split("-")) + "Reply"
+
+
+def replies() -> str:
+    """The classes of answers with their keys as attributes."""
+    common = json.loads((SCHEMAS / "common.json").read_text(encoding="utf-8"))["$defs"]
+    classes = []
+    for command in REPLIES:
+        schema = json.loads((SCHEMAS / f"{command}.json").read_text(encoding="utf-8"))
+        known = {**common, **schema.get("$defs", {})}
+        lines = [f"class {class_of(command)}(Reply):", f'    """The answer of ``{command}``."""', ""]
+        found = properties_of(schema, known)
+        if command == "fly":
+            rows = {"type": "array", "items": {"type": "object"}}
+            found["shots"] = rows | {"description": "The rows, if they are not written to a file."}
+        for key, value in found.items():
+            if not key.isidentifier() or keyword.iskeyword(key) or key in ("command", "warnings"):
+                continue
+            lines.append(f"    {key}: {python_type(value, known)}")
+            text = value.get("description")
+            if text:
+                text = re.sub(r"\bnull\b", "None", text.replace("\\", "\\\\"))
+                lines += wrapped(f'"""{text.removesuffix(".")}."""', "    ")
+        classes.append("\n".join(lines) + "\n")
+    imports = "from typing import Any\n\nfrom .reply import Reply"
+    title = "The answers of the studies: a class for each command."
+    head = HEAD.format(title=title, imports=imports, names=listed(map(class_of, REPLIES)))
+    return f"{head}\n\n" + "\n\n".join(classes)
+
+
+def properties_of(schema: dict[str, Any], common: dict[str, Any]) -> dict[str, Any]:
+    """The properties of an answer, in all its branches."""
+    schema = resolved(schema, common)
+    found = dict(schema.get("properties", {}))
+    branches = [schema[word] for word in ("then", "else") if word in schema]
+    for word in ("anyOf", "oneOf", "allOf"):
+        branches += schema.get(word, [])
+    for branch in branches:
+        for key, value in properties_of(branch, common).items():
+            found.setdefault(key, value)
+    return found
+
+
+def resolved(schema: dict[str, Any], common: dict[str, Any]) -> dict[str, Any]:
+    reference = schema.get("$ref", "")
+    if "#/$defs/" not in reference:
+        return schema
+    inner = common.get(reference.rpartition("/")[2], {})
+    return schema if inner is schema else resolved(inner, common)
+
+
+def python_type(schema: Any, common: dict[str, Any]) -> str:
+    """The type of a JSON value in Python."""
+    if not isinstance(schema, dict):
+        return "Any"
+    schema = resolved(schema, common)
+    for word in ("anyOf", "oneOf"):
+        if word in schema:
+            types = [python_type(branch, common) for branch in schema[word]]
+            return united(part for found in types for part in found.split(" | "))
+    kinds = schema.get("type")
+    values = schema.get("enum", [schema["const"]] if "const" in schema else [])
+    if values:
+        return united(type_name(value) for value in values)
+    if kinds is None:
+        return "Any"
+    kinds = kinds if isinstance(kinds, list) else [kinds]
+    return united(type_of_kind(kind, schema, common) for kind in kinds)
+
+
+def type_of_kind(kind: str, schema: dict[str, Any], common: dict[str, Any]) -> str:
+    if kind == "array":
+        return f"list[{python_type(schema.get('items'), common)}]"
+    if kind == "object":
+        values = schema.get("additionalProperties")
+        is_uniform = isinstance(values, dict) and "properties" not in schema
+        return f"dict[str, {python_type(values, common) if is_uniform else 'Any'}]"
+    names = {"string": "str", "number": "float", "integer": "int", "boolean": "bool"}
+    return names.get(kind, "None")
+
+
+def type_name(value: Any) -> str:
+    if value in ("inf", "-inf"):
+        # Python has infinity as a number
+        return "float"
+    return "None" if value is None else type(value).__name__
+
+
+def united(types: Any) -> str:
+    """A union with None last."""
+    found = dict.fromkeys(types)
+    if "Any" in found:
+        return "Any"
+    if "float" in found:
+        found.pop("int", None)
+    names = [name for name in found if name != "None"]
+    return " | ".join([*names, *(["None"] if "None" in found else [])])
 
 
 def name(command: dict[str, Any]) -> str:
@@ -202,59 +327,97 @@ def function(command: dict[str, Any], before: str) -> str:
                 else " | None = None"
             )
             parameters.append(f"{python}: {plain}{nothing}")
+    if has_angles(options):
+        parameters.append('angles: AngleUnit = "rad"')
+    if is_plot:
+        parameters.append("ax: Any = None")
     parameters.append("progress: Progress = False")
     if not others:
-        parameters.insert(-1, "*")
-
-    returns = "Picture" if is_plot else "Optimum" if command["name"] in SEARCHES else "Reply"
+        parameters.insert(len(required) + len(setups), "*")
     head = "".join(f"    {parameter},\n" for parameter in parameters)
-    return f"def {own}(\n{head}) -> {returns}:\n{docstring(command, required, setups, others)}\n{body(command, before)}"
+    described = docstring(command, [*required, *setups, *others], before)
+    returned = answer(command, before)[0]
+    return f"def {own}(\n{head}) -> {returned}:\n{described}\n{body(command, before)}"
+
+
+def has_angles(options: list[dict[str, Any]]) -> bool:
+    """True if a number among the arguments may be an angle."""
+    values = [option["value"] or "" for option in options]
+    return any("=" in value or value in ("ANGLE", "SETUP") for value in values)
+
+
+def answer(command: dict[str, Any], before: str) -> tuple[str, str]:
+    """The class of the answer, and the function that makes it of the reply of the command."""
+    own = command["name"]
+    if before:
+        return "Picture", "picture"
+    if own in SEARCHES:
+        return "Optimum", "optimum"
+    if own == "fly":
+        return "FlyReply", "flown"
+    kind = class_of(own) if own in REPLIES else "Reply"
+    return kind, f"as_reply({kind})"
 
 
 def body(command: dict[str, Any], before: str) -> str:
-    """One line: what the program says of the options tells how each argument is written."""
-    answered = (
-        "picture"
-        if before
-        else "optimum"
-        if command["name"] in SEARCHES
-        else "flown"
-        if command["name"] == "fly"
-        else "as_reply"
-    )
-    return f'    return ask("{before}{command["name"]}", locals(), {answered})\n'
+    made = answer(command, before)[1]
+    return f'    return run_command("{before}{command["name"]}", locals(), {made})\n'
 
 
-def docstring(
-    command: dict[str, Any], required: list[Any], setups: list[Any], others: list[Any]
-) -> str:
-    lines = wrapped(as_python(command["about"] or "").rstrip(".") + ".", "    ")
-    lines.append("")
-    lines.append("    Args:")
-    for option in [*required, *setups, *others]:
-        python = option["name"].replace("-", "_")
-        text = TEXTS.get(option["name"]) or as_python(option["help"] or "")
-        if option["name"] == "setup":
-            text = "A setup, the name of a preset, a dict, or None for the preset tour-average."
-            if command["name"] == "design":
-                text = text.replace("tour-average", "modern-driver")
-            if command["name"] == "compare":
-                text = "The first drive, which messages call a: " + lower(text)
-        if option["name"] == "other":
-            text = "The second drive, b, as setup is given: for example setup.replace({\"club.loft\": \"11 deg\"}). Without it launch_a or launch_b says in what it differs."
-        default = option["default"]
-        if default not in (None, "false") and not option[
-            "positional"
-        ] and option["takes"] != "nothing" and default != "-":
-            text += f" [default: {default}]"
-        lines += wrapped(f"{python}: {lower(text).removesuffix('.')}.", "        ", "            ")
-    lines += wrapped(
-        "progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they cannot be counted.",
-        "        ",
-        "            ",
+def docstring(command: dict[str, Any], options: list[dict[str, Any]], before: str) -> str:
+    """The docstring, in the style of numpydoc."""
+    summary, *more = (command["about"] or "").split("\n\n", 1)
+    lines = wrapped(as_python(summary).rstrip(".") + ".", '    """', "    ")
+    if more:
+        lines += ["", *wrapped(as_python(more[0]).rstrip(".") + ".", "    ")]
+    lines += section("Parameters")
+    for option in options:
+        text = lower(text_of(command["name"], option)).removesuffix(".")
+        lines += item(option["name"].replace("-", "_"), type_of(option), f"{text}.")
+    if has_angles(options):
+        lines += item("angles", '{"rad", "deg"}', "The unit of angles without a unit.")
+    if before:
+        lines += item("ax", "matplotlib.axes.Axes", AXES)
+    progress = (
+        "True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot "
+        "be counted."
     )
-    lines[0] = '    """' + lines[0].strip()
+    lines += item("progress", "bool or callable", progress)
+    lines += section("Returns")
+    lines += item(answer(command, before)[0], "", "The answer.")
+    lines += section("Raises")
+    lines += item("InputError", "", "For bad input.")
+    lines += item("NoAnswerError", "", "For a sound question without an answer.")
+    lines += item("Interrupted", "", "After Ctrl-C, with the result so far.")
+    lines += section("Examples")
+    example = EXAMPLES[f"{before}{command['name']}"].strip("\n")
+    lines += [f"    {line}".rstrip() for line in ("import longdrive\n" + example).split("\n")]
+    first = len(lines) - len(example.split("\n")) - 1
+    lines[first] = f"    >>> {lines[first].strip()}"
     return "\n".join(lines) + '\n    """'
+
+
+def section(title: str) -> list[str]:
+    return ["", f"    {title}", f"    {'-' * len(title)}"]
+
+
+def item(name: str, kind: str, text: str) -> list[str]:
+    text = text[0].upper() + text[1:]
+    return [f"    {name} : {kind}" if kind else f"    {name}", *wrapped(text, "        ")]
+
+
+def text_of(command: str, option: dict[str, Any]) -> str:
+    """The help of an option in Python."""
+    name, default = option["name"], option["default"]
+    if name == "setup":
+        preset = "modern-driver" if command == "design" else "tour-average"
+        text = f"a setup, the name of a preset, a dict, or None for the preset {preset}"
+        return f"the first drive, a in messages: {text}" if command == "compare" else text
+    text = TEXTS.get(name) or as_python(option["help"] or "")
+    has_default = default not in (None, "false", "-") and not option["positional"]
+    if has_default and option["takes"] != "nothing":
+        text += f" [default: {default}]"
+    return text
 
 
 def wrapped(text: str, first: str, then: str | None = None) -> list[str]:
@@ -269,7 +432,7 @@ def wrapped(text: str, first: str, then: str | None = None) -> list[str]:
 
 
 def as_python(text: str) -> str:
-    """Help in the words of Python: options as names of arguments."""
+    """Help with the names of arguments in place of options."""
     text = re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda match: match[1].replace("-", "_"), text)
     text = re.sub(r"\.? Repeatable\.?$", "", text).replace(
         ", separated by commas", ", one or several"

@@ -74,6 +74,7 @@ mod fingerprint;
 pub mod flight;
 pub mod ground;
 pub mod impact;
+mod input_file;
 pub mod launch;
 pub mod number;
 pub mod optimize;

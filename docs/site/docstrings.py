@@ -1,4 +1,4 @@
-"""Docstrings as Markdown: examples after >>> in a block of code, and :class:`Name` as code; those of the compiled module beside its stubs."""
+"""Docstrings as Markdown: :class:`Name` as code; those of the compiled module from the module."""
 
 from __future__ import annotations
 
@@ -26,11 +26,12 @@ class Docstrings(griffe.Extension):
             text = compiled(obj.path) or text
         if text:
             text = FOR_MAINTAINERS.sub("", ROLE.sub(r"\1", text))
-            text = EXAMPLE.sub(lambda example: f"```pycon\n{example[0].rstrip()}\n```\n", text)
+            if "\nExamples\n----" not in text:
+                text = EXAMPLE.sub(lambda example: f"```pycon\n{example[0].rstrip()}\n```\n", text)
             if obj.docstring:
                 obj.docstring.value = text.strip()
             else:
-                obj.docstring = griffe.Docstring(text.strip(), parent=obj, parser="google")
+                obj.docstring = griffe.Docstring(text.strip(), parent=obj, parser="numpy")
 
 
 def compiled(path: str) -> str | None:

@@ -1,10 +1,13 @@
-"""A million drives with gradients in 20 parts, on a cluster of Dask: the workers of this machine, or those of a scheduler.
+"""A million drives with gradients in 20 parts, on a cluster of Dask.
+
+The workers are those of this machine, or of a scheduler.
 
     python dask_sweep.py drives
     python dask_sweep.py /shared/drives tcp://scheduler:8786
 """
 
 import sys
+from typing import Any
 
 from dask.distributed import Client, LocalCluster
 
@@ -12,7 +15,9 @@ import longdrive.dask
 
 
 def main(output: str, scheduler: str | None = None) -> None:
-    with Client(scheduler or LocalCluster(threads_per_worker=1, dashboard_address=None)) as client:
+    no_dashboard: Any = None
+    cluster = scheduler or LocalCluster(threads_per_worker=1, dashboard_address=no_dashboard)
+    with Client(cluster) as client:
         found = longdrive.dask.sweep(
             client,
             "tour-average",

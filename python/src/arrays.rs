@@ -11,10 +11,10 @@ use numpy::{PyArray1, PyArrayDescrMethods, PyArrayMethods, PyUntypedArray, PyUnt
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyList, PyMapping, PyString, PyTuple};
 
-/// Rows that are gathered from the arrays at a time, with Python's lock.
+/// Rows that are copied from the arrays at a time, with the lock of Python.
 const GATHERED: usize = 65_536;
 
-/// Rows that are looked at before Python is let in.
+/// Rows that are checked before other threads of Python may run.
 const LOOKED_AT: usize = 1 << 20;
 
 /// Imports NumPy's functions at the start: the first use of an array does so, and a Ctrl-C within
@@ -38,18 +38,18 @@ pub struct Arrays {
     columns: Vec<Column>,
     rows: usize,
     ranges: Vec<Vary>,
-    /// Columns that look like degrees, in words.
+    /// Warnings about columns that look like degrees.
     in_degrees: Vec<String>,
     next: usize,
-    /// Rows that were gathered, one after the other, from row `first` on.
+    /// Copied rows, from row `first` on.
     gathered: Vec<f64>,
     first: usize,
 }
 
 impl Arrays {
-    /// The points of a dict of names with arrays or numbers. Arrays of 64-bit floats are taken as
-    /// they are, whatever their strides; other floats and whole numbers are converted. They are not
-    /// looked through yet.
+    /// The points of a dict of names with arrays or numbers. Arrays of 64-bit floats are not copied,
+    /// whatever their strides; other floats and whole numbers are converted. The values are checked
+    /// later.
     pub fn of(setup: &Setup<f64>, points: &Bound<'_, PyAny>) -> Answer<Self> {
         let Ok(points) = points.cast::<PyMapping>() else {
             let kind = kind_of(points);
@@ -116,9 +116,9 @@ impl Arrays {
         self.in_degrees.clone()
     }
 
-    /// Finds the ranges of the values that their parameters may have, and columns that look like
-    /// degrees. Python is let in between. `is_bare` tells whether the numbers are given without a
-    /// unit: those of a sweep have one.
+    /// Finds the ranges of the valid values, and columns that look like degrees. Other threads of
+    /// Python may run in between. `is_bare` is true for numbers without a unit: those of a sweep
+    /// have one.
     pub fn look(&mut self, py: Python<'_>, is_bare: bool) -> PyResult<()> {
         for (parameter, column) in self.parameters.iter().zip(&self.columns) {
             let mut range = None::<(f64, f64)>;
@@ -231,7 +231,7 @@ pub fn floats<'py>(
 ) -> Answer<Bound<'py, PyAny>> {
     let numpy = given.py().import("numpy")?;
     if given.is_instance_of::<PyList>() || given.is_instance_of::<PyTuple>() {
-        // NumPy makes numbers of truths that stand among numbers
+        // NumPy converts True among numbers to 1
         let truth = numpy.getattr("bool_")?;
         for (at, item) in given.try_iter()?.enumerate() {
             let item = item?;
@@ -252,9 +252,9 @@ pub fn floats<'py>(
         .cast::<PyUntypedArray>()
         .map_err(|_| refuse("is no array".into()))?;
     let kind = array.dtype().kind();
-    // whole numbers and floats; a truth, a text, a time or a complex number is no quantity
+    // only whole numbers and floats are quantities
     if !matches!(kind, b'i' | b'u' | b'f') {
-        // a None among numbers makes objects of them
+        // with None among numbers the array has objects
         let objects = if kind == b'O' { missing } else { "" };
         return Err(refuse(format!("has dtype {}{objects}", array.dtype())));
     }
@@ -298,7 +298,7 @@ impl Points for Arrays {
         let width = self.columns.len();
         let known = self.gathered.len() / width.max(1);
         if self.next == self.first + known && self.next < self.rows {
-            // the arrays are Python's
+            // the arrays belong to Python
             Python::attach(|py| self.gather(py));
         }
         let begin = self.next - self.first;

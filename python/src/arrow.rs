@@ -1,5 +1,5 @@
-//! Tables by Arrow's C stream interface, which pandas, polars, pyarrow and others read: columns are
-//! lent, not copied.
+//! Tables by Arrow's C stream interface, which pandas, polars, pyarrow and others read: they
+//! share the memory of the columns.
 #![expect(
     unsafe_code,
     reason = "arrow is lent the memory of arrays of NumPy, which are held as long as it is in use"
@@ -23,7 +23,7 @@ use std::panic::AssertUnwindSafe;
 use std::ptr::NonNull;
 use std::sync::Arc;
 
-/// The numbers of an array, lent to Arrow.
+/// The numbers of an array, in shared memory.
 fn lent<T: Element + arrow_buffer::ArrowNativeType>(
     array: &Bound<'_, PyArray1<T>>,
 ) -> Answer<ScalarBuffer<T>> {
@@ -47,13 +47,13 @@ fn numbers(array: &Bound<'_, PyArray1<f64>>) -> Answer<Float64Array> {
     Ok(Float64Array::new(values, nulls))
 }
 
-/// The capsule of `__arrow_c_stream__`: columns of numbers with their units, and the status of each
-/// row before the column of this number.
+/// The capsule of `__arrow_c_stream__`: columns of numbers with their units; and the status of each
+/// row, if there is one, before the column of the number `at`.
 #[pyfunction]
 pub fn arrow_stream<'py>(
     py: Python<'py>,
     columns: Vec<(String, Bound<'py, PyArray1<f64>>, String)>,
-    status: Bound<'py, PyArray1<i8>>,
+    status: Option<Bound<'py, PyArray1<i8>>>,
     names: Vec<String>,
     at: usize,
     metadata: HashMap<String, String>,
@@ -67,14 +67,14 @@ pub fn arrow_stream<'py>(
             fields.push(field.with_metadata(HashMap::from([("unit".to_owned(), unit)])));
             arrays.push(Arc::new(array));
         }
-        let (keys, words) = (
-            Int8Array::new(lent(&status)?, None),
-            Arc::new(StringArray::from(names)),
-        );
-        let status = DictionaryArray::<Int8Type>::try_new(keys, words).map_err(refused)?;
-        let at = at.min(fields.len());
-        fields.insert(at, Field::new("status", status.data_type().clone(), false));
-        arrays.insert(at, Arc::new(status));
+        if let Some(status) = status {
+            let keys = Int8Array::new(lent(&status)?, None);
+            let words = Arc::new(StringArray::from(names));
+            let status = DictionaryArray::<Int8Type>::try_new(keys, words).map_err(refused)?;
+            let at = at.min(fields.len());
+            fields.insert(at, Field::new("status", status.data_type().clone(), false));
+            arrays.insert(at, Arc::new(status));
+        }
         let schema = Arc::new(Schema::new_with_metadata(fields, metadata));
         let batch = RecordBatch::try_new(Arc::clone(&schema), arrays).map_err(refused)?;
         let stream =

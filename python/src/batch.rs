@@ -1,4 +1,4 @@
-//! Very many drives, at the points of arrays.
+//! Batches of drives at the points of arrays.
 
 use crate::arrays::Arrays;
 use crate::boundary::{Answer, Failure, answer};
@@ -19,19 +19,19 @@ use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// The status of a drive that landed and lacks an outcome or a derivative that was asked for, after
-/// those of `longdrive::batch::Status`.
+/// The status of a drive that landed without a requested outcome or derivative, after those of
+/// `longdrive::batch::Status`.
 const UNDEFINED: i8 = Status::ALL.len() as i8;
 
 /// The results of a batch, column after column.
 struct Results {
-    /// Rows there is room for, and rows that are done.
+    /// Number of allocated rows, and of computed rows.
     room: usize,
     done: usize,
     /// The points, then outcomes, then derivatives, a column of `room` numbers each.
     columns: Vec<f64>,
     status: Vec<i8>,
-    /// Row after row.
+    /// Hessians of the rows.
     hessians: Vec<f64>,
     status_counts: StatusCounts,
 }
@@ -95,7 +95,7 @@ impl Piece {
 }
 
 impl Results {
-    /// Room for so many rows of so many numbers.
+    /// Allocates memory for `room` rows of `width` numbers.
     fn new(room: usize, width: usize, of_hessians: usize) -> Answer<Self> {
         let numbers = room.checked_mul(width).zip(room.checked_mul(of_hessians));
         let has_room = |numbers: usize| Vec::<f64>::new().try_reserve_exact(numbers).is_ok();
@@ -109,7 +109,7 @@ impl Results {
             );
             return Err(Failure::Input(message));
         };
-        // zeros that the system makes once they are touched
+        // the system allocates zeros at the first access
         let (columns, hessians, status) =
             (vec![0.0; of_columns], vec![0.0; of_hessians], vec![0; room]);
         Ok(Self {
@@ -122,7 +122,7 @@ impl Results {
         })
     }
 
-    /// Puts a piece after those that are there.
+    /// Appends a piece.
     fn take(&mut self, piece: &Piece) {
         let rows = piece.status.len();
         for (to, from) in self
@@ -225,7 +225,7 @@ pub fn batch<'py>(
             results: Mutex::new(Some(Results::new(rows, width, of_hessians)?)),
             done: AtomicU64::new(0),
         });
-        // once it is known that there is room for them
+        // after the allocation, which may fail
         arrays.look(py, ranges.is_none())?;
         let ranges = match ranges {
             None => arrays.ranges(),
@@ -274,7 +274,7 @@ pub fn batch<'py>(
                 .map(|_| ()),
             None => Ok(()),
         };
-        // few drives are done before anyone could stop them
+        // few drives take less time than an interruption
         let ended = if rows <= CHUNK && !hessians && asked.is_known(&setup) {
             py.detach(|| work(&AtomicBool::new(false)))
                 .map_err(Failure::from)
@@ -287,7 +287,7 @@ pub fn batch<'py>(
             Err(other) => return Err(other),
         };
         if let (Some(progress), None, true) = (progress, &raised, total > 0) {
-            // the rows are kept where Ctrl-C comes now
+            // Ctrl-C here keeps the rows
             raised = progress.call1((total, total)).err();
         }
         let results = shared
@@ -371,8 +371,8 @@ fn none(
     )
 }
 
-/// The ranges that a sweep chooses its step for: those that were asked for, which the points need
-/// not reach.
+/// The ranges for which a sweep chooses its step: the stated ranges, which the points need not
+/// reach.
 fn given_ranges(setup: &PySetup, given: &[(String, f64, f64)]) -> Answer<Vec<Vary>> {
     let range = |(name, low, high): &(String, f64, f64)| {
         Ok(Vary {
@@ -395,7 +395,7 @@ fn by_names(
     if names == ["points"] {
         return Ok(of_points.to_vec());
     }
-    // a parameter that only the points have a value of is theirs
+    // only the points may have a value of the parameter
     let is_of_points = |name: &String| of_points.iter().any(|row| row.name == name);
     if names.iter().any(is_of_points) {
         let mut rows = vec![];
@@ -431,7 +431,7 @@ fn units(arrays: &Arrays, of: &[Outcome], wrt: &[&'static Parameter]) -> Vec<Str
     points.chain(outcomes).chain(derivatives).collect()
 }
 
-/// Computes the rows and puts them into what is shared, until someone has taken it away.
+/// Computes the rows and appends them to the shared results, until these are taken.
 fn compute(
     batch: &Batch,
     mut arrays: Arrays,

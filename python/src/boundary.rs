@@ -1,5 +1,5 @@
-//! Where Rust meets Python: every function that Python calls answers through [`answer`], so that
-//! errors become the exceptions of `longdrive.errors` and a panic becomes one too.
+//! The boundary between Rust and Python: every function that Python calls returns through
+//! [`answer`], which converts errors and panics to exceptions of `longdrive.errors`.
 
 use crate::wording::in_python;
 use pyo3::exceptions::{PyRuntimeError, PyUnicodeEncodeError};
@@ -12,13 +12,13 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 pub enum Failure {
     /// An error of longdrive.
     Longdrive(Box<longdrive::Error>),
-    /// An argument that longdrive cannot get.
+    /// A bad argument.
     Input(String),
-    /// A key that a mapping has not.
+    /// An unknown key of a mapping.
     Key(String),
-    /// An exception of Python's own.
+    /// An exception of Python.
     Python(PyErr),
-    /// A panic: a mistake in longdrive.
+    /// A panic: a bug in longdrive.
     Panic(String),
 }
 
@@ -52,8 +52,8 @@ impl From<Failure> for PyErr {
     }
 }
 
-/// An exception of `longdrive.errors`; they are classes of Python, so that they pickle as any
-/// other. Arguments in its message are in the words of Python.
+/// An exception of `longdrive.errors`: a class of Python, which pickles. The message names the
+/// arguments of Python.
 fn raised(name: &str, message: String, status: Option<&str>) -> PyErr {
     Python::attach(|py| {
         let class = py
@@ -68,7 +68,7 @@ fn raised(name: &str, message: String, status: Option<&str>) -> PyErr {
     })
 }
 
-/// A text that is no Unicode is bad input, wherever it is met.
+/// Converts the error of a text that is not Unicode to bad input.
 fn half_a_character(error: PyErr) -> PyErr {
     Python::attach(|py| {
         if !error.is_instance_of::<PyUnicodeEncodeError>(py) {
@@ -85,14 +85,14 @@ fn half_a_character(error: PyErr) -> PyErr {
 /// The error of a text with a lone surrogate.
 const HALF: &str = "has half a character (a lone surrogate); give the text without it";
 
-/// A text of Python; `what` names what it is given for.
+/// A text of Python; `what` is its name in messages.
 pub fn text_of<'a>(what: &str, text: &'a Bound<'_, PyString>) -> Answer<&'a str> {
     text.to_str()
         .map_err(|_| Failure::Input(format!("{what} = {} {HALF}", shown(text))))
 }
 
-/// Does what Python asked for. A panic becomes `longdrive.InternalError`, which `except Exception`
-/// catches; PyO3 alone would make a `BaseException` of it.
+/// Runs the work of a call. A panic becomes `longdrive.InternalError`, which `except Exception`
+/// catches; PyO3 would raise a `BaseException`.
 pub fn answer<T>(work: impl FnOnce() -> Answer<T>) -> PyResult<T> {
     Ok(unpanicked(work)??)
 }
@@ -121,7 +121,7 @@ pub fn kind_of(value: &Bound<'_, PyAny>) -> String {
     kind.unwrap_or_else(|_: PyErr| "something else".into())
 }
 
-/// A value in a message, cut where it is long.
+/// A value in a message, shortened.
 pub fn shown(value: &Bound<'_, PyAny>) -> String {
     let shown = value
         .py()
@@ -130,8 +130,7 @@ pub fn shown(value: &Bound<'_, PyAny>) -> String {
     shown.unwrap_or_else(|_: PyErr| kind_of(value))
 }
 
-/// Panics, so that a test can see what becomes of it. With `in_python`, as a panic outside of
-/// longdrive's own code would.
+/// Panics, for a test of the exception.
 #[pyfunction(name = "_panic_for_a_test")]
 pub fn panic_for_a_test(message: String) -> PyResult<()> {
     answer(|| {

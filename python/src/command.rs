@@ -3,16 +3,21 @@
 use crate::boundary::{Answer, answer};
 use crate::json::to_python;
 use crate::pool::{self, Ended};
+use crate::request::arguments_of;
 use crate::wording;
 use indicatif::{ProgressBar, ProgressDrawTarget};
-use longdrive::command::{Hold, Host, Kind, Mention, mark_options, run, run_in_terminal};
+use longdrive::command::{
+    Call, Hold, Host, Kind, MemoryFiles, Mention, call, mark_options, run_in_terminal,
+};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
 use serde_json::Value;
+use std::collections::HashMap;
 use std::ffi::OsString;
 use std::io;
 use std::panic::resume_unwind;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -28,6 +33,10 @@ struct Caller {
     files: Mutex<Files>,
     /// The setup, as the text of a setup file.
     setup: String,
+    /// The input files in memory.
+    inputs: MemoryFiles,
+    /// The output files in memory, with their contents once they are complete.
+    outputs: Mutex<HashMap<PathBuf, Vec<u8>>>,
 }
 
 #[derive(Default)]
@@ -55,8 +64,12 @@ impl Caller {
         self.now.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn files(&self) -> MutexGuard<'_, Files> {
+    fn written(&self) -> MutexGuard<'_, Files> {
         self.files.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn outputs(&self) -> MutexGuard<'_, HashMap<PathBuf, Vec<u8>>> {
+        self.outputs.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Says the position of the progress bar, with the best value so far.
@@ -128,6 +141,18 @@ impl Host for Caller {
         Ok(self.setup.clone())
     }
 
+    fn files(&self) -> MemoryFiles {
+        self.inputs.clone()
+    }
+
+    fn keeps(&self, name: &Path) -> bool {
+        self.outputs().contains_key(name)
+    }
+
+    fn keep(&self, name: &Path, content: Vec<u8>) {
+        self.outputs().insert(name.into(), content);
+    }
+
     fn can_stop(&self, _: &'static str, stop: &Arc<AtomicBool>) {
         self.now().stop = Some(stop.clone());
     }
@@ -138,7 +163,7 @@ impl Host for Caller {
     }
 
     fn hold(&self) -> Box<dyn Hold + '_> {
-        let files = self.files();
+        let files = self.written();
         if files.is_left {
             drop(files);
             // it ends here, without the message of a panic: who has gone on expects no more files
@@ -166,47 +191,80 @@ impl Hold for Writing<'_> {
 }
 
 /// The result of a command: its exit status, `None` if it was abandoned; its answer, or the files
-/// that it had written; and the exception that interrupted it.
-type Asked<'py> = (Option<u8>, Bound<'py, PyAny>, Option<PyErr>);
+/// that it had written; its output files in memory; and the exception that interrupted it.
+type Ran<'py> = (
+    Option<u8>,
+    Bound<'py, PyAny>,
+    Bound<'py, PyDict>,
+    Option<PyErr>,
+);
 
-/// Runs a command and waits for its answer: exit status, answer (parsed JSON, else a text), and the
-/// exception that interrupted it, if any. After Ctrl-C, interruptible work has two seconds, or
-/// until the next Ctrl-C, to answer with its result so far. Other work is abandoned: it writes no
-/// more, and in place of an answer is a list of the files that it has written.
+/// Runs a command and waits for its answer: exit status, answer (parsed JSON, else a text), output
+/// files in memory, and the exception that interrupted it, if any. After Ctrl-C, interruptible work
+/// has two seconds, or until the next Ctrl-C, to answer with its result so far. Other work is
+/// abandoned: it writes no more, and in place of an answer is a list of the files that it has
+/// written.
 ///
-/// Args: words: the command line, without the name of the program. setup: the text of the setup
-/// file that is named ``-``. say: called from the calling thread with what is said beside the
-/// answer: its kind (``note``, ``warning``, ``error``) and the text. progress: called now and then
-/// from the calling thread with how many parts of how many are done (0 of 0 where they cannot be
-/// counted).
+/// Parameters
+/// ----------
+/// command
+///     The command, as ``optimize`` or ``plot contour``.
+/// arguments
+///     Typed values by the names of the options.
+/// setup
+///     The text of the setup file ``-``.
+/// files
+///     Input files in memory.
+/// outputs
+///     Names of output files that stay in memory.
+/// say
+///     Called from the calling thread with each message: its kind (``note``, ``warning``,
+///     ``error``) and its text.
+/// progress
+///     Called now and then from the calling thread with the parts done and the parts in all, 0 of 0
+///     where they cannot be counted.
 #[pyfunction]
-#[pyo3(signature = (words, setup, say, progress = None))]
+#[expect(
+    clippy::too_many_arguments,
+    reason = "only longdrive.run_command calls it"
+)]
+#[pyo3(signature = (command, arguments, setup, files, outputs, say, progress = None))]
 pub fn command<'py>(
     py: Python<'py>,
-    words: Vec<OsString>,
+    command: String,
+    arguments: &Bound<'py, PyDict>,
     setup: String,
+    files: HashMap<PathBuf, Vec<u8>>,
+    outputs: Vec<PathBuf>,
     say: &Bound<'py, PyAny>,
     progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<Asked<'py>> {
-    answer(|| asked(py, words, setup, say, progress))
+) -> PyResult<Ran<'py>> {
+    answer(|| {
+        let call = Call {
+            command,
+            arguments: arguments_of(arguments)?,
+        };
+        let caller = Caller {
+            setup,
+            inputs: files
+                .into_iter()
+                .map(|(name, content)| (name, content.into()))
+                .collect(),
+            outputs: Mutex::new(outputs.into_iter().map(|name| (name, vec![])).collect()),
+            ..Caller::default()
+        };
+        ran(py, call, Arc::new(caller), say, progress)
+    })
 }
 
-fn asked<'py>(
+fn ran<'py>(
     py: Python<'py>,
-    words: Vec<OsString>,
-    setup: String,
+    request: Call,
+    caller: Arc<Caller>,
     say: &Bound<'py, PyAny>,
     progress: Option<&Bound<'py, PyAny>>,
-) -> Answer<Asked<'py>> {
-    let caller = Arc::new(Caller {
-        setup,
-        ..Caller::default()
-    });
+) -> Answer<Ran<'py>> {
     let host = caller.clone();
-    let words = [OsString::from("longdrive")]
-        .into_iter()
-        .chain(words)
-        .collect();
     let watch = || said(&caller, say).and_then(|()| shown(&caller, progress));
     let patience = |raised: &PyErr| {
         let time = caller.stops();
@@ -218,23 +276,28 @@ fn asked<'py>(
         }
     };
     let (status, raised) =
-        match pool::run_to_answer(py, move |_| run(words, host), watch, patience)? {
+        match pool::run_to_answer(py, move |_| call(&request, host), watch, patience)? {
             Ended::Done(status, raised) => (Some(status), raised),
             Ended::Left(raised) => {
                 caller.tell_of_bar();
                 said(&caller, say)?;
                 let written = py.detach(|| {
-                    let mut files = caller.files();
+                    let mut files = caller.written();
                     files.is_left = true;
                     std::mem::take(&mut files.written)
                 });
-                return Ok((None, written.into_pyobject(py)?, Some(raised)));
+                let none = PyDict::new(py);
+                return Ok((None, written.into_pyobject(py)?, none, Some(raised)));
             }
         };
     // Ctrl-C may come now, too
     let raised = raised.or(said(&caller, say).err());
     let text = std::mem::take(&mut caller.now().answer);
-    Ok((status, parsed(py, &text)?, raised))
+    let outputs = PyDict::new(py);
+    for (name, content) in caller.outputs().drain() {
+        outputs.set_item(name.to_string_lossy(), PyBytes::new(py, &content))?;
+    }
+    Ok((status, parsed(py, &text)?, outputs, raised))
 }
 
 fn said(caller: &Caller, say: &Bound<'_, PyAny>) -> PyResult<()> {

@@ -1,4 +1,4 @@
-//! Degrees that were given for radians.
+//! Degrees in place of radians.
 
 use longdrive::parameters::Parameter;
 use longdrive::units::{Quantity, counted_of};
@@ -38,7 +38,7 @@ impl Degrees {
         Some(format!(
             "points: out of range: {which} of {name} ({values}; it may be {allowed}); numbers are \
              radians, and these look like degrees: if they are, \
-             give numpy.radians(…) of them"
+             give numpy.radians(…) of them, or angles=\"deg\""
         ))
     }
 }

@@ -9,12 +9,12 @@ use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::prelude::*;
 
-/// The values of a row, as an array that owns them.
+/// The values of a row as an array.
 pub fn vector(py: Python<'_>, values: Vec<f64>) -> Bound<'_, PyArray1<f64>> {
     values.into_pyarray(py)
 }
 
-/// The rows of a matrix, each as long as the other, as an array.
+/// The rows of a matrix as an array.
 pub fn matrix<'py>(
     py: Python<'py>,
     rows: &[Vec<f64>],

@@ -1,9 +1,10 @@
-//! What Python gives for the parameters of a setup: numbers, texts with units, quantities of pint,
+//! Values of Python for the parameters of a setup: numbers, texts with units, quantities of pint,
 //! nested or dotted dicts.
 
 use crate::boundary::{Answer, Failure, kind_of, shown, text_of};
 use longdrive::Setup;
 use longdrive::parameters::{GOLFER, Kind, LAW, Law, METHOD, SPEED_OF, TABLE, TURF, UNSET};
+use longdrive::units::Quantity;
 use pyo3::exceptions::PyOverflowError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyMapping, PyString};
@@ -11,14 +12,41 @@ use pyo3::types::{PyBool, PyMapping, PyString};
 /// The key that names the preset a dict starts from, as in a setup file.
 pub const PRESET: &str = "preset";
 
-/// The choices that are no numbers.
+/// Parameters whose values are names.
 const CHOICES: [&str; 6] = [LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF];
 
-/// So many dicts may lie within each other: a name has three parts at most, as `club.inertia.xx`
-/// has.
+/// The deepest nesting of dicts: a name has at most three parts, as `club.inertia.xx`.
 const DEEPEST: usize = 4;
 
-/// A parameter or a choice, as it was given.
+/// The unit of an angle without a unit.
+#[derive(Clone, Copy, PartialEq)]
+pub enum AngleUnit {
+    Radian,
+    Degree,
+}
+
+impl AngleUnit {
+    /// The unit of the argument `angles`.
+    pub fn of(angles: Option<&Bound<'_, PyAny>>) -> Answer<Self> {
+        let Some(angles) = angles else {
+            return Ok(Self::Radian);
+        };
+        let name = angles.extract::<String>().unwrap_or_default();
+        match name.as_str() {
+            "rad" => Ok(Self::Radian),
+            "deg" => Ok(Self::Degree),
+            _ => Err(Failure::Input(format!(
+                "angles = {}; expected 'rad' or 'deg'",
+                shown(angles)
+            ))),
+        }
+    }
+}
+
+/// An angle that was given as a number: its parameter and its value, rad.
+pub type BareAngle = (String, f64);
+
+/// A parameter with its value of Python.
 pub struct Given<'py> {
     /// Its dotted name.
     pub name: String,
@@ -53,8 +81,8 @@ impl Given<'_> {
             return Ok((format!("{number:?}"), true));
         }
         match value.extract::<f64>() {
-            // a truth is a number to Python, and no quantity
-            Ok(number) if !value.is_instance_of::<PyBool>() => Ok((format!("{number:?}"), true)),
+            // Python treats True as the number 1
+            Ok(number) if !is_bool(value) => Ok((format!("{number:?}"), true)),
             Err(error) if error.is_instance_of::<PyOverflowError>(value.py()) => {
                 Err(Failure::Input(format!(
                     "'{}' = {} is too large for a 64-bit float, which ends at 1.8e308",
@@ -77,6 +105,12 @@ impl Given<'_> {
         }
     }
 
+    fn is_of_pint(&self) -> bool {
+        ["to", "magnitude", "units"]
+            .iter()
+            .all(|name| self.value.hasattr(*name).unwrap_or(false))
+    }
+
     /// The error of None for a parameter that needs a value.
     fn lacks_value(&self, setup: &Setup<f64>) -> Failure {
         let name = &self.name;
@@ -97,23 +131,26 @@ impl Given<'_> {
         ))
     }
 
-    /// The number of a quantity of pint, SI. It is known by what it has: pint itself need not be
-    /// there.
+    /// The number of a quantity of pint, SI. The check uses its attributes: pint need not be
+    /// installed.
     fn of_pint(&self, setup: &Setup<f64>) -> Answer<Option<f64>> {
-        let is_quantity = ["to", "magnitude", "units"]
-            .iter()
-            .all(|name| self.value.hasattr(*name).unwrap_or(false));
-        if !is_quantity {
+        if !self.is_of_pint() {
             return Ok(None);
         }
         let (py, si) = (self.value.py(), setup.parameter(&self.name)?.quantity.si);
-        let in_si = py.import("longdrive.written")?.getattr("in_si")?;
+        let in_si = py.import("longdrive.quantities")?.getattr("to_si")?;
         let number = in_si
             .call1((&self.value, si))
             .and_then(|number| number.extract());
         let refused = |error: PyErr| Failure::Input(format!("{}: {}", self.name, error.value(py)));
         number.map(Some).map_err(refused)
     }
+}
+
+/// True for a bool of Python or NumPy.
+fn is_bool(value: &Bound<'_, PyAny>) -> bool {
+    let name = value.get_type().name();
+    value.is_instance_of::<PyBool>() || name.is_ok_and(|name| name == "bool" || name == "bool_")
 }
 
 /// The entries of a dict under their dotted names, each given once.
@@ -137,7 +174,7 @@ fn may_be_unset(setup: &Setup<f64>, name: &str) -> bool {
     }
 }
 
-/// Refuses a name that stands twice in what was given.
+/// Refuses a repeated name.
 pub fn refuse_repeated(all: &[Given<'_>]) -> Answer<()> {
     match all
         .iter()
@@ -152,7 +189,7 @@ pub fn refuse_repeated(all: &[Given<'_>]) -> Answer<()> {
     }
 }
 
-/// Takes the entries of a dict that lies within others: `depth` counts it and them.
+/// Collects the entries of a nested dict; `depth` is 1 for the outermost.
 fn flatten<'py>(
     dict: &Bound<'py, PyMapping>,
     prefix: &str,
@@ -177,7 +214,7 @@ fn flatten<'py>(
                      {{\"club.inertia.xx\": …}}"
                 )));
             }
-            // a group of which nothing is given
+            // an empty group
             Ok(inner) if inner.is_empty()? && is_group(&name) => {}
             Ok(inner) if !inner.is_empty()? => flatten(inner, &format!("{name}."), depth + 1, all)?,
             _ => all.push(Given { name, value }),
@@ -209,28 +246,51 @@ fn not_a_mapping(value: &Bound<'_, PyAny>) -> Failure {
     ))
 }
 
-/// Gives a setup these values. Numbers without a unit are SI.
-pub fn apply(setup: &mut Setup<f64>, given: &[Given<'_>]) -> Answer<()> {
-    // the law decides which coefficients there are
+/// Sets these parameters. Numbers without a unit are SI, but angles have the unit `angles`. Returns
+/// the angles that were given as numbers.
+pub fn apply(
+    setup: &mut Setup<f64>,
+    given: &[Given<'_>],
+    angles: AngleUnit,
+) -> Answer<Vec<BareAngle>> {
+    // the law determines which coefficients exist
     let mut of_law = *setup;
     let is_choice = |given: &&Given<'_>| matches!(given.name.as_str(), LAW | TABLE);
     for choice in given.iter().filter(is_choice) {
         // errors in it are reported below
         let _ = of_law.set(&choice.name, &choice.text(setup)?.0);
     }
-    let texts = given
+    let mut texts = given
         .iter()
         .map(|given| given.text(&of_law))
         .collect::<Answer<Vec<_>>>()?;
+    let mut bare_angles = vec![];
+    for (given, (text, is_bare)) in given.iter().zip(&mut texts) {
+        let is_angle = of_law
+            .parameter(&given.name)
+            .is_ok_and(|row| row.quantity == Quantity::ANGLE);
+        if !is_angle || !*is_bare || given.is_of_pint() {
+            continue;
+        }
+        let Ok(number) = text.parse::<f64>() else {
+            continue;
+        };
+        if angles == AngleUnit::Degree {
+            *text = format!("{:?}", number.to_radians());
+        } else {
+            bare_angles.push((given.name.clone(), number));
+        }
+    }
     let settings: Vec<_> = given
         .iter()
         .zip(&texts)
         .map(|(given, (text, bare))| (given.name.as_str(), text.as_str(), *bare))
         .collect();
-    Ok(setup.set_each(&settings)?)
+    setup.set_each(&settings)?;
+    Ok(bare_angles)
 }
 
-/// The preset that a dict names, taken out of it.
+/// Removes the name of the preset from the entries of a dict.
 pub fn preset(given: &mut Vec<Given<'_>>) -> Answer<Option<String>> {
     let Some(at) = given.iter().position(|given| given.name == PRESET) else {
         return Ok(None);

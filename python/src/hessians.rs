@@ -1,4 +1,4 @@
-//! Hessians of the rows of a batch, one row after the other.
+//! Hessians of the rows of a batch.
 
 use longdrive::batch::{Block, Status};
 use longdrive::derivative::{Evaluator, Order, Taylor, evaluate};
@@ -43,7 +43,7 @@ impl Hessians {
         self.of.len() * self.wrt.len() * self.wrt.len()
     }
 
-    /// The Hessians of a row, outcome after outcome; nothing where the drive has none.
+    /// The Hessians of the outcomes of a row; `None` for a drive without them.
     pub fn of_row(&self, block: &Block, row: usize) -> Option<Vec<f64>> {
         if matches!(
             block.status(row),

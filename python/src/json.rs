@@ -1,4 +1,4 @@
-//! Answers as JSON has them, as objects of Python.
+//! JSON as objects of Python.
 
 use crate::boundary::Answer;
 use pyo3::IntoPyObjectExt;
@@ -8,8 +8,8 @@ use pyo3::types::{PyDict, PyList};
 use serde::Serialize;
 use serde_json::Value;
 
-/// Answers of `--json` as dicts, lists, numbers and texts. JSON has no infinity and writes `"inf"`,
-/// which becomes a number here.
+/// Answers of `--json` as dicts, lists, numbers and texts. JSON has no infinity: `"inf"` becomes a
+/// number.
 pub fn to_python<'py>(py: Python<'py>, answer: &impl Serialize) -> Answer<Bound<'py, PyAny>> {
     let value =
         serde_json::to_value(answer).map_err(|error| PyValueError::new_err(error.to_string()))?;

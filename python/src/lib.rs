@@ -1,5 +1,5 @@
-//! The compiled half of the Python package `longdrive`: setups, one drive, its derivatives, very
-//! many drives. What a user sees of it is imported and typed in `python/longdrive`.
+//! The compiled module of the Python package `longdrive`. `python/longdrive` imports and types its
+//! public items.
 
 mod arrays;
 mod arrow;
@@ -17,13 +17,14 @@ mod objective;
 mod parts;
 mod plan;
 mod pool;
+mod request;
 mod setup;
 mod step;
 mod wording;
 
 use pyo3::prelude::*;
 
-/// The compiled half of longdrive.
+/// The compiled module of longdrive.
 #[pymodule]
 mod _longdrive {
     #[pymodule_export]
@@ -39,7 +40,9 @@ mod _longdrive {
     #[pymodule_export]
     use crate::drive::simulate;
     #[pymodule_export]
-    use crate::names::{asked, outcomes, parameters, presets, unknown_key};
+    use crate::names::{
+        asked, is_out_of_range, outcomes, parameters, presets, unit_of, unit_of_goal, unknown_key,
+    };
     #[pymodule_export]
     use crate::objective::PyObjective;
     #[pymodule_export]
@@ -47,16 +50,21 @@ mod _longdrive {
     #[pymodule_export]
     use crate::plan::plan;
     #[pymodule_export]
+    use crate::request::{text_of, words_of};
+    #[pymodule_export]
     use crate::setup::PySetup;
     #[pymodule_export]
     use crate::wording::in_python;
 
     use super::*;
 
-    /// The version of longdrive, that of the program.
+    /// Adds the version, which is that of the program.
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
-        arrays::prepared(module.py());
+        let py = module.py();
+        arrays::prepared(py);
+        let mapping = py.import("collections.abc")?.getattr("Mapping")?;
+        mapping.call_method1("register", (py.get_type::<PySetup>(),))?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

@@ -1,8 +1,9 @@
-//! Outcomes and parameters by name, one or several of them; and what there is of both.
+//! Outcomes and parameters by name, and the lists of both.
 
 use crate::boundary::{Answer, Failure, answer, kind_of, text_of};
 use crate::json::to_python;
 use crate::setup::PySetup;
+use longdrive::command::{quantity_of, quantity_of_goal};
 use longdrive::drive::OutcomeGroup;
 use longdrive::parameters::Parameter;
 use longdrive::report::{ParametersReport, PresetsReport, Reply};
@@ -10,8 +11,12 @@ use longdrive::{Outcome, Setup};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PySequence, PyString};
 
-/// A name or several, as they are given; `what` is the argument.
+/// A name or several, of the argument `what`.
 pub fn listed(what: &str, given: &Bound<'_, PyAny>) -> Answer<Vec<String>> {
+    // an array of NumPy is not a sequence
+    if given.hasattr("dtype")? && given.hasattr("tolist")? && !given.is_instance_of::<PyString>() {
+        return listed(what, &given.call_method0("tolist")?);
+    }
     if let Ok(name) = given.cast::<PyString>() {
         return Ok(vec![text_of(what, name)?.to_owned()]);
     }
@@ -31,7 +36,7 @@ pub fn listed(what: &str, given: &Bound<'_, PyAny>) -> Answer<Vec<String>> {
     names.to_list()?.iter().enumerate().map(named).collect()
 }
 
-/// The outcomes of these names, each once; "all" for every one of a drive.
+/// The outcomes of these names, each once; "all" for all outcomes of a drive.
 pub fn outcomes_named(names: &[String]) -> Answer<Vec<Outcome>> {
     let mut of = vec![];
     for name in names {
@@ -46,8 +51,8 @@ pub fn outcomes_named(names: &[String]) -> Answer<Vec<Outcome>> {
     Ok(of)
 }
 
-/// The parameters to differentiate by; without any named, loft and attack angle, or the conditions
-/// of a given launch, as the program has it.
+/// The parameters to differentiate by. The default is loft and attack angle, or the conditions of a
+/// given launch, as in the program.
 pub fn variables(
     setup: &Setup<f64>,
     given: Option<&Bound<'_, PyAny>>,
@@ -73,7 +78,7 @@ pub fn variables(
         .collect::<longdrive::Result<_>>()?)
 }
 
-/// An array has a place for each name: one that is named twice would have two.
+/// Refuses a repeated name, which would have two places in an array.
 fn refuse_repeated(what: &str, names: &[&str]) -> Answer<()> {
     match names
         .iter()
@@ -87,8 +92,7 @@ fn refuse_repeated(what: &str, names: &[&str]) -> Answer<()> {
     }
 }
 
-/// The names of outcomes and of parameters to differentiate by, as a question about a setup means
-/// them.
+/// The names of the outcomes and of the parameters to differentiate by.
 #[pyfunction]
 pub fn asked<'py>(
     setup: &Bound<'py, PyAny>,
@@ -103,6 +107,26 @@ pub fn asked<'py>(
             wrt.iter().map(|row| row.name).collect(),
         ))
     })
+}
+
+/// The SI unit of a parameter or an outcome; None for an unknown name.
+#[pyfunction]
+pub fn unit_of(name: &str) -> Option<&'static str> {
+    quantity_of(name).map(|quantity| quantity.si)
+}
+
+/// The SI unit of a goal such as ``mean(carry)``; empty for a goal without a unit.
+#[pyfunction]
+pub fn unit_of_goal(goal: &str) -> &'static str {
+    quantity_of_goal(goal).map_or("", |quantity| quantity.si)
+}
+
+/// True for a value outside of the range of its parameter, SI.
+#[pyfunction]
+pub fn is_out_of_range(name: &str, value: f64) -> bool {
+    Setup::<f64>::default()
+        .parameter(name)
+        .is_ok_and(|row| !row.range.contains(value))
 }
 
 /// The error of an unknown key, with the nearest known one.
@@ -123,7 +147,24 @@ pub fn unknown_key(
 }
 
 /// Every parameter of a setup with its value, range, unit and meaning, as ``longdrive parameters
-/// --json`` gives it.
+/// --json``.
+///
+/// Parameters
+/// ----------
+/// setup : Setup, str or dict, optional
+///     A setup, the name of a preset, or a dict.
+///
+/// Returns
+/// -------
+/// dict
+///     The parameters under ``parameters``.
+///
+/// Examples
+/// --------
+/// >>> import longdrive
+/// >>> rows = {row["parameter"]: row for row in longdrive.parameters()["parameters"]}
+/// >>> rows["swing.speed"]["unit"]
+/// 'm/s'
 #[pyfunction]
 #[pyo3(signature = (setup = None))]
 pub fn parameters<'py>(
@@ -137,15 +178,37 @@ pub fn parameters<'py>(
     })
 }
 
-/// Every preset with its numbers and their sources, as ``longdrive presets --json`` gives them.
+/// Every preset with its numbers and their sources, as ``longdrive presets --json``.
+///
+/// Returns
+/// -------
+/// dict
+///     The presets under ``presets``.
+///
+/// Examples
+/// --------
+/// >>> import longdrive
+/// >>> "mae494" in [preset["name"] for preset in longdrive.presets()["presets"]]
+/// True
 #[pyfunction]
 pub fn presets(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     answer(|| to_python(py, &Reply::of(PresetsReport::new(None)?, vec![])))
 }
 
-/// Every outcome: a list of dicts with its ``name``, ``symbol``, ``si`` unit, the ``unit`` people
-/// read, ``doc``, and ``part``, what it is of: ``launch``, ``flight``, or ``head``. Those of the
-/// head go by name; ``of="all"`` means the others, which a swing changes.
+/// Every outcome.
+///
+/// Returns
+/// -------
+/// list of dict
+///     For each outcome its ``name``, ``symbol``, ``si`` unit, usual ``unit``, ``doc``, and
+///     ``part``: ``launch``, ``flight`` or ``head``. Outcomes of the head must be named:
+///     ``of="all"`` means the others.
+///
+/// Examples
+/// --------
+/// >>> import longdrive
+/// >>> {row["name"]: row["si"] for row in longdrive.outcomes()}["carry"]
+/// 'm'
 #[pyfunction]
 pub fn outcomes(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     answer(|| {

@@ -19,10 +19,10 @@ use pyo3::types::{PyDict, PySequenceMethods, PyTuple};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// The point asked about last, and what is known of it.
+/// The last point, with its results.
 struct Point {
     x: Vec<f64>,
-    /// Bits of the order to which it was computed, and of what was asked of it.
+    /// Bits of the computed order, and of the requested orders.
     order: Order,
     asked: Order,
     found: Option<Taylor>,
@@ -68,7 +68,7 @@ impl Function {
     }
 }
 
-/// The swings that a goal is over, as they were given.
+/// The arguments about the swings of a goal.
 #[derive(Clone, Default)]
 struct Over {
     swings: Option<PathBuf>,
@@ -81,7 +81,7 @@ struct Over {
 }
 
 impl Over {
-    /// Returns true if swings are given.
+    /// True for a goal over swings.
     fn is_given(&self) -> bool {
         self.swings.is_some() || !self.distribution.is_empty()
     }
@@ -116,7 +116,7 @@ impl Over {
         Ok(Scenarios::new(&swings, rule)?)
     }
 
-    /// The goal over the swings; what is wrong with it is pointed at.
+    /// The goal over the swings; errors point to the position in its text.
     fn goal(&self, of: &str) -> Answer<Goal> {
         let strokes = self
             .strokes
@@ -143,7 +143,7 @@ impl Over {
     }
 
     /// # Errors
-    /// For an argument about swings where none are given.
+    /// For an argument about swings without swings.
     fn refuse_stray(&self) -> Answer<()> {
         let given = [
             ("correlation", !self.correlation.is_empty()),
@@ -170,7 +170,7 @@ pub struct PyObjective {
     of: String,
     function: Function,
     over: Over,
-    /// The sense as it was given, and the factor that turns a greatest value into a least one.
+    /// The argument `sense`, and the factor that turns a maximum into a minimum.
     sense: Option<String>,
     sign: f64,
     /// True if a point without an answer is NaN, not an error.
@@ -203,7 +203,7 @@ impl PyObjective {
         let (py, x) = (x.py(), self.point(x)?);
         let mut to = order;
         let mut asked = order;
-        // not held while anything is computed: what Python runs meanwhile may ask, too
+        // unlocked during the computation: other code of Python may call meanwhile
         if let Some(point) = &mut *self.last() {
             if point.x == x {
                 point.asked = point.asked.max(order);
@@ -217,7 +217,7 @@ impl PyObjective {
         }
         let found = match self.function.at(py, &x, to)? {
             Ok(found) => found,
-            // derivatives may be missing where the value is not
+            // derivatives may be missing although the value exists
             Err(_) if to > order => {
                 to = order;
                 self.lone(self.function.at(py, &x, order)?)?
@@ -277,11 +277,11 @@ impl PyObjective {
                     .iter()
                     .try_for_each(|row| units.set_item(row.name, row.quantity.si))?;
                 let x = py
-                    .import("longdrive.written")?
+                    .import("longdrive.quantities")?
                     .getattr("point_in_si")?
                     .call1((x, units))?;
                 let array = floats(&x, "", &refuse)?;
-                // a search along one variable, as SciPy's minimize_scalar, gives a number alone
+                // a search along one variable, as minimize_scalar of SciPy, gives a number
                 let array = if wanted == 1 {
                     py.import("numpy")?.call_method1("atleast_1d", (array,))?
                 } else {
@@ -350,7 +350,7 @@ impl PyObjective {
                 strokes,
             };
             let wrt = match wrt {
-                // the attack angle is the golfer's, and varies from swing to swing
+                // the attack angle belongs to the golfer, and varies from swing to swing
                 None if over.is_given() && !setup.setup.launch.is_given() => {
                     vec![setup.setup.variable("club.loft")?]
                 }
@@ -413,11 +413,12 @@ impl PyObjective {
         })
     }
 
-    /// The value at x, a number: that of the outcome in SI, with its sign changed where ``sense``
-    /// is ``"max"``.
+    /// The value at x, SI; with its sign changed for ``sense="max"``.
     ///
-    /// Args:
-    ///     x: shape (parameters,), SI: a list or any one-dimensional array.
+    /// Parameters
+    /// ----------
+    /// x
+    ///     Shape (parameters,), SI: a list or any one-dimensional array.
     fn fun(&self, x: &Bound<'_, PyAny>) -> PyResult<f64> {
         answer(|| Ok(value(self.at(x, Order::Value)?.as_ref())))
     }
@@ -475,7 +476,7 @@ impl PyObjective {
         &self.of
     }
 
-    /// The setup that x moves.
+    /// The setup, whose parameters x changes.
     #[getter]
     fn setup(&self) -> PySetup {
         self.setup

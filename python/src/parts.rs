@@ -1,12 +1,11 @@
-//! What merges of the parts of a sweep. The parts themselves are written and checked by the command
-//! `sweep`.
+//! Merged statistics of the parts of a sweep. The command `sweep` writes and checks the parts.
 
 use crate::boundary::{Failure, answer};
 use crate::json::to_python;
 use longdrive::parts::{Manifest, merge};
 use pyo3::prelude::*;
 
-/// The statistics of several parts together, from their manifest rows as the text of a JSON array.
+/// Merges the statistics of parts, from their rows of the manifest as a JSON array.
 #[pyfunction]
 pub fn merge_parts<'py>(py: Python<'py>, manifests: &str) -> PyResult<Bound<'py, PyAny>> {
     answer(|| {

@@ -2,25 +2,38 @@
 
 use crate::boundary::{Answer, Failure, answer};
 use crate::setup::PySetup;
+use longdrive::Setup;
 use longdrive::batch::{Axis, CHUNK, Grid, Points, Sequence};
+use longdrive::command::{with_degrees, with_memory_files};
 use longdrive::parameters::Vary;
 use longdrive::table::open_table;
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::path::PathBuf;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
 
 /// Points by parameter, and the names of the parameters with the ends of their ranges.
 type Plan<'py> = (Bound<'py, PyDict>, Vec<(&'static str, f64, f64)>);
 
-/// The points as a dict of arrays, and the range of each parameter that the step is chosen for.
+/// The points as a dict of arrays, and the range of each parameter for which the step is chosen.
 ///
-/// Args:
-///     setup: a setup, the name of a preset, or a dict.
-///     over: ranges, as ``longdrive sweep --over`` has them; with `sample` without counts.
-///     sample: so many points of a quasi-random sequence.
-///     seed: another seed gives other points.
-///     file: a table of points in their place.
+/// Parameters
+/// ----------
+/// setup
+///     A setup, the name of a preset, or a dict.
+/// over
+///     Ranges, as ``longdrive sweep --over`` takes them; with `sample` without counts.
+/// sample
+///     The number of points of a quasi-random sequence.
+/// seed
+///     The seed of the sequence.
+/// table
+///     A table of points in place of ranges, a file on disk or in `files`.
+/// files
+///     Files in memory.
+/// bare_angles
+///     The angles in `over` that were given without a unit, rad.
 #[pyfunction]
 pub fn plan<'py>(
     py: Python<'py>,
@@ -28,26 +41,26 @@ pub fn plan<'py>(
     over: Vec<String>,
     sample: Option<u64>,
     seed: u32,
-    file: Option<PathBuf>,
+    table: Option<PathBuf>,
+    files: HashMap<PathBuf, Vec<u8>>,
+    bare_angles: Vec<f64>,
 ) -> PyResult<Plan<'py>> {
     answer(|| {
         let setup = PySetup::of(setup)?.setup;
-        let mut points: Box<dyn Points> = match (file, sample) {
-            (Some(file), _) => open_table(&setup, &file)?,
-            (None, Some(rows)) => {
-                let ranges = over.iter().map(|text| Vary::read_column(&setup, text));
-                Box::new(Sequence::new(
-                    ranges.collect::<longdrive::Result<_>>()?,
-                    rows,
-                    seed,
-                )?)
-            }
-            (None, None) => {
-                let axes = over.iter().map(|text| Axis::read(&setup, text));
-                Box::new(Grid::new(axes.collect::<longdrive::Result<_>>()?)?)
-            }
+        let files = files
+            .into_iter()
+            .map(|(name, content)| (name, content.into()))
+            .collect();
+        let read = || -> Answer<_> {
+            let mut points = points(&setup, &over, sample, seed, table.as_deref())?;
+            let columns = columns(points.as_mut())?;
+            Ok((points, columns))
         };
-        let columns = columns(points.as_mut())?;
+        let (points, columns) =
+            with_memory_files(files, read).map_err(|failure| match failure {
+                Failure::Longdrive(error) => with_degrees(*error, &bare_angles).into(),
+                failure => failure,
+            })?;
         let dict = PyDict::new(py);
         for (parameter, column) in points.parameters().iter().zip(columns) {
             dict.set_item(parameter.name, column.into_pyarray(py))?;
@@ -58,6 +71,32 @@ pub fn plan<'py>(
             .map(|vary| (vary.parameter.name, vary.low, vary.high))
             .collect();
         Ok((dict, ranges))
+    })
+}
+
+/// The points of a table, a sequence or a grid.
+fn points(
+    setup: &Setup<f64>,
+    over: &[String],
+    sample: Option<u64>,
+    seed: u32,
+    table: Option<&Path>,
+) -> longdrive::Result<Box<dyn Points>> {
+    let over = over.iter();
+    Ok(match (table, sample) {
+        (Some(table), _) => open_table(setup, table)?,
+        (None, Some(rows)) => {
+            let ranges = over.map(|text| Vary::read_column(setup, text));
+            Box::new(Sequence::new(
+                ranges.collect::<longdrive::Result<_>>()?,
+                rows,
+                seed,
+            )?)
+        }
+        (None, None) => {
+            let axes = over.map(|text| Axis::read(setup, text));
+            Box::new(Grid::new(axes.collect::<longdrive::Result<_>>()?)?)
+        }
     })
 }
 

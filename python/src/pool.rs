@@ -1,5 +1,4 @@
-//! Long work: on threads of this process's own, while the thread of Python waits and looks whether
-//! anyone presses Ctrl-C.
+//! Long work on threads of this process, while the thread of Python waits and checks for Ctrl-C.
 
 use crate::boundary::{Answer, unpanicked};
 use pyo3::prelude::*;
@@ -9,10 +8,10 @@ use std::sync::atomic::{AtomicBool, AtomicPtr, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::time::{Duration, Instant};
 
-/// How long the thread of Python waits before it looks.
+/// Time between two checks for Ctrl-C.
 const LOOK: Duration = Duration::from_millis(20);
 
-/// The threads of one process. A child that is forked has a copy of this and none of the threads.
+/// The threads of one process. A forked child has a copy of this value, but not the threads.
 struct Own {
     process: u32,
     pool: ThreadPool,
@@ -37,10 +36,10 @@ fn pool() -> std::io::Result<&'static ThreadPool> {
         .build()
         .map_err(std::io::Error::other)?;
     let made = Box::into_raw(Box::new(Own { process, pool }));
-    // what a parent left stays: its threads are not here to be ended
+    // the pool of a parent process stays: its threads do not exist here
     let kept = match OWN.compare_exchange(known, made, Ordering::AcqRel, Ordering::Acquire) {
         Ok(_) => made,
-        // another thread was first
+        // another thread created a pool first
         Err(first) => first,
     };
     shared(kept)
@@ -60,17 +59,16 @@ fn shared(own: *const Own) -> Option<&'static Own> {
 
 /// The result of work that Python may interrupt.
 pub enum Ended<R> {
-    /// It is done; where Python told it to end, with the exception that did.
+    /// The work ended; with the exception, if Python interrupted it.
     Done(R, Option<PyErr>),
-    /// It was left to itself.
+    /// The work was abandoned.
     Left(PyErr),
 }
 
-/// Does some work on the threads of this process, so that what is parallel in it (rayon) is
-/// parallel there and never waits for threads that a fork has left behind. The thread of Python
-/// waits and lets others run; within 20 ms of a Ctrl-C it raises what Python makes of it, `stop` is
-/// then true, and the work ends by itself once it looks at it. `watch` is called as often as it
-/// looks.
+/// Runs work on the threads of this process. Its parallel parts (rayon) use these threads, and
+/// never wait for threads of a process before a fork. Meanwhile other threads of Python run. Within
+/// 20 ms of a Ctrl-C, `stop` is true, which the work checks, and Python's exception is returned.
+/// `watch` is called at each check.
 pub fn run<R: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send + 'static,
@@ -95,10 +93,10 @@ pub fn run_to_answer<R: Send + 'static>(
     let (finished, mut result) = sync_channel(1);
     let stopped = Arc::clone(&stop);
     pool.spawn(move || {
-        // nobody listens once Python has gone on
+        // the receiver is gone if Python did not wait
         let _ = finished.send(unpanicked(|| work(&stopped)));
     });
-    // the exception that ends it, and until when it may answer
+    // the exception of the interruption, and the deadline of the answer
     let mut ending: Option<(PyErr, Instant)> = None;
     loop {
         let heard;
@@ -130,8 +128,7 @@ pub fn run_to_answer<R: Send + 'static>(
     }
 }
 
-/// Lets Python do what it has put off: handlers of signals, and exceptions that other threads have
-/// sent to this one, which only running code sees.
+/// Runs pending handlers of signals, and raises exceptions that other threads sent to this one.
 pub fn look(py: Python<'_>) -> PyResult<()> {
     py.check_signals()?;
     py.run(c"pass", None, None)

@@ -1,7 +1,7 @@
 //! `Setup`: everything a drive depends on.
 
 use crate::boundary::{Answer, Failure, answer, kind_of, shown, text_of};
-use crate::given::{self, PRESET};
+use crate::given::{self, AngleUnit, BareAngle, PRESET};
 use longdrive::atmosphere::in_effect;
 use longdrive::parameters::{
     DEFAULT_PRESET, GOLFER, LAW, METHOD, Parameter, Preset, SPEED_OF, SetupFile, TABLE, TURF,
@@ -10,36 +10,59 @@ use longdrive::report::{Change, changes, setup_toml, setup_toml_without_step};
 use longdrive::units::System;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyIterator, PyList, PyString};
+use pyo3::types::{PyDict, PyIterator, PyList, PyMapping, PyString};
 use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 
 /// Changes that a short text shows.
 const SHOWN: usize = 4;
 
-/// Everything a drive depends on: head, swing, strike, ball, air, ground and how the flight is
-/// integrated.
+/// All parameters of a drive: head, swing, strike, ball, air, ground, and integration of the flight.
 ///
-/// ``Setup()`` is the preset ``tour-average``, ``Setup("modern-driver")`` another one, and a dict
-/// starts from its ``preset`` (without one: ``tour-average``, as a setup file does) with nested or
-/// dotted names:
+/// ``Setup()`` is the preset ``tour-average``, ``Setup("modern-driver")`` another preset. A dict
+/// starts from its ``preset`` (without one ``tour-average``, as a setup file) and has nested or
+/// dotted names. A number is SI (m, kg, s, rad, K); a text has its unit; a quantity of pint is
+/// converted. None unsets an optional parameter.
 ///
+/// A setup is an immutable mapping: ``replace`` and ``|`` make another one. Setups are equal if
+/// their parameters are equal, and both or neither state ``flight.method`` or ``flight.step``:
+/// without them, functions of many drives choose a step.
+///
+/// Parameters
+/// ----------
+/// given : Setup, str or dict, optional
+///     A setup, the name of a preset, or a dict.
+/// angles : {"rad", "deg"}
+///     The unit of angles without a unit.
+///
+/// Raises
+/// ------
+/// InputError
+///     For an unknown name, and a value outside its range.
+///
+/// Warns
+/// -----
+/// LongdriveWarning
+///     For an angle in radians that was probably meant in degrees.
+///
+/// Examples
+/// --------
 /// >>> import longdrive
-/// >>> setup = longdrive.Setup({"preset": "tour-average", "club": {"loft": "10.5 deg"}, "swing.speed": "110 mph"})
+/// >>> setup = longdrive.Setup({"club": {"loft": "10.5 deg"}, "swing.speed": "110 mph"})
 /// >>> setup["swing.speed"]
 /// 49.1744
 /// >>> setup
 /// <longdrive.Setup tour-average with club speed 110 mph, club loft 10.5°>
-///
-/// A number is SI (m, kg, s, rad, K); a text carries its unit; a quantity of pint is converted.
-/// None unsets what may be unset. A setup cannot be changed: ``replace`` makes another one. Setups
-/// are equal whose numbers and choices are.
+/// >>> (setup | {"club.loft": "11 deg"}) == setup.replace({"club.loft": "11 deg"})
+/// True
+/// >>> longdrive.Setup({"club.loft": 10.5}, angles="deg")["club.loft"]
+/// 0.1832595714594046
 #[pyclass(name = "Setup", module = "longdrive", frozen, eq, hash)]
 #[derive(Clone, Copy)]
 pub struct PySetup {
     /// The setup itself.
     pub setup: longdrive::Setup<f64>,
-    /// The preset that it started from.
+    /// The preset on which the setup is based.
     pub preset: &'static Preset,
     /// True if flight.method or flight.step was stated.
     pub gives_step: bool,
@@ -47,7 +70,7 @@ pub struct PySetup {
 
 impl PartialEq for PySetup {
     fn eq(&self, other: &Self) -> bool {
-        self.setup == other.setup
+        self.setup == other.setup && self.gives_step == other.gives_step
     }
 }
 
@@ -64,23 +87,25 @@ impl Hash for PySetup {
             self.setup.law.name(),
             self.setup.method.name(),
             self.setup.golfer.name(),
+            self.gives_step,
         )
             .hash(state);
     }
 }
 
 impl PySetup {
-    /// A preset, unchanged.
+    /// A preset.
     pub fn of_preset(name: &str) -> Answer<Self> {
         let setup = longdrive::Setup::preset(name).map_err(|error| not_a_preset(name, error))?;
         let preset = Preset::named(name)
             .ok_or_else(|| Failure::Input(format!("unknown preset '{name}'")))?;
-        let gives_step = preset.entries.iter().any(|entry| is_of_step(entry.name));
-        Ok(Self {
+        let mut read = Self {
             setup,
             preset,
-            gives_step,
-        })
+            gives_step: false,
+        };
+        read.gives_step = read.preset_gives_step();
+        Ok(read)
     }
 
     /// A setup from Python: a setup, the name of a preset, a dict, or None for the preset
@@ -95,10 +120,27 @@ impl PySetup {
         if let Ok(name) = given.cast::<PyString>() {
             return Self::of_preset(text_of("setup", name)?);
         }
-        let mut given = given::flattened(given)?;
+        Self::of_dict(given, AngleUnit::Radian)
+    }
+
+    fn of_dict(dict: &Bound<'_, PyAny>, angles: AngleUnit) -> Answer<Self> {
+        let mut given = given::flattened(dict)?;
         given::refuse_repeated(&given)?;
         let preset = given::preset(&mut given)?;
-        Self::of_preset(preset.as_deref().unwrap_or(DEFAULT_PRESET))?.with(&given)
+        let base = Self::of_preset(preset.as_deref().unwrap_or(DEFAULT_PRESET))?;
+        let (setup, bare_angles) = base.with(&given, angles)?;
+        setup.warn_of(dict.py(), bare_angles)?;
+        Ok(setup)
+    }
+
+    /// Warns of angles that were probably meant in degrees.
+    fn warn_of(self, py: Python<'_>, bare_angles: Vec<BareAngle>) -> Answer<()> {
+        if !bare_angles.is_empty() {
+            py.import("longdrive.angles")?
+                .getattr("warn_of_angles")?
+                .call1((bare_angles, self))?;
+        }
+        Ok(())
     }
 
     /// A setup from Python, or None.
@@ -108,18 +150,24 @@ impl PySetup {
 
     fn of_file(file: SetupFile) -> Answer<Self> {
         file.setup.validate_but_launch()?;
-        Ok(Self {
+        let mut read = Self {
             setup: file.setup,
             preset: file.preset,
             gives_step: file.gives_step,
-        })
+        };
+        read.gives_step |= read.preset_gives_step();
+        Ok(read)
     }
 
-    /// Changes the values of some parameters.
-    fn with(mut self, given: &[given::Given<'_>]) -> Answer<Self> {
-        given::apply(&mut self.setup, given)?;
+    /// Changes the values of some parameters. Returns also the angles that were given as numbers.
+    fn with(
+        mut self,
+        given: &[given::Given<'_>],
+        angles: AngleUnit,
+    ) -> Answer<(Self, Vec<BareAngle>)> {
+        let bare_angles = given::apply(&mut self.setup, given, angles)?;
         self.gives_step |= given.iter().any(|given| is_of_step(&given.name));
-        // a value given before must not be replaced in silence by what it follows from
+        // refuse a stated value that other parameters would replace silently
         let base = longdrive::Setup::preset(self.preset.name)?;
         let is_given = |row: &&&'static Parameter| {
             given.iter().any(|given| given.name == row.name)
@@ -127,7 +175,7 @@ impl PySetup {
                     .parameter(row.name)
                     .is_ok_and(|_| base.value(row) != self.setup.value(row))
         };
-        // a parameter unset by "none" is not given
+        // a parameter unset by "none" has no stated value
         let is_back = |row: &Parameter| {
             given
                 .iter()
@@ -141,7 +189,14 @@ impl PySetup {
         let names: Vec<_> = set.map(|row| row.name).collect();
         self.setup.refuse_replaced(&names)?;
         self.setup.validate_but_launch()?;
-        Ok(self)
+        Ok((self, bare_angles))
+    }
+
+    fn preset_gives_step(&self) -> bool {
+        self.preset
+            .entries
+            .iter()
+            .any(|entry| is_of_step(entry.name))
     }
 
     fn changes(&self) -> Answer<Vec<Change>> {
@@ -174,8 +229,7 @@ impl PySetup {
                 let row = setup
                     .parameter(name)
                     .map_err(|error| Failure::Key(error.to_string()))?;
-                // what follows from the weather, or from the wind's speed and direction, is what
-                // the drive has
+                // the weather, or speed and direction of the wind, determine the value
                 let is_replaced = setup.why_replaced(row).is_some();
                 let value = if is_replaced {
                     in_effect(setup).value(row)
@@ -194,12 +248,15 @@ impl PySetup {
             .setup
             .parameters()
             .into_iter()
-            .filter(|row| self.setup.why_replaced(row).is_none());
+            .filter(|row| self.setup.why_replaced(row).is_none())
+            .map(|row| row.name);
         let table = self.setup.law.table().map(|_| TABLE);
         [PRESET, GOLFER, SPEED_OF, LAW, METHOD]
             .into_iter()
             .chain(table)
-            .chain(used.map(|row| row.name))
+            .chain(used)
+            // a step that nobody stated is chosen for each question
+            .filter(|name| self.gives_step || !is_of_step(name))
             .collect()
     }
 
@@ -209,13 +266,41 @@ impl PySetup {
     }
 
     fn toml(&self) -> Answer<String> {
-        Ok(setup_toml(&self.setup, self.preset, &[], &[])?)
+        Ok(match self.gives_step {
+            true => setup_toml(&self.setup, self.preset, &[], &[])?,
+            // a step that nobody stated is chosen for each question
+            false => setup_toml_without_step(&self.setup, self.preset)?,
+        })
     }
 }
 
-/// The state of a pickled setup: its text, whether the step was stated, and the content of its
-/// table.
-type State = (String, bool, Option<String>);
+/// The state of a pickled setup: its text, and the content of its table.
+type State = (String, Option<String>);
+
+impl PySetup {
+    /// The setup with changes, and the angles that were given as numbers.
+    fn replaced(
+        &self,
+        changes: Option<&Bound<'_, PyAny>>,
+        angles: Option<&Bound<'_, PyAny>>,
+        named: Option<&Bound<'_, PyDict>>,
+    ) -> Answer<(Self, Vec<BareAngle>)> {
+        let angles = AngleUnit::of(angles)?;
+        let mut all = changes.map_or_else(|| Ok(vec![]), given::flattened)?;
+        if let Some(named) = named {
+            all.extend(given::flattened(named.as_any())?);
+        }
+        given::refuse_repeated(&all)?;
+        if let Some(preset) = given::preset(&mut all)? {
+            let message = format!(
+                "'preset' = '{preset}': a setup keeps the preset it started from; make another \
+                 with Setup({{\"preset\": …}})"
+            );
+            return Err(Failure::Input(message));
+        }
+        self.with(&all, angles)
+    }
+}
 
 /// The error of an argument of a wrong type.
 fn not_of_the_kind(name: &str, given: &Bound<'_, PyAny>, expected: &str) -> Failure {
@@ -245,18 +330,32 @@ fn escaped(text: &str) -> String {
 #[pymethods]
 impl PySetup {
     #[new]
-    #[pyo3(signature = (given = None, /))]
-    fn new(given: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
-        answer(|| Self::of_any(given))
+    #[pyo3(signature = (given = None, /, *, angles = None))]
+    fn new(given: Option<&Bound<'_, PyAny>>, angles: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        answer(|| {
+            let angles = AngleUnit::of(angles)?;
+            match given {
+                Some(given)
+                    if given.cast::<PyMapping>().is_ok() && !given.is_instance_of::<Self>() =>
+                {
+                    Self::of_dict(given, angles)
+                }
+                given => Self::of_any(given),
+            }
+        })
     }
 
     /// Reads a setup file, TOML as the program's.
     ///
-    /// Args:
-    ///     path: the file, a text or a path.
+    /// Parameters
+    /// ----------
+    /// path
+    ///     The file, a text or a path.
     ///
-    /// Raises:
-    ///     InputError: for a file that cannot be read, with line and column of what is wrong.
+    /// Raises
+    /// ------
+    /// InputError
+    ///     For a file that cannot be read, with line and column of what is wrong.
     #[staticmethod]
     fn read(path: &Bound<'_, PyAny>) -> PyResult<Self> {
         answer(|| {
@@ -276,13 +375,18 @@ impl PySetup {
 
     /// Reads the text of a setup file.
     ///
+    /// Parameters
+    /// ----------
+    /// text
+    ///     TOML.
+    /// file
+    ///     What messages call it.
+    ///
+    /// Examples
+    /// --------
     /// >>> import longdrive
     /// >>> longdrive.Setup.from_toml("preset = 'mae494'\n[club]\nloft = '12 deg'")["club.loft"]
     /// 0.20943951023931953
-    ///
-    /// Args:
-    ///     text: TOML.
-    ///     file: what messages call it.
     #[staticmethod]
     #[pyo3(signature = (text, file = "setup.toml"))]
     fn from_toml(text: &Bound<'_, PyAny>, file: &str) -> PyResult<Self> {
@@ -295,12 +399,9 @@ impl PySetup {
     }
 
     #[staticmethod]
-    fn _from_state(toml: &str, gives_step: bool, table: Option<&str>) -> PyResult<Self> {
+    fn _from_state(toml: &str, table: Option<&str>) -> PyResult<Self> {
         answer(|| {
-            let read = Self {
-                gives_step,
-                ..Self::of_file(SetupFile::read(toml, "a pickled setup")?)?
-            };
+            let read = Self::of_file(SetupFile::read(toml, "a pickled setup")?)?;
             if read.table().as_deref() == table {
                 return Ok(read);
             }
@@ -312,37 +413,57 @@ impl PySetup {
         })
     }
 
-    /// Another setup, with other values of some parameters.
+    /// A setup with other values of some parameters.
     ///
+    /// Parameters
+    /// ----------
+    /// changes : dict, optional
+    ///     Names with values, as in the constructor.
+    /// angles : {"rad", "deg"}
+    ///     The unit of angles without a unit.
+    /// **named
+    ///     The same by keyword; ``**{"club.loft": "11 deg"}`` for dotted names.
+    ///
+    /// Returns
+    /// -------
+    /// Setup
+    ///     The new setup.
+    ///
+    /// Examples
+    /// --------
     /// >>> import longdrive
     /// >>> setup = longdrive.Setup().replace({"club.loft": "11 deg"}, swing={"speed": 50})
     /// >>> setup["swing.speed"]
     /// 50.0
-    ///
-    /// Args:
-    ///     changes: names with values, as in the constructor.
-    ///     named: the same by keyword; ``**{"club.loft": "11 deg"}`` for dotted names.
-    #[pyo3(signature = (changes = None, /, **named))]
+    #[pyo3(signature = (changes = None, /, *, angles = None, **named))]
     fn replace(
         &self,
+        py: Python<'_>,
         changes: Option<&Bound<'_, PyAny>>,
+        angles: Option<&Bound<'_, PyAny>>,
         named: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         answer(|| {
-            let mut all = changes.map_or_else(|| Ok(vec![]), given::flattened)?;
-            if let Some(named) = named {
-                all.extend(given::flattened(named.as_any())?);
-            }
-            given::refuse_repeated(&all)?;
-            if let Some(preset) = given::preset(&mut all)? {
-                let message = format!(
-                    "'preset' = '{preset}': a setup keeps the preset it started from; make another \
-                     with Setup({{\"preset\": …}})"
-                );
-                return Err(Failure::Input(message));
-            }
-            self.with(&all)
+            let (setup, bare_angles) = self.replaced(changes, angles, named)?;
+            setup.warn_of(py, bare_angles)?;
+            Ok(setup)
         })
+    }
+
+    /// The setup with values in SI that were computed: large angles have no warning.
+    fn _with_values(&self, values: &Bound<'_, PyAny>) -> PyResult<Self> {
+        answer(|| Ok(self.replaced(Some(values), None, None)?.0))
+    }
+
+    /// ``setup | changes``: a setup with other values of some parameters, as :meth:`replace`.
+    fn __or__(&self, changes: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
+        let py = changes.py();
+        if changes.cast::<PyMapping>().is_err() {
+            return Ok(py.NotImplemented());
+        }
+        Ok(self
+            .replace(py, Some(changes), None, None)?
+            .into_py_any(py)?)
     }
 
     /// The value of a parameter in SI, None where it is unset; a choice such as ``aero.law`` as a
@@ -375,11 +496,41 @@ impl PySetup {
 
     /// The names of the choices and parameters that make the setup, without those that follow from
     /// others.
-    fn keys(&self) -> Vec<&'static str> {
-        self.names()
+    fn keys<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.to_dict(py)?.call_method0("keys")
     }
 
-    /// Through the names, as through those of a dict.
+    /// The values, in the order of :meth:`keys`.
+    fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.to_dict(py)?.call_method0("values")
+    }
+
+    /// Pairs of a name and its value, in the order of :meth:`keys`.
+    fn items<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.to_dict(py)?.call_method0("items")
+    }
+
+    /// The value of a name, or `default` for an unknown name.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import longdrive
+    /// >>> longdrive.Setup().get("club.colour", "black")
+    /// 'black'
+    #[pyo3(signature = (name, default = None, /))]
+    fn get<'py>(
+        &self,
+        py: Python<'py>,
+        name: &Bound<'_, PyAny>,
+        default: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        match self.__contains__(name) {
+            true => self.__getitem__(py, name),
+            false => Ok(default.unwrap_or_else(|| py.None().into_bound(py))),
+        }
+    }
+
+    /// Iterates over the names.
     fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
         PyList::new(py, self.names())?.try_iter()
     }
@@ -388,7 +539,7 @@ impl PySetup {
         self.names().len()
     }
 
-    /// The preset that it started from.
+    /// The preset on which the setup is based.
     #[getter]
     fn preset(&self) -> &'static str {
         self.preset.name
@@ -398,20 +549,11 @@ impl PySetup {
     /// text. The text has method and step if they were stated.
     fn _asked(&self) -> PyResult<(String, bool)> {
         answer(|| {
-            let is_chosen_anew = self.gives_step
-                && !self
-                    .preset
-                    .entries
-                    .iter()
-                    .any(|entry| is_of_step(entry.name));
+            let is_chosen_anew = self.gives_step && !self.preset_gives_step();
             if self.setup == longdrive::Setup::preset(self.preset.name)? && !is_chosen_anew {
                 return Ok((self.preset.name.to_owned(), false));
             }
-            if self.gives_step {
-                return Ok((self.toml()?, true));
-            }
-            // those of the preset follow from its name, and nobody has chosen them
-            Ok((setup_toml_without_step(&self.setup, self.preset)?, true))
+            Ok((self.toml()?, true))
         })
     }
 
@@ -473,6 +615,9 @@ impl PySetup {
             if changes.len() > SHOWN {
                 shown.push(format!("{} more changes", changes.len() - SHOWN));
             }
+            if self.gives_step && !self.preset_gives_step() {
+                shown.push("stated flight.method and flight.step".into());
+            }
             let with = if shown.is_empty() {
                 String::new()
             } else {
@@ -503,7 +648,7 @@ impl PySetup {
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, State)> {
         answer(|| {
             let made = py.get_type::<Self>().getattr("_from_state")?;
-            Ok((made, (self.toml()?, self.gives_step, self.table())))
+            Ok((made, (self.toml()?, self.table())))
         })
     }
 

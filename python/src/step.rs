@@ -1,4 +1,4 @@
-//! How the drives of a batch are integrated: as those of `longdrive sweep`.
+//! Method and step of a batch, chosen as in `longdrive sweep`.
 
 use crate::boundary::{Answer, Failure, text_of};
 use crate::setup::PySetup;
@@ -15,9 +15,9 @@ const MICROMETRE: f64 = 1e-6;
 /// The choice of method and step.
 #[derive(Clone, Copy)]
 pub enum Asked {
-    /// Lengths within so many m of their exact values.
+    /// The largest error of a length, m.
     Within(f64),
-    /// Within a micrometre, unless the setup says how to integrate or no step is that exact.
+    /// A micrometre, unless the setup states method or step, or no step is that exact.
     Usual,
     /// Method and step of the setup.
     Own,
@@ -53,8 +53,8 @@ impl Asked {
         matches!(self, Self::Own) || (matches!(self, Self::Usual) && setup.gives_step)
     }
 
-    /// The step for a setup whose parameters lie in these ranges, and a warning where there is one;
-    /// nothing where the setup's own is kept.
+    /// The step for a setup whose parameters lie in these ranges, with a warning; `None` for the
+    /// setup's own step.
     pub fn found(
         self,
         setup: &PySetup,
@@ -69,7 +69,7 @@ impl Asked {
         };
         match accuracy(&setup.setup, ranges, of, tolerance) {
             Ok(found) => Ok((Some(found), None)),
-            // no drive lands: then there is nothing to be exact about
+            // no drive lands: any step is exact enough
             Err(Error::NoFlight { .. }) => Ok((None, None)),
             Err(Error::Tolerance { reason, .. }) if !is_asked => Ok((
                 None,

@@ -1,17 +1,16 @@
-//! Messages in the words of Python: arguments and functions where the program has options and
-//! commands.
+//! Arguments and commands in messages, in the syntax of Python.
 
 use longdrive::command::{Argument, Mention, with_mentions};
 use pyo3::prelude::*;
 
-/// A message with its arguments as those of functions: `subject_to="apex_height <= 30 m"`.
+/// A message with arguments of functions: `subject_to="apex_height <= 30 m"`.
 #[pyfunction]
 #[pyo3(name = "in_python")]
 pub fn in_python(message: &str) -> String {
     with_mentions(message, mention)
 }
 
-/// The words of Python for an argument or a command.
+/// An argument or a command in the syntax of Python.
 pub fn mention(mention: Mention<'_>) -> String {
     let Argument {
         name,
@@ -25,7 +24,7 @@ pub fn mention(mention: Mention<'_>) -> String {
     };
     match (name, value) {
         ("set" | "set_a" | "set_b", value) => replacing(value),
-        // these are options of the program only
+        // only the program has these options
         ("json" | "csv" | "listen" | "address", _) => mention.in_words_of_the_program(),
         _ if !takes_value => format!("{}=True", argument_of(name)),
         (_, None) => argument_of(name).into(),

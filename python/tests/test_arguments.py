@@ -35,7 +35,7 @@ def picture() -> Any:
         ("drive", "^path = 'drive': this plot is SVG; name a file that ends in .svg$"),
         (
             "drive.png",
-            "name a file that ends in .svg, or give the plot itself output='drive.png', to have it in that form$",
+            "name a file that ends in .svg, or give the plot itself output='drive.png', to have it in that format$",
         ),
         (
             "no/such/drive.svg",
@@ -269,8 +269,8 @@ def test_what_is_no_attribute_says_where_it_is() -> None:
             r"^a Table has no attribute 'carry'; columns go by name, as in table\['carry'\]; pandas",
         ),
         (
-            lambda: table.to_pandas(),
-            r"no attribute 'to_pandas'; .*; pandas.DataFrame.from_arrow\(table\)",
+            lambda: table.to_numpy(),
+            r"no attribute 'to_numpy'; .*; pandas.DataFrame.from_arrow\(table\)",
         ),
     ]:
         with pytest.raises(AttributeError, match=words):

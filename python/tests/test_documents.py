@@ -33,6 +33,31 @@ def test_examples_in_docstrings(name: str) -> None:
         assert found.attempted > 0
 
 
+COMPILED = ["Setup", "Setup.replace", "Setup.get", "Setup.from_toml"]
+COMPILED += ["outcomes", "parameters", "presets"]
+
+
+@pytest.mark.parametrize("name", COMPILED)
+def test_examples_of_the_compiled_module(name: str) -> None:
+    item: Any = longdrive
+    for part in name.split("."):
+        item = getattr(item, part)
+    examples = doctest.DocTestParser().get_doctest(inspect.getdoc(item) or "", {}, name, None, 0)
+    assert examples.examples
+    assert doctest.DocTestRunner().run(examples).failed == 0
+
+
+def test_every_function_has_an_example() -> None:
+    functions = {name: getattr(longdrive, name) for name in longdrive.__all__}
+    functions |= {f"plot.{name}": getattr(longdrive.plot, name) for name in longdrive.plot.__all__}
+    for name in ("check", "sweep"):
+        functions[f"parts.{name}"] = getattr(longdrive.parts, name)
+    for name, function in functions.items():
+        if inspect.isroutine(function):
+            text = inspect.getdoc(function) or ""
+            assert "Examples\n--------\n>>> " in text, name
+
+
 def test_every_public_name_has_a_text() -> None:
     for name in longdrive.__all__:
         item = getattr(longdrive, name)

@@ -152,7 +152,7 @@ def test_a_search_goes_on_from_its_checkpoint(
     assert f"the same call goes on from the checkpoint '{file}'" in str(caught.value)
     assert (
         "mean(carry) - 0.5*std(lateral) = " in str(caught.value)
-        or "it told last" in str(caught.value)
+        or "last message:" in str(caught.value)
     )
     kept = file.read_bytes()
     gone_on = longdrive.optimize("tour-average", **SWINGS, checkpoint=file)
@@ -197,22 +197,22 @@ def test_shots_that_were_not_written_anywhere_name_no_file(
     assert caught.value.answer is not None and caught.value.answer.file is None
 
 
-@pytest.mark.parametrize("function", ["_reply", "warn_of"])
+@pytest.mark.parametrize("function", ["_checked", "warn_of"])
 def test_ctrl_c_once_the_work_is_done_says_so(
     function: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    from longdrive import _ask
+    from longdrive import run_command
 
-    real = getattr(_ask, function)
+    real = getattr(run_command, function)
 
     def pressing(*given: Any, **named: Any) -> Any:
         press()
         return real(*given, **named)
 
-    monkeypatch.setattr(_ask, function, pressing)
+    monkeypatch.setattr(run_command, function, pressing)
     with pytest.raises(
         Interrupted,
-        match="longdrive.optimize was interrupted when its work was done, before it could answer; what it was to write is written",
+        match="longdrive.optimize was interrupted after its work, before it returned; its files are written",
     ):
         longdrive.optimize("mae494", output=tmp_path / "best.toml")
     assert (tmp_path / "best.toml").exists()

@@ -199,7 +199,7 @@ def test_a_batch_of_which_nothing_flies_says_why_the_first_does_not() -> None:
         LongdriveWarning,
         match="no drive has the outcome that was asked for: 2 no-flight; row 0: no flight: the ball leaves at",
     ) as caught:
-        longdrive.batch("tour-average", {"swing.attack_angle": [-1.3, -1.2]})
+        longdrive.batch("tour-average", {"swing.attack_angle": np.radians([-75.0, -69.0])})
     assert len(caught) == 1
     with pytest.warns(LongdriveWarning, match="2 out-of-range; row 0: club.loft is NaN"):
         longdrive.batch("tour-average", {"club.loft": [np.nan, np.nan]})
@@ -207,7 +207,9 @@ def test_a_batch_of_which_nothing_flies_says_why_the_first_does_not() -> None:
         warnings.simplefilter("error")
         # the ball still has a speed
         longdrive.batch(
-            "tour-average", {"swing.attack_angle": [-1.3, -1.2]}, of=["carry", "ball_speed"]
+            "tour-average",
+            {"swing.attack_angle": np.radians([-75.0, -69.0])},
+            of=["carry", "ball_speed"],
         )
         longdrive.batch("tour-average", {"club.loft": np.array([])})
 
@@ -412,7 +414,7 @@ def test_values_that_are_missing_in_a_dict_of_columns_are_missing_rows() -> None
     for missing in (NAType(), None, float("nan"), np.ma.masked):
         found = longdrive.fly({**shots, "ball_speed [mph]": [165, missing]})
         assert [row["flight"] for row in found["shots"]] == ["landed", "refused"]
-    with pytest.raises(InputError, match="format = 'csv' is of a file"):
+    with pytest.raises(InputError, match="format = 'csv' is the format of a file"):
         longdrive.fly({**shots, "ball_speed [mph]": [165, 160]}, format="csv")
 
 

@@ -1,7 +1,8 @@
-"""Types: the stub file matches the compiled module, and the package is strictly typed."""
+"""Types: the stub file matches the compiled module; package, examples and notebooks are typed."""
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -10,7 +11,11 @@ import pytest
 
 pytest.importorskip("mypy")
 
-PACKAGE = Path(__file__).parents[1] / "python/longdrive"
+FOLDER = Path(__file__).parents[1]
+PACKAGE = FOLDER / "python/longdrive"
+EXAMPLES = sorted((FOLDER / "examples").glob("*.py"))
+# without these packages, the modules of longdrive would be taken for them
+NEEDS = {"ray_sweep.py", "spark_sweep.py", "torch_ascent.py"}
 
 
 def run(*arguments: str) -> None:
@@ -19,14 +24,43 @@ def run(*arguments: str) -> None:
         capture_output=True,
         text=True,
         check=False,
-        cwd=PACKAGE.parents[1],
+        cwd=FOLDER,
     )
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+def code_of_notebooks(folder: Path) -> list[str]:
+    """The code of each notebook in a file, without the magics of IPython."""
+    files = []
+    for notebook in sorted((FOLDER / "notebooks").glob("*.ipynb")):
+        cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
+        code = "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "code")
+        lines = [line for line in code.splitlines() if not line.startswith("%")]
+        file = folder / f"{notebook.stem.replace('-', '_')}.py"
+        file.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        files.append(str(file))
+    return files
 
 
 def test_the_stub_file_matches_the_module() -> None:
     run("mypy.stubtest", "longdrive._longdrive")
 
 
-def test_the_package_and_its_tests_pass_a_strict_type_checker() -> None:
+def test_the_package_passes_a_strict_type_checker() -> None:
     run("mypy", "--strict", "--python-version", "3.10", str(PACKAGE))
+
+
+def test_the_package_passes_another_type_checker() -> None:
+    pytest.importorskip("pyright")
+    run("pyright", "--pythonpath", sys.executable, str(PACKAGE))
+
+
+@pytest.mark.parametrize("checker", ["mypy", "pyright"])
+def test_examples_and_notebooks_pass_a_type_checker(checker: str, tmp_path: Path) -> None:
+    pytest.importorskip(checker)
+    examples = [str(file) for file in EXAMPLES if file.name not in NEEDS]
+    files = [*examples, *code_of_notebooks(tmp_path)]
+    if checker == "mypy":
+        run("mypy", "--strict", "--config-file", "pyproject.toml", *files)
+    else:
+        run("pyright", "--pythonpath", sys.executable, *files)

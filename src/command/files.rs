@@ -8,6 +8,8 @@
 
 use crate::atomic_file::{create_beside, folder_of, persist};
 use crate::command::interrupt;
+use crate::command::running::running;
+use crate::input_file::is_in_memory;
 use crate::{Error, Result};
 use std::fs;
 use std::io::{self, ErrorKind, Write};
@@ -27,6 +29,7 @@ impl Rule {
         Self {
             inputs: inputs
                 .into_iter()
+                .filter(|path| !is_in_memory(path))
                 .filter_map(|path| located(&path))
                 .collect(),
             overwrite,
@@ -46,9 +49,17 @@ impl Rule {
     /// [`Error::Results`] for a folder, an input, an existing file, and a path that cannot be
     /// written.
     pub fn file(&self, path: &Path) -> Result<Destination> {
+        if running().host.keeps(path) {
+            return Ok(Destination {
+                shown: path.into(),
+                at: path.into(),
+                kind: Kind::Memory,
+                may_replace: true,
+            });
+        }
         refuse_standard_output(path, "file, as in `output mine.toml`")?;
         let destination = self.place(path)?;
-        if destination.is_file {
+        if destination.is_file() {
             // report a path that cannot be written before the work, not after it
             create_beside(&destination.at).map_err(|error| unwritable(path, &error))?;
         }
@@ -96,7 +107,7 @@ impl Rule {
             return Ok(Destination {
                 shown: path.into(),
                 at: path.into(),
-                is_file: true,
+                kind: Kind::File,
                 may_replace: self.overwrite,
             });
         };
@@ -118,7 +129,10 @@ impl Rule {
         Ok(Destination {
             shown: path.into(),
             at,
-            is_file: found.is_file(),
+            kind: match found.is_file() {
+                true => Kind::File,
+                false => Kind::Device,
+            },
             may_replace: self.overwrite,
         })
     }
@@ -195,10 +209,19 @@ pub struct Destination {
     shown: PathBuf,
     /// The path of the file itself, with links resolved.
     at: PathBuf,
-    /// True for a file, new or existing; false for a device or a pipe.
-    is_file: bool,
+    kind: Kind,
     /// True if a file that was created since the check may be replaced.
     may_replace: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    /// A file on disk, new or existing.
+    File,
+    /// A device or a pipe.
+    Device,
+    /// The host keeps the file in memory.
+    Memory,
 }
 
 impl Destination {
@@ -207,9 +230,14 @@ impl Destination {
         &self.at
     }
 
-    /// Returns true for a file, which stores its bytes; false for a device or a pipe.
+    /// Returns true for a file on disk; false for a device, a pipe, and a file in memory.
     pub fn is_file(&self) -> bool {
-        self.is_file
+        self.kind == Kind::File
+    }
+
+    /// Returns true for a file that the host keeps in memory.
+    pub fn is_in_memory(&self) -> bool {
+        self.kind == Kind::Memory
     }
 
     /// Writes the complete file.
@@ -218,7 +246,7 @@ impl Destination {
     /// [`Error::Results`]; an existing file is then unchanged.
     pub fn write(&self, bytes: &[u8]) -> Result<()> {
         // writing to a pipe may block forever without a reader
-        if !self.is_file {
+        if !self.is_file() {
             return self.put(bytes);
         }
         interrupt::undisturbed(&[&self.shown], || self.put(bytes))
@@ -229,12 +257,13 @@ impl Destination {
     /// # Errors
     /// [`Error::Results`] if it cannot be written.
     pub fn begin(&self) -> Result<Pieces> {
-        let to = match self.is_file {
-            true => create_beside(&self.at).map(To::Beside),
-            false => fs::OpenOptions::new()
+        let to = match self.kind {
+            Kind::File => create_beside(&self.at).map(To::Beside),
+            Kind::Device => fs::OpenOptions::new()
                 .write(true)
                 .open(&self.at)
                 .map(To::Device),
+            Kind::Memory => Ok(To::Memory(vec![])),
         };
         Ok(Pieces {
             to: to.map_err(|error| unwritable(&self.shown, &error))?,
@@ -243,8 +272,12 @@ impl Destination {
     }
 
     fn put(&self, bytes: &[u8]) -> Result<()> {
+        if self.is_in_memory() {
+            running().host.keep(&self.shown, bytes.to_vec());
+            return Ok(());
+        }
         let written = || -> io::Result<()> {
-            if !self.is_file {
+            if !self.is_file() {
                 return fs::OpenOptions::new()
                     .write(true)
                     .open(&self.at)?
@@ -290,6 +323,7 @@ enum To {
     /// A temporary file in the same folder. It is deleted unless it is renamed.
     Beside(NamedTempFile),
     Device(fs::File),
+    Memory(Vec<u8>),
 }
 
 impl Pieces {
@@ -301,6 +335,7 @@ impl Pieces {
         let written = match &mut self.to {
             To::Beside(file) => file.write_all(bytes),
             To::Device(file) => file.write_all(bytes),
+            To::Memory(content) => content.write_all(bytes),
         };
         written.map_err(|error| unwritable(&self.destination.shown, &error))
     }
@@ -310,18 +345,16 @@ impl Pieces {
     /// # Errors
     /// [`Error::Results`]; an existing file is then unchanged.
     pub fn finish(self) -> Result<()> {
-        let Self {
-            to: To::Beside(file),
-            destination,
-        } = self
-        else {
-            return Ok(());
-        };
-        interrupt::undisturbed(&[&destination.shown], || {
-            destination
-                .end(file)
-                .map_err(|error| destination.failed(&error))
-        })
+        let destination = self.destination;
+        match self.to {
+            To::Beside(file) => interrupt::undisturbed(&[&destination.shown], || {
+                destination
+                    .end(file)
+                    .map_err(|error| destination.failed(&error))
+            }),
+            To::Device(_) => Ok(()),
+            To::Memory(content) => destination.put(&content),
+        }
     }
 }
 
@@ -362,7 +395,7 @@ impl Folder {
             // a full disk leaves no file in place: all are written before the first is renamed
             let mut staged = vec![];
             for (destination, bytes) in &files {
-                if destination.is_file {
+                if destination.is_file() {
                     let file = destination.stage(bytes);
                     staged.push((
                         destination,

@@ -1,5 +1,6 @@
 use super::mention::Mention;
 use super::width;
+use crate::input_file::MemoryFiles;
 use indicatif::ProgressBar;
 use std::io;
 use std::path::Path;
@@ -62,6 +63,19 @@ pub trait Host: Send + Sync {
     fn input(&self) -> io::Result<String> {
         Err(io::Error::other("no text was given"))
     }
+
+    /// The input files in memory. A command reads other files from disk.
+    fn files(&self) -> MemoryFiles {
+        MemoryFiles::new()
+    }
+
+    /// True if the host keeps the output file of this name in memory.
+    fn keeps(&self, _name: &Path) -> bool {
+        false
+    }
+
+    /// Receives the content of an output file that the host keeps in memory.
+    fn keep(&self, _name: &Path, _content: Vec<u8>) {}
 
     /// Announces work that can be interrupted: once `stop` is true, it returns its result so far.
     /// The host then shows the message `stopping`.

@@ -28,6 +28,7 @@
 
 mod args;
 mod calibrate;
+mod call;
 mod chart;
 mod colour;
 mod compare;
@@ -74,6 +75,8 @@ mod verify;
 mod width;
 mod wording;
 
+pub use crate::input_file::{MemoryFiles, with_memory_files};
+pub use call::{Call, Value, quantity_of, quantity_of_goal, with_degrees};
 pub use described::described;
 pub use host::{Hold, Host, Kind};
 pub use mention::{Argument, Mention, mark_options, with_mentions};
@@ -101,6 +104,19 @@ pub fn run_in_terminal(words: Vec<OsString>) -> u8 {
 /// status: 0 done, 1 no answer, 2 bad input. The host receives the message; with `--json` the
 /// answer contains it too.
 pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
+    run_words(words, host, &[])
+}
+
+/// Runs a request of a program that embeds the library, as [`run`] runs a command line.
+pub fn call(call: &Call, host: Arc<dyn Host>) -> u8 {
+    match call.written() {
+        Ok(written) => run_words(written.words, host, &written.bare_angles),
+        Err(error) => running::within(host, None, &[], || output::complain(&error, "", true)),
+    }
+}
+
+/// Runs a command line. `bare_angles` are its angles that were given without a unit, rad.
+fn run_words(words: Vec<OsString>, host: Arc<dyn Host>, bare_angles: &[f64]) -> u8 {
     let args = match Args::read(&words) {
         Ok(args) => args,
         Err(error) => {
@@ -113,13 +129,18 @@ pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
     };
     let (name, is_json) = (args.command.name(), args.command.is_json());
     host.begin(name, is_json);
-    running::within(host, Some(args.shown.clone()), &words, || {
-        match answer(&args.command).and_then(Answer::print) {
-            Ok(status) => status,
-            // a broken pipe, as in `longdrive … | head`, is not an error
-            Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => 0,
-            Err(error) => output::complain(&wording::with_argument(error), name, is_json),
+    let files = host.files();
+    let work = || match answer(&args.command).and_then(Answer::print) {
+        Ok(status) => status,
+        // a broken pipe, as in `longdrive … | head`, is not an error
+        Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => 0,
+        Err(error) => {
+            let error = call::with_degrees(wording::with_argument(error), bare_angles);
+            output::complain(&error, name, is_json)
         }
+    };
+    running::within(host, Some(args.shown.clone()), &words, || {
+        with_memory_files(files, work)
     })
 }
 

@@ -32,6 +32,8 @@ pub struct TrajectoryPoint {
     pub position: Vector<f64>,
     /// Velocity, m/s.
     pub velocity: Vector<f64>,
+    /// Angular velocity, rad/s.
+    pub spin: Vector<f64>,
 }
 
 /// Flies the ball and records its path.
@@ -52,6 +54,7 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
         time: 0.0,
         position: Vector::zero(),
         velocity: launch.velocity,
+        spin: launch.spin,
     };
     let mut points = vec![start];
     let inputs = Inputs::new(setup, launch, false);
@@ -67,6 +70,7 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
                 time: begin + s * h,
                 position: path.position(s),
                 velocity: path.velocity(s),
+                spin: inputs.axis * inputs.spin_within([&*step.from, &*step.to], s),
             }));
         }
         let end = &*step.to;
@@ -74,20 +78,24 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
             time: begin + h,
             position: end.position,
             velocity: end.velocity,
+            spin: inputs.axis * end.spin,
         });
     }))?;
     let mut run = vec![];
     if let Flight::Landed(landed) = &flight {
         points.retain(|point| point.time < landed.flight_time);
+        let mut spin = launch.spin;
+        if let Some((begin, [from, to])) = last_step {
+            let landing_spin = inputs.spin_within([&from, &to], (landed.flight_time - begin) / h);
+            spin = inputs.axis * landing_spin;
+            run = Turf::new(setup).path(&inputs.landing(landed, landing_spin));
+        }
         points.push(TrajectoryPoint {
             time: landed.flight_time,
             position: Vector::new(setup.ground.height, landed.lateral, landed.carry),
             velocity: landed.velocity,
+            spin,
         });
-        if let Some((begin, [from, to])) = last_step {
-            let spin = inputs.spin_within([&from, &to], (landed.flight_time - begin) / h);
-            run = Turf::new(setup).path(&inputs.landing(landed, spin));
-        }
     }
     Ok(Trajectory {
         points,

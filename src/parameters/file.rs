@@ -11,6 +11,7 @@ use super::table::{LAW, Law, Setup};
 use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
 use crate::external_errors::toml_error_text;
+use crate::input_file::InputFile;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
 
@@ -54,7 +55,7 @@ impl SetupFile {
     /// [`Error::File`] if it cannot be opened; the errors of [`Setup::from_toml`].
     pub fn open(path: &Path) -> Result<Self> {
         let file = path.display().to_string();
-        match std::fs::read_to_string(path) {
+        match InputFile::read_to_string(path) {
             Ok(text) => Self::read(&text, &file),
             Err(source) => Err(Error::File {
                 file,

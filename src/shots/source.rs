@@ -9,10 +9,10 @@ use super::written;
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
 use crate::error::Result;
+use crate::input_file::InputFile;
 use crate::parameters::{Golfer, Parameter, Setup};
 use crate::table::{Entry, Record, RowFilter, SourceName, TableOptions, Text, TextTable};
 use crate::units::Message;
-use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 use std::sync::Arc;
@@ -92,7 +92,7 @@ impl Shots {
         } else {
             let name = path.display().to_string();
             // report a folder as unreadable: opening succeeds, reading fails
-            let file = SourceName(name.clone()).io(File::open(path))?;
+            let file = SourceName(name.clone()).io(InputFile::open(path))?;
             Text::open(&name, file)?
         };
         Self::of_text(setup, text.with_filter(filter))

@@ -41,6 +41,7 @@ mod laws;
 mod left_hander;
 mod listening;
 mod long_work;
+mod memory_files;
 mod messages;
 mod optimizer;
 mod optimizer_misuse;

@@ -1,23 +1,26 @@
 """The longest golf drive, with exact derivatives.
 
-A clubhead strikes a ball, the ball flies with drag, lift, spin decay and wind, and lands. Every outcome has exact gradients and
-Hessians with respect to every parameter.
+A clubhead strikes a ball, the ball flies with drag, lift, spin decay and wind, and lands. Every
+outcome has exact gradients and Hessians with respect to every parameter.
 
 >>> import longdrive
 >>> drive = longdrive.simulate("tour-average")
 >>> drive.status
 'landed'
->>> value, gradient = longdrive.gradient("tour-average", of="carry", wrt=["club.loft", "swing.speed"])
+>>> wrt = ["club.loft", "swing.speed"]
+>>> value, gradient = longdrive.gradient("tour-average", of="carry", wrt=wrt)
 >>> abs(value - drive["carry"]) < 1e-9
 True
 
-Numbers are SI and radians; a text carries its unit. Bad input is an :class:`InputError`, a question without an answer a
-:class:`NoAnswerError`, both :class:`Error`.
+Numbers are SI and radians; a text has its unit. Bad input is an :class:`InputError`, a question
+without an answer a :class:`NoAnswerError`, both :class:`Error`.
 """
 
 from __future__ import annotations
 
-from . import _supported  # noqa: F401  before anything that is compiled
+from typing import TYPE_CHECKING
+
+from . import _supported  # noqa: F401  before any compiled module
 from . import plot
 from ._longdrive import Objective, Setup, __version__, outcomes, parameters, presets
 from .batches import batch
@@ -42,12 +45,24 @@ from .commands import (
 )
 from .derivatives import Gradient, Hessian, Jacobian, gradient, hessian, jacobian, objective
 from .drive import Drive, simulate
-from .errors import Error, InputError, InternalError, Interrupted, LongdriveWarning, NoAnswerError, UnknownKeyError
+from .errors import (
+    Error,
+    InputError,
+    InternalError,
+    Interrupted,
+    LongdriveWarning,
+    NoAnswerError,
+    UnknownKeyError,
+)
 from .optimum import Optimum
 from .picture import Picture
 from .reply import Reply
 from .sweeps import sweep
 from .table import Status, Table
+from .trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from . import dask, jax, parts, ray, spark, torch
 
 __all__ = [
     "Drive",
@@ -67,6 +82,7 @@ __all__ = [
     "Setup",
     "Status",
     "Table",
+    "Trajectory",
     "UnknownKeyError",
     "__version__",
     "batch",
@@ -99,15 +115,16 @@ __all__ = [
     "verify",
 ]
 
+if not TYPE_CHECKING:  # type checkers refuse unknown names, too
 
-def __getattr__(name: str) -> object:
-    """Modules that not every call needs: ``longdrive.parts``, and what works with other packages, are imported where they are asked for."""
-    if name in ("dask", "jax", "parts", "ray", "spark", "torch"):
-        import importlib
+    def __getattr__(name: str) -> object:
+        """Imports a module that few programs need at its first use: ``longdrive.parts``."""
+        if name in ("dask", "jax", "parts", "ray", "spark", "torch"):
+            import importlib
 
-        return importlib.import_module(f"{__name__}.{name}")
-    raise AttributeError(
-        f"module '{__name__}' has no attribute '{name}'",
-        name=name,
-        obj=__import__("sys").modules[__name__],
-    )
+            return importlib.import_module(f"{__name__}.{name}")
+        raise AttributeError(f"module '{__name__}' has no attribute '{name}'", name=name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -1,4 +1,4 @@
-"""The program: ``python -m longdrive``, or ``longdrive`` once the package is installed."""
+"""The program: ``python -m longdrive``, or ``longdrive`` after the installation."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from . import _longdrive
 
 
 def main() -> int:
-    """Runs the program with the arguments of this process; the exit status."""
+    """Runs the program with the arguments of this process, and returns its exit status."""
     return _longdrive.main(sys.argv[1:])
 
 

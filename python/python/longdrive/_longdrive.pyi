@@ -1,13 +1,22 @@
-"""The compiled half of longdrive. A test compares this with the module (``stubtest``)."""
+"""The compiled module of longdrive. A test compares this file with it (``stubtest``)."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import (
+    Callable,
+    ItemsView,
+    Iterator,
+    KeysView,
+    Mapping,
+    Sequence,
+    ValuesView,
+)
 from os import PathLike
 from typing import Any, Literal, final
 
 import numpy as np
 import numpy.typing as npt
 
-from .types import Floats, Names, Sense, SetupLike
+from .types import AngleUnit, Floats, Names, Sense, SetupLike
+from .values import Value
 
 __all__ = [
     "Objective",
@@ -22,6 +31,7 @@ __all__ = [
     "gradient",
     "hessian",
     "in_python",
+    "is_out_of_range",
     "jacobian",
     "main",
     "merge_parts",
@@ -30,25 +40,42 @@ __all__ = [
     "plan",
     "presets",
     "simulate",
+    "text_of",
+    "unit_of",
+    "unit_of_goal",
     "unknown_key",
+    "words_of",
 ]
 
 __version__: str
 
 @final
-class Setup:
-    """Everything a drive depends on."""
+class Setup(Mapping[str, Any]):
+    """All parameters of a drive."""
 
-    def __new__(cls, given: SetupLike = None, /) -> Setup: ...
+    def __new__(cls, given: SetupLike = None, /, *, angles: AngleUnit | None = None) -> Setup: ...
     @staticmethod
     def read(path: str | PathLike[str]) -> Setup: ...
     @staticmethod
     def from_toml(text: str, file: str = "setup.toml") -> Setup: ...
     def _asked(self) -> tuple[str, bool]: ...
     @staticmethod
-    def _from_state(toml: str, gives_step: bool, table: str | None) -> Setup: ...
-    def replace(self, changes: Mapping[str, Any] | None = None, /, **named: Any) -> Setup: ...
-    def keys(self) -> list[str]: ...
+    def _from_state(toml: str, table: str | None) -> Setup: ...
+    def _with_values(self, values: Mapping[str, Any]) -> Setup: ...
+    def replace(
+        self,
+        changes: Mapping[str, Any] | None = None,
+        /,
+        *,
+        angles: AngleUnit | None = None,
+        **named: Any,
+    ) -> Setup: ...
+    def keys(self) -> KeysView[str]: ...
+    def values(self) -> ValuesView[Any]: ...
+    def items(self) -> ItemsView[str, Any]: ...
+    def get(self, name: str, default: Any = None, /) -> Any: ...
+    def __or__(self, changes: Mapping[str, Any], /) -> Setup: ...
+    def __ror__(self, changes: Any, /) -> Any: ...
     @property
     def preset(self) -> str: ...
     def to_toml(self) -> str: ...
@@ -103,13 +130,23 @@ class Objective:
     def __copy__(self) -> Objective: ...
     def __deepcopy__(self, _memo: Any) -> Objective: ...
 
-def simulate(setup: SetupLike = None, of: Names | None = None) -> tuple[dict[str, float | None], dict[str, Any]]: ...
-def gradient(setup: SetupLike, of: str = "carry", wrt: Names | None = None) -> tuple[float, Floats]: ...
-def jacobian(setup: SetupLike, of: Names, wrt: Names | None = None) -> tuple[Floats, Floats]: ...
-def hessian(setup: SetupLike, of: str = "carry", wrt: Names | None = None) -> tuple[float, Floats, Floats]: ...
+def simulate(
+    setup: SetupLike, of: Names | None, is_traced: bool
+) -> tuple[
+    dict[str, float | None], dict[str, Any], tuple[Floats, Floats, Floats, Floats] | None
+]: ...
+def gradient(
+    setup: SetupLike, of: str = "carry", wrt: Names | None = None
+) -> tuple[float, Floats]: ...
+def jacobian(
+    setup: SetupLike, of: Names, wrt: Names | None = None
+) -> tuple[Floats, Floats]: ...
+def hessian(
+    setup: SetupLike, of: str = "carry", wrt: Names | None = None
+) -> tuple[float, Floats, Floats]: ...
 def batch(
     setup: SetupLike,
-    points: Mapping[str, npt.ArrayLike | str],
+    points: Mapping[str, npt.ArrayLike],
     of: Names,
     wrt: Names | None,
     tolerance: float | str | None,
@@ -133,33 +170,46 @@ def batch(
 ]: ...
 def arrow_stream(
     columns: Sequence[tuple[str, Floats, str]],
-    status: npt.NDArray[np.int8],
+    status: npt.NDArray[np.int8] | None,
     names: Sequence[str],
     at: int,
     metadata: Mapping[str, str],
 ) -> Any: ...
-def asked(setup: SetupLike, of: Names, wrt: Names | None) -> tuple[list[str], list[str]]: ...
-def unknown_key(what: Literal["column", "outcome", "parameter"], key: object, keys: Sequence[str], advice: str) -> str: ...
+def asked(
+    setup: SetupLike, of: Names, wrt: Names | None
+) -> tuple[list[str], list[str]]: ...
+def unknown_key(
+    what: Literal["column", "outcome", "parameter"], key: object, keys: Sequence[str], advice: str
+) -> str: ...
 def outcomes() -> list[dict[str, str]]: ...
 def parameters(setup: SetupLike = None) -> dict[str, Any]: ...
 def presets() -> dict[str, Any]: ...
 def _panic_for_a_test(message: str) -> None: ...
 
 def merge_parts(manifests: str) -> dict[str, Any]: ...
-
 def plan(
-    setup: SetupLike, over: Sequence[str], sample: int | None, seed: int, file: str | PathLike[str] | None
+    setup: SetupLike,
+    over: Sequence[str],
+    sample: int | None,
+    seed: int,
+    table: str | PathLike[str] | None,
+    files: Mapping[str, bytes],
+    bare_angles: Sequence[float],
 ) -> tuple[dict[str, Floats], list[tuple[str, float, float]]]: ...
-
 def command(
-    words: Sequence[str],
+    command: str,
+    arguments: dict[str, Value],
     setup: str,
+    files: Mapping[str, bytes],
+    outputs: Sequence[str],
     say: Callable[[str, str], object],
     progress: Callable[[int, int], object] | None = None,
-) -> tuple[int | None, Any, BaseException | None]: ...
-
+) -> tuple[int | None, Any, dict[str, bytes], BaseException | None]: ...
+def text_of(value: Value) -> str: ...
+def words_of(command: str, arguments: dict[str, Value]) -> list[str]: ...
+def unit_of(name: str) -> str | None: ...
+def unit_of_goal(goal: str) -> str: ...
+def is_out_of_range(name: str, value: float) -> bool: ...
 def described() -> list[dict[str, Any]]: ...
-
 def in_python(message: str) -> str: ...
-
 def main(words: Sequence[str]) -> int: ...

@@ -1,4 +1,4 @@
-"""Arguments that are looked at before anything is computed."""
+"""Checks of arguments before any computation."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ __all__ = [
 ]
 
 MOST_SEED = 2**32 - 1
-"""The greatest seed of swings and of samples."""
+"""The largest seed."""
 
 MOST_SCENARIOS = 100_000
-"""As many swings may stand for all."""
+"""The largest number of swings in a search."""
 
 
 def kind_of(value: Any) -> str:
@@ -41,10 +41,10 @@ def kind_of(value: Any) -> str:
 
 
 def shown(value: Any) -> str:
-    """A value as messages show it: as Python writes it, cut where it is long."""
+    """The repr of a value for messages, shortened to 400 characters."""
     try:
         text = repr(value)
-    # what lies too deep within itself, and whole numbers of more than 4300 digits
+    # deeply nested values, and whole numbers of more than 4300 digits
     except (RecursionError, ValueError):
         return f"{kind_of(value)} too long to show"
     return text if len(text) <= 400 else f"{text[:60]}… ({len(text)} characters)"
@@ -52,42 +52,48 @@ def shown(value: Any) -> str:
 
 @contextmanager
 def whole_characters(name: str) -> Iterator[None]:
-    """A text that is no Unicode is told with the argument that has it."""
+    """Names the argument in the error of a text with a lone surrogate."""
     try:
         yield
     except UnicodeEncodeError as error:
         raise InputError(
-            f"{name}: {shown(error.object.strip())} has half a character (a lone surrogate); give the text without it"
+            f"{name}: {shown(error.object.strip())} has half a character (a lone surrogate); give "
+            "the text without it"
         ) from None
 
 
-def no_attribute(owner: object, name: str, instead: str) -> AttributeError:
-    """What is raised for an attribute that there is not, with what there is instead."""
+def no_attribute(owner: object, name: str, advice: str) -> AttributeError:
+    """The error of an unknown attribute, with advice."""
     return AttributeError(
-        f"a {type(owner).__name__} has no attribute '{name}'; {instead}", name=name, obj=owner
+        f"a {type(owner).__name__} has no attribute '{name}'; {advice}", name=name, obj=owner
     )
 
 
 def refuse_idle_seed(seed: Any, sample: Any) -> None:
-    """A seed where nothing is sampled.
+    """Refuses a seed without a sample, where it has no effect.
 
-    Raises:
-        InputError: for one that would have no effect.
+    Raises
+    ------
+    InputError
+        With the value of the seed.
     """
     if seed is None:
         return
     count_of("seed", seed, most=MOST_SEED)
     if sample is None:
         raise InputError(
-            f"seed = {seed!r} chooses the points of a sample, and nothing is sampled; give sample too, or leave seed out"
+            f"seed = {seed!r} chooses the points of a sample, and nothing is sampled; give sample "
+            "too, or leave seed out"
         )
 
 
 def count_of(name: str, value: Any, least: int = 0, most: int = sys.maxsize) -> int:
-    """A whole number of at least so much, and at most so much.
+    """A whole number from `least` to `most`.
 
-    Raises:
-        InputError: for anything else; it names the argument and its value.
+    Raises
+    ------
+    InputError
+        For other values, with the name of the argument.
     """
     try:
         number = operator.index(value)
@@ -101,42 +107,56 @@ def count_of(name: str, value: Any, least: int = 0, most: int = sys.maxsize) -> 
     return number
 
 
-def switch_of(name: str, value: Any, instead: str = "") -> bool:
-    """Whether something is switched on: True or False, NumPy's too; `instead` says what else is taken.
+def switch_of(name: str, value: Any, alternative: str = "") -> bool:
+    """True or False, also of NumPy. Other values are refused: ``overwrite="no"`` is not False.
 
-    Raises:
-        InputError: for anything else, which is not guessed at: ``overwrite="no"`` must not replace a file.
+    Parameters
+    ----------
+    name : str
+        The argument, for messages.
+    value : Any
+        The value.
+    alternative : str
+        What else the argument takes, for messages.
+
+    Raises
+    ------
+    InputError
+        For another value.
     """
     if not isinstance(value, (bool, np.bool_)):
-        raise InputError(
-            f"{name} = {shown(value)}; expected True or False{f', or {instead}' if instead else ''}"
-        )
+        others = f", or {alternative}" if alternative else ""
+        raise InputError(f"{name} = {shown(value)}; expected True or False{others}")
     return bool(value)
 
 
-def one_name(name: str, value: Any, several: str) -> str:
-    """One name; `several` says what takes more.
+def one_name(name: str, value: Any, advice: str) -> str:
+    """One name; `advice` names the function that takes several.
 
-    Raises:
-        InputError: for anything else.
+    Raises
+    ------
+    InputError
+        For another value.
     """
     if not isinstance(value, str):
         raise InputError(
-            f"{name} is {kind_of(value)}; expected one name, as in {name}='carry'; {several}"
+            f"{name} is {kind_of(value)}; expected one name, as in {name}='carry'; {advice}"
         )
     with whole_characters(name):
         value.encode()
     return value
 
 
-def path_of(name: str, value: Any, what: str = "file") -> str:
+def path_of(name: str, value: Any, expected: str = "file") -> str:
     """The name of a file or a folder.
 
-    Raises:
-        InputError: for anything else; `what` says what is expected.
+    Raises
+    ------
+    InputError
+        For another value; the message has `expected`.
     """
     if not isinstance(value, (str, os.PathLike)):
-        raise InputError(f"{name} is {kind_of(value)}; expected the name of a {what}")
+        raise InputError(f"{name} is {kind_of(value)}; expected the name of a {expected}")
     with whole_characters(name):
         os.fsencode(value)
     return os.fsdecode(value)

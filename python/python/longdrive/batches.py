@@ -6,154 +6,231 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from . import _longdrive
 from ._longdrive import Setup
+from .angles import columns_in_radians, warnings_of_columns
 from .arguments import count_of, switch_of
 from .errors import InputError, Interrupted, interruptible, warn_of
 from .progress import Progress, follower
+from .quantities import contains_quantities, elements_of, is_quantity, to_si
 from .table import Table
-from .types import Names, SetupLike
-from .written import elements_of, in_si, is_quantity
+from .tables import columns_of
+from .types import AngleUnit, Names, PointsLike, SetupLike
 
 __all__ = ["batch"]
 
 
 def batch(
     setup: SetupLike,
-    points: Mapping[str, npt.ArrayLike | str],
+    points: PointsLike,
     of: Names = "carry",
     wrt: Names | None = None,
     *,
     hessians: bool = False,
     tolerance: float | str | None = None,
     own_step: bool = False,
+    angles: AngleUnit = "rad",
     threads: int = 0,
     progress: Progress = False,
     first_row: int = 0,
 ) -> Table:
     """Outcomes, and their exact derivatives, at very many points, on all processors.
 
+    A row without a drive has a status, and no exception is raised. The rows do not depend on the
+    number of threads, and equal those of ``longdrive sweep``.
+
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, or a dict.
+    points : PointsLike
+        Parameters with arrays of one length, shape (rows,), or numbers for all rows, in SI; a text
+        has its unit, and quantities of pint, and lists of them, are converted. Also a table of
+        pandas, polars or pyarrow with such columns, or a :class:`Table`, whose points are taken.
+        Arrays of 64-bit floats, of any strides and also read-only, are read 65,536 rows at a time,
+        without a copy of the whole.
+    of : Names
+        Outcomes, a name or several; ``"all"`` for every one.
+    wrt : Names | None
+        Parameters to differentiate by, a name or several; ``"points"`` for those of the points;
+        without it no derivatives.
+    hessians : bool
+        Compute second derivatives too, without ``wrt`` by the parameters of the points, with the
+        step that is chosen for all rows.
+    tolerance : float | str | None
+        The largest error of a length, m or a text; without it 1 µm, unless the setup states its
+        method or step.
+    own_step : bool
+        Keep ``flight.method`` and ``flight.step`` of the setup.
+    angles : AngleUnit
+        The unit of angles without a unit.
+    threads : int
+        The number of threads; 0 for the number of processors of this process.
+    progress : Progress
+        True for a bar, or a function of the rows done and all rows.
+    first_row : int
+        The first row to compute, to continue after an interruption.
+
+    Returns
+    -------
+    Table
+        The outcomes and derivatives.
+
+    Raises
+    ------
+    InputError
+        For an unknown name, or an array of the wrong shape or type.
+    Interrupted
+        After Ctrl-C, with the rows that were done.
+
+    Warns
+    -----
+    LongdriveWarning
+        Once, with all ``warnings`` of the table.
+
+    Examples
+    --------
     >>> import longdrive, numpy as np
-    >>> loft = np.radians([8.0, 10.5, 13.0, np.nan])
-    >>> table = longdrive.batch("tour-average", {"club.loft": loft, "swing.speed": "110 mph"}, of="carry", wrt="club.loft")
+    >>> points = {"club.loft": np.radians([8.0, 10.5, 13.0, np.nan]), "swing.speed": "110 mph"}
+    >>> table = longdrive.batch("tour-average", points, of="carry", wrt="club.loft")
     >>> table.counts()
     {'landed': 3, 'out-of-range': 1}
     >>> table["carry"].shape, table.gradients.shape
     ((4,), (4, 1, 1))
-
-    A row that cannot be flown is no exception but has a status. Rows are the same whatever the number of threads, and equal to those of ``longdrive sweep``.
-
-    Args:
-        setup: a setup, the name of a preset, or a dict.
-        points: parameters with arrays of one length, shape (rows,), or numbers for all rows, in SI; a text carries its unit, and quantities of
-            pint, and lists of them, are converted. 64-bit floats of any strides, also read-only ones, are not copied as a whole: 65 536 rows at a
-            time are put in order.
-        of: outcomes, a name or several; ``"all"`` for every one.
-        wrt: parameters to differentiate by, a name or several; ``"points"`` for those of the points; without it no derivatives.
-        hessians: whether second derivatives are computed too, without ``wrt`` those by the parameters of the points; they are those of the step
-            that is chosen for all rows.
-        tolerance: lengths are within it of their exact values, m or a text; without it 1 µm, unless the setup says how to integrate.
-        own_step: whether ``flight.method`` and ``flight.step`` of the setup are kept.
-        threads: how many; 0 for as many as there are processors that this process may use.
-        progress: True for a bar, or a function of rows done and rows in all.
-        first_row: the first row to compute, to go on after an interruption.
-
-    Raises:
-        InputError: for a name that nothing bears, or an array of the wrong shape or type.
-        Interrupted: where Ctrl-C was pressed; it has the rows that were done.
-
-    Warns:
-        LongdriveWarning: once, with all of ``warnings`` of the table.
     """
     if switch_of("hessians", hessians) and wrt is None:
         wrt = "points"
     with interruptible("longdrive.batch was interrupted before the first row"), follower(
         "drives", progress
-    ) as told:
+    ) as show:
+        setup = setup if isinstance(setup, Setup) else Setup(setup, angles=angles)
+        columns: Any = columns_of(points)
+        if isinstance(columns, Mapping):
+            columns = columns_in_radians(columns, angles)
         table = computed(
             setup,
-            points,
+            columns,
             of,
             wrt,
             tolerance=tolerance,
             own_step=own_step,
             threads=threads,
-            told=told,
+            show=show,
             first_row=first_row,
             hessians=hessians,
         )
-    warn_of(table.warnings, table, stacklevel=2)
+    if isinstance(points, Mapping) and angles == "rad":
+        table.warnings += warnings_of_columns(points)
+    warn_of(table.warnings, table)
     return table
 
 
-def _without_units(setup: Setup, points: Any) -> Any:
-    """The points with quantities of pint, or sequences of them, as numbers in SI: an array of NumPy would lose their unit."""
+def _without_units(points: Any) -> Any:
+    """The points with quantities of pint as numbers in SI. NumPy would drop their units."""
     if not isinstance(points, Mapping) or not any(
-        is_quantity(values) or elements_of(values) is not None for values in points.values()
+        is_quantity(values) or contains_quantities(values) for values in points.values()
     ):
         return points
-    units = {row["parameter"]: row["unit"] for row in _longdrive.parameters(setup)["parameters"]}
 
     def converted(name: str, values: Any) -> Any:
-        elements = None if is_quantity(values) else elements_of(values)
+        unit = _longdrive.unit_of(name) if isinstance(name, str) else None
+        if unit is None:
+            # the batch refuses the unknown name
+            return values
         try:
-            return (
-                in_si(values, units[name])
-                if elements is None
-                else [in_si(value, units[name]) for value in elements]
-            )
+            if contains_quantities(values):
+                return [to_si(value, unit) for value in elements_of(values) or ()]
+            return to_si(values, unit)
         except InputError as error:
             raise InputError(f"points: {name}: {error}") from None
 
-    # of a name that nothing bears the batch says so
-    return {
-        name: converted(
-            name, values
-        ) if name in units else values for name, values in points.items()
-    }
+    return {name: converted(name, values) for name, values in points.items()}
 
 
 def _interrupted(after: int, whole: int) -> str:
-    rest = (
-        f"goes on, and Table.concatenate([table, rest]) joins both"
+    advice = (
+        "goes on, and Table.concatenate([table, rest]) joins both"
         if after < whole
         else "has nothing left to do"
     )
-    return f"longdrive.batch was interrupted after {after} of {whole} rows, which `table` of this exception has; batch(…, first_row={after}) {rest}"
+    return (
+        f"longdrive.batch was interrupted after {after} of {whole} rows, which `table` of this "
+        f"exception has; batch(…, first_row={after}) {advice}"
+    )
 
 
 def computed(
-    setup: SetupLike,
-    points: Mapping[str, npt.ArrayLike | str],
+    setup: Setup,
+    points: Any,
     of: Names,
     wrt: Names | None,
     *,
     tolerance: float | str | None,
     own_step: bool,
     threads: int,
-    told: Callable[[int, int], object] | None,
+    show: Callable[[int, int], object] | None,
     first_row: int = 0,
     hessians: bool = False,
     ranges: list[tuple[str, float, float]] | None = None,
     interrupted: Callable[[int, int], str] = _interrupted,
 ) -> Table:
-    """The table of a batch. The step is chosen for `ranges`, or for those of the points; `interrupted` says how one goes on after so many rows."""
-    setup = setup if isinstance(setup, Setup) else Setup(setup)
-    points, tolerance = _without_units(setup, points), in_si(tolerance, "m")
+    """The table of a batch.
+
+    Parameters
+    ----------
+    setup : Setup
+        The setup.
+    points : Any
+        Parameters with arrays.
+    of : Names
+        Outcomes.
+    wrt : Names | None
+        Parameters to differentiate by.
+    tolerance : float | str | None
+        The largest error of a length.
+    own_step : bool
+        Keep method and step of the setup.
+    threads : int
+        The number of threads.
+    show : Callable[[int, int], object] | None
+        The function that shows the progress.
+    first_row : int
+        The first row to compute.
+    hessians : bool
+        Compute second derivatives.
+    ranges : list[tuple[str, float, float]] | None
+        The ranges for which the step is chosen; without them, those of the points.
+    interrupted : Callable[[int, int], str]
+        The message after an interruption, from the rows done and all rows.
+    """
+    points, tolerance = _without_units(points), to_si(tolerance, "m")
     if isinstance(tolerance, (bool, np.bool_)):
         raise InputError(
             f'tolerance = {tolerance!r}; expected a length, in m or as a text like "1 um"'
         )
-    status, columns, seconds, of, by, given, units, warnings, (done, whole), raised = _longdrive.batch(setup, points, of, wrt, tolerance, switch_of("own_step", own_step), count_of("threads", threads), told, count_of("first_row", first_row), switch_of("hessians", hessians), ranges,)
+    found = _longdrive.batch(
+        setup,
+        points,
+        of,
+        wrt,
+        tolerance,
+        switch_of("own_step", own_step),
+        count_of("threads", threads),
+        show,
+        count_of("first_row", first_row),
+        switch_of("hessians", hessians),
+        ranges,
+    )
+    status, columns, seconds, outcomes, by, parameters, units, warnings, rows, raised = found
+    done, whole = rows
     table = Table(
         status=status[:done],
-        columns=columns[len(given) :, :done],
-        points=columns[: len(given), :done],
-        of=of,
+        columns=columns[len(parameters) :, :done],
+        points=columns[: len(parameters), :done],
+        of=outcomes,
         wrt=by,
-        parameters=given,
+        parameters=parameters,
         units=units,
         hessians=None if seconds is None else seconds[:done],
         first_row=first_row,
@@ -163,6 +240,5 @@ def computed(
     if raised is None:
         return table
     if isinstance(raised, KeyboardInterrupt):
-        after = first_row + len(table)
-        raise Interrupted(interrupted(after, whole), table) from raised
+        raise Interrupted(interrupted(first_row + len(table), whole), table) from raised
     raise raised

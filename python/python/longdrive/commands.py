@@ -1,22 +1,33 @@
-"""The studies: a function for each command of the program.
+"""The studies: a function for each command.
 
-Each of them raises :class:`longdrive.InputError` for bad input, with the program's message, :class:`longdrive.NoAnswerError` for a sound question
-without an answer, and :class:`longdrive.Interrupted` after Ctrl-C, with what was found so far. ``progress`` is True for a bar, or a function that is
-called with how many parts of how many are done: 0 of 0 while the parts cannot be counted.
-
-Written by make_commands.py from what the program says of its commands; change it there.
+Written by make_commands.py; change it there.
 """
 
 from __future__ import annotations
 
 from typing import Literal
 
-from ._ask import ask
 from .optimum import Optimum, optimum
 from .progress import Progress
-from .reply import Reply, as_reply
+from .replies import (
+    CalibrateReply,
+    ChartReply,
+    CompareReply,
+    DeliveryReply,
+    FlyReply,
+    LawsReply,
+    ParetoReply,
+    ReportReply,
+    ReproduceReply,
+    SensitivityReply,
+    UncertaintyReply,
+    ValidateReply,
+    VerifyReply,
+)
+from .reply import as_reply
 from .rows import flown
-from .types import Amount, Given, Goals, Names, PathLike, SetupLike, TableLike
+from .run_command import run_command
+from .types import Amount, AngleUnit, Given, Goals, Names, PathLike, SetupLike, TableLike
 
 __all__ = [
     "calibrate",
@@ -49,31 +60,66 @@ def compare(
     launch_a: Given | None = None,
     launch_b: Given | None = None,
     of: Names | None = None,
+    angles: AngleUnit = "rad",
     progress: Progress = False,
-) -> Reply:
-    """Compare two drives: their outcomes, and which part of the difference is due to which parameter
-    and launch condition.
+) -> CompareReply:
+    """Compare two drives, with the cause of each difference.
 
-    Args:
-        setup: the first drive, which messages call a: a setup, the name of a preset, a dict, or
-            None for the preset tour-average.
-        other: the second drive, b, as setup is given: for example setup.replace({"club.loft": "11
-            deg"}). Without it launch_a or launch_b says in what it differs.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        launch_a: the launch conditions of a, as in launch.
-        launch_b: the launch conditions of b, as in launch.
-        of: the outcomes whose difference is split, one or several; "all" for every one [default:
-            carry].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    The outcomes of both, and the share of each parameter and launch condition in the difference.
+
+    Parameters
+    ----------
+    setup : SetupLike
+        The first drive, a in messages: a setup, the name of a preset, a dict, or None for the
+        preset tour-average.
+    other : SetupLike
+        The second drive, b, a setup as the first: for example setup.replace({"club.loft": "11
+        deg"}). Without it launch_a or launch_b gives the difference.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    launch_a : Given
+        The launch conditions of drive a, as in launch.
+    launch_b : Given
+        The launch conditions of drive b, as in launch.
+    of : Names
+        The outcomes whose difference is split, one or several; "all" for every one [default:
+        carry].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    CompareReply
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> reply = longdrive.compare("tour-average", {"club.loft": "11 deg"}, of="carry")
+    >>> reply.status
+    'done'
     """
-    return ask("compare", locals(), as_reply)
+    return run_command("compare", locals(), as_reply(CompareReply))
 
 
 def optimize(
@@ -97,55 +143,97 @@ def optimize(
     checkpoint: PathLike | None = None,
     output: PathLike | None = None,
     overwrite: bool = False,
+    angles: AngleUnit = "rad",
     progress: Progress = False,
 ) -> Optimum:
-    """Find the parameters that maximize or minimize an outcome: by default, the loft and attack angle
+    """Find the drive that carries farthest, or any best outcome.
+
+    Finds the parameters that maximize or minimize an outcome: by default, the loft and attack angle
     of the longest carry.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        maximize: the outcome to maximize [default: carry, unless minimize is given].
-        minimize: the outcome to minimize.
-        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
-            20 deg and attack angle -5 to 5 deg].
-        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <=
-            apex_height <= 35 yd" or "lateral == 0 m"; every limit with its unit. Over many swings
-            also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g".
-        max_iterations: the largest number of iterations of a search [default: 500].
-        swings: search for the best over many swings: a TOML file with [distributions] and
-            [[correlations]], or a table (CSV, Parquet, Arrow) of recorded swings, a column for each
-            parameter. Goals are then written like "mean(carry)", "std(lateral)", "lowest(carry,
-            10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft
-            alone by default.
-        distribution: the distribution of a parameter from swing to swing:
-            NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
-            NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
-        correlation: the correlation of two parameters with distributions, e.g.
-            swing.path,swing.face_angle=0.6.
-        scenarios: take this many swings of the distributions, by a quasi-random sequence [default:
-            quadrature for up to 3 parameters, else 512 swings].
-        seed: the seed of the swings; the same seed gives the same swings [default: 0].
-        strokes: a CSV table of the strokes that are expected from a distance, with the columns
-            "distance [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to
-            hole out after this drive.
-        starts: search from this many starts, spread evenly over the ranges (the first is the
-            setup's own), and list the local optima [default: 1].
-        checkpoint: save the search to this file after every iteration; if the file exists, continue
-            from it.
-        output: write the setup at the optimum into this setup file.
-        overwrite: replace the file if it exists.
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    maximize : str
+        The outcome to maximize [default: carry, unless minimize is given].
+    minimize : str
+        The outcome to minimize.
+    vary : Given
+        A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
+        and attack angle -5 to 5 deg].
+    subject_to : Names
+        A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
+        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
+        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+    max_iterations : int
+        The largest number of iterations of a search [default: 500].
+    swings : TableLike
+        Search for the best over many swings: a TOML file with [distributions] and [[correlations]],
+        or a table (CSV, Parquet, Arrow) of recorded swings, a column for each parameter. Goals are
+        then written like "mean(carry)", "std(lateral)", "lowest(carry, 10%)", "within(lateral,
+        15yd)" or "mean(carry) - 0.5*std(lateral)", and by default only the loft is varied.
+    distribution : Given
+        The distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION),
+        NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
+        NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
+    correlation : Given
+        The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
+    scenarios : int
+        Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
+        for up to 3 parameters, else 512 swings].
+    seed : int
+        The seed of the swings; the same seed gives the same swings [default: 0].
+    strokes : TableLike
+        A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
+        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
+    starts : int
+        Search from this many starts, spread evenly over the ranges (the first is the setup's own),
+        and list the local optima [default: 1].
+    checkpoint : PathLike
+        Save the search to this file after every iteration; if the file exists, continue from it.
+    output : PathLike
+        Write the setup at the optimum into this setup file.
+    overwrite : bool
+        Replace the file if it exists.
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Optimum
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> best = longdrive.optimize("tour-average", vary={"club.loft": ("4 deg", "20 deg")})
+    >>> best.success, best.names
+    (True, ['club.loft'])
     """
-    return ask("optimize", locals(), optimum)
+    return run_command("optimize", locals(), optimum)
 
 
 def optimum_sensitivity(
@@ -172,62 +260,106 @@ def optimum_sensitivity(
     wrt: Names | None = None,
     change: Given | None = None,
     loss: Amount | None = None,
+    angles: AngleUnit = "rad",
     progress: Progress = False,
 ) -> Optimum:
-    """How the optimum depends on every other parameter, what its bounds and constraints cost, and how
-    flat it is.
+    """Sensitivity of the optimum, and how flat it is.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        maximize: the outcome to maximize [default: carry, unless minimize is given].
-        minimize: the outcome to minimize.
-        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
-            20 deg and attack angle -5 to 5 deg].
-        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <=
-            apex_height <= 35 yd" or "lateral == 0 m"; every limit with its unit. Over many swings
-            also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g".
-        max_iterations: the largest number of iterations of a search [default: 500].
-        swings: search for the best over many swings: a TOML file with [distributions] and
-            [[correlations]], or a table (CSV, Parquet, Arrow) of recorded swings, a column for each
-            parameter. Goals are then written like "mean(carry)", "std(lateral)", "lowest(carry,
-            10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft
-            alone by default.
-        distribution: the distribution of a parameter from swing to swing:
-            NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
-            NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
-        correlation: the correlation of two parameters with distributions, e.g.
-            swing.path,swing.face_angle=0.6.
-        scenarios: take this many swings of the distributions, by a quasi-random sequence [default:
-            quadrature for up to 3 parameters, else 512 swings].
-        seed: the seed of the swings; the same seed gives the same swings [default: 0].
-        strokes: a CSV table of the strokes that are expected from a distance, with the columns
-            "distance [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to
-            hole out after this drive.
-        starts: search from this many starts, spread evenly over the ranges (the first is the
-            setup's own), and list the local optima [default: 1].
-        checkpoint: save the search to this file after every iteration; if the file exists, continue
-            from it.
-        output: write the setup at the optimum into this setup file.
-        overwrite: replace the file if it exists.
-        wrt: the parameters that the optimum depends on, one or several; "all" for every one that
-            has a value in this setup and is not varied [default: all].
-        change: a change of a parameter, e.g. swing.speed=+5mph or air.density=-20% of its value:
-            its effect on the optimum is predicted, and compared with a new search.
-        loss: the loss of the outcome for which tolerances of the optimum are computed [default: 1
-            yd for a distance, or 1 % of the carry where that is below 10 yd; 1 % of the outcome
-            otherwise].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    How the optimum depends on every other parameter, and the price of its bounds and constraints.
+
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    maximize : str
+        The outcome to maximize [default: carry, unless minimize is given].
+    minimize : str
+        The outcome to minimize.
+    vary : Given
+        A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
+        and attack angle -5 to 5 deg].
+    subject_to : Names
+        A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
+        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
+        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+    max_iterations : int
+        The largest number of iterations of a search [default: 500].
+    swings : TableLike
+        Search for the best over many swings: a TOML file with [distributions] and [[correlations]],
+        or a table (CSV, Parquet, Arrow) of recorded swings, a column for each parameter. Goals are
+        then written like "mean(carry)", "std(lateral)", "lowest(carry, 10%)", "within(lateral,
+        15yd)" or "mean(carry) - 0.5*std(lateral)", and by default only the loft is varied.
+    distribution : Given
+        The distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION),
+        NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
+        NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
+    correlation : Given
+        The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
+    scenarios : int
+        Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
+        for up to 3 parameters, else 512 swings].
+    seed : int
+        The seed of the swings; the same seed gives the same swings [default: 0].
+    strokes : TableLike
+        A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
+        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
+    starts : int
+        Search from this many starts, spread evenly over the ranges (the first is the setup's own),
+        and list the local optima [default: 1].
+    checkpoint : PathLike
+        Save the search to this file after every iteration; if the file exists, continue from it.
+    output : PathLike
+        Write the setup at the optimum into this setup file.
+    overwrite : bool
+        Replace the file if it exists.
+    wrt : Names
+        The parameters that the optimum depends on, one or several; "all" for every one that has a
+        value in this setup and is not varied [default: all].
+    change : Given
+        A change of a parameter, e.g. swing.speed=+5mph or air.density=-20% of its value: its effect
+        on the optimum is predicted, and compared with a new search.
+    loss : Amount
+        The loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for
+        a distance, or 1 % of the carry if that is below 10 yd; 1 % of the outcome otherwise].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Optimum
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> vary = {"club.loft": ("4 deg", "20 deg")}
+    >>> best = longdrive.optimum_sensitivity("mae494", vary=vary, wrt="swing.speed")
+    >>> best.success
+    True
     """
-    return ask("optimum-sensitivity", locals(), optimum)
+    return run_command("optimum-sensitivity", locals(), optimum)
 
 
 def design(
@@ -252,56 +384,103 @@ def design(
     subject_to: Names | None = None,
     swings: TableLike | None = None,
     output: PathLike | None = None,
+    angles: AngleUnit = "rad",
     progress: Progress = False,
 ) -> Optimum:
-    """Design head and face for swings that vary, under the Rules of Golf: the best bulge, roll, loft,
-    inertia or movable weights, with what each rule costs.
+    """Design head and face under the Rules of Golf.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset modern-driver.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        max_iterations: the largest number of iterations of a search [default: 500].
-        distribution: the distribution of a parameter from swing to swing:
-            NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
-            NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
-        correlation: the correlation of two parameters with distributions, e.g.
-            swing.path,swing.face_angle=0.6.
-        scenarios: take this many swings of the distributions, by a quasi-random sequence [default:
-            quadrature for up to 3 parameters, else 512 swings].
-        seed: the seed of the swings; the same seed gives the same swings [default: 0].
-        strokes: a CSV table of the strokes that are expected from a distance, with the columns
-            "distance [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to
-            hole out after this drive.
-        starts: search from this many starts, spread evenly over the ranges (the first is the
-            setup's own), and list the local optima [default: 1].
-        checkpoint: save the search to this file after every iteration; if the file exists, continue
-            from it.
-        overwrite: replace the file if it exists.
-        rules: the rules that hold the design: those of golf (moment of inertia, volume, spring
-            effect, ball), or none [default: golf].
-        maximize: the goal to maximize, e.g. "mean(carry)" [default: "mean(carry) -
-            0.5*rms(lateral)", unless minimize is given].
-        minimize: the goal to minimize, e.g. "rms(lateral)".
-        vary: a parameter of the head to vary, with its range, e.g. club.bulge_radius=200mm..600mm
-            or club.weight_1.toe=-50mm..50mm. [default: bulge and roll 150 to 1000 mm, loft 6 to 16
-            deg].
-        subject_to: a limit of a goal or of the head, e.g. "std(lateral) <= 20yd" or "head_mass <=
-            205 g"; or a relation with a name, linear in parameters, e.g. "volume: 120 cm^3 + 80
-            cm^2*club.cg_depth <= 460 cm^3".
-        swings: the swings to design for: a TOML file with [distributions] and [[correlations]], or
-            a table (CSV, Parquet, Arrow) of recorded swings [default: a golfer whose drives were
-            measured, about the setup's own swing].
-        output: write the setup with the best design into this setup file.
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    For swings that vary: the best bulge, roll, loft, inertia or movable weights, with the price of
+    each rule.
+
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset modern-driver.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    max_iterations : int
+        The largest number of iterations of a search [default: 500].
+    distribution : Given
+        The distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION),
+        NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
+        NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
+    correlation : Given
+        The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
+    scenarios : int
+        Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
+        for up to 3 parameters, else 512 swings].
+    seed : int
+        The seed of the swings; the same seed gives the same swings [default: 0].
+    strokes : TableLike
+        A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
+        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
+    starts : int
+        Search from this many starts, spread evenly over the ranges (the first is the setup's own),
+        and list the local optima [default: 1].
+    checkpoint : PathLike
+        Save the search to this file after every iteration; if the file exists, continue from it.
+    overwrite : bool
+        Replace the file if it exists.
+    rules : Literal["golf", "none"]
+        The rules for the design: golf (moment of inertia, volume, spring effect, ball) or none
+        [default: golf].
+    maximize : str
+        The goal to maximize, e.g. "mean(carry)" [default: "mean(carry) - 0.5*rms(lateral)", unless
+        minimize is given].
+    minimize : str
+        The goal to minimize, e.g. "rms(lateral)".
+    vary : Given
+        A parameter of the head to vary, with its range, e.g. club.bulge_radius=200mm..600mm or
+        club.weight_1.toe=-50mm..50mm. [default: bulge and roll 150 to 1000 mm, loft 6 to 16 deg].
+    subject_to : Names
+        A limit of a goal or of the head, e.g. "std(lateral) <= 20yd" or "head_mass <= 205 g"; or a
+        relation with a name, linear in parameters, e.g. "volume: 120 cm^3 + 80 cm^2*club.cg_depth
+        <= 460 cm^3".
+    swings : TableLike
+        The swings to design for: a TOML file with [distributions] and [[correlations]], or a table
+        (CSV, Parquet, Arrow) of recorded swings [default: a golfer whose drives were measured,
+        about the setup's own swing].
+    output : PathLike
+        Write the setup with the best design into this setup file.
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Optimum
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> club = {"preset": "modern-driver"}
+    >>> best = longdrive.design(
+    ...     club, vary={"club.bulge_radius": ("250 mm", "400 mm")}, scenarios=8,
+    ...     distribution={"strike.toe": ("normal", 0.0, 0.01)}, maximize="mean(carry)")
+    >>> best.names
+    ['club.bulge_radius']
     """
-    return ask("design", locals(), optimum)
+    return run_command("design", locals(), optimum)
 
 
 def calibrate(
@@ -312,6 +491,7 @@ def calibrate(
     launch: Given | None = None,
     tolerance: Amount | None = None,
     own_step: bool = False,
+    only: Given | None = None,
     huber: bool = False,
     starts: int | None = None,
     folds: int | None = None,
@@ -320,39 +500,91 @@ def calibrate(
     output: PathLike | None = None,
     plot: PathLike | None = None,
     overwrite: bool = False,
+    angles: AngleUnit = "rad",
     progress: Progress = False,
-) -> Reply:
-    """Fit parameters to measured shots, with their uncertainties and what the data do not determine.
+) -> CalibrateReply:
+    """Fit parameters to measured shots.
 
-    Args:
-        data: measured shots as CSV, one row per shot; the head of each column names a parameter or
-            an outcome and its unit, as in "carry [yd]"; see docs/calibration.md.
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        fit: a parameter to fit, e.g. aero.cd0 or aero.cd0=0.1..0.4.
-        huber: limit the influence of outliers to that of a residual of 1.345 σ (Huber's loss).
-        starts: search from this many starts, spread evenly over the ranges of what is fitted; the
-            first is the setup's own. Give the ranges: without one it is all that is allowed, where
-            few drives fly [default: 1].
-        folds: Cross-validate: fit K times, each time without a K-th of the rows, and show how well
-            those rows are predicted [default: 0].
-        compare: compare with another aerodynamic law, as published and fitted, by its
-            cross-validation error.
-        max_iterations: the largest number of iterations of a search [default: 200].
-        output: write the fitted setup into this file.
-        plot: write the report into this folder too: a page (index.html), Markdown, and plots of the
-            residuals with their data.
-        overwrite: replace files that exist.
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    With their uncertainties, and the combinations of parameters that the data do not determine.
+
+    Parameters
+    ----------
+    data : TableLike
+        Measured shots as CSV, one row per shot; the head of each column names a parameter or an
+        outcome and its unit, as in "carry [yd]"; see docs/calibration.md.
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    only : Given
+        Read only the rows with this text in a column, e.g. Club=Driver, in upper or lower case;
+        several texts of one column are alternatives.
+    fit : Given
+        A parameter to fit, e.g. aero.cd0 or aero.cd0=0.1..0.4.
+    huber : bool
+        Use Huber's loss: an outlier has no more influence than a residual of 1.345 σ.
+    starts : int
+        Search from this many starts: the setup's own values, then points spread evenly over the
+        fitted ranges. State these ranges: the default is the whole allowed range, in which few
+        drives fly [default: 1].
+    folds : int
+        Cross-validate: fit K times, each time without a K-th of the rows, and show the prediction
+        errors of the omitted rows [default: 0].
+    compare : Names
+        Compare with another aerodynamic law, as published and fitted, by its cross-validation
+        error.
+    max_iterations : int
+        The largest number of iterations of a search [default: 200].
+    output : PathLike
+        Write the fitted setup into this file.
+    plot : PathLike
+        Write the report into this folder too: a page (index.html), Markdown, and plots of the
+        residuals with their data.
+    overwrite : bool
+        Replace files that exist.
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    CalibrateReply
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> shots = {
+    ...     "ball_speed [mph]": [165.0, 168.1, 162.0, 166.2],
+    ...     "launch_angle [deg]": [11.2, 10.4, 11.5, 10.9],
+    ...     "spin [rpm]": [2500.0, 2380.0, 2450.0, 2600.0],
+    ...     "carry [yd]": [275.0, 281.0, 270.5, 277.0],
+    ... }
+
+    >>> fit = longdrive.calibrate(shots, "modern-driver", fit="aero.cd0")
+    >>> list(fit.estimates)
+    ['aero.cd0']
     """
-    return ask("calibrate", locals(), as_reply)
+    return run_command("calibrate", locals(), as_reply(CalibrateReply))
 
 
 def delivery(
@@ -369,52 +601,97 @@ def delivery(
     backspin: Amount | None = None,
     sidespin: Amount | None = None,
     shots: TableLike | None = None,
+    only: Given | None = None,
     vary: Given | None = None,
     sigma: Given | None = None,
     output: PathLike | None = None,
     swings: TableLike | None = None,
     overwrite: bool = False,
+    angles: AngleUnit = "rad",
     progress: Progress = False,
-) -> Reply:
-    """Find the delivery and strike that explain a measured launch, and what the launch does not tell
-    of them.
+) -> DeliveryReply:
+    """Find the swing and strike behind a measured launch.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        ball_speed: the measured speed of the ball, e.g. 167mph.
-        launch_angle: the measured angle of the launch above horizontal, e.g. 10.9deg.
-        launch_direction: the measured direction of the launch, + right of the target line [default:
-            not measured].
-        spin: the measured spin in all, e.g. 2686rpm; with spin_axis.
-        spin_axis: the measured tilt of the spin axis, + for a ball that curves to the right
-            [default: not measured].
-        backspin: the measured backspin, in place of spin; with sidespin.
-        sidespin: the measured sidespin, + for a ball that curves to the right [default: not
-            measured].
-        shots: measured shots as CSV, one row per shot, as a launch monitor exports them or as
-            calibrate reads them. What a row states of the club is taken as measured too.
-        vary: a parameter to find and its range, e.g. club.loft=4deg..20deg. [default: the speed,
-            attack angle, shaft lean, path and face angle of the swing, and where the face strikes
-            the ball].
-        sigma: how well a parameter is known before the shot: the standard uncertainty of its value
-            in the setup, e.g. swing.attack_angle=1deg.
-        output: write the setup with the delivery found into this file; of several shots, with their
-            mean.
-        swings: write the swings behind the shots into this file, for "longdrive optimize swings":
-            as a table, a row for each shot (.csv), or as distributions with correlations, without
-            the errors of the launch monitor (.toml).
-        overwrite: replace files that exist.
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    With the combinations of parameters that the launch does not determine.
+
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    ball_speed : Amount
+        The measured speed of the ball, e.g. 167mph.
+    launch_angle : Amount
+        The measured angle of the launch above horizontal, e.g. 10.9deg.
+    launch_direction : Amount
+        The measured direction of the launch, + right of the target line [default: not measured].
+    spin : Amount
+        The measured total spin, e.g. 2686rpm; with spin_axis.
+    spin_axis : Amount
+        The measured tilt of the spin axis, + for a ball that curves to the right [default: not
+        measured].
+    backspin : Amount
+        The measured backspin, in place of spin; with sidespin.
+    sidespin : Amount
+        The measured sidespin, + for a ball that curves to the right [default: not measured].
+    shots : TableLike
+        Measured shots as CSV, one row per shot, as a launch monitor exports them or as calibrate
+        reads them. Club values in a row count as measured too.
+    only : Given
+        Read only the rows with this text in a column, e.g. Club=Driver, in upper or lower case;
+        several texts of one column are alternatives.
+    vary : Given
+        A parameter to find and its range, e.g. club.loft=4deg..20deg. [default: the speed, attack
+        angle, shaft lean, path and face angle of the swing, and the impact point on the face].
+    sigma : Given
+        The prior standard uncertainty of a parameter about its value in the setup, e.g.
+        swing.attack_angle=1deg.
+    output : PathLike
+        Write the setup with the delivery into this file; for several shots, with their mean
+        delivery.
+    swings : TableLike
+        Write the swings that explain the shots into this file, for "longdrive optimize swings": a
+        table with a row for each shot (.csv), or distributions with correlations, without the
+        errors of the launch monitor (.toml).
+    overwrite : bool
+        Replace files that exist.
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    DeliveryReply
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> found = longdrive.delivery(ball_speed="150 mph", launch_angle="12 deg", spin="2600 rpm")
+    >>> found.status
+    'done'
     """
-    return ask("delivery", locals(), as_reply)
+    return run_command("delivery", locals(), as_reply(DeliveryReply))
 
 
 def chart(
@@ -430,37 +707,73 @@ def chart(
     subject_to: Names | None = None,
     max_iterations: int | None = None,
     at: Names | None = None,
+    angles: AngleUnit = "rad",
     progress: Progress = False,
-) -> Reply:
-    """Compute the optimum as a function of a parameter.
+) -> ChartReply:
+    """The optimum along a parameter, such as club speed.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        maximize: the outcome to maximize [default: carry, unless minimize is given].
-        minimize: the outcome to minimize.
-        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
-            20 deg and attack angle -5 to 5 deg].
-        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <=
-            apex_height <= 35 yd" or "lateral == 0 m"; every limit with its unit. Over many swings
-            also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g".
-        max_iterations: the largest number of iterations of a search [default: 500].
-        along: the parameter to follow the optimum along, with its range, e.g.
-            swing.speed=80mph..130mph.
-        at: the values of that parameter at which the optimum is computed, one or several, e.g.
-            90mph,100mph,110mph; along may then be the name alone [default: as many values as the
-            curve needs].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    maximize : str
+        The outcome to maximize [default: carry, unless minimize is given].
+    minimize : str
+        The outcome to minimize.
+    vary : Given
+        A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
+        and attack angle -5 to 5 deg].
+    subject_to : Names
+        A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
+        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
+        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+    max_iterations : int
+        The largest number of iterations of a search [default: 500].
+    along : Given
+        The parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
+    at : Names
+        The values of the parameter of along at which the optimum is computed, one or several, e.g.
+        90mph,100mph,110mph; along then needs only the name [default: as many values as the curve
+        needs].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    ChartReply
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> along = {"swing.speed": ("90 mph", "110 mph")}
+    >>> chart = longdrive.chart(along=along, vary={"club.loft": ("4 deg", "20 deg")})
+    >>> len(chart.points) > 2
+    True
     """
-    return ask("chart", locals(), as_reply)
+    return run_command("chart", locals(), as_reply(ChartReply))
 
 
 def pareto(
@@ -484,54 +797,99 @@ def pareto(
     output: PathLike | None = None,
     at: Amount | None = None,
     overwrite: bool = False,
+    angles: AngleUnit = "rad",
     progress: Progress = False,
-) -> Reply:
-    """Find the best compromises between two goals, such as carry and dispersion, with what one costs
-    of the other.
+) -> ParetoReply:
+    """The best compromises between two goals.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        maximize: a goal to maximize: an outcome, or over many swings what of it, e.g.
-            "mean(carry)". Give two goals in all, with maximize and minimize.
-        minimize: a goal to minimize, e.g. "std(lateral)".
-        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
-            20 deg; for one drive also attack angle -5 to 5 deg].
-        subject_to: a constraint on a goal, e.g. "apex_height <= 35 yd", over many swings
-            "mean(carry) >= 240 yd"; every limit with its unit.
-        points: the number of points, spread evenly from the best of one goal to the best of the
-            other [default: 15].
-        max_iterations: the largest number of iterations of a search [default: 500].
-        swings: search for the best over many swings: a TOML file with [distributions] and
-            [[correlations]], or a table (CSV, Parquet, Arrow) of recorded swings, a column for each
-            parameter. Goals are then written like "mean(carry)", "std(lateral)", "lowest(carry,
-            10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft
-            alone by default.
-        distribution: the distribution of a parameter from swing to swing:
-            NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
-            NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
-        correlation: the correlation of two parameters with distributions, e.g.
-            swing.path,swing.face_angle=0.6.
-        scenarios: take this many swings of the distributions, by a quasi-random sequence [default:
-            quadrature for up to 3 parameters, else 512 swings].
-        seed: the seed of the swings; the same seed gives the same swings [default: 0].
-        strokes: a CSV table of the strokes that are expected from a distance, with the columns
-            "distance [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to
-            hole out after this drive.
-        output: write the points into this file: .csv for all of them (SI units and radians), .toml
-            for the setup at one of them, which at chooses.
-        at: the point whose setup is written: "knee", or its number in the table [default: knee].
-        overwrite: replace the file if it exists.
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    For example carry and dispersion, with the rate of exchange between them.
+
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    maximize : Goals
+        A goal to maximize: an outcome, or over many swings a statistic of it, e.g. "mean(carry)".
+        Give two goals in total, with maximize and minimize.
+    minimize : Goals
+        A goal to minimize, e.g. "std(lateral)".
+    vary : Given
+        A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg;
+        for one drive also attack angle -5 to 5 deg].
+    subject_to : Names
+        A constraint on a goal, e.g. "apex_height <= 35 yd", over many swings "mean(carry) >= 240
+        yd"; every limit with its unit.
+    points : int
+        The number of points, spread evenly from the optimum of one goal to the optimum of the other
+        [default: 15].
+    max_iterations : int
+        The largest number of iterations of a search [default: 500].
+    swings : TableLike
+        Search for the best over many swings: a TOML file with [distributions] and [[correlations]],
+        or a table (CSV, Parquet, Arrow) of recorded swings, a column for each parameter. Goals are
+        then written like "mean(carry)", "std(lateral)", "lowest(carry, 10%)", "within(lateral,
+        15yd)" or "mean(carry) - 0.5*std(lateral)", and by default only the loft is varied.
+    distribution : Given
+        The distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION),
+        NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
+        NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
+    correlation : Given
+        The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
+    scenarios : int
+        Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
+        for up to 3 parameters, else 512 swings].
+    seed : int
+        The seed of the swings; the same seed gives the same swings [default: 0].
+    strokes : TableLike
+        A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
+        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
+    output : PathLike
+        Write the points into this file: .csv for all of them (SI units and radians), .toml for the
+        setup at one of them, which at chooses.
+    at : Amount
+        The point whose setup is written: "knee", or its number in the table [default: knee].
+    overwrite : bool
+        Replace the file if it exists.
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    ParetoReply
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> front = longdrive.pareto(
+    ...     "mae494", maximize="carry", minimize="spin", points=3,
+    ...     vary={"club.loft": ("8 deg", "14 deg")})
+    >>> len(front.points) >= 3
+    True
     """
-    return ask("pareto", locals(), as_reply)
+    return run_command("pareto", locals(), as_reply(ParetoReply))
 
 
 def robust(
@@ -556,57 +914,101 @@ def robust(
     within: Amount | None = None,
     output: PathLike | None = None,
     overwrite: bool = False,
+    angles: AngleUnit = "rad",
     progress: Progress = False,
 ) -> Optimum:
-    """Find the design that loses least whichever of several models of impact and flight is true.
+    """The design that loses least, whichever model is true.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        maximize: the outcome to maximize [default: carry, unless minimize is given].
-        minimize: the outcome to minimize.
-        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
-            20 deg and attack angle -5 to 5 deg].
-        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <=
-            apex_height <= 35 yd" or "lateral == 0 m"; every limit with its unit. Over many swings
-            also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g".
-        max_iterations: the largest number of iterations of a search [default: 500].
-        swings: search for the best over many swings: a TOML file with [distributions] and
-            [[correlations]], or a table (CSV, Parquet, Arrow) of recorded swings, a column for each
-            parameter. Goals are then written like "mean(carry)", "std(lateral)", "lowest(carry,
-            10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft
-            alone by default.
-        distribution: the distribution of a parameter from swing to swing:
-            NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
-            NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
-        correlation: the correlation of two parameters with distributions, e.g.
-            swing.path,swing.face_angle=0.6.
-        scenarios: take this many swings of the distributions, by a quasi-random sequence [default:
-            quadrature for up to 3 parameters, else 512 swings].
-        seed: the seed of the swings; the same seed gives the same swings [default: 0].
-        strokes: a CSV table of the strokes that are expected from a distance, with the columns
-            "distance [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to
-            hole out after this drive.
-        starts: make each search from this many starts, spread evenly over the ranges (the first is
-            the setup's own) [default: 1].
-        model: a model beside the setup as it is: its changes, e.g. "aero.law=ferguson" or
-            "impact.friction=0.3,impact.gear_scale=0.5". [default: the laws launch-monitor and
-            ferguson, a friction of 0.3 and half the gear effect, each alone].
-        within: the loss beside the best for each model that is allowed [default: 1 yd for a
-            distance].
-        output: write the setup with the robust design into this setup file.
-        overwrite: replace the file if it exists.
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Several models of impact and flight are compared.
+
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    maximize : str
+        The outcome to maximize [default: carry, unless minimize is given].
+    minimize : str
+        The outcome to minimize.
+    vary : Given
+        A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
+        and attack angle -5 to 5 deg].
+    subject_to : Names
+        A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
+        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
+        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+    max_iterations : int
+        The largest number of iterations of a search [default: 500].
+    swings : TableLike
+        Search for the best over many swings: a TOML file with [distributions] and [[correlations]],
+        or a table (CSV, Parquet, Arrow) of recorded swings, a column for each parameter. Goals are
+        then written like "mean(carry)", "std(lateral)", "lowest(carry, 10%)", "within(lateral,
+        15yd)" or "mean(carry) - 0.5*std(lateral)", and by default only the loft is varied.
+    distribution : Given
+        The distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION),
+        NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
+        NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
+    correlation : Given
+        The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
+    scenarios : int
+        Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
+        for up to 3 parameters, else 512 swings].
+    seed : int
+        The seed of the swings; the same seed gives the same swings [default: 0].
+    strokes : TableLike
+        A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
+        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
+    starts : int
+        Make each search from this many starts, spread evenly over the ranges (the first is the
+        setup's own) [default: 1].
+    model : Given
+        A model in addition to the setup itself: changes of the setup, e.g. "aero.law=ferguson" or
+        "impact.friction=0.3,impact.gear_scale=0.5". [default: the laws launch-monitor and ferguson,
+        a friction of 0.3 and half the gear effect, each as its own model].
+    within : Amount
+        The allowed loss of each model against its own best design [default: 1 yd for a distance].
+    output : PathLike
+        Write the setup with the robust design into this setup file.
+    overwrite : bool
+        Replace the file if it exists.
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Optimum
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> best = longdrive.robust(
+    ...     model=["aero.law=smits-smith"], vary={"club.loft": ("4 deg", "20 deg")})
+    >>> best.names
+    ['club.loft']
     """
-    return ask("robust", locals(), optimum)
+    return run_command("robust", locals(), optimum)
 
 
 def report(
@@ -624,42 +1026,83 @@ def report(
     overwrite: bool = False,
     sigma: Given | None = None,
     along: Given | None = None,
+    angles: AngleUnit = "rad",
     progress: Progress = False,
-) -> Reply:
-    """Write a page (HTML) of the drive, the optimum, a map around it, sensitivities and uncertainties,
-    with plots and data.
+) -> ReportReply:
+    """Write a page: drive, optimum, map, sensitivities.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        maximize: the outcome to maximize [default: carry, unless minimize is given].
-        minimize: the outcome to minimize.
-        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
-            20 deg and attack angle -5 to 5 deg].
-        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <=
-            apex_height <= 35 yd" or "lateral == 0 m"; every limit with its unit. Over many swings
-            also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g".
-        max_iterations: the largest number of iterations of a search [default: 500].
-        output: the folder to write: index.html, the best drive as setup.toml, and each plot as
-            NAME-metric.svg, NAME-us.svg and NAME.csv. The folder is created if it does not exist;
-            other files in it are not touched.
-        overwrite: replace files that exist.
-        sigma: the standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%.
-            Repeatable; other parameters have the default uncertainties of "longdrive sensitivity".
-        along: the parameter to follow the optimum along, with its range [default:
-            swing.speed=80mph..130mph; with launch, launch.ball_speed=120mph..190mph; around the
-            drive's own speed where that lies outside].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    An HTML page of the drive, the optimum, a map around it, sensitivities and uncertainties, with
+    plots and data.
+
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    maximize : str
+        The outcome to maximize [default: carry, unless minimize is given].
+    minimize : str
+        The outcome to minimize.
+    vary : Given
+        A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
+        and attack angle -5 to 5 deg].
+    subject_to : Names
+        A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
+        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
+        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+    max_iterations : int
+        The largest number of iterations of a search [default: 500].
+    output : PathLike
+        The folder to write: index.html, the best drive as setup.toml, and each plot as
+        NAME-metric.svg, NAME-us.svg and NAME.csv. The folder is created if it does not exist; other
+        files in it are not touched.
+    overwrite : bool
+        Replace files that exist.
+    sigma : Given
+        The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%.
+        Repeatable; other parameters have the default uncertainties of "longdrive sensitivity".
+    along : Given
+        The parameter to follow the optimum along, with its range [default:
+        swing.speed=80mph..130mph; with launch, launch.ball_speed=120mph..190mph; around the drive's
+        own speed if this is outside of the range].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    ReportReply
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     longdrive.report("mae494", output=folder).status
+    'done'
     """
-    return ask("report", locals(), as_reply)
+    return run_command("report", locals(), as_reply(ReportReply))
 
 
 def fly(
@@ -669,43 +1112,89 @@ def fly(
     launch: Given | None = None,
     tolerance: Amount | None = None,
     own_step: bool = False,
+    only: Given | None = None,
     of: Names | None = None,
     output: PathLike | None = None,
     format: Literal["csv", "launch-monitor", "jsonl", "open-connect", "parquet"] | None = None,
     overwrite: bool = False,
     threads: int | None = None,
+    angles: AngleUnit = "rad",
     progress: Progress = False,
-) -> Reply:
-    """Fly the shots of a launch monitor (a CSV export, or GSPro Open Connect): predicted flights
-    beside the measured ones.
+) -> FlyReply:
+    """Fly the shots of a launch monitor.
 
-    Args:
-        shots: shots, a row each: the CSV export of a launch monitor, any CSV with columns such as
-            "ball_speed [mph]", "launch_angle [deg]" and "backspin [rpm]", or messages of GSPro Open
-            Connect as JSON (one a line, or an array); "-" is standard input. See
-            docs/launch-monitors.md.
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        of: the outcomes to predict, one or several: those of the flight; "all" for every one of
-            them [default: carry_distance,lateral,apex_height,flight_time,descent_angle,total].
-        output: the file to write the rows into; its ending says in which format (.csv, .jsonl,
-            .parquet; .json for Open Connect). "-" is standard output. With json and without a file
-            only the summary is printed.
-        format: the format, whatever the name of the file ends in [default for standard output:
-            csv].
-        overwrite: replace the file if it exists.
-        threads: the number of threads (0: as many as there are processors). The results do not
-            depend on it [default: 0].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    From a CSV export or GSPro Open Connect: predicted flights, compared with the measured flights.
+
+    Parameters
+    ----------
+    shots : TableLike
+        Shots, one per row: the CSV export of a launch monitor, any CSV with columns such as
+        "ball_speed [mph]", "launch_angle [deg]" and "backspin [rpm]", or messages of GSPro Open
+        Connect as JSON (one per line, or an array); "-" is standard input. See
+        docs/launch-monitors.md.
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    only : Given
+        Read only the rows with this text in a column, e.g. Club=Driver, in upper or lower case;
+        several texts of one column are alternatives.
+    of : Names
+        The outcomes of the flight to predict, one or several; "all" for every one [default:
+        carry_distance,lateral,apex_height,flight_time,descent_angle,total].
+    output : PathLike
+        The file for the rows; its extension selects the format (.csv, .jsonl, .parquet; .json for
+        Open Connect). "-" is standard output. With json and without a file only the summary is
+        printed.
+    format : Literal["csv", "launch-monitor", "jsonl", "open-connect", "parquet"]
+        The format, whatever the extension of the file [default for standard output: csv].
+    overwrite : bool
+        Replace the file if it exists.
+    threads : int
+        The number of threads (0: one per processor). The results do not depend on it [default: 0].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    FlyReply
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> shots = {
+    ...     "ball_speed [mph]": [165.0, 168.1, 162.0, 166.2],
+    ...     "launch_angle [deg]": [11.2, 10.4, 11.5, 10.9],
+    ...     "spin [rpm]": [2500.0, 2380.0, 2450.0, 2600.0],
+    ...     "carry [yd]": [275.0, 281.0, 270.5, 277.0],
+    ... }
+
+    >>> flown = longdrive.fly(shots)
+    >>> len(flown.shots)
+    4
     """
-    return ask("fly", locals(), flown)
+    return run_command("fly", locals(), flown)
 
 
 def reproduce(
@@ -714,18 +1203,43 @@ def reproduce(
     output: PathLike | None = None,
     overwrite: bool = False,
     progress: Progress = False,
-) -> Reply:
-    """Reproduce a published study: each printed number beside the computed one.
+) -> ReproduceReply:
+    """Reproduce a published study, number by number.
 
-    Args:
-        study: the study.
-        output: write the study into this folder too: a page (index.html), Markdown, and every plot
-            as SVG with its data as CSV.
-        overwrite: replace files that exist.
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Parameters
+    ----------
+    study : Literal["mae494", "winfield-tan"]
+        The study.
+    output : PathLike
+        Write the study into this folder too: a page (index.html), Markdown, and every plot as SVG
+        with its data as CSV.
+    overwrite : bool
+        Replace files that exist.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    ReproduceReply
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> longdrive.reproduce("mae494").status  # doctest: +SKIP
+    'done'
     """
-    return ask("reproduce", locals(), as_reply)
+    return run_command("reproduce", locals(), as_reply(ReproduceReply))
 
 
 def validate(
@@ -733,19 +1247,43 @@ def validate(
     output: PathLike | None = None,
     overwrite: bool = False,
     progress: Progress = False,
-) -> Reply:
-    """Compare every law of drag and lift with published drives: bias and mean absolute error of carry,
-    apex and descent.
+) -> ValidateReply:
+    """Compare every law of flight with published drives.
 
-    Args:
-        output: write the comparison too: into this folder as a page (index.html) and Markdown with
-            pictures and their data, or, where the name ends in .csv, every law on every drive into
-            this file.
-        overwrite: replace files that exist.
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Bias and mean absolute error of carry, apex and descent.
+
+    Parameters
+    ----------
+    output : PathLike
+        Write the comparison to this folder, as a page (index.html) and Markdown with pictures and
+        their data; or, to a name that ends in .csv, every law on every drive.
+    overwrite : bool
+        Replace files that exist.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    ValidateReply
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> longdrive.validate().status  # doctest: +SKIP
+    'done'
     """
-    return ask("validate", locals(), as_reply)
+    return run_command("validate", locals(), as_reply(ValidateReply))
 
 
 def verify(
@@ -756,27 +1294,59 @@ def verify(
     own_step: bool = False,
     of: Names | None = None,
     wrt: Names | None = None,
+    angles: AngleUnit = "rad",
     progress: Progress = False,
-) -> Reply:
-    """Compare every exact derivative with numerical differences, and check what both rest on; exit
-    status 1 if a check fails.
+) -> VerifyReply:
+    """Check every derivative against finite differences.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        of: the outcomes, one or several; "all" for every one [default: carry,lateral].
-        wrt: the parameters, one or several; "all" for every one that has a value in this setup
-            [default: all].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Also checks smoothness, convergence and the landing; exit status 1 if a check fails.
+
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    of : Names
+        The outcomes, one or several; "all" for every one [default: carry,lateral].
+    wrt : Names
+        The parameters, one or several; "all" for every one that has a value in this setup [default:
+        all].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    VerifyReply
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> longdrive.verify("tour-average", of="carry", wrt="club.loft").status
+    'passed'
     """
-    return ask("verify", locals(), as_reply)
+    return run_command("verify", locals(), as_reply(VerifyReply))
 
 
 def sensitivity(
@@ -794,39 +1364,78 @@ def sensitivity(
     vary: Given | None = None,
     subject_to: Names | None = None,
     max_iterations: int | None = None,
+    angles: AngleUnit = "rad",
     progress: Progress = False,
-) -> Reply:
-    """How outcomes depend on parameters: slopes, elasticities, and the effect of the uncertainty of
-    each parameter.
+) -> SensitivityReply:
+    """Effect of each parameter on the outcomes.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        of: the outcomes, one or several; "all" for every one [default: carry].
-        sigma: the standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5% of
-            its value.
-        no_defaults: use no default uncertainties: only parameters with a sigma are uncertain.
-        at_optimum: compute the slopes and effects at the optimum of a search, and show the slopes
-            of the optimum beside those of the drive.
-        maximize: the outcome to maximize [default: carry, unless minimize is given].
-        minimize: the outcome to minimize.
-        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
-            20 deg and attack angle -5 to 5 deg].
-        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <=
-            apex_height <= 35 yd" or "lateral == 0 m"; every limit with its unit. Over many swings
-            also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g".
-        max_iterations: the largest number of iterations of a search [default: 500].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Slopes, elasticities, and the effect of the uncertainty of each parameter.
+
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    of : Names
+        The outcomes, one or several; "all" for every one [default: carry].
+    sigma : Given
+        The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5% of its
+        value.
+    no_defaults : bool
+        Use no default uncertainties: only parameters with a sigma are uncertain.
+    at_optimum : bool
+        Compute the slopes and effects at the optimum of a search, and show the total derivatives of
+        the optimum too.
+    maximize : str
+        The outcome to maximize [default: carry, unless minimize is given].
+    minimize : str
+        The outcome to minimize.
+    vary : Given
+        A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
+        and attack angle -5 to 5 deg].
+    subject_to : Names
+        A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
+        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
+        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+    max_iterations : int
+        The largest number of iterations of a search [default: 500].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    SensitivityReply
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> reply = longdrive.sensitivity("tour-average", of="carry")
+    >>> reply.outcomes[0]["of"]
+    'carry'
     """
-    return ask("sensitivity", locals(), as_reply)
+    return run_command("sensitivity", locals(), as_reply(SensitivityReply))
 
 
 def uncertainty(
@@ -840,45 +1449,105 @@ def uncertainty(
     distribution: Given | None = None,
     samples: int | None = None,
     seed: int | None = None,
+    angles: AngleUnit = "rad",
     progress: Progress = False,
-) -> Reply:
-    """Compute the uncertainty of outcomes from uncertain parameters: by exact derivatives, and by a
-    sample of drives.
+) -> UncertaintyReply:
+    """Spread of the outcomes from uncertain parameters.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        of: the outcomes, one or several; "all" for every one. For carry and lateral together,
-            landing ellipses are computed [default: carry,lateral].
-        sigma: the standard deviation of a parameter that is normally distributed about its value,
-            e.g. swing.speed=1mph or air.density=0.5% of its value. [default, without distribution:
-            the uncertainties that "sensitivity" uses].
-        distribution: the distribution of a parameter: NAME=normal(MEAN,DEVIATION),
-            NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
-            NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
-        samples: the number of points N of the sample; with k uncertain parameters, N (k + 2) drives
-            are computed [default: 4096].
-        seed: the seed of the sample; the same seed gives the same sample [default: 0].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    By exact derivatives, and by a sample of drives.
+
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    of : Names
+        The outcomes, one or several; "all" for every one. For carry and lateral together, landing
+        ellipses are computed [default: carry,lateral].
+    sigma : Given
+        The standard deviation of a parameter that is normally distributed about its value, e.g.
+        swing.speed=1mph or air.density=0.5% of its value. [default, without distribution: the
+        uncertainties that "sensitivity" uses].
+    distribution : Given
+        The distribution of a parameter: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH),
+        NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
+    samples : int
+        The number of points N of the sample; with k uncertain parameters, N (k + 2) drives are
+        computed [default: 4096].
+    seed : int
+        The seed of the sample; the same seed gives the same sample [default: 0].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    UncertaintyReply
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> sigma = {"swing.speed": "1 mph"}
+    >>> reply = longdrive.uncertainty("tour-average", of="carry", sigma=sigma, samples=64)
+    >>> reply.status
+    'done'
     """
-    return ask("uncertainty", locals(), as_reply)
+    return run_command("uncertainty", locals(), as_reply(UncertaintyReply))
 
 
 def laws(
     *,
     progress: Progress = False,
-) -> Reply:
-    """List the laws of drag and lift: authors, formula, ball, source, and what each was fitted to.
+) -> LawsReply:
+    """List the laws of drag and lift.
 
-    Args:
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Authors, formula, ball, source, and fitted range of each law.
+
+    Parameters
+    ----------
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    LawsReply
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> any(law["name"] == "smits-smith" for law in longdrive.laws().laws)
+    True
     """
-    return ask("laws", locals(), as_reply)
+    return run_command("laws", locals(), as_reply(LawsReply))

@@ -1,4 +1,7 @@
-"""A sweep in parts on a cluster of Dask: futures alone, no DataFrame. Every part is a task that writes its own file and returns a manifest row."""
+"""A sweep in parts on a cluster of Dask.
+
+Every part is a task that writes its own file and returns its row of the manifest.
+"""
 
 from __future__ import annotations
 
@@ -18,18 +21,40 @@ __all__ = ["sweep"]
 def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **question: Any) -> Parts:
     """Computes all parts on the workers of a cluster.
 
-    What travels is a number to a worker and a manifest row back: the memory of the scheduler grows with the parts, not with the rows. A worker that
-    dies, and a part that fails, cost that part's work.
+    A worker receives a number and returns a row of the manifest: the memory of the scheduler grows
+    with the parts, not with the rows. The death of a worker, and a failure, lose one part.
 
-    Args:
-        client: of the cluster. Every worker has longdrive and sees the folder `output` under its name.
-        setup: a setup, the name of a preset, or a dict.
-        retries: how often a part that fails is tried again.
-        question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`, `instructions`, …
+    Parameters
+    ----------
+    client : Client
+        The client of the cluster. Every worker has longdrive, and the folder `output` under the
+        same name.
+    setup : SetupLike
+        A setup, the name of a preset, or a dict.
+    retries : int
+        How often a part that fails is tried again.
+    question : Any
+        As :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`,
+        `instructions`, …
 
-    Raises:
-        InputError: for another kind of client, and for what is wrong with the question, before any part is sent.
-        PartError: for a part that could not be written.
+    Returns
+    -------
+    Parts
+        The parts.
+
+    Raises
+    ------
+    InputError
+        For another kind of client, and for bad arguments, before any part is sent.
+    PartError
+        For a part that could not be written.
+
+    Examples
+    --------
+    >>> import longdrive.dask
+    >>> longdrive.dask.sweep(None)
+    Traceback (most recent call last):
+    longdrive.errors.InputError: client is a NoneType; expected a distributed.Client ...
     """
     try:
         from distributed import Client, as_completed
@@ -37,11 +62,12 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
         raise ImportError("longdrive.dask needs Dask: pip install 'dask[distributed]'") from error
     if not isinstance(client, Client):
         raise InputError(
-            f"client is {kind_of(client)}; expected a distributed.Client of the cluster, as in longdrive.dask.sweep(Client(), 'tour-average', …)"
+            f"client is {kind_of(client)}; expected a distributed.Client of the cluster, as in "
+            "longdrive.dask.sweep(Client(), 'tour-average', …)"
         )
     count_of("retries", retries)
     asked = question_of(setup, question)
-    # not pure: what another sweep has written says nothing about this folder
+    # not pure: the result of another sweep is not that of this folder
     futures = client.map(asked.write, range(1, asked.parts + 1), pure=False, retries=retries)
     part_of = {future.key: part for part, future in enumerate(futures, start=1)}
     manifests: list[dict[str, Any]] = []

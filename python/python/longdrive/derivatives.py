@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from os import PathLike
 from typing import Literal, NamedTuple
 
 from . import _longdrive
-from ._question import Question
 from .arguments import MOST_SCENARIOS, MOST_SEED, count_of, kind_of, one_name, whole_characters
 from .errors import InputError
+from .request import Request
 from .types import Floats, Given, Names, Sense, SetupLike
 
 __all__ = ["Gradient", "Hessian", "Jacobian", "gradient", "hessian", "jacobian", "objective"]
@@ -45,23 +44,37 @@ class Hessian(NamedTuple):
 def gradient(setup: SetupLike = None, of: str = "carry", wrt: Names | None = None) -> Gradient:
     """Value and exact gradient of an outcome.
 
-    In a vacuum the ball flies along a parabola, and carry is in inverse proportion to gravity:
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset ``tour-average``.
+    of : str
+        The outcome.
+    wrt : Names | None
+        Parameters to differentiate by, a name or several; ``"all"`` for every one that can be
+        varied in this setup. Without it loft and attack angle.
+
+    Returns
+    -------
+    Gradient
+        The value and the gradient.
+
+    Raises
+    ------
+    InputError
+        For an unknown name, or a value outside its range.
+    NoAnswerError
+        If the ball does not fly, or the derivative does not exist.
+
+    Examples
+    --------
+    In a vacuum the ball flies along a parabola, and carry is inversely proportional to gravity:
 
     >>> import longdrive
     >>> vacuum = longdrive.Setup({"preset": "mae494", "air.density": 0})
     >>> carry, slope = longdrive.gradient(vacuum, of="carry", wrt="gravity")
     >>> bool(abs(slope[0] + carry / vacuum["gravity"]) < 1e-11)
     True
-
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset ``tour-average``.
-        of: the outcome.
-        wrt: parameters to differentiate by, a name or several; ``"all"`` for every one that can be varied in this setup. Without it
-            loft and attack angle.
-
-    Raises:
-        InputError: for a name that nothing bears, or a value outside its range.
-        NoAnswerError: where the ball does not fly, or the derivative does not exist.
     """
     return Gradient(*_longdrive.gradient(setup, one_name("of", of, "jacobian takes several"), wrt))
 
@@ -69,19 +82,34 @@ def gradient(setup: SetupLike = None, of: str = "carry", wrt: Names | None = Non
 def jacobian(setup: SetupLike = None, of: Names = "carry", wrt: Names | None = None) -> Jacobian:
     """Values of several outcomes of one drive, and their exact Jacobian.
 
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset ``tour-average``.
+    of : Names
+        Outcomes, a name or several; ``"all"`` for every one.
+    wrt : Names | None
+        As for :func:`gradient`.
+
+    Returns
+    -------
+    Jacobian
+        The values and the Jacobian.
+
+    Raises
+    ------
+    InputError
+        As :func:`gradient`.
+    NoAnswerError
+        As :func:`gradient`.
+
+    Examples
+    --------
     >>> import longdrive
-    >>> values, rows = longdrive.jacobian("tour-average", of=["carry", "lateral"], wrt=["club.loft", "swing.speed", "strike.toe"])
+    >>> wrt = ["club.loft", "swing.speed", "strike.toe"]
+    >>> values, rows = longdrive.jacobian("tour-average", of=["carry", "lateral"], wrt=wrt)
     >>> values.shape, rows.shape
     ((2,), (2, 3))
-
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset ``tour-average``.
-        of: outcomes, a name or several; ``"all"`` for every one.
-        wrt: as for :func:`gradient`.
-
-    Raises:
-        InputError: as :func:`gradient`.
-        NoAnswerError: as :func:`gradient`.
     """
     return Jacobian(*_longdrive.jacobian(setup, of, wrt))
 
@@ -89,19 +117,34 @@ def jacobian(setup: SetupLike = None, of: Names = "carry", wrt: Names | None = N
 def hessian(setup: SetupLike = None, of: str = "carry", wrt: Names | None = None) -> Hessian:
     """Value, exact gradient and exact Hessian of an outcome.
 
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset ``tour-average``.
+    of : str
+        The outcome.
+    wrt : Names | None
+        As for :func:`gradient`.
+
+    Returns
+    -------
+    Hessian
+        The value, the gradient and the Hessian.
+
+    Raises
+    ------
+    InputError
+        As :func:`gradient`.
+    NoAnswerError
+        As :func:`gradient`.
+
+    Examples
+    --------
     >>> import longdrive
-    >>> carry, slope, curvature = longdrive.hessian("tour-average", wrt=["club.loft", "swing.speed"])
+    >>> wrt = ["club.loft", "swing.speed"]
+    >>> carry, slope, curvature = longdrive.hessian("tour-average", wrt=wrt)
     >>> bool((curvature == curvature.T).all())
     True
-
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset ``tour-average``.
-        of: the outcome.
-        wrt: as for :func:`gradient`.
-
-    Raises:
-        InputError: as :func:`gradient`.
-        NoAnswerError: as :func:`gradient`.
     """
     return Hessian(
         *_longdrive.hessian(
@@ -124,71 +167,100 @@ def objective(
     seed: int | None = None,
     strokes: str | PathLike[str] | None = None,
 ) -> _longdrive.Objective:
-    """An outcome as a function of some parameters, for optimizers that take functions; with ``swings`` or ``distribution`` a goal over swings.
+    """An outcome, or a goal over swings, as a function for other optimizers.
 
-    It has ``fun(x)``, ``jac(x)``, ``hess(x)`` and ``fun_and_jac(x)``, ``x0``, ``bounds`` and ``names``; x has a value for each parameter, numbers in SI or
-    quantities of pint. What is asked of one point in turn is computed once. A value that is computed together with derivatives may differ in its
-    last bit from one that is computed alone.
+    It has ``fun(x)``, ``jac(x)``, ``hess(x)``, ``fun_and_jac(x)``, ``x0``, ``bounds`` and
+    ``names``. x has a value for each parameter, numbers in SI or quantities of pint. Results at one
+    point are computed once. The last bit of a value may depend on whether derivatives are computed
+    with it.
 
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset ``tour-average``.
+    of : str
+        The outcome; over swings the goal, such as ``"mean(carry) - 0.5*std(lateral)"``.
+    wrt : Names | None
+        As for :func:`gradient`. Over swings the default is the loft alone, as in :func:`optimize`:
+        the attack angle belongs to the golfer.
+    sense : Sense | None
+        ``"max"`` changes the sign of all results, because optimizers minimize; ``"min"`` and None
+        keep it.
+    invalid : Literal['raise', 'nan']
+        The result at a point without a drive (no flight, a value outside its range): ``"raise"`` an
+        exception, or ``"nan"``. SLSQP, COBYLA and COBYQA of SciPy step back from NaN; give other
+        methods bounds within which every drive flies.
+    swings : str | PathLike[str] | None
+        A file of swings, as for :func:`optimize`: TOML with distributions and correlations, or a
+        table of recorded swings.
+    distribution : Given | None
+        Distributions of parameters from swing to swing, as for :func:`optimize`: texts such as
+        ``"swing.speed=normal(107mph,3mph)"``, or a dict.
+    correlation : Given | None
+        Correlations of these parameters, such as ``"swing.path,swing.face_angle=0.6"``.
+    scenarios : int | None
+        The number of swings of the distributions, as for :func:`optimize`.
+    seed : int | None
+        The seed of the swings.
+    strokes : str | PathLike[str] | None
+        A file with a table of expected strokes, as for :func:`optimize`, for a goal such as
+        ``strokes(400yd)``.
+
+    Returns
+    -------
+    _longdrive.Objective
+        The function.
+
+    Raises
+    ------
+    InputError
+        As :func:`gradient`; for unreadable swings, and for a parameter that the swings already
+        give.
+
+    Examples
+    --------
     >>> import longdrive
-    >>> carry = longdrive.objective("tour-average", "carry", ["club.loft", "swing.attack_angle"], sense="max")
+    >>> wrt = ["club.loft", "swing.attack_angle"]
+    >>> carry = longdrive.objective("tour-average", "carry", wrt, sense="max")
     >>> abs(carry.fun(carry.x0) + longdrive.simulate("tour-average")["carry"]) < 1e-9
     True
     >>> carry.jac([0.18, 0.0]).shape
     (2,)
 
-    Goals over swings are those of :func:`optimize`, over the same swings, with exact gradients and Hessians:
+    Goals over swings are those of :func:`optimize`, over the same swings, with exact gradients and
+    Hessians:
 
     >>> attack = "swing.attack_angle=uniform(0deg, 10deg)"
-    >>> mean = longdrive.objective("mae494", "mean(carry)", "club.loft", distribution=attack)
-    >>> alone = longdrive.objective("mae494", "mean(carry)", "club.loft", distribution=attack, scenarios=64)
-    >>> abs(mean.fun([0.19]) - alone.fun([0.19])) < 0.1
+    >>> over = dict(wrt="club.loft", distribution=attack)
+    >>> mean = longdrive.objective("mae494", "mean(carry)", **over)
+    >>> of_sample = longdrive.objective("mae494", "mean(carry)", **over, scenarios=64)
+    >>> abs(mean.fun([0.19]) - of_sample.fun([0.19])) < 0.1
     True
-
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset ``tour-average``.
-        of: the outcome; over swings the goal, as ``"mean(carry) - 0.5*std(lateral)"``.
-        wrt: as for :func:`gradient`; over swings without it the loft alone, as :func:`optimize` varies it: the attack angle is the golfer's.
-        sense: ``"max"`` changes the sign of everything, since optimizers look for the least; ``"min"`` and None leave it.
-        invalid: what becomes of a point without an answer (no flight, a value outside its range): ``"raise"`` an exception, or ``"nan"``, from which
-            SLSQP, COBYLA and COBYQA of SciPy step back; give other methods bounds within which every drive flies.
-        swings: a file of swings, as for :func:`optimize`: TOML with distributions and correlations, or a table of recorded swings.
-        distribution: distributions of parameters from swing to swing, as for :func:`optimize`: texts as ``"swing.speed=normal(107mph,3mph)"``, or a dict.
-        correlation: correlations of these, one or several, as ``"swing.path,swing.face_angle=0.6"``.
-        scenarios: how many swings of the distributions are taken, as for :func:`optimize`.
-        seed: the seed of the swings.
-        strokes: a file with the table of expected strokes, as for :func:`optimize`, for a goal of ``strokes(400yd)``.
-
-    Raises:
-        InputError: as :func:`gradient`; for swings that cannot be read, and for a parameter that they have values of.
     """
-    from pathlib import Path
-
-    over = Question("optimize", Path())
-    over.take_setup(setup)
     for name, file in (("swings", swings), ("strokes", strokes)):
         if not (file is None or isinstance(file, (str, PathLike))):
-            instead = "" if name == "strokes" else "; distribution takes dicts of distributions"
+            advice = "" if name == "strokes" else "; distribution takes dicts of distributions"
             raise InputError(
-                f"{name} is {kind_of(file)}; expected the name of a file, which an objective reads again where it is unpickled: write a table with " f"pandas.DataFrame(…).to_csv('{name}.csv', index=False), and give that name{instead}"
+                f"{name} is {kind_of(file)}; expected the name of a file, which an objective reads "
+                "again where it is unpickled: write a table with "
+                f"pandas.DataFrame(…).to_csv('{name}.csv', index=False), and give that name{advice}"
             )
     for name, text in (("sense", sense), ("invalid", invalid)):
         with whole_characters(name):
             str(text).encode()
+    request = Request(
+        "optimize", {"setup": setup, "distribution": distribution, "correlation": correlation}
+    )
     return _longdrive.Objective(
-        setup,
+        request.setup,
         one_name("of", of, "jacobian takes several"),
-        _listed(wrt),
+        [wrt] if isinstance(wrt, str) else wrt,
         sense,
         invalid,
         swings,
-        over.texts("distribution", distribution),
-        over.texts("correlation", correlation),
+        request.texts("distribution"),
+        request.texts("correlation"),
         None if scenarios is None else count_of("scenarios", scenarios, 1, MOST_SCENARIOS),
         None if seed is None else count_of("seed", seed, most=MOST_SEED),
         strokes,
     )
-
-
-def _listed(names: Names | None) -> Sequence[str] | None:
-    return [names] if isinstance(names, str) else names

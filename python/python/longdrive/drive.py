@@ -9,9 +9,10 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from . import _longdrive
-from .arguments import no_attribute
-from .described import name_or_carry
+from .arguments import no_attribute, switch_of
 from .errors import UnknownKeyError, warn_of
+from .options import nearest_outcome
+from .trajectory import Trajectory
 from .types import Names, SetupLike
 
 __all__ = ["Drive", "simulate"]
@@ -19,44 +20,48 @@ __all__ = ["Drive", "simulate"]
 
 @dataclass(frozen=True)
 class Drive(Mapping[str, "float | None"]):
-    """The outcomes of one drive, by name, in SI; None where the drive has none."""
+    """The outcomes of one drive by name, SI; None for an outcome that it does not have."""
 
     outcomes: Mapping[str, float | None]
-    """The outcomes that were asked for; it cannot be changed."""
+    """The requested outcomes, read-only."""
     report: dict[str, Any] = field(repr=False)
-    """All that ``longdrive simulate --json`` says of the drive."""
+    """The answer of ``longdrive simulate --json``."""
+    trajectory: Trajectory | None = field(default=None, repr=False, compare=False)
+    """The path of the ball, if ``simulate`` was called with ``trajectory=True``."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "outcomes", MappingProxyType(dict(self.outcomes)))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (type(self), (dict(self.outcomes), self.report))
+        return (type(self), (dict(self.outcomes), self.report, self.trajectory))
 
     def __repr__(self) -> str:
         return f"Drive(outcomes={dict(self.outcomes)})"
 
     @property
     def status(self) -> str:
-        """How it ended: ``landed``, ``no-flight`` or ``aloft``."""
+        """The end of the drive: ``landed``, ``no-flight`` or ``aloft``."""
         return str(self.report["status"])
 
     @property
     def message(self) -> str | None:
-        """Why there is no landing; None where there is one."""
+        """The reason for no landing; None for a drive that lands."""
         message: str | None = self.report["message"]
         return message
 
     @property
     def warnings(self) -> list[str]:
-        """What a user should know about the drive."""
+        """Warnings about the drive."""
         warnings: list[str] = self.report["warnings"]
         return warnings
 
     def __getitem__(self, name: str) -> float | None:
         """An outcome.
 
-        Raises:
-            UnknownKeyError: for one that was not asked for; it is a KeyError.
+        Raises
+        ------
+        UnknownKeyError
+            For an outcome that was not requested; it is a KeyError.
         """
         try:
             return self.outcomes[name]
@@ -64,7 +69,8 @@ class Drive(Mapping[str, "float | None"]):
             pass
         if any(row["name"] == name for row in _longdrive.outcomes()):
             raise UnknownKeyError(
-                f"'{name}' was not asked for; simulate(…, of=[…]) gives {', '.join(self.outcomes)} here; add it to of"
+                f"'{name}' was not asked for; simulate(…, of=[…]) gives "
+                f"{', '.join(self.outcomes)} here; add it to of"
             )
         raise UnknownKeyError(
             _longdrive.unknown_key(
@@ -75,11 +81,11 @@ class Drive(Mapping[str, "float | None"]):
             )
         )
 
-    if not TYPE_CHECKING:  # what is no attribute is none to type checkers, too
+    if not TYPE_CHECKING:  # type checkers refuse unknown attributes, too
 
         def __getattr__(self, name: str) -> Any:
             raise no_attribute(
-                self, name, f"outcomes go by name, as in drive['{name_or_carry(name)}']"
+                self, name, f"outcomes go by name, as in drive['{nearest_outcome(name)}']"
             )
 
     def __iter__(self) -> Iterator[str]:
@@ -99,31 +105,55 @@ class Drive(Mapping[str, "float | None"]):
             return f"<tr><td>{escape(name.replace('_', ' '))}</td><td>{escape(shown)}</td></tr>"
 
         rows = "".join(row(name, value) for name, value in self.outcomes.items())
-        return f"<table><caption>drive: {escape(self.message or self.status)}</caption><tbody>{rows}</tbody></table>"
+        caption = escape(self.message or self.status)
+        return f"<table><caption>drive: {caption}</caption><tbody>{rows}</tbody></table>"
 
 
-def simulate(setup: SetupLike = None, of: Names | None = None) -> Drive:
-    """One drive: impact, flight, landing, and the run on the ground.
+def simulate(
+    setup: SetupLike = None, of: Names | None = None, *, trajectory: bool = False
+) -> Drive:
+    """Computes one drive: impact, flight, landing, bounces and roll.
 
-    A drive that does not fly is an answer: its status says so, and outcomes of its flight are None.
+    A drive without a flight has a status, and None for the outcomes of its flight.
 
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset ``tour-average``.
+    of : Names | None
+        Outcomes, a name or several; without it all.
+    trajectory : bool
+        Compute the path of the ball too.
+
+    Returns
+    -------
+    Drive
+        The drive.
+
+    Raises
+    ------
+    InputError
+        For an unknown name, or a value outside its range.
+
+    Warns
+    -----
+    LongdriveWarning
+        Once, with all ``warnings`` of the drive.
+
+    Examples
+    --------
     >>> import longdrive
-    >>> drive = longdrive.simulate({"preset": "tour-average", "swing.speed": "110 mph"}, of=["carry", "apex_height"])
+    >>> swing = {"preset": "tour-average", "swing.speed": "110 mph"}
+    >>> drive = longdrive.simulate(swing, of=["carry", "apex_height"], trajectory=True)
     >>> list(drive)
     ['carry', 'apex_height']
+    >>> bool(abs(drive.trajectory.position[:, 0].max() - drive["apex_height"]) < 0.1)
+    True
     >>> longdrive.simulate({"swing.attack_angle": "-40 deg"}).status
     'no-flight'
-
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset ``tour-average``.
-        of: outcomes, a name or several; all of them without it.
-
-    Raises:
-        InputError: for a name that nothing bears, or a value outside its range.
-
-    Warns:
-        LongdriveWarning: once, with all of ``warnings`` of the drive.
     """
-    drive = Drive(*_longdrive.simulate(setup, of))
-    warn_of(drive.warnings, drive, stacklevel=2)
+    is_traced = switch_of("trajectory", trajectory)
+    outcomes, report, path = _longdrive.simulate(setup, of, is_traced)
+    drive = Drive(outcomes, report, None if path is None else Trajectory(*path))
+    warn_of(drive.warnings, drive)
     return drive

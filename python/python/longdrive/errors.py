@@ -1,10 +1,8 @@
-"""What longdrive raises.
-
-Every exception is an ordinary class of Python: it pickles, so that a pool of processes hands it on as it is.
-"""
+"""Exceptions and warnings."""
 
 from __future__ import annotations
 
+import sys
 import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -26,18 +24,18 @@ __all__ = [
 
 
 class Error(Exception):
-    """What longdrive raises, whatever it is."""
+    """Base class of the exceptions of longdrive, except :class:`Interrupted`."""
 
 
 class InputError(Error, ValueError):
-    """Bad input: a name that nothing bears, a value outside its range, an array of the wrong shape.
+    """Bad input: an unknown name, a value outside its range, an array of the wrong shape.
 
-    The message is that of the program: it names the thing, its value, what is allowed, and what to do.
+    The message names the thing, its value, the allowed range, and what to type.
     """
 
 
 class UnknownKeyError(InputError, KeyError):
-    """A key that a setup, a drive or a table has not; the message has the nearest one that it has."""
+    """An unknown key of a setup, a drive or a table. The message names the nearest known key."""
 
     def __str__(self) -> str:
         # a KeyError would quote its message
@@ -47,8 +45,8 @@ class UnknownKeyError(InputError, KeyError):
 class NoAnswerError(Error):
     """A sound question without an answer: the ball does not fly, a search does not converge.
 
-    `status` says why in a word, as the JSON of the program does: ``no-flight``, ``diverged``, ``undefined``, how a
-    search ended.
+    ``status`` is the reason in one word, as in the JSON of the program: ``no-flight``,
+    ``diverged``, ``undefined``, or the end of a search.
     """
 
     status: str
@@ -62,19 +60,19 @@ class NoAnswerError(Error):
 
 
 class InternalError(Error, RuntimeError):
-    """A mistake in longdrive itself, which could not go on. Please report it."""
+    """A bug in longdrive. Please report it."""
 
 
 class Interrupted(KeyboardInterrupt):
-    """Work that Ctrl-C has ended. The message says how far it was, what is the best so far, and how it can be gone on with.
+    """Ctrl-C ended the work. The message has the progress, the best result and how to continue.
 
-    ``except KeyboardInterrupt`` catches it, and as any KeyboardInterrupt it is no ``Exception``.
+    ``except KeyboardInterrupt`` catches it; ``except Exception`` does not.
     """
 
     table: Table | None
-    """The rows that were done, of ``batch`` and of ``sweep`` without a file; None elsewhere."""
+    """The rows that ``batch``, or ``sweep`` without a file, computed before; else None."""
     answer: Reply | None
-    """The answer with what was found so far, of the functions of commands; None where there was none yet."""
+    """The result so far of a function of a command; None if there is none yet."""
 
     def __init__(
         self, message: str, table: Table | None = None, answer: Reply | None = None
@@ -88,14 +86,14 @@ class Interrupted(KeyboardInterrupt):
 
 
 class LongdriveWarning(UserWarning):
-    """What deserves a word about a question or its answer: a drive that leaves what a law of drag and lift was fitted to.
+    """A warning about a question or its answer, such as a flight beyond the range of its law.
 
-    Where warnings are errors the answer is not lost: it is in `answer`.
+    Where warnings are errors, the result of the function is in ``answer``.
     """
 
     answer: Any
-    """What the function would have returned: a :class:`Drive`, a :class:`Table`, an :class:`Optimum` or another :class:`Reply`, a
-    :class:`Picture`."""
+    """The result: a :class:`Drive`, a :class:`Table`, an :class:`Optimum` or another
+    :class:`Reply`, a :class:`Picture`, a :class:`Setup`."""
 
     def __init__(self, message: str, answer: Any = None) -> None:
         super().__init__(message)
@@ -107,7 +105,7 @@ class LongdriveWarning(UserWarning):
 
 @contextmanager
 def interruptible(message: str) -> Iterator[None]:
-    """Ctrl-C within is :class:`Interrupted`, also where it comes before there is anything to show."""
+    """Turns Ctrl-C within the block into :class:`Interrupted` with this message."""
     try:
         yield
     except Interrupted:
@@ -116,7 +114,11 @@ def interruptible(message: str) -> Iterator[None]:
         raise Interrupted(message) from raised
 
 
-def warn_of(texts: Sequence[str], answer: Any, stacklevel: int) -> None:
-    """Warns once of all that there is to say of an answer; ``stacklevel`` counts from the caller."""
-    if texts:
-        warnings.warn(LongdriveWarning("\n".join(texts), answer), stacklevel=stacklevel + 1)
+def warn_of(texts: Sequence[str], answer: Any) -> None:
+    """Issues one warning with these texts, at the line that called longdrive."""
+    if not texts:
+        return
+    frame, level = sys._getframe(1), 2
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        frame, level = frame.f_back, level + 1
+    warnings.warn(LongdriveWarning("\n".join(texts), answer), stacklevel=level)

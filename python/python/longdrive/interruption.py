@@ -1,4 +1,4 @@
-"""What is said where Ctrl-C has ended the work of a command."""
+"""Messages after Ctrl-C."""
 
 from __future__ import annotations
 
@@ -8,32 +8,40 @@ from typing import Any
 __all__ = ["interruption"]
 
 
-def interruption(function: str, answer: Any, notes: Sequence[str], goes_on: str) -> str:
-    """How far it was, the best so far, and how to go on.
+def interruption(function: str, answer: Any, notes: Sequence[str], advice: str) -> str:
+    """The message: the progress, the best result so far, and how to continue.
 
-    `answer` is the program's, or a list of the files that it had written where it was left before it could answer; `notes` are what it told on
-    its way.
+    Parameters
+    ----------
+    function : str
+        The name of the function.
+    answer : Any
+        The answer of the command, or the list of files that it wrote without an answer.
+    notes : Sequence[str]
+        Its messages so far.
+    advice : str
+        How to continue.
     """
-    parts = [_how_far(function, answer, notes)]
+    parts = [_progress(function, answer, notes)]
     if isinstance(answer, Mapping):
         parts += _best(answer)
-    parts.append(goes_on)
+    parts.append(advice)
     return "; ".join(part for part in parts if part)
 
 
-def _how_far(function: str, answer: Any, notes: Sequence[str]) -> str:
+def _progress(function: str, answer: Any, notes: Sequence[str]) -> str:
     if isinstance(answer, Mapping):
-        why = answer.get("message") or ""
+        reason = answer.get("message") or ""
         if answer["status"] != "interrupted":
-            why = f"it had just ended: {answer['status']}" + (f": {why}" if why else "")
-        return f"{function} was interrupted" + (f": {why}" if why else "")
-    told = f"; it told last: {' '.join(notes[-1].split())}" if notes else ""
+            reason = f"it had just ended: {answer['status']}" + (f": {reason}" if reason else "")
+        return f"{function} was interrupted" + (f": {reason}" if reason else "")
+    last = f"; last message: {' '.join(notes[-1].split())}" if notes else ""
     written = f"; written before: {', '.join(answer)}" if answer else ""
-    return f"{function} was interrupted before there was an answer{told}{written}"
+    return f"{function} was interrupted before there was an answer{last}{written}"
 
 
 def _best(answer: Mapping[str, Any]) -> list[str]:
-    """The best so far, in words; the answer itself has every digit."""
+    """The best result so far as text; the answer has all digits."""
     found = answer.get("optimum", answer)
     if found is None:
         return []
@@ -44,20 +52,19 @@ def _best(answer: Mapping[str, Any]) -> list[str]:
             else ""
         )
         return [
-            f"the best so far, in SI, which `answer` of this exception has: {goal}{_named(found)}"
+            f"the best so far, in SI, is in `answer` of this exception: {goal}{_named(found)}"
         ]
     estimates = answer.get("estimates")
     if isinstance(estimates, Mapping) and estimates:
         values = {name: row["value"] for name, row in estimates.items()}
-        return [f"so far, in SI, which `answer` of this exception has: {_named(values)}"]
+        return [
+            f"the estimates so far, in SI, are in `answer` of this exception: {_named(values)}"
+        ]
     points = answer.get("points")
     if isinstance(points, Sequence) and points:
         return [f"`answer` of this exception has the {len(points)} points so far"]
-    return (
-        ["`answer` of this exception has what was found"]
-        if answer.keys() - {"command", "status", "message", "warnings"}
-        else []
-    )
+    has_result = answer.keys() - {"command", "status", "message", "warnings"}
+    return ["`answer` of this exception has the result so far"] if has_result else []
 
 
 def _named(values: Mapping[str, Any]) -> str:

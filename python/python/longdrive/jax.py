@@ -1,6 +1,6 @@
-"""Outcomes of a drive as functions of JAX, exact under ``jit``, ``vmap``, ``grad``, ``jacfwd``, ``jacrev`` and ``hessian``.
+"""Outcomes as functions of JAX, with exact derivatives under ``jit``, ``vmap``, ``grad`` and others.
 
-JAX is not a dependency of longdrive: this module needs it, and the rest does not.
+Only this module needs JAX: ``pip install longdrive[jax]``.
 """
 
 from __future__ import annotations
@@ -19,28 +19,51 @@ from .types import Names, SetupLike
 __all__ = ["outcome"]
 
 
-def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> Callable[
-    [Any], Any
-]:
+def outcome(
+    setup: SetupLike, of: Names = "carry", wrt: Names | None = None
+) -> Callable[[Any], Any]:
     """An outcome, or several, as a function of JAX.
 
-    The function takes x, shape (parameters,), SI, and returns a number, or for several outcomes an array, shape (outcomes,). Its first and
-    second derivatives are exact; third ones are refused. ``vmap`` makes one batched call of it, on all processors. Where there is no
-    drive (no flight, a value outside its range) it is NaN, since compiled code raises nothing; :func:`longdrive.simulate` says why.
+    The function takes x, shape (parameters,), SI, and returns a number, or for several outcomes an
+    array, shape (outcomes,). Its first and second derivatives are exact under ``jit``, ``vmap``,
+    ``grad``, ``jacfwd``, ``jacrev`` and ``hessian``; third derivatives are refused. ``vmap`` makes
+    one batched call on all processors. Without a drive (no flight, a value outside its range) the
+    value is NaN, because compiled code raises no exception; :func:`longdrive.simulate` has the
+    reason.
 
-    The flight is integrated by ``flight.method`` and ``flight.step`` of the setup. Numbers have the precision of x: with JAX's usual
-    32 bits, carry is exact to some 1e-5 m; ``jax.config.update("jax_enable_x64", True)`` gives all digits.
+    The flight is integrated by ``flight.method`` and ``flight.step`` of the setup. Numbers have the
+    precision of x: with the 32 bits that are usual in JAX, carry is exact to 1e-5 m;
+    ``jax.config.update("jax_enable_x64", True)`` gives all digits.
 
-    The function pickles, for processes and clusters. What ``jit``, ``grad`` and ``vmap`` make of it is pickled by ``cloudpickle`` alone, which
-    Dask and joblib take; elsewhere pickle the function, and make it again there.
+    The function pickles, for processes and clusters. Only ``cloudpickle``, which Dask and joblib
+    use, pickles the results of ``jit``, ``grad`` and ``vmap``; elsewhere pickle the function, and
+    transform it again there.
 
-    Args:
-        setup: a setup, the name of a preset, or a dict.
-        of: the outcome, or several.
-        wrt: the parameters in the order of x; without it loft and attack angle.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, or a dict.
+    of : Names
+        The outcome, or several.
+    wrt : Names | None
+        The parameters in the order of x; without it loft and attack angle.
 
-    Raises:
-        InputError: for a name that nothing bears; where x has another shape.
+    Returns
+    -------
+    Callable[[Any], Any]
+        The function.
+
+    Raises
+    ------
+    InputError
+        For an unknown name, and for x of another shape.
+
+    Examples
+    --------
+    >>> import jax, longdrive.jax
+    >>> carry = longdrive.jax.outcome("tour-average", "carry", ["club.loft", "swing.speed"])
+    >>> jax.grad(carry)(jax.numpy.array([0.18, 50.0])).shape
+    (2,)
     """
     point = Pointwise(setup, of, wrt)
     outcomes, parameters = len(point.of), len(point.wrt)
@@ -49,7 +72,7 @@ def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> 
         shapes = [(outcomes, *(parameters,) * k) for k in range(order + 1)]
         results = [jax.ShapeDtypeStruct(shape, x.dtype) for shape in shapes]
 
-        # NumPy alone: a callback that asks JAX for something waits for itself
+        # only NumPy: JAX within a callback of JAX would wait for itself
         def host(x: Any) -> Sequence[Any]:
             x = np.asarray(x)
             return [np.asarray(found, dtype=x.dtype) for found in point(x, order)]
@@ -89,5 +112,3 @@ def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> 
         return found[0] if point.is_single else found
 
     return OutcomeFunction(outcome, point, function)
-
-

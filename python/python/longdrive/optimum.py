@@ -1,4 +1,4 @@
-"""What searches answer."""
+"""The answers of searches."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import numpy as np
 
 from . import _longdrive
 from ._longdrive import Setup
-from ._question import Question
 from .reply import Reply
+from .request import Request
 from .types import Floats
 
 __all__ = ["Optimum", "optimum"]
@@ -30,38 +30,65 @@ STATUSES = [
     "undefined",
     "misfit",
 ]
-"""How a search ends; the place in this list is the ``status`` of an optimum, -1 for any other."""
+"""Ends of searches. The index in this list is the ``status`` of an optimum, -1 for any other."""
 
 
 class Optimum(Reply):
-    """An optimum, with the fields of SciPy's ``OptimizeResult`` and what exact derivatives tell beside them.
+    """An optimum, with the fields of SciPy's ``OptimizeResult`` and the results of derivatives."""
 
-    | field | what it is |
-    |---|---|
-    | ``x`` | the values of the varied parameters, SI, shape (n,); ``names`` says which they are; where nothing was found, where the search began |
-    | ``fun`` | the value of what was looked for, as asked (not negated where it is maximized), SI; of ``robust`` that with the setup's own model; NaN where nothing was found |
-    | ``jac`` | its gradient there, shape (n,); NaN where nothing was found; None for ``robust``, whose design holds several models in balance |
-    | ``hess`` | its Hessian there, shape (n, n); of ``robust`` that with the setup's own model; None for an optimum over many swings |
-    | ``success`` | whether the search converged |
-    | ``status`` | 0 where it did; else how it ended, a number |
-    | ``ended`` | the same in a word: ``converged``, ``stalled``, ``infeasible``, … |
-    | ``message`` | the same in a sentence |
-    | ``nit``, ``nfev`` | iterations and evaluations |
-    | ``maxcv`` | the largest violation of a constraint, SI of its outcome; 0 without any, None where nothing was found, and for ``robust`` |
-
-    ``multipliers`` are those of the bounds, by parameter; ``prices`` say what ``fun`` gains for each SI unit that a bound or constraint is
-    relaxed, or for a bound of ``robust`` what the greatest loss falls by; ``setup`` is the setup at the optimum; ``reply`` is all that the program's ``--json`` prints.
-    """
+    x: Floats
+    """Values of the varied parameters, SI, shape (n,); without an optimum, the start."""
+    names: list[str]
+    """The varied parameters, in the order of ``x``."""
+    fun: float
+    """The value of the objective, not negated where it is maximized, SI; NaN without an optimum.
+    Of ``robust``, the value with the setup's own model."""
+    jac: Floats | None
+    """The gradient at the optimum, shape (n,); NaN without an optimum. None for ``robust``, whose
+    design balances several models."""
+    success: bool
+    """True if the search converged."""
+    status: int
+    """0 for success; else the end of the search as a number."""
+    ended: str
+    """The end of the search: ``converged``, ``stalled``, ``infeasible``, …"""
+    message: str
+    """The end of the search in a sentence."""
+    nit: int
+    """Number of iterations."""
+    nfev: int
+    """Number of evaluations."""
+    optimum: dict[str, float] | None
+    """``x`` by name; None without an optimum."""
+    multipliers: dict[str, dict[str, float | None]]
+    """Multipliers of the bounds by parameter."""
+    prices: dict[str, float]
+    """The gain of ``fun`` for each SI unit by which a bound or constraint is relaxed; for a bound
+    of ``robust``, the decrease of the largest loss."""
+    constraints: list[dict[str, Any]]
+    """The constraints with their values and multipliers."""
+    maxcv: float | None
+    """The largest violation of a constraint, SI of its outcome; 0 without constraints, None without
+    an optimum and for ``robust``."""
+    kkt_residual: float | None
+    """The residual of the optimality conditions."""
+    started: Setup
+    """The setup of the call."""
+    reply: Reply
+    """The answer of the command: the content of its ``--json``."""
 
     @property
     def setup(self) -> Setup:
         """The setup at the optimum."""
         started: Setup = self["started"]
-        return started.replace(dict(zip(self["names"], self["x"])))
+        return started._with_values(dict(zip(self["names"], self["x"])))
 
     @cached_property
     def hess(self) -> Floats | None:
-        """The exact Hessian of what was looked for at the optimum, SI."""
+        """The exact Hessian of the objective at the optimum, SI, shape (n, n).
+
+        Of ``robust``, that with the setup's own model; None for an optimum over many swings.
+        """
         if self["reply"].get("swings") is not None or self["optimum"] is None:
             return None
         return np.asarray(
@@ -69,7 +96,7 @@ class Optimum(Reply):
         )
 
     def __missing__(self, key: str) -> Any:
-        # computed when asked for, as keys too
+        # computed at the first access, also as keys
         if key in ("hess", "setup"):
             return getattr(self, key)
         raise KeyError(key)
@@ -81,8 +108,8 @@ class Optimum(Reply):
         return (type(self), (dict(self),))
 
 
-def optimum(reply: Reply, question: Question) -> Optimum:
-    """The answer of a search."""
+def optimum(reply: Reply, request: Request) -> Optimum:
+    """The answer of a search as an optimum."""
     place: dict[str, float] | None = reply.get("optimum")
     at: dict[str, float] = place or reply.get("start") or {}
     models = reply.get("models")
@@ -91,12 +118,17 @@ def optimum(reply: Reply, question: Question) -> Optimum:
     names = list(at)
     multipliers = reply.get("multipliers") or {}
     of_bounds = {
-        f"{name} {side}": value for name, sides in multipliers.items() for side, value in sides.items() if value
+        f"{name} {side}": value
+        for name, sides in multipliers.items()
+        for side, value in sides.items()
+        if value
     }
     constraints = reply.get("constraints") or []
     of_constraints = {
         row["expression"]: row["multiplier"] for row in constraints if row.get("multiplier")
     }
+    has_violations = "constraints" in reply and place
+    violations = (row["violation"] for row in constraints)
     ended = reply["status"]
     return Optimum(
         x=np.array([at[name] for name in names]),
@@ -107,26 +139,25 @@ def optimum(reply: Reply, question: Question) -> Optimum:
         status=STATUSES.index(ended) if ended in STATUSES else -1,
         ended=ended,
         message=reply["message"],
-        nit=reply.get("iterations"),
-        nfev=reply.get("evaluations"),
+        nit=reply.get("iterations") or 0,
+        nfev=reply.get("evaluations") or 0,
         optimum=place,
         multipliers=multipliers,
         prices={**of_bounds, **of_constraints},
         constraints=constraints,
-        maxcv=max(
-            (row["violation"] for row in constraints), default=0.0
-        ) if "constraints" in reply and place else None,
+        maxcv=max(violations, default=0.0) if has_violations else None,
         kkt_residual=reply.get("kkt_residual"),
         warnings=reply["warnings"],
-        started=question.setup,
+        started=request.setup,
         reply=reply,
     )
 
 
 def _with_own_model(reply: Reply) -> float | None:
-    """What was looked for, of a robust design with the model of the setup, which is the first: its best less what is lost beside it."""
+    """The objective of a robust design with the setup's own model, the first: best less loss."""
     own = reply["models"][0]
     if own["value"] is None or own["loss"] is None:
         return None
-    value: float = own["value"] + (own["loss"] if reply["sense"] == "minimize" else -own["loss"])
-    return value
+    loss: float = own["loss"]
+    value: float = own["value"]
+    return value + loss if reply["sense"] == "minimize" else value - loss

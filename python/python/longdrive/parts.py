@@ -1,8 +1,9 @@
-"""A sweep divided into parts, each a Parquet file whose bytes follow from the question and its number alone.
+"""A sweep in parts, each a Parquet file whose bytes depend only on the sweep and its number.
 
-Any engine may compute any part, twice and in any order: the files are the same to the last bit, and a file takes its place once it is whole.
-:mod:`longdrive.dask`, :mod:`longdrive.ray` and :mod:`longdrive.spark` do it on a cluster, :func:`sweep` of this module in processes of
-this machine, and ``longdrive sweep --part K/M`` from a job array.
+Any process may compute any part, twice and in any order: the files are equal to the last bit, and
+a file gets its name once it is complete. :mod:`longdrive.dask`, :mod:`longdrive.ray` and
+:mod:`longdrive.spark` compute the parts on a cluster, :func:`sweep` in processes of this machine,
+and ``longdrive sweep --part K/M`` in a job array.
 """
 
 from __future__ import annotations
@@ -15,26 +16,28 @@ from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wai
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass, field, replace
 from multiprocessing import get_context
-from pathlib import Path
 from typing import Any, Union
 
 from . import _longdrive
-from ._question import Question as Words
 from .arguments import count_of, kind_of, path_of, refuse_idle_seed
 from .errors import Error, InputError, Interrupted
-from .types import Amount, Given, Names, SetupLike
-from .written import parts_of
+from .quantities import elements_of
+from .request import Request
+from .types import Amount, AngleUnit, Given, Names, SetupLike
+from .values import Value
 
 __all__ = ["Over", "PartError", "Parts", "Question", "check", "merge", "sweep"]
 
 Over = Union[Mapping[str, "str | Sequence[float | str | int]"], Sequence[str]]
-"""What is swept: names with ``"LOW..HIGH:COUNT"`` or (low, high, count), numbers in SI; with `sample` without the count."""
+"""Ranges of a sweep: names with ``"LOW..HIGH:COUNT"`` or (low, high, count), numbers in SI; with
+`sample` without the count."""
 
 
 class PartError(Error, RuntimeError):
-    """A part that could not be written, however often it was tried. ``part`` is its number, from 1."""
+    """A part that could not be written after all tries."""
 
     part: int
+    """The number of the part, from 1."""
 
     def __init__(self, message: str, part: int) -> None:
         super().__init__(message)
@@ -46,18 +49,23 @@ class PartError(Error, RuntimeError):
 
 @dataclass(frozen=True)
 class Question:
-    """A sweep that is divided into parts; it pickles, and any process may write any of its parts."""
+    """A sweep in parts. It pickles, and any process may write any of its parts."""
 
-    words: tuple[str, ...]
-    """The command line of ``longdrive sweep``, without folder and part."""
+    values: Mapping[str, Value]
+    """The typed arguments of ``longdrive sweep``, without folder and part."""
     setup: str
-    """The setup, as the text of a setup file, where it is no preset."""
+    """The text of the setup file; empty for a preset."""
     output: str
-    """The folder that every worker writes into."""
+    """The folder for the files of all workers."""
     parts: int
-    """How many there are."""
+    """The number of parts."""
     threads: int = 1
-    """Threads that compute a part."""
+    """The number of threads that compute a part."""
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """The command line of the sweep, without folder and part, for a job array."""
+        return tuple(_longdrive.words_of("sweep", dict(self.values))[1:])
 
     @classmethod
     def of(
@@ -78,95 +86,148 @@ class Question:
         instructions: str | None = None,
         tolerance: Amount | None = None,
         own_step: bool = False,
+        angles: AngleUnit = "rad",
         threads: int = 1,
     ) -> Question:
         """The sweep of a setup.
 
-        Args:
-            setup: a setup, the name of a preset, or a dict.
-            output: the folder for the files; every worker must see it under this name.
-            parts: how many; each has at least 1024 rows.
-            over: what is swept: ``{"club.loft": "5deg..15deg:101"}``, or ``(low, high, count)`` with numbers in SI.
-            sample: so many points of a quasi-random sequence in the ranges of `over`, which then have no counts.
-            seed: another seed gives other points of the sample [default: 0].
-            points: a table of points in place of `over`.
-            of: outcomes, a name or several; ``"all"`` for every one.
-            wrt: parameters to differentiate by, a name or several; ``"points"`` for those that are swept; without it no derivatives.
-            histogram: outcomes with bins, ``{"carry": "200m..300m:64"}``, or ``(low, high, count)`` with numbers in SI.
-            highest: outcomes with how many rows of the highest values to keep by themselves, ``{"carry": 10}``.
-            lowest: the same of the lowest.
-            instructions: ``"baseline"``, ``"avx2"``, ``"avx512"``, ``"neon"`` or ``"simd128"``: what every worker's processor has. Without it each takes the most it has, and
-                parts of different processors are refused.
-            tolerance: lengths are within it of their exact values, m or a text like ``"1 mm"``; without it 1 µm.
-            own_step: whether ``flight.method`` and ``flight.step`` of the setup are kept.
-            threads: threads that compute a part; a worker that computes several parts at a time has one for each.
+        Parameters
+        ----------
+        setup : SetupLike
+            A setup, the name of a preset, or a dict.
+        output : str | os.PathLike[str]
+            The folder for the files; every worker must see it under this name.
+        parts : int
+            The number of parts; each has at least 1024 rows.
+        over : Over
+            Ranges: ``{"club.loft": "5deg..15deg:101"}``, or ``(low, high, count)`` with numbers in
+            SI.
+        sample : int | None
+            The number of points of a quasi-random sequence in the ranges of `over`, which then have
+            no counts.
+        seed : int | None
+            The seed of the sequence [default: 0].
+        points : str | os.PathLike[str] | None
+            A file with a table of points in place of `over`.
+        of : Names
+            Outcomes, a name or several; ``"all"`` for every one.
+        wrt : Names | None
+            Parameters to differentiate by, a name or several; ``"points"`` for those of the sweep;
+            without it no derivatives.
+        histogram : Given | None
+            Outcomes with bins, ``{"carry": "200m..300m:64"}``, or ``(low, high, count)`` with
+            numbers in SI.
+        highest : Mapping[str, int] | str | None
+            Outcomes with the number of rows of the highest values to keep, ``{"carry": 10}``.
+        lowest : Mapping[str, int] | str | None
+            The same for the lowest values.
+        instructions : str | None
+            ``"baseline"``, ``"avx2"``, ``"avx512"``, ``"neon"`` or ``"simd128"``, which the
+            processor of every worker must have. Without it each worker uses its best, and parts of
+            different processors are refused.
+        tolerance : Amount | None
+            The largest error of a length, m or a text like ``"1 mm"``; without it 1 µm.
+        own_step : bool
+            Keep ``flight.method`` and ``flight.step`` of the setup.
+        angles : AngleUnit
+            The unit of angles without a unit.
+        threads : int
+            The number of threads that compute a part; a worker that computes several parts at a
+            time uses this number for each.
+
+        Returns
+        -------
+        Question
+            The sweep.
+
+        Raises
+        ------
+        InputError
+            For an argument of the wrong type.
+
+        Examples
+        --------
+        >>> from longdrive.parts import Question
+        >>> over = {"club.loft": ("5 deg", "15 deg", 3000)}
+        >>> Question.of("tour-average", output="drives", parts=2, over=over).parts
+        2
         """
         count_of("parts", parts, 1)
         count_of("threads", threads, 1)
-        folder = path_of("output", output, "folder")
+        refuse_idle_seed(seed, sample)
         file = (
             None if points is None else path_of("points", points, "file that every worker can read")
         )
-        asked = Words("sweep", Path())
-        asked.take_setup(setup)
-        asked.option("over", over or None, "several", "NAME=LOW..HIGH:COUNT")
-        asked.option("sample", sample, "one", "N")
-        refuse_idle_seed(seed, sample)
-        asked.option("seed", seed, "one", "SEED")
-        asked.option("points", file, "one", "FILE")
-        asked.option("outcomes", _joined("of", of), "one", "OUTCOMES", "of")
-        if wrt == "points":
-            asked.option("gradient", True, "nothing", "GRADIENT")
-        else:
-            asked.option("wrt", _joined("wrt", () if wrt is None else wrt) or None, "one", "NAMES")
-        asked.option("histogram", histogram, "several", "OUTCOME=LOW..HIGH:COUNT")
-        asked.option("highest", _best("highest", highest), "several", "OUTCOME:ROWS")
-        asked.option("lowest", _best("lowest", lowest), "several", "OUTCOME:ROWS")
-        asked.option("instructions", instructions, "one", "LEVEL")
-        asked.option("tolerance", tolerance, "one", "LENGTH")
-        asked.option("own_step", own_step, "nothing", "OWN_STEP")
-        return cls(tuple(asked.words), asked.text, folder, parts, threads)
+        is_by_points = isinstance(wrt, str) and wrt == "points"
+        request = Request(
+            "sweep",
+            {
+                "setup": setup,
+                "over": over or None,
+                "sample": sample,
+                "seed": seed,
+                "points": file,
+                "of": _joined("of", of),
+                "gradient": is_by_points,
+                "wrt": None if is_by_points or wrt is None else _joined("wrt", wrt) or None,
+                "histogram": histogram,
+                "highest": _best("highest", highest),
+                "lowest": _best("lowest", lowest),
+                "instructions": instructions,
+                "tolerance": tolerance,
+                "own_step": own_step,
+                "angles": angles,
+            },
+        )
+        folder = path_of("output", output, "folder")
+        return cls(request.values, request.setup_text, folder, parts, threads)
 
     def refuse_unsound(self) -> None:
-        """Asks the question without computing anything, so that what is wrong with it is told before there are workers.
+        """Checks the sweep without computing it.
 
-        Raises:
-            InputError: as :func:`longdrive.sweep` does.
+        Raises
+        ------
+        InputError
+            As :func:`longdrive.sweep` does.
         """
         import tempfile
 
-        # the program looks at the folder after the question, and before the first drive: a file in its place ends the work there
+        # the command checks the folder last, before the first drive: a file in its place ends it
         with tempfile.NamedTemporaryFile(prefix="longdrive-") as file:
             try:
-                _sweep(
-                    [*self.words, f"--output={file.name}", f"--part={self.parts}/{self.parts}"],
-                    self.setup,
-                )
+                self._run({"output": file.name, "part": f"{self.parts}/{self.parts}"})
             except InputError as error:
                 if file.name not in str(error):
                     raise
 
     def write(self, part: int) -> dict[str, Any]:
-        """Writes a part, from 1, unless it is there already; its manifest row.
+        """Writes a part, from 1, unless it is complete already.
 
-        Raises:
-            PartError: with why it could not be written.
+        Returns
+        -------
+        dict[str, Any]
+            Its row of the manifest.
+
+        Raises
+        ------
+        PartError
+            With the reason.
         """
-        words = [
-            *self.words,
-            f"--output={self.output}",
-            f"--part={part}/{self.parts}",
-            f"--threads={self.threads}",
-        ]
+        file: dict[str, Value] = {
+            "output": self.output, "part": f"{part}/{self.parts}", "threads": self.threads
+        }
         try:
-            answer = _sweep(words, self.setup)
+            answer = self._run(file)
         except Error as error:
             raise PartError(f"part {part} of {self.parts}: {error}", part) from error
         return {name: answer[name] for name in _MANIFEST}
 
     def check(self, *, contents: bool = False) -> dict[str, Any]:
-        """Looks whether the folder has every part of this sweep and nothing else, as :func:`check` does."""
+        """Checks that the folder has every part of this sweep and nothing else: :func:`check`."""
         return check(self.output, contents=contents, question=self)
+
+    def _run(self, more: Mapping[str, Value]) -> dict[str, Any]:
+        return _sweep({**self.values, **more}, self.setup)
 
 
 # fmt: skip
@@ -196,21 +257,23 @@ class Parts:
     output: str
     """The folder."""
     manifests: list[dict[str, Any]] = field(repr=False)
-    """A row for each part, in their order: its file with SHA-256, its rows, and what they are like."""
+    """A row for each part: its file with SHA-256, its number of rows, and their statistics."""
     summary: dict[str, Any] = field(repr=False)
-    """What all rows are like: ``statuses``, ``moments``, ``histograms``, ``best``."""
+    """Statistics of all rows: ``statuses``, ``moments``, ``histograms``, ``best``."""
 
     @property
     def rows(self) -> int:
-        """Rows of all parts."""
+        """The number of rows of all parts."""
         return sum(row["rows"] for row in self.manifests)
 
     @classmethod
     def of(cls, question: Question, rows: Iterable[dict[str, Any]]) -> Parts:
-        """The set, of the manifest rows of all its parts.
+        """The set of the parts with these rows of the manifest.
 
-        Raises:
-            Error: where a part is missing, or a file of the folder is not what it should be.
+        Raises
+        ------
+        Error
+            For a missing part, and a wrong file in the folder.
         """
         manifests = sorted(rows, key=lambda row: int(row["part"]))
         found = question.check()
@@ -219,34 +282,37 @@ class Parts:
         return cls(question.output, manifests, merge(manifests))
 
 
-def _sweep(words: list[str], setup: str) -> dict[str, Any]:
-    """The answer of ``longdrive sweep``; what the program warns of stands in it."""
-    status, answer, raised = _longdrive.command([*words, "--quiet"], setup, lambda kind, text: None)
+def _sweep(values: Mapping[str, Value], setup: str) -> dict[str, Any]:
+    """The answer of ``longdrive sweep``, with its warnings."""
+    status, answer, _, raised = _longdrive.command(
+        "sweep", dict(values), setup, {}, [], lambda kind, text: None
+    )
     if raised is not None:
-        why = (
-            answer["message"] if isinstance(answer, dict)
-            and answer["message"] else "interrupted before there was an answer"
-        )
-        raise Interrupted(why) from raised
+        has_message = isinstance(answer, dict) and answer["message"]
+        reason = answer["message"] if has_message else "interrupted before there was an answer"
+        raise Interrupted(reason) from raised
     if status == 2:
         raise InputError(answer["message"])
     found: dict[str, Any] = answer
     return found
 
 
-def _best(name: str, rows: Mapping[str, int] | str | None) -> list[str]:
-    """Outcomes with their number of rows, as the program has them; a text as it is."""
+def _best(name: str, rows: Mapping[str, int] | str | None) -> list[str] | None:
+    """Outcomes with their number of rows, as texts of the command line."""
     if isinstance(rows, str):
         return [rows]
-    if not (rows is None or isinstance(rows, Mapping)):
+    if rows is None:
+        return None
+    if not isinstance(rows, Mapping):
         raise InputError(
-            f"{name} is {kind_of(rows)}; expected a dict of outcomes with their number of rows, as in {{'carry': 10}}"
+            f"{name} is {kind_of(rows)}; expected a dict of outcomes with their number of rows, as "
+            "in {'carry': 10}"
         )
-    return [f"{of}:{count_of(f'{name} of {of}', count, 1)}" for of, count in (rows or {}).items()]
+    return [f"{of}:{count_of(f'{name} of {of}', count, 1)}" for of, count in rows.items()]
 
 
 def _joined(name: str, names: Names) -> str:
-    parts = (names,) if isinstance(names, str) else parts_of(names)
+    parts = (names,) if isinstance(names, str) else elements_of(names)
     if parts is None:
         raise InputError(f"{name} is {kind_of(names)}; expected a name or several")
     for at, part in enumerate(parts):
@@ -256,15 +322,18 @@ def _joined(name: str, names: Names) -> str:
 
 
 def question_of(setup: SetupLike, question: Mapping[str, Any]) -> Question:
-    """A sound question, of the arguments of a function that sends its parts to workers.
+    """The checked sweep of a function that sends its parts to workers.
 
-    Raises:
-        InputError: for what is wrong with it, before any work is sent.
+    Raises
+    ------
+    InputError
+        For a bad argument, before any work is sent.
     """
     missing = [name for name in ("output", "parts") if name not in question]
     if missing:
         raise InputError(
-            f"a sweep in parts needs {' and '.join(missing)}: the folder of the files, and how many there are"
+            f"a sweep in parts needs {' and '.join(missing)}: the folder of the files, and how "
+            "many there are"
         )
     found = Question.of(setup, **question)
     found.refuse_unsound()
@@ -275,35 +344,72 @@ def question_of(setup: SetupLike, question: Mapping[str, Any]) -> Question:
 def check(
     output: str | os.PathLike[str], *, contents: bool = False, question: Question | None = None
 ) -> dict[str, Any]:
-    """Looks through the footers of a folder of parts: the answer of ``longdrive sweep --check``.
+    """Checks the footers of the files in a folder: the answer of ``longdrive sweep --check``.
 
-    ``status`` is ``"done"`` where every part is there and nothing else; ``missing``, ``faults`` and ``message`` say what is not as it should be.
+    ``status`` is ``"done"`` if every part exists and nothing else; otherwise ``missing``,
+    ``faults`` and ``message`` have the reason.
 
-    Args:
-        output: the folder.
-        contents: whether the rows are read too, held against the SHA-256 of each part; ``sha256`` is then that of the whole set.
-        question: the sweep that the parts are to be of.
+    Parameters
+    ----------
+    output : str | os.PathLike[str]
+        The folder.
+    contents : bool
+        Read the rows too, and compare them with the SHA-256 of each part; ``sha256`` is then that
+        of the whole set.
+    question : Question | None
+        The sweep to which the parts must belong.
+
+    Returns
+    -------
+    dict[str, Any]
+        The answer.
+
+    Examples
+    --------
+    >>> import longdrive.parts, tempfile
+    >>> over = {"club.loft": "5deg..15deg:3000"}
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     question = longdrive.parts.Question.of(over=over, of="spin", output=folder, parts=2)
+    ...     written = question.write(1)
+    ...     longdrive.parts.check(folder)["missing"]
+    [2]
     """
-    options = [f"--check={os.fspath(output)}"] + (["--hash"] if contents else [])
+    options: dict[str, Value] = {"check": os.fspath(output), "hash": contents}
     if question is None:
-        return _sweep(["sweep", "--json", *options], "")
-    return _sweep([*question.words, *options], question.setup)
+        return _sweep({"json": True, **options}, "")
+    return _sweep({**question.values, **options}, question.setup)
 
 
 def merge(manifests: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
-    """What the rows of some parts are like in all, without a look at the rows: ``statuses``, ``moments`` (``count``, ``mean``, ``m2``, the sum of
-    squared deviations, ``min`` and ``max`` of each column, SI), ``histograms`` and ``best`` rows.
+    """Statistics of the rows of several parts, from their rows of the manifest.
 
-    The parts are merged in the order of their numbers, each once, so that the result is the same to the last bit whatever the order they came in.
+    They have ``statuses``, ``moments`` (``count``, ``mean``, ``m2``, the sum of squared deviations,
+    ``min`` and ``max`` of each column, SI), ``histograms`` and ``best`` rows. The parts are merged
+    in the order of their numbers, each once: the result does not depend on the order of the rows.
+
+    Parameters
+    ----------
+    manifests : Iterable[Mapping[str, Any]]
+        Rows of the manifest, as ``Parts.manifests``.
+
+    Returns
+    -------
+    dict[str, Any]
+        The statistics.
+
+    Raises
+    ------
+    InputError
+        For the name of a folder, and rows that are none.
     """
-
     if isinstance(manifests, (str, os.PathLike)):
         raise InputError(
-            f"manifests is {kind_of(manifests)}; expected the `manifests` of parts; longdrive.parts.check tells of a folder what its rows are like"
+            f"manifests is {kind_of(manifests)}; expected the `manifests` of parts; "
+            "longdrive.parts.check tells of a folder what its rows are like"
         )
 
     def finite(value: Any) -> Any:
-        # JSON has no infinity: a flat face is "inf"
+        # JSON has no infinity
         if isinstance(value, float) and not math.isfinite(value):
             return "inf" if value > 0 else "-inf"
         if isinstance(value, Mapping):
@@ -319,23 +425,40 @@ def sweep(
 ) -> Parts:
     """Computes all parts in processes of this machine.
 
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, or a dict.
+    processes : int
+        The number of processes; 0 for the number of processors.
+    retries : int
+        How often a part is tried again, after an error or the death of its process.
+    question : Any
+        As :meth:`Question.of`: `output`, `parts`, `over`, `of`, `wrt`, …
+
+    Returns
+    -------
+    Parts
+        The parts.
+
+    Raises
+    ------
+    PartError
+        For a part that could not be written.
+    InputError
+        For bad arguments.
+    Interrupted
+        After Ctrl-C; complete parts stay, and the same call continues.
+
+    Examples
+    --------
     >>> import longdrive.parts, tempfile
+    >>> over = {"club.loft": "5deg..15deg:3000"}
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     found = longdrive.parts.sweep(
-    ...         over={"club.loft": "5deg..15deg:3000"}, of="ball_speed", output=folder, parts=2, processes=1)
+    ...         over=over, of="ball_speed", output=folder, parts=2, processes=1)
     >>> found.rows, found.summary["statuses"]["landed"]
     (3000, 3000)
-
-    Args:
-        setup: a setup, the name of a preset, or a dict.
-        processes: how many; 0 for as many as there are processors.
-        retries: how often a part is tried again, after an error or the death of its process.
-        question: as :meth:`Question.of`: `output`, `parts`, `over`, `of`, `wrt`, …
-
-    Raises:
-        PartError: for a part that could not be written.
-        InputError: for arguments that are none.
-        Interrupted: after Ctrl-C; parts that are whole stay, and the same call goes on.
     """
     count_of("processes", processes)
     count_of("retries", retries)
@@ -343,14 +466,14 @@ def sweep(
     manifests: dict[int, dict[str, Any]] = {}
     tries = dict.fromkeys(range(1, asked.parts + 1), 0)
     while len(manifests) < asked.parts:
-        # a process that dies takes the pool with it: what is not done then is begun again in another
+        # the death of a process ends the pool: another pool computes the missing parts
         left = [part for part in tries if part not in manifests]
         try:
             _in_processes(asked, left, tries, manifests, processes or os.cpu_count() or 1, retries)
         except KeyboardInterrupt as raised:
-            done = f"{len(manifests)} of {asked.parts} parts are known to be whole in {asked.output}"
+            done = f"{len(manifests)} of {asked.parts} parts are complete in {asked.output}"
             raise Interrupted(
-                f"longdrive.parts.sweep was interrupted: {done}; the same call writes those that are missing"
+                f"longdrive.parts.sweep was interrupted: {done}; the same call writes the others"
             ) from raised
         except BrokenProcessPool as error:
             part = next(part for part in tries if part not in manifests)

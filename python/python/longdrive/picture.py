@@ -1,13 +1,14 @@
-"""What plots answer."""
+"""Pictures: the results of the plots."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ._question import Question
 from .arguments import path_of, switch_of
+from .axes import draw
 from .errors import InputError
 from .reply import Reply
+from .request import Request
 from .types import PathLike
 
 if TYPE_CHECKING:
@@ -15,43 +16,72 @@ if TYPE_CHECKING:
 
 __all__ = ["Picture", "picture"]
 
-FORMS = (".svg", ".png", ".csv")
-"""The forms that a plot may be made in."""
+_FORMATS = (".svg", ".png", ".csv")
 
 
 class Picture(Reply):
-    """A plot: notebooks show it, ``save`` writes it. ``svg`` is its text; a plot that was written as PNG or CSV has its bytes in ``data``."""
+    """A plot. Notebooks show it, :meth:`save` writes it."""
+
+    title: str
+    """Title of the plot."""
+    note: str
+    """Note below the plot."""
+    form: str
+    """The format: ``.svg``, ``.png`` or ``.csv``."""
+    data: bytes
+    """The content of its file."""
 
     @property
     def svg(self) -> str:
-        """The picture as SVG."""
+        """The picture as SVG; empty for another format."""
         text: str = self["data"].decode("utf-8") if self["form"] == ".svg" else ""
         return text
 
     def save(self, path: PathLike, *, overwrite: bool = False) -> Path:
-        """Writes the picture, in the form that it was made in (SVG, unless ``output`` named another).
+        """Writes the picture in its format: SVG, unless ``output`` named another.
 
-        Args:
-            path: the file; its ending is that of the form.
-            overwrite: whether a file that exists is replaced.
+        Parameters
+        ----------
+        path : str or path
+            The file; its extension is that of the format.
+        overwrite : bool
+            Replace a file that exists.
 
-        Raises:
-            InputError: for another ending, a file that exists, and a place where no file can be made.
+        Returns
+        -------
+        pathlib.Path
+            The file.
+
+        Raises
+        ------
+        InputError
+            For another extension, a file that exists, and a folder that does not exist.
+
+        Examples
+        --------
+
+        Examples
+        --------
+        >>> import longdrive, tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     longdrive.plot.trajectory().save(f"{folder}/drive.svg").name
+        'drive.svg'
         """
         from pathlib import Path
 
         path, form = Path(path_of("path", path)), self["form"]
         if path.suffix.lower() != form:
-            another = (
-                f", or give the plot itself output='{path}', to have it in that form"
-                if path.suffix.lower() in FORMS
+            advice = (
+                f", or give the plot itself output='{path}', to have it in that format"
+                if path.suffix.lower() in _FORMATS
                 else ""
             )
             raise InputError(
-                f"path = '{path}': this plot is {form[1:].upper()}; name a file that ends in {form}{another}"
+                f"path = '{path}': this plot is {form[1:].upper()}; name a file that ends in "
+                f"{form}{advice}"
             )
         try:
-            # mode "x": another process may make the file meanwhile
+            # mode "x": another process may create the file meanwhile
             with path.open("wb" if switch_of("overwrite", overwrite) else "xb") as file:
                 file.write(self["data"])
         except FileExistsError:
@@ -78,10 +108,12 @@ class Picture(Reply):
         return self["data"] if self["form"] == ".png" else None
 
 
-def picture(reply: Reply, question: Question) -> Picture:
-    """The answer of a plot, with what was written: into its own file, or into one that goes with the question."""
+def picture(reply: Reply, request: Request) -> Picture:
+    """The picture of a plot, from memory or from its file."""
     from pathlib import Path
 
-    path = question.scratch if reply["file"] is None else Path(reply["file"])
-    assert path is not None
-    return Picture(reply, form=path.suffix.lower(), data=path.read_bytes())
+    path = Path(reply["file"] or request.output)
+    data = request.content or b"" if reply["file"] is None else path.read_bytes()
+    if request.axes is not None:
+        draw(request.axes, data, reply["title"])
+    return Picture(reply, form=path.suffix.lower(), data=data)

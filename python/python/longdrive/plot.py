@@ -1,20 +1,18 @@
-"""Plots, as pictures for notebooks and files: a function for each kind.
+"""Plots, as pictures: a function for each kind.
 
-Each of them raises :class:`longdrive.InputError` for bad input, with the program's message, :class:`longdrive.NoAnswerError` for a sound question
-without an answer, and :class:`longdrive.Interrupted` after Ctrl-C, with what was found so far. ``progress`` is True for a bar, or a function that is
-called with how many parts of how many are done: 0 of 0 while the parts cannot be counted.
-
-Written by make_commands.py from what the program says of its commands; change it there.
+Written by make_commands.py; change it there.
 """
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal
 
-from ._ask import ask
+from .optimum import optimum
 from .picture import Picture, picture
 from .progress import Progress
-from .types import Amount, Given, Goals, Names, PathLike, SetupLike, TableLike
+from .rows import flown
+from .run_command import run_command
+from .types import Amount, AngleUnit, Given, Goals, Names, PathLike, SetupLike, TableLike
 
 __all__ = [
     "chart",
@@ -43,30 +41,66 @@ def trajectory(
     dark: bool = False,
     width: int | None = None,
     view: Literal["side", "top"] | None = None,
+    angles: AngleUnit = "rad",
+    ax: Any = None,
     progress: Progress = False,
 ) -> Picture:
     """The path of the ball.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and
-            radians).
-        overwrite: replace files that exist.
-        dark: draw for a dark background.
-        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the
-            text does not change [default: 480].
-        view: the side from which the trajectory is shown [default: side].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    output : PathLike
+        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+    overwrite : bool
+        Replace files that exist.
+    dark : bool
+        Draw for a dark background.
+    width : int
+        The width of the picture in pixels; a PNG has twice the resolution. The size of the text
+        does not change [default: 480].
+    view : Literal["side", "top"]
+        The side from which the trajectory is shown [default: side].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    ax : matplotlib.axes.Axes
+        Axes in which the plot is drawn, in SI units and radians; the answer then has its data.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Picture
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> longdrive.plot.trajectory("tour-average", width=640).form
+    '.svg'
     """
-    return ask("plot trajectory", locals(), picture)
+    return run_command("plot trajectory", locals(), picture)
 
 
 def contour(
@@ -84,38 +118,77 @@ def contour(
     overwrite: bool = False,
     dark: bool = False,
     width: int | None = None,
+    angles: AngleUnit = "rad",
+    ax: Any = None,
     progress: Progress = False,
 ) -> Picture:
     """An outcome over two parameters, with its gradients and the optimum.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        maximize: the outcome to maximize [default: carry, unless minimize is given].
-        minimize: the outcome to minimize.
-        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
-            20 deg and attack angle -5 to 5 deg].
-        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <=
-            apex_height <= 35 yd" or "lateral == 0 m"; every limit with its unit. Over many swings
-            also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g".
-        max_iterations: the largest number of iterations of a search [default: 500].
-        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and
-            radians).
-        overwrite: replace files that exist.
-        dark: draw for a dark background.
-        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the
-            text does not change [default: 480].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    maximize : str
+        The outcome to maximize [default: carry, unless minimize is given].
+    minimize : str
+        The outcome to minimize.
+    vary : Given
+        A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
+        and attack angle -5 to 5 deg].
+    subject_to : Names
+        A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
+        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
+        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+    max_iterations : int
+        The largest number of iterations of a search [default: 500].
+    output : PathLike
+        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+    overwrite : bool
+        Replace files that exist.
+    dark : bool
+        Draw for a dark background.
+    width : int
+        The width of the picture in pixels; a PNG has twice the resolution. The size of the text
+        does not change [default: 480].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    ax : matplotlib.axes.Axes
+        Axes in which the plot is drawn, in SI units and radians; the answer then has its data.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Picture
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> longdrive.plot.contour("mae494").title
+    'Carry over club loft and attack angle'
     """
-    return ask("plot contour", locals(), picture)
+    return run_command("plot contour", locals(), picture)
 
 
 def chart(
@@ -135,41 +208,82 @@ def chart(
     dark: bool = False,
     width: int | None = None,
     show: str | None = None,
+    angles: AngleUnit = "rad",
+    ax: Any = None,
     progress: Progress = False,
 ) -> Picture:
     """The optimum as a function of a parameter.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        maximize: the outcome to maximize [default: carry, unless minimize is given].
-        minimize: the outcome to minimize.
-        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
-            20 deg and attack angle -5 to 5 deg].
-        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <=
-            apex_height <= 35 yd" or "lateral == 0 m"; every limit with its unit. Over many swings
-            also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g".
-        max_iterations: the largest number of iterations of a search [default: 500].
-        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and
-            radians).
-        overwrite: replace files that exist.
-        dark: draw for a dark background.
-        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the
-            text does not change [default: 480].
-        along: the parameter to follow the optimum along, with its range, e.g.
-            swing.speed=80mph..130mph.
-        show: the curve to draw: the outcome, or one of the parameters varied.
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    maximize : str
+        The outcome to maximize [default: carry, unless minimize is given].
+    minimize : str
+        The outcome to minimize.
+    vary : Given
+        A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
+        and attack angle -5 to 5 deg].
+    subject_to : Names
+        A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
+        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
+        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+    max_iterations : int
+        The largest number of iterations of a search [default: 500].
+    output : PathLike
+        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+    overwrite : bool
+        Replace files that exist.
+    dark : bool
+        Draw for a dark background.
+    width : int
+        The width of the picture in pixels; a PNG has twice the resolution. The size of the text
+        does not change [default: 480].
+    along : Given
+        The parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
+    show : str
+        The curve to draw: the outcome, or one of the parameters varied.
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    ax : matplotlib.axes.Axes
+        Axes in which the plot is drawn, in SI units and radians; the answer then has its data.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Picture
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> along = {"swing.speed": ("90 mph", "100 mph")}
+    >>> longdrive.plot.chart("mae494", along=along).form
+    '.svg'
     """
-    return ask("plot chart", locals(), picture)
+    return run_command("plot chart", locals(), picture)
 
 
 def pareto(
@@ -194,55 +308,99 @@ def pareto(
     overwrite: bool = False,
     dark: bool = False,
     width: int | None = None,
+    angles: AngleUnit = "rad",
+    ax: Any = None,
     progress: Progress = False,
 ) -> Picture:
-    """The best compromises between two goals, with their ends, the knee and the slope there.
+    """The Pareto front of two goals, with its ends, its knee and the slope at the knee.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        maximize: a goal to maximize: an outcome, or over many swings what of it, e.g.
-            "mean(carry)". Give two goals in all, with maximize and minimize.
-        minimize: a goal to minimize, e.g. "std(lateral)".
-        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
-            20 deg; for one drive also attack angle -5 to 5 deg].
-        subject_to: a constraint on a goal, e.g. "apex_height <= 35 yd", over many swings
-            "mean(carry) >= 240 yd"; every limit with its unit.
-        points: the number of points, spread evenly from the best of one goal to the best of the
-            other [default: 15].
-        max_iterations: the largest number of iterations of a search [default: 500].
-        swings: search for the best over many swings: a TOML file with [distributions] and
-            [[correlations]], or a table (CSV, Parquet, Arrow) of recorded swings, a column for each
-            parameter. Goals are then written like "mean(carry)", "std(lateral)", "lowest(carry,
-            10%)", "within(lateral, 15yd)" or "mean(carry) - 0.5*std(lateral)", and vary is the loft
-            alone by default.
-        distribution: the distribution of a parameter from swing to swing:
-            NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
-            NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
-        correlation: the correlation of two parameters with distributions, e.g.
-            swing.path,swing.face_angle=0.6.
-        scenarios: take this many swings of the distributions, by a quasi-random sequence [default:
-            quadrature for up to 3 parameters, else 512 swings].
-        seed: the seed of the swings; the same seed gives the same swings [default: 0].
-        strokes: a CSV table of the strokes that are expected from a distance, with the columns
-            "distance [yd]" and "strokes", for the goal "strokes(400yd)": the expected strokes to
-            hole out after this drive.
-        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and
-            radians).
-        overwrite: replace files that exist.
-        dark: draw for a dark background.
-        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the
-            text does not change [default: 480].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    maximize : Goals
+        A goal to maximize: an outcome, or over many swings a statistic of it, e.g. "mean(carry)".
+        Give two goals in total, with maximize and minimize.
+    minimize : Goals
+        A goal to minimize, e.g. "std(lateral)".
+    vary : Given
+        A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg;
+        for one drive also attack angle -5 to 5 deg].
+    subject_to : Names
+        A constraint on a goal, e.g. "apex_height <= 35 yd", over many swings "mean(carry) >= 240
+        yd"; every limit with its unit.
+    points : int
+        The number of points, spread evenly from the optimum of one goal to the optimum of the other
+        [default: 15].
+    max_iterations : int
+        The largest number of iterations of a search [default: 500].
+    swings : TableLike
+        Search for the best over many swings: a TOML file with [distributions] and [[correlations]],
+        or a table (CSV, Parquet, Arrow) of recorded swings, a column for each parameter. Goals are
+        then written like "mean(carry)", "std(lateral)", "lowest(carry, 10%)", "within(lateral,
+        15yd)" or "mean(carry) - 0.5*std(lateral)", and by default only the loft is varied.
+    distribution : Given
+        The distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION),
+        NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
+        NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
+    correlation : Given
+        The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
+    scenarios : int
+        Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
+        for up to 3 parameters, else 512 swings].
+    seed : int
+        The seed of the swings; the same seed gives the same swings [default: 0].
+    strokes : TableLike
+        A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
+        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
+    output : PathLike
+        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+    overwrite : bool
+        Replace files that exist.
+    dark : bool
+        Draw for a dark background.
+    width : int
+        The width of the picture in pixels; a PNG has twice the resolution. The size of the text
+        does not change [default: 480].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    ax : matplotlib.axes.Axes
+        Axes in which the plot is drawn, in SI units and radians; the answer then has its data.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Picture
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> longdrive.plot.pareto("mae494", maximize="carry", minimize="spin", points=3).form
+    '.svg'
     """
-    return ask("plot pareto", locals(), picture)
+    return run_command("plot pareto", locals(), picture)
 
 
 def tornado(
@@ -258,33 +416,71 @@ def tornado(
     of: str | None = None,
     sigma: Given | None = None,
     show: Literal["control", "model", "all"] | None = None,
+    angles: AngleUnit = "rad",
+    ax: Any = None,
     progress: Progress = False,
 ) -> Picture:
     """The effects of the uncertainties of parameters on an outcome.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and
-            radians).
-        overwrite: replace files that exist.
-        dark: draw for a dark background.
-        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the
-            text does not change [default: 480].
-        of: the outcome [default: carry].
-        sigma: the standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%.
-            Repeatable; other parameters have the default uncertainties of "longdrive sensitivity".
-        show: the uncertainties to draw [default: control].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    output : PathLike
+        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+    overwrite : bool
+        Replace files that exist.
+    dark : bool
+        Draw for a dark background.
+    width : int
+        The width of the picture in pixels; a PNG has twice the resolution. The size of the text
+        does not change [default: 480].
+    of : str
+        The outcome [default: carry].
+    sigma : Given
+        The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%.
+        Repeatable; other parameters have the default uncertainties of "longdrive sensitivity".
+    show : Literal["control", "model", "all"]
+        The uncertainties to draw [default: control].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    ax : matplotlib.axes.Axes
+        Axes in which the plot is drawn, in SI units and radians; the answer then has its data.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Picture
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> longdrive.plot.tornado("tour-average", of="carry").form
+    '.svg'
     """
-    return ask("plot tornado", locals(), picture)
+    return run_command("plot tornado", locals(), picture)
 
 
 def compare(
@@ -301,35 +497,75 @@ def compare(
     dark: bool = False,
     width: int | None = None,
     of: str | None = None,
+    angles: AngleUnit = "rad",
+    ax: Any = None,
     progress: Progress = False,
 ) -> Picture:
-    """The difference between two drives, split into the parameters and launch conditions that differ.
+    """The difference between two drives, split into the parameters and launch conditions that
+    differ.
 
-    Args:
-        setup: the first drive, which messages call a: a setup, the name of a preset, a dict, or
-            None for the preset tour-average.
-        other: the second drive, b, as setup is given: for example setup.replace({"club.loft": "11
-            deg"}). Without it launch_a or launch_b says in what it differs.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        launch_a: the launch conditions of a, as in launch.
-        launch_b: the launch conditions of b, as in launch.
-        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and
-            radians).
-        overwrite: replace files that exist.
-        dark: draw for a dark background.
-        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the
-            text does not change [default: 480].
-        of: the outcome [default: carry].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Parameters
+    ----------
+    setup : SetupLike
+        The first drive, a in messages: a setup, the name of a preset, a dict, or None for the
+        preset tour-average.
+    other : SetupLike
+        The second drive, b, a setup as the first: for example setup.replace({"club.loft": "11
+        deg"}). Without it launch_a or launch_b gives the difference.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    launch_a : Given
+        The launch conditions of drive a, as in launch.
+    launch_b : Given
+        The launch conditions of drive b, as in launch.
+    output : PathLike
+        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+    overwrite : bool
+        Replace files that exist.
+    dark : bool
+        Draw for a dark background.
+    width : int
+        The width of the picture in pixels; a PNG has twice the resolution. The size of the text
+        does not change [default: 480].
+    of : str
+        The outcome [default: carry].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    ax : matplotlib.axes.Axes
+        Axes in which the plot is drawn, in SI units and radians; the answer then has its data.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Picture
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> longdrive.plot.compare("tour-average", other={"club.loft": "11 deg"}).form
+    '.svg'
     """
-    return ask("plot compare", locals(), picture)
+    return run_command("plot compare", locals(), picture)
 
 
 def vcurve(
@@ -344,32 +580,69 @@ def vcurve(
     width: int | None = None,
     of: Names | None = None,
     wrt: Names | None = None,
+    angles: AngleUnit = "rad",
+    ax: Any = None,
     progress: Progress = False,
 ) -> Picture:
     """The error of central differences against exact derivatives, by step.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and
-            radians).
-        overwrite: replace files that exist.
-        dark: draw for a dark background.
-        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the
-            text does not change [default: 480].
-        of: the outcomes, one or several [default: carry].
-        wrt: the parameters, one or several. Without: loft and attack angle, or the launch
-            conditions where these are given.
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    output : PathLike
+        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+    overwrite : bool
+        Replace files that exist.
+    dark : bool
+        Draw for a dark background.
+    width : int
+        The width of the picture in pixels; a PNG has twice the resolution. The size of the text
+        does not change [default: 480].
+    of : Names
+        The outcomes, one or several [default: carry].
+    wrt : Names
+        The parameters, one or several. Without: loft and attack angle, or the launch conditions if
+        they are given.
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    ax : matplotlib.axes.Axes
+        Axes in which the plot is drawn, in SI units and radians; the answer then has its data.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Picture
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> longdrive.plot.vcurve("tour-average", of="carry").form
+    '.svg'
     """
-    return ask("plot vcurve", locals(), picture)
+    return run_command("plot vcurve", locals(), picture)
 
 
 def laws(
@@ -387,35 +660,74 @@ def laws(
     over: Literal["spin-ratio", "reynolds"] | None = None,
     reynolds: Amount | None = None,
     spin_ratio: Amount | None = None,
+    angles: AngleUnit = "rad",
+    ax: Any = None,
     progress: Progress = False,
 ) -> Picture:
     """Laws of drag and lift over the spin ratio or the Reynolds number, with measured points.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and
-            radians).
-        overwrite: replace files that exist.
-        dark: draw for a dark background.
-        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the
-            text does not change [default: 480].
-        laws: the laws, one or several; "table" for your own of set aero.table. Without: all of
-            them.
-        show: the coefficient to draw [default: cd].
-        over: what to draw it over [default: spin-ratio].
-        reynolds: the Reynolds number, over the spin ratio [default: 1.5e5].
-        spin_ratio: the spin ratio, over the Reynolds number [default: 0.1].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    output : PathLike
+        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+    overwrite : bool
+        Replace files that exist.
+    dark : bool
+        Draw for a dark background.
+    width : int
+        The width of the picture in pixels; a PNG has twice the resolution. The size of the text
+        does not change [default: 480].
+    laws : Names
+        The laws, one or several; "table" for your own table of set aero.table [default: all laws].
+    show : Literal["cd", "cl"]
+        The coefficient to draw [default: cd].
+    over : Literal["spin-ratio", "reynolds"]
+        The horizontal axis [default: spin-ratio].
+    reynolds : Amount
+        The constant Reynolds number of a plot over the spin ratio [default: 1.5e5].
+    spin_ratio : Amount
+        The constant spin ratio of a plot over the Reynolds number [default: 0.1].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    ax : matplotlib.axes.Axes
+        Axes in which the plot is drawn, in SI units and radians; the answer then has its data.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Picture
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> longdrive.plot.laws().form
+    '.svg'
     """
-    return ask("plot laws", locals(), picture)
+    return run_command("plot laws", locals(), picture)
 
 
 def fairway(
@@ -434,42 +746,82 @@ def fairway(
     dark: bool = False,
     width: int | None = None,
     sigma: Given | None = None,
+    angles: AngleUnit = "rad",
+    ax: Any = None,
     progress: Progress = False,
 ) -> Picture:
-    """Where the drive and the best one land, from above at true scale, with the ellipses that hold
-    half and 95 % of the landings.
+    """The landings of the drive and of the optimum from above, at true scale, with the ellipses of
+    half and of 95 % of the landings.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        maximize: the outcome to maximize [default: carry, unless minimize is given].
-        minimize: the outcome to minimize.
-        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
-            20 deg and attack angle -5 to 5 deg].
-        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <=
-            apex_height <= 35 yd" or "lateral == 0 m"; every limit with its unit. Over many swings
-            also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g".
-        max_iterations: the largest number of iterations of a search [default: 500].
-        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and
-            radians).
-        overwrite: replace files that exist.
-        dark: draw for a dark background.
-        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the
-            text does not change [default: 480].
-        sigma: how much a parameter of the golfer varies from drive to drive, one standard
-            deviation, e.g. swing.face_angle=2deg. Repeatable; other parameters of swing, strike and
-            club have the default uncertainties of "longdrive sensitivity".
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    maximize : str
+        The outcome to maximize [default: carry, unless minimize is given].
+    minimize : str
+        The outcome to minimize.
+    vary : Given
+        A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
+        and attack angle -5 to 5 deg].
+    subject_to : Names
+        A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
+        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
+        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+    max_iterations : int
+        The largest number of iterations of a search [default: 500].
+    output : PathLike
+        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+    overwrite : bool
+        Replace files that exist.
+    dark : bool
+        Draw for a dark background.
+    width : int
+        The width of the picture in pixels; a PNG has twice the resolution. The size of the text
+        does not change [default: 480].
+    sigma : Given
+        The standard deviation of a parameter of the golfer from drive to drive, e.g.
+        swing.face_angle=2deg. Repeatable; other parameters of swing, strike and club have the
+        default uncertainties of "longdrive sensitivity".
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    ax : matplotlib.axes.Axes
+        Axes in which the plot is drawn, in SI units and radians; the answer then has its data.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Picture
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> longdrive.plot.fairway("tour-average", sigma={"swing.path": "1 deg"}).form
+    '.svg'
     """
-    return ask("plot fairway", locals(), picture)
+    return run_command("plot fairway", locals(), picture)
 
 
 def face(
@@ -482,30 +834,65 @@ def face(
     overwrite: bool = False,
     dark: bool = False,
     width: int | None = None,
+    angles: AngleUnit = "rad",
+    ax: Any = None,
     progress: Progress = False,
 ) -> Picture:
-    """The club face from the front: the strike, the sweet spot, rings of carry lost, and the side to
-    which the spin axis tilts.
+    """The club face from the front: the strike, the sweet spot, rings of carry lost, and the side
+    to which the spin axis tilts.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and
-            radians).
-        overwrite: replace files that exist.
-        dark: draw for a dark background.
-        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the
-            text does not change [default: 480].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    output : PathLike
+        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+    overwrite : bool
+        Replace files that exist.
+    dark : bool
+        Draw for a dark background.
+    width : int
+        The width of the picture in pixels; a PNG has twice the resolution. The size of the text
+        does not change [default: 480].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    ax : matplotlib.axes.Axes
+        Axes in which the plot is drawn, in SI units and radians; the answer then has its data.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Picture
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> longdrive.plot.face("tour-average").form
+    '.svg'
     """
-    return ask("plot face", locals(), picture)
+    return run_command("plot face", locals(), picture)
 
 
 def strike(
@@ -524,41 +911,81 @@ def strike(
     overwrite: bool = False,
     dark: bool = False,
     width: int | None = None,
+    angles: AngleUnit = "rad",
+    ax: Any = None,
     progress: Progress = False,
 ) -> Picture:
-    """Carry, lateral, ball speed and spin axis over the club face, of the drive as set up and of the
-    best one, or of two designs.
+    """Carry, lateral, ball speed and spin axis over the club face, for the drive as set up and for
+    the optimum, or for two designs.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        maximize: the outcome to maximize [default: carry, unless minimize is given].
-        minimize: the outcome to minimize.
-        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
-            20 deg and attack angle -5 to 5 deg].
-        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <=
-            apex_height <= 35 yd" or "lateral == 0 m"; every limit with its unit. Over many swings
-            also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g".
-        max_iterations: the largest number of iterations of a search [default: 500].
-        after: a preset or setup file of another design, drawn beside this one in place of the best
-            one, e.g. best.toml of "longdrive optimize -o".
-        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and
-            radians).
-        overwrite: replace files that exist.
-        dark: draw for a dark background.
-        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the
-            text does not change [default: 480].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    maximize : str
+        The outcome to maximize [default: carry, unless minimize is given].
+    minimize : str
+        The outcome to minimize.
+    vary : Given
+        A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
+        and attack angle -5 to 5 deg].
+    subject_to : Names
+        A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
+        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
+        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+    max_iterations : int
+        The largest number of iterations of a search [default: 500].
+    after : SetupLike
+        A preset or setup file of another design to draw in place of the optimum, e.g. best.toml of
+        "longdrive optimize -o".
+    output : PathLike
+        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+    overwrite : bool
+        Replace files that exist.
+    dark : bool
+        Draw for a dark background.
+    width : int
+        The width of the picture in pixels; a PNG has twice the resolution. The size of the text
+        does not change [default: 480].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    ax : matplotlib.axes.Axes
+        Axes in which the plot is drawn, in SI units and radians; the answer then has its data.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Picture
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> longdrive.plot.strike("tour-average").form
+    '.svg'
     """
-    return ask("plot strike", locals(), picture)
+    return run_command("plot strike", locals(), picture)
 
 
 def launch(
@@ -576,36 +1003,75 @@ def launch(
     overwrite: bool = False,
     dark: bool = False,
     width: int | None = None,
+    angles: AngleUnit = "rad",
+    ax: Any = None,
     progress: Progress = False,
 ) -> Picture:
-    """Carry over launch angle and backspin at the drive's ball speed, with its launch and the best
-    one.
+    """Carry over launch angle and backspin at the drive's ball speed, with the launches of the
+    drive and of the optimum.
 
-    Args:
-        setup: a setup, the name of a preset, a dict, or None for the preset tour-average.
-        launch: compute the flight of a ball with these launch conditions, as a launch monitor
-            reports them: ball_speed, launch_angle, launch_direction, and backspin with sidespin or
-            spin with spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They
-            replace those of the setup file.
-        tolerance: every length is within this length of its exact value, m or a text; without it 1
-            um where many drives are flown, unless the setup gives flight.method or flight.step.
-        own_step: integrate by flight.method and flight.step of the setup in every case.
-        maximize: the outcome to maximize [default: carry, unless minimize is given].
-        minimize: the outcome to minimize.
-        vary: a parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to
-            20 deg and attack angle -5 to 5 deg].
-        subject_to: a constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <=
-            apex_height <= 35 yd" or "lateral == 0 m"; every limit with its unit. Over many swings
-            also a relation with a name, linear in parameters, e.g. "budget: club.weight_1.mass +
-            club.weight_2.mass <= 20 g".
-        max_iterations: the largest number of iterations of a search [default: 500].
-        output: the file to write: .svg or .png for a picture, .csv for its data (SI units and
-            radians).
-        overwrite: replace files that exist.
-        dark: draw for a dark background.
-        width: the width of the picture in pixels; a PNG has twice the resolution. The size of the
-            text does not change [default: 480].
-        progress: True for a bar, or a function of parts done and parts in all, 0 of 0 while they
-            cannot be counted.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset tour-average.
+    launch : Given
+        Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+        ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+        spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+        of the setup file.
+    tolerance : Amount
+        The largest error of a length, m or a text; without it 1 um where many drives are flown,
+        unless the setup states flight.method or flight.step.
+    own_step : bool
+        Keep flight.method and flight.step of the setup.
+    maximize : str
+        The outcome to maximize [default: carry, unless minimize is given].
+    minimize : str
+        The outcome to minimize.
+    vary : Given
+        A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
+        and attack angle -5 to 5 deg].
+    subject_to : Names
+        A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
+        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
+        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+    max_iterations : int
+        The largest number of iterations of a search [default: 500].
+    output : PathLike
+        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+    overwrite : bool
+        Replace files that exist.
+    dark : bool
+        Draw for a dark background.
+    width : int
+        The width of the picture in pixels; a PNG has twice the resolution. The size of the text
+        does not change [default: 480].
+    angles : {"rad", "deg"}
+        The unit of angles without a unit.
+    ax : matplotlib.axes.Axes
+        Axes in which the plot is drawn, in SI units and radians; the answer then has its data.
+    progress : bool or callable
+        True for a bar, or a function of the parts done and all parts, 0 of 0 while they cannot be
+        counted.
+
+    Returns
+    -------
+    Picture
+        The answer.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    NoAnswerError
+        For a sound question without an answer.
+    Interrupted
+        After Ctrl-C, with the result so far.
+
+    Examples
+    --------
+    >>> import longdrive
+    >>> longdrive.plot.launch("tour-average").form
+    '.svg'
     """
-    return ask("plot launch", locals(), picture)
+    return run_command("plot launch", locals(), picture)

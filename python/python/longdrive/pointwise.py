@@ -1,4 +1,4 @@
-"""Outcomes with their derivatives at points of any shape: what bindings to other libraries call."""
+"""Outcomes with their derivatives at points of any shape, for bindings to other libraries."""
 
 from __future__ import annotations
 
@@ -15,26 +15,34 @@ from .types import Floats, Names, SetupLike
 __all__ = ["NO_THIRD", "OutcomeFunction", "Pointwise"]
 
 NO_THIRD = (
-    "longdrive.{}.outcome has exact first and second derivatives, and a third derivative was asked for; take it by differences of the Hessian: " "(hessian(x + h) - hessian(x - h)) / (2 h), with h of 1e-5 and 64-bit floats"
+    "longdrive.{}.outcome has exact first and second derivatives, and a third derivative was asked "
+    "for; take it by differences of the Hessian: (hessian(x + h) - hessian(x - h)) / (2 h), with h "
+    "of 1e-5 and 64-bit floats"
 )
-"""What is said of a third derivative."""
+"""The message for a third derivative."""
 
 
 class Pointwise:
-    """Outcomes of a setup as a function of some parameters, NaN where there is no drive. The step of the setup is kept, so that it is one smooth function."""
+    """Outcomes of a setup as a smooth function of parameters, NaN without a drive.
+
+    The step of the setup is kept: a step chosen for each batch would make the function depend on
+    the batch.
+    """
 
     def __init__(self, setup: SetupLike, of: Names, wrt: Names | None) -> None:
         self.setup = setup if isinstance(setup, _longdrive.Setup) else _longdrive.Setup(setup)
         self.is_single = isinstance(of, str) and of != "all"
-        asked = _longdrive.asked(self.setup, of, wrt)
-        self.of: list[str] = asked[0]
-        self.wrt: list[str] = asked[1]
+        names = _longdrive.asked(self.setup, of, wrt)
+        self.of: list[str] = names[0]
+        self.wrt: list[str] = names[1]
 
     def check(self, shape: tuple[int, ...], kind: str) -> None:
-        """One point has a number for each parameter.
+        """Checks the shape and the kind of numbers of one point.
 
-        Raises:
-            InputError: where it has not.
+        Raises
+        ------
+        InputError
+            For another shape or kind.
         """
         if shape != (len(self.wrt),):
             raise InputError(
@@ -44,16 +52,25 @@ class Pointwise:
             raise InputError(f"x is of kind '{kind}'; expected floats, in SI")
 
     def __call__(self, x: Any, order: int) -> list[Floats]:
-        """Values, and derivatives up to an order: shapes (…, outcomes), (…, outcomes, parameters), (…, outcomes, parameters, parameters).
+        """Values and derivatives.
 
-        Args:
-            x: shape (…, parameters).
-            order: 0, 1 or 2.
+        Parameters
+        ----------
+        x : Any
+            Points, shape (…, parameters).
+        order : int
+            The highest derivative: 0, 1 or 2.
+
+        Returns
+        -------
+        list[Floats]
+            Arrays of the shapes (…, outcomes), (…, outcomes, parameters) and (…, outcomes,
+            parameters, parameters).
         """
         lead = x.shape[:-1]
         rows = np.asarray(x, dtype=np.float64).reshape(-1, len(self.wrt))
         points = {name: rows[:, k] for k, name in enumerate(self.wrt)}
-        # an optimizer calls this very often: of what is to be warned, simulate and Setup.warnings tell
+        # an optimizer calls this very often: simulate and Setup.warnings have the warnings
         by = self.wrt if order else None
         table = computed(
             self.setup,
@@ -63,7 +80,7 @@ class Pointwise:
             tolerance=None,
             own_step=True,
             threads=0,
-            told=None,
+            show=None,
             hessians=order > 1,
         )
         found = [table.values, table.gradients if order else None, table.hessians]
@@ -71,7 +88,10 @@ class Pointwise:
 
 
 class OutcomeFunction:
-    """Outcomes of a setup as a function of x, of another library. It pickles as what it was made of, since its derivatives are functions within functions."""
+    """Outcomes of a setup as a function of another library.
+
+    Its arguments are pickled in place of it, because local functions do not pickle.
+    """
 
     def __init__(
         self,
@@ -89,10 +109,10 @@ class OutcomeFunction:
         return self._call(x)
 
     def __repr__(self) -> str:
-        return f"<{self._outcome.__module__}.outcome {', '.join(self._point.of)} of {', '.join(self._point.wrt)}>"
+        of, wrt = ", ".join(self._point.of), ", ".join(self._point.wrt)
+        return f"<{self._outcome.__module__}.outcome {of} of {wrt}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
         point = self._point
-        return (
-            self._outcome, (point.setup, point.of[0] if point.is_single else point.of, point.wrt)
-        )
+        of = point.of[0] if point.is_single else point.of
+        return (self._outcome, (point.setup, of, point.wrt))

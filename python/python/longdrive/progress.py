@@ -15,16 +15,18 @@ __all__ = ["Bar", "Progress", "follower"]
 Show = Callable[[int, int], Any]
 
 Progress = Union[bool, Show, None]
-"""Whether a bar is shown (by tqdm, if it is installed, in notebooks too), or a function that is called with how many parts of how many are
-done (0 of 0 while they cannot be counted: divide by what is not 0). None is False."""
+"""True for a bar (by tqdm, if it is installed, also in notebooks), or a function that is called with
+the parts done and all parts, 0 of 0 while they cannot be counted. None is False."""
 
 
 @contextmanager
 def follower(doing: str, progress: Progress) -> Iterator[Show | None]:
-    """What is to be called with the progress of some work; None where nobody looks.
+    """The function that shows the progress of some work; None without progress.
 
-    Raises:
-        InputError: for what is none of these.
+    Raises
+    ------
+    InputError
+        For an argument that is neither a switch nor a function.
     """
     if callable(progress):
         yield progress
@@ -49,7 +51,7 @@ def follower(doing: str, progress: Progress) -> Iterator[Show | None]:
 
 
 class Bar:
-    """Writes one line and replaces it, at most five times a second."""
+    """A line on standard error, written at most five times a second."""
 
     def __init__(self, what: str) -> None:
         self._what = what
@@ -58,7 +60,7 @@ class Bar:
 
     def __call__(self, done: int, total: int) -> None:
         now = time.monotonic() - self._began
-        # work that cannot be counted has no end of its own here
+        # work without countable parts does not report its end
         is_done = 0 < total <= done
         if now < self._next and not is_done:
             return

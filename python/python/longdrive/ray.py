@@ -1,4 +1,7 @@
-"""A sweep in parts as tasks of Ray. Every task writes its own file and returns a manifest row."""
+"""A sweep in parts as tasks of Ray.
+
+Every task writes its own file and returns its row of the manifest.
+"""
 
 from __future__ import annotations
 
@@ -10,21 +13,41 @@ from .types import SetupLike
 
 __all__ = ["sweep"]
 
-# tasks that are under way or wait, for each processor of the cluster
+# running and waiting tasks for each processor of the cluster
 _AHEAD = 4
 
 
 def sweep(setup: SetupLike = None, *, retries: int = 3, **question: Any) -> Parts:
-    """Computes all parts on the cluster that ``ray.init`` has joined.
+    """Computes all parts on the cluster of ``ray.init``.
 
-    Args:
-        setup: a setup, the name of a preset, or a dict.
-        retries: how often a part is tried again, after an error or the death of its worker.
-        question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`, `instructions`, …
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, or a dict.
+    retries : int
+        How often a part is tried again, after an error or the death of its worker.
+    question : Any
+        As :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`,
+        `instructions`, …
 
-    Raises:
-        InputError: for what is wrong with the question, before any part is sent.
-        PartError: for a part that could not be written.
+    Returns
+    -------
+    Parts
+        The parts.
+
+    Raises
+    ------
+    InputError
+        For bad arguments, before any part is sent.
+    PartError
+        For a part that could not be written.
+
+    Examples
+    --------
+    >>> import longdrive.ray
+    >>> longdrive.ray.sweep(over={"club.loft": "5deg..15deg:3000"}, parts=2)  # doctest: +SKIP
+    Traceback (most recent call last):
+    longdrive.errors.InputError: a sweep in parts needs output: the folder of the files ...
     """
     try:
         import ray

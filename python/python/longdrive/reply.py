@@ -1,26 +1,37 @@
-"""What commands answer."""
+"""The answers of the commands."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from html import escape
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 __all__ = ["Reply", "as_reply"]
 
 
 class Reply(dict[str, Any]):
-    """The answer of a command: what its ``--json`` prints, with attributes for the keys.
+    """The answer of a command: the content of its ``--json``, with attributes for the keys.
 
-    Numbers are SI; None stands where there is none. ``docs/json.md`` describes the keys of each command.
+    Numbers are SI; None is a missing value. ``docs/json.md`` describes the keys of each command.
     """
 
-    def __getattr__(self, name: str) -> Any:
-        try:
-            return self[name]
-        except KeyError:
-            kind, keys = type(self).__name__, ", ".join(self)
-            raise AttributeError(f"this {kind} has no {name!r}; it has {keys}") from None
+    command: str
+    """The name of the command."""
+    status: Any
+    """The end of the work in one word, such as ``done`` or ``converged``."""
+    message: Any
+    """The same in a sentence; None if there is nothing to say."""
+    warnings: list[str]
+    """Warnings about the question or the answer."""
+
+    if not TYPE_CHECKING:  # type checkers know the attributes of each answer
+
+        def __getattr__(self, name: str) -> Any:
+            try:
+                return self[name]
+            except KeyError:
+                kind, keys = type(self).__name__, ", ".join(self)
+                raise AttributeError(f"this {kind} has no {name!r}; it has {keys}") from None
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self]
@@ -37,25 +48,31 @@ class Reply(dict[str, Any]):
         return f"<{type(self).__name__}{lines}>"
 
     def _repr_html_(self) -> str:
-        return f"<table><tbody>{''.join(_row(key, value) for key, value in self.items())}</tbody></table>"
+        rows = "".join(_row(key, value) for key, value in self.items())
+        return f"<table><tbody>{rows}</tbody></table>"
 
 
-def as_reply(reply: Reply, _question: object) -> Reply:
-    """The answer of a function that answers as the program does."""
-    return reply
+R = TypeVar("R", bound=Reply)
+
+
+def as_reply(kind: type[R]) -> Callable[[Reply, object], R]:
+    """The function that makes an answer of this class."""
+    return lambda reply, _request: kind(reply)
 
 
 def _row(key: str, value: Any) -> str:
-    return f"<tr><th style='text-align:left'>{escape(key)}</th><td style='text-align:left'>{_cell(value)}</td></tr>"
+    style = "style='text-align:left'"
+    return f"<tr><th {style}>{escape(key)}</th><td {style}>{_cell(value)}</td></tr>"
 
 
 def _cell(value: Any) -> str:
     if isinstance(value, Mapping):
         inner = "".join(_row(str(key), part) for key, part in value.items())
+        if not value:
+            return ""
         return (
-            f"<details><summary>{len(value)}</summary><table><tbody>{inner}</tbody></table></details>"
-            if value
-            else ""
+            f"<details><summary>{len(value)}</summary><table><tbody>{inner}</tbody></table>"
+            "</details>"
         )
     if isinstance(value, list):
         if value and isinstance(value[0], Mapping):

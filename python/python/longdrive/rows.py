@@ -1,19 +1,18 @@
-"""Rows that a command has written."""
+"""The rows of shots that ``fly`` returns."""
 
 from __future__ import annotations
 
 import json
 
-from ._question import Question
+from .replies import FlyReply
 from .reply import Reply
+from .request import Request
 
 __all__ = ["flown"]
 
 
-def flown(reply: Reply, question: Question) -> Reply:
-    """The answer of ``fly``: without a file of its own, with the rows under ``shots``, a dict each, SI."""
-    path = question.scratch
-    if reply["file"] is None and path is not None and path.exists():
-        with path.open(encoding="utf-8") as file:
-            reply["shots"] = [json.loads(line) for line in file]
-    return reply
+def flown(reply: Reply, request: Request) -> FlyReply:
+    """The answer of ``fly``: without a file, with its rows under ``shots``, a dict each, SI."""
+    if reply["file"] is None and request.content:
+        reply["shots"] = [json.loads(line) for line in request.content.splitlines()]
+    return FlyReply(reply)

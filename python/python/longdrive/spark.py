@@ -1,4 +1,7 @@
-"""A sweep in parts on a cluster of Spark: ``mapInArrow`` over the numbers of the parts. Every row of what it gives is a manifest row."""
+"""A sweep in parts on a cluster of Spark: ``mapInArrow`` over the numbers of the parts.
+
+Every row of the result is a row of the manifest.
+"""
 
 from __future__ import annotations
 
@@ -20,9 +23,9 @@ __all__ = ["manifests", "sweep"]
 _COLUMNS = "part long, file string, rows long, bytes long, sha256 string, manifest string"
 
 
-def _writer(asked: Question) -> Callable[
-    [Iterable[pyarrow.RecordBatch]], Iterable[pyarrow.RecordBatch]
-]:
+def _writer(
+    asked: Question,
+) -> Callable[[Iterable[pyarrow.RecordBatch]], Iterable[pyarrow.RecordBatch]]:
     def write(batches: Iterable[pyarrow.RecordBatch]) -> Iterable[pyarrow.RecordBatch]:
         import pyarrow
 
@@ -36,28 +39,61 @@ def _writer(asked: Question) -> Callable[
 
 
 def manifests(spark: SparkSession, asked: Question) -> DataFrame:
-    """The parts as a DataFrame that writes them when it is computed: `part`, `file`, `rows`, `bytes`, `sha256`, and all of the manifest row as JSON.
+    """The parts as a DataFrame, which writes them when it is computed.
 
-    Args:
-        spark: the session. Every executor has longdrive and sees the folder under its name.
-        asked: the sweep.
+    Its columns are `part`, `file`, `rows`, `bytes`, `sha256`, and the row of the manifest as JSON.
+
+    Parameters
+    ----------
+    spark : SparkSession
+        The session. Every executor has longdrive, and the folder under the same name.
+    asked : Question
+        The sweep.
+
+    Returns
+    -------
+    DataFrame
+        The DataFrame.
     """
-    # a partition for each part: a task that fails costs one
+    # a partition for each part: a task that fails loses one part
     return spark.range(1, asked.parts + 1, 1, asked.parts).mapInArrow(_writer(asked), _COLUMNS)
 
 
 def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Parts:
-    """Computes all parts on a cluster of Spark, which tries a part again as often as ``spark.task.maxFailures`` says.
+    """Computes all parts on a cluster of Spark.
 
-    Args:
-        spark: the session. Every executor has longdrive, pandas and pyarrow in its Python, which ``PYSPARK_PYTHON`` names (without it the
-            ``python3`` of its path), and sees the folder `output` under its name.
-        setup: a setup, the name of a preset, or a dict.
-        question: as :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`, `instructions`, …
+    Spark tries a part ``spark.task.maxFailures`` times.
 
-    Raises:
-        InputError: for another kind of session, and for what is wrong with the question, before any part is sent.
-        PartError: for a part that could not be written.
+    Parameters
+    ----------
+    spark : SparkSession
+        The session. Every executor has longdrive, pandas and pyarrow in its Python, which
+        ``PYSPARK_PYTHON`` names (without it the ``python3`` of its path), and the folder `output`
+        under the same name.
+    setup : SetupLike
+        A setup, the name of a preset, or a dict.
+    question : Any
+        As :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`,
+        `instructions`, …
+
+    Returns
+    -------
+    Parts
+        The parts.
+
+    Raises
+    ------
+    InputError
+        For another kind of session, and for bad arguments, before any part is sent.
+    PartError
+        For a part that could not be written.
+
+    Examples
+    --------
+    >>> import longdrive.spark
+    >>> longdrive.spark.sweep(None)  # doctest: +SKIP
+    Traceback (most recent call last):
+    longdrive.errors.InputError: spark is a NoneType; expected a SparkSession ...
     """
     try:
         import pandas  # noqa: F401
@@ -71,7 +107,8 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
 
     if not callable(getattr(spark, "range", None)):
         raise InputError(
-            f"spark is {kind_of(spark)}; expected a SparkSession, as SparkSession.builder.getOrCreate() gives it"
+            f"spark is {kind_of(spark)}; expected a SparkSession, as "
+            "SparkSession.builder.getOrCreate() gives it"
         )
     asked = question_of(setup, question)
     try:
@@ -82,7 +119,7 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
 
 
 def _named(asked: Question, error: Exception) -> PartError:
-    """What a worker said, which Spark hands on as a text; the part is named in it."""
+    """The error of a worker. Spark keeps its text, which names the part."""
     mark = f" of {asked.parts}: "
     line = next((line for line in str(error).splitlines() if "part " in line and mark in line), "")
     number = line.partition(mark)[0].rpartition(" ")[2]

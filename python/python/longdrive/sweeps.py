@@ -1,21 +1,23 @@
-"""Sweeps: grids, quasi-random sequences and tables of points, into memory or into a file."""
+"""Sweeps over grids, quasi-random sequences and tables of points, into memory or a file."""
 
 from __future__ import annotations
 
 import os
-from typing import Union, overload
+from typing import Any, Union, overload
 
 from . import _longdrive
-from ._ask import ask
 from ._longdrive import Setup
-from ._question import Question
 from .arguments import count_of, refuse_idle_seed, switch_of
 from .batches import computed
 from .errors import InputError, interruptible, warn_of
 from .progress import Progress, follower
-from .reply import Reply, as_reply
+from .replies import SweepReply
+from .reply import as_reply
+from .request import Request
+from .run_command import run_command
 from .table import Table
-from .types import Amount, Given, Names, PathLike, SetupLike, TableLike
+from .tables import points_in_si
+from .types import Amount, AngleUnit, Given, Names, PathLike, SetupLike, TableLike
 
 __all__ = ["sweep"]
 
@@ -32,6 +34,7 @@ def sweep(
     wrt: Names | None = None,
     tolerance: Amount | None = None,
     own_step: bool = False,
+    angles: AngleUnit = "rad",
     threads: int = 0,
     output: None = None,
     progress: Progress = False,
@@ -50,12 +53,13 @@ def sweep(
     wrt: Names | None = None,
     tolerance: Amount | None = None,
     own_step: bool = False,
+    angles: AngleUnit = "rad",
     threads: int = 0,
     output: PathLike,
     resume: bool = False,
     overwrite: bool = False,
     progress: Progress = False,
-) -> Reply: ...
+) -> SweepReply: ...
 
 
 def sweep(
@@ -69,42 +73,80 @@ def sweep(
     wrt: Names | None = None,
     tolerance: Amount | None = None,
     own_step: bool = False,
+    angles: AngleUnit = "rad",
     threads: int = 0,
     output: PathLike | None = None,
     resume: bool = False,
     overwrite: bool = False,
     progress: Progress = False,
-) -> Union[Table, Reply]:
-    """Very many drives: the points of a grid, a quasi-random sequence or a table; the rows of ``longdrive sweep``, to the last bit.
+) -> Union[Table, SweepReply]:
+    """Very many drives at the points of a grid, a quasi-random sequence or a table.
 
+    The rows are those of ``longdrive sweep``, to the last bit.
+
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, or a dict.
+    over : Given | None
+        Parameters with tuples (low, high, count), numbers in SI, or texts such as
+        ``"5deg..15deg:101"``; the last parameter changes fastest. With `sample` (low, high).
+    sample : int | None
+        The number of points of a quasi-random (Sobol') sequence in the ranges of `over`.
+    seed : int | None
+        The seed of the sequence [default: 0].
+    points : TableLike | None
+        A table of points in place of `over`: a file, a dict of columns, a table of pandas, polars
+        or pyarrow, or a :class:`Table`, whose points are taken. The head of a column names its
+        unit, as ``club.loft [deg]``.
+    of : Names
+        Outcomes, a name or several; ``"all"`` for every one.
+    wrt : Names | None
+        Parameters to differentiate by, a name or several; ``"points"`` for those of the sweep;
+        without it no derivatives.
+    tolerance : Amount | None
+        The largest error of a length, m or a text; without it 1 µm, unless the setup states its
+        method or step.
+    own_step : bool
+        Keep ``flight.method`` and ``flight.step`` of the setup.
+    angles : AngleUnit
+        The unit of angles without a unit.
+    threads : int
+        The number of threads; 0 for the number of processors of this process.
+    output : PathLike | None
+        A file (.csv, .jsonl, .parquet) for the rows, written as they are computed; without it the
+        function returns them as a table.
+    resume : bool
+        Continue an unfinished file.
+    overwrite : bool
+        Replace a file that exists.
+    progress : Progress
+        True for a bar, or a function of the rows done and all rows.
+
+    Returns
+    -------
+    Union[Table, SweepReply]
+        The rows; with `output`, a summary.
+
+    Raises
+    ------
+    InputError
+        For bad input.
+    Interrupted
+        After Ctrl-C: for a table, with the rows that were done; for a file, `resume` continues.
+
+    Warns
+    -----
+    LongdriveWarning
+        Once, with all ``warnings`` of the table or the summary.
+
+    Examples
+    --------
     >>> import longdrive
-    >>> table = longdrive.sweep("tour-average", {"club.loft": ("8 deg", "12 deg", 5), "swing.speed": (45.0, 50.0, 3)}, wrt="points")
+    >>> over = {"club.loft": ("8 deg", "12 deg", 5), "swing.speed": (45.0, 50.0, 3)}
+    >>> table = longdrive.sweep("tour-average", over, wrt="points")
     >>> len(table), table.wrt
     (15, ('club.loft', 'swing.speed'))
-
-    Args:
-        setup: a setup, the name of a preset, or a dict.
-        over: parameters with tuples (low, high, count), numbers in SI, or a text like ``"5deg..15deg:101"``; the last changes fastest. With `sample`
-            (low, high).
-        sample: so many points of a quasi-random (Sobol') sequence in the ranges of `over`.
-        seed: another seed gives other points of the sample [default: 0].
-        points: a table of points in place of `over`: a file, a dict of columns, or a table of pandas, polars or pyarrow.
-        of: outcomes, a name or several; ``"all"`` for every one.
-        wrt: parameters to differentiate by, a name or several; ``"points"`` for those that are swept; without it no derivatives.
-        tolerance: lengths are within it of their exact values, m or a text; without it 1 µm, unless the setup says how to integrate.
-        own_step: whether ``flight.method`` and ``flight.step`` of the setup are kept.
-        threads: how many; 0 for as many as there are processors that this process may use.
-        output: a file (.csv, .jsonl, .parquet) that the rows are written into as they are computed; without it they are returned as a table.
-        resume: whether a file that was left unfinished is gone on with.
-        overwrite: whether a file that exists is replaced.
-        progress: True for a bar, or a function of rows done and rows in all.
-
-    Raises:
-        InputError: bad input, with the program's message.
-        Interrupted: where Ctrl-C was pressed: of a table with the rows that were done; a file is gone on with by `resume`.
-
-    Warns:
-        LongdriveWarning: once, with all of ``warnings`` of the table or the reply.
     """
     _refuse(
         over,
@@ -114,72 +156,89 @@ def sweep(
         output,
         switch_of("resume", resume) or switch_of("overwrite", overwrite),
     )
+    given: dict[str, Any] = {
+        "setup": setup,
+        "over": over,
+        "sample": sample,
+        "seed": seed,
+        "points": points,
+        "angles": angles,
+    }
     if output is not None:
-        by = {"gradient": True} if wrt == "points" else {"wrt": wrt}
+        by = {"gradient": True} if isinstance(wrt, str) and wrt == "points" else {"wrt": wrt}
         file = {
+            "of": of,
+            "tolerance": tolerance,
+            "own_step": own_step,
+            "threads": threads,
             "output": os.fspath(output),
             "resume": resume,
             "overwrite": overwrite,
             "progress": progress,
         }
-        given = {
-            "setup": setup,
-            "over": over,
-            "sample": sample,
-            "seed": seed,
-            "points": points,
-            "of": of,
-            **by,
-        }
-        return ask(
-            "sweep",
-            {**given, "tolerance": tolerance, "own_step": own_step, "threads": threads, **file},
-            as_reply,
-        )
-    import tempfile  # `import longdrive` does not wait for these
-    from pathlib import Path
-
-    with interruptible(
-        "longdrive.sweep was interrupted before the first row"
-    ), tempfile.TemporaryDirectory(prefix="longdrive-") as name:
-        question = Question("sweep", Path(name))
-        question.setup = setup if isinstance(setup, Setup) else Setup(setup)
-        table = None if points is None else question.file("points", points)
-        with question.named():
-            ranges_asked = question.texts("over", over)
-            if sample is not None:
-                _refuse_counts(ranges_asked)
-            at, ranges = _longdrive.plan(question.setup, ranges_asked, sample, seed or 0, table)
-        with follower("sweep", progress) as told:
-            found = computed(
-                question.setup,
+        return run_command("sweep", {**given, **by, **file}, as_reply(SweepReply))
+    with interruptible("longdrive.sweep was interrupted before the first row"):
+        setup = setup if isinstance(setup, Setup) else Setup(setup, angles=angles)
+        at, ranges, warnings = _points({**given, "setup": setup})
+        with follower("sweep", progress) as show:
+            table = computed(
+                setup,
                 at,
                 of,
                 wrt,
                 tolerance=tolerance,
                 own_step=own_step,
                 threads=threads,
-                told=told,
+                show=show,
                 ranges=ranges,
                 interrupted=_interrupted,
             )
-    warn_of(found.warnings, found, stacklevel=2)
-    return found
+    table.warnings[:0] = warnings
+    warn_of(table.warnings, table)
+    return table
+
+
+def _points(
+    given: dict[str, Any],
+) -> tuple[dict[str, Any], list[tuple[str, float, float]] | None, list[str]]:
+    """The points of a sweep by parameter, their ranges, and warnings about the arguments."""
+    in_si = points_in_si(given["points"])
+    if in_si is not None:
+        return in_si, None, []
+    request = Request("sweep", {name: given[name] for name in given if name != "sample"})
+    over = request.texts("over")
+    if given["sample"] is not None:
+        _refuse_counts(over)
+    table = request.values.get("points")
+    assert table is None or isinstance(table, str)
+    at, ranges = _longdrive.plan(
+        given["setup"],
+        over,
+        given["sample"],
+        given["seed"] or 0,
+        table,
+        request.files,
+        request.bare_angles,
+    )
+    return at, ranges, request.warnings
 
 
 def _interrupted(after: int, whole: int) -> str:
     return (
-        f"longdrive.sweep was interrupted after {after} of {whole} rows, which `table` of this exception has; the same call begins again; one with " "output=FILE keeps its rows, and goes on with resume=True"
+        f"longdrive.sweep was interrupted after {after} of {whole} rows, which `table` of this "
+        "exception has; the same call begins again; one with output=FILE keeps its rows, and goes "
+        "on with resume=True"
     )
 
 
 def _refuse_counts(over: list[str]) -> None:
-    """Ranges with a count, where a sample says how many points there are."""
+    """Refuses ranges with a count beside a sample, which has its own number of points."""
     counted = next((text for text in over if ":" in text), None)
     if counted is not None:
         without = counted.rpartition(":")[0]
         raise InputError(
-            f"the range {counted}: sample says how many points there are; write {without}, or (low, high), without a count"
+            f"the range {counted}: sample says how many points there are; write {without}, or "
+            "(low, high), without a count"
         )
 
 
@@ -191,7 +250,7 @@ def _refuse(
     output: PathLike | None,
     is_of_file: bool,
 ) -> None:
-    """Arguments of which one would leave another without effect."""
+    """Refuses arguments of which one would leave another without effect."""
     if points is not None and over is not None:
         raise InputError("over and points both say what is swept; keep one of the two")
     if points is not None and sample is not None:
@@ -200,7 +259,8 @@ def _refuse(
         )
     if over is None and points is None:
         raise InputError(
-            'nothing to sweep: give over, as in over={"club.loft": ("5 deg", "15 deg", 101)}, or points'
+            'nothing to sweep: give over, as in over={"club.loft": ("5 deg", "15 deg", 101)}, or '
+            "points"
         )
     if sample is not None:
         count_of("sample", sample, 1)

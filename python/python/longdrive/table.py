@@ -1,4 +1,4 @@
-"""Very many drives as a table: a status for each row, columns of outcomes and derivatives."""
+"""Tables of very many drives: a status for each row, columns of outcomes and derivatives."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from enum import IntEnum
 from functools import cached_property
 from html import escape
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -14,10 +14,10 @@ import numpy.typing as npt
 from . import _longdrive
 from ._longdrive import Setup
 from .arguments import kind_of, no_attribute
-from .described import name_or_carry
 from .errors import InputError, UnknownKeyError
+from .options import nearest_outcome
+from .quantities import elements_of
 from .types import Floats
-from .written import parts_of
 
 __all__ = ["Status", "Table"]
 
@@ -25,35 +25,52 @@ _SHOWN = 10
 
 
 class Status(IntEnum):
-    """How a drive of a table ended. NaN stands only in rows whose status says why."""
+    """The end of a drive of a table. A row with NaN has a status with the reason."""
 
     LANDED = 0
-    """On the ground: it has every outcome and derivative that was asked for."""
+    """The ball landed; the row has every requested outcome and derivative."""
     NO_FLIGHT = 1
-    """It left the face and did not fly. Outcomes of the launch only."""
+    """The ball left the face and did not fly. Outcomes of the launch only."""
     ALOFT = 2
-    """Still in the air at ``flight.time_limit``. Outcomes of the launch only."""
+    """The ball was in the air at ``flight.time_limit``. Outcomes of the launch only."""
     DIVERGED = 3
     """The numbers of the flight overflowed: ``flight.step`` is too coarse."""
     NO_STRIKE = 4
     """The club does not strike the ball."""
     OUT_OF_RANGE = 5
-    """A value of the row is NaN or outside its parameter's range, or the inertia tensor is one that no body can have."""
+    """A value is NaN or outside the range of its parameter, or the inertia tensor is impossible."""
     UNDEFINED = 6
-    """It landed, but something that was asked for does not exist: the direction of a vertical launch, the total of a ball that never stops."""
+    """The ball landed, but a requested number does not exist: the direction of a vertical launch, the
+    total of a ball that never stops."""
 
     @property
     def label(self) -> str:
-        """The status as files of the program have it: ``no-flight``."""
+        """The status as in files of the program: ``no-flight``."""
         return self.name.lower().replace("_", "-")
 
 
 class Table:
-    """Drives of a batch. ``table["carry"]`` is a column, ``table.derivative("carry", "club.loft")`` another, SI; all arrays are read-only.
+    """Drives of a batch, in columns of SI numbers. All arrays are read-only.
 
-    It hands itself to pandas, polars and pyarrow without a copy, by Arrow's C stream interface: ``polars.DataFrame(table)``,
-    ``pyarrow.table(table)``, ``pandas.DataFrame.from_arrow(table)``. What is NaN here is null there.
+    ``table["carry"]`` and ``table.derivative("carry", "club.loft")`` are columns, ``table[10:20]``
+    is a table of some rows. ``polars.DataFrame(table)``, ``pyarrow.table(table)`` and
+    ``pandas.DataFrame.from_arrow(table)`` share the memory, by Arrow's C stream interface; NaN is
+    null there. Functions that take points take a table.
+
+    Examples
+    --------
+    >>> import longdrive, numpy as np
+    >>> loft = np.radians([8.0, 10.5, 13.0])
+    >>> table = longdrive.batch("tour-average", {"club.loft": loft}, of=["carry", "spin"])
+    >>> table.keys()
+    ['club.loft', 'status', 'carry', 'spin']
+    >>> again = longdrive.batch("tour-average", table, of=["carry", "spin"])
+    >>> again == table
+    True
     """
+
+    # NumPy leaves operators with a table to the table: array == table is False
+    __array_ufunc__ = None
 
     def __init__(
         self,
@@ -74,24 +91,24 @@ class Table:
             if array is not None:
                 array.flags.writeable = False
         self.status = status
-        """How each drive ended: codes of :class:`Status`, shape (rows,), int8."""
+        """The end of each drive: codes of :class:`Status`, shape (rows,), int8."""
         self._columns = columns
         self._points = points
         self.of = tuple(of)
         """The outcomes."""
         self.wrt = tuple(wrt)
-        """The parameters they are differentiated by."""
+        """The parameters by which they are differentiated."""
         self.parameters = tuple(parameters)
-        """The parameters that have a value in each row."""
+        """The parameters with a value in each row."""
         self._units = tuple(units)
         self.hessians = hessians
-        """Second derivatives, shape (rows, outcomes, parameters, parameters); None where they were not asked for."""
+        """Second derivatives, shape (rows, outcomes, parameters, parameters), if requested."""
         self.first_row = first_row
-        """The number of its first row among all points."""
+        """The number of the first row among all points."""
         self.warnings = list(warnings)
-        """What a user should know about the drives."""
+        """Warnings about the drives."""
         self.setup = setup
-        """The setup that they have in common, without what the points give."""
+        """The setup of all drives, without the values of the points."""
 
     @property
     def values(self) -> Floats:
@@ -117,19 +134,24 @@ class Table:
         return {name: k for k, name in enumerate([*self.of, *derivatives])}
 
     def keys(self) -> list[str]:
-        """The names of its columns: the parameters, ``status``, the outcomes, and ``d_carry/d_club.loft`` for each derivative."""
+        """Names of the columns: parameters, ``status``, outcomes, derivatives.
+
+        A derivative is named ``d_carry/d_club.loft``.
+        """
         return [*self.parameters, "status", *self._names]
 
     @property
     def units(self) -> dict[str, str]:
-        """The SI unit of each column of numbers; that of a number without one is empty."""
+        """The SI unit of each column of numbers; empty for a number without a unit."""
         return dict(zip([*self.parameters, *self._names], self._units))
 
     def derivative(self, of: str, by: str) -> Floats:
         """The derivative of an outcome by a parameter, SI, shape (rows,).
 
-        Raises:
-            UnknownKeyError: for one that was not asked for; it says with what it is.
+        Raises
+        ------
+        UnknownKeyError
+            For a derivative that was not requested.
         """
         if of not in self.of:
             raise UnknownKeyError(
@@ -150,7 +172,8 @@ class Table:
                     )
                 )
             raise UnknownKeyError(
-                f"the table has no derivatives by '{by}'; it has {has}; ask for others with wrt, as in wrt='{by}'"
+                f"the table has no derivatives by '{by}'; it has {has}; ask for others with wrt, "
+                f"as in wrt='{by}'"
             )
         return self._column(f"d_{of}/d_{by}")
 
@@ -168,24 +191,36 @@ class Table:
             )
         return column
 
-    if not TYPE_CHECKING:  # what is no attribute is none to type checkers, too
+    if not TYPE_CHECKING:  # type checkers refuse unknown attributes, too
 
         def __getattr__(self, name: str) -> Any:
-            columns = f"columns go by name, as in table['{name_or_carry(name)}']"
             raise no_attribute(
                 self,
                 name,
-                f"{columns}; pandas.DataFrame.from_arrow(table) and polars.DataFrame(table) take all of it",
+                f"columns go by name, as in table['{nearest_outcome(name)}']; "
+                "pandas.DataFrame.from_arrow(table) and polars.DataFrame(table) take all of it",
             )
 
-    def __getitem__(self, key: str | slice) -> Any:
+    @overload
+    def __getitem__(  # type: ignore[overload-overlap]
+        self, key: Literal["status"]
+    ) -> npt.NDArray[np.int8]: ...
+
+    @overload
+    def __getitem__(self, key: str) -> Floats: ...
+
+    @overload
+    def __getitem__(self, key: slice) -> Table: ...
+
+    def __getitem__(self, key: str | slice) -> Union[Floats, npt.NDArray[np.int8], Table]:
         """A column by its name, or some rows as a table: views, not copies."""
         if isinstance(key, str):
             return self.status if key == "status" else self._column(key)
         if not isinstance(key, slice):
             kind = kind_of(key) if hasattr(key, "__len__") else repr(key)
             raise InputError(
-                f"a table has columns by name and rows by slice; {kind} is neither: index its columns, as in table['{self.of[0]}'][…]"
+                f"a table has columns by name and rows by slice; {kind} is neither: index its "
+                f"columns, as in table['{self.of[0]}'][…]"
             )
         start, _, step = key.indices(len(self))
         return Table(
@@ -235,25 +270,40 @@ class Table:
     __hash__ = None  # type: ignore[assignment]
 
     def to_dict(self) -> dict[str, Any]:
-        """The columns by name, as :meth:`keys` has them."""
+        """The columns by name, in the order of :meth:`keys`."""
         return {name: self[name] for name in self.keys()}
 
+    def to_pandas(self) -> Any:
+        """The columns as a ``pandas.DataFrame``; NaN is a missing value."""
+        import pandas
+
+        return pandas.DataFrame.from_arrow(self)
+
+    def to_polars(self) -> Any:
+        """The columns as a ``polars.DataFrame``; NaN is null."""
+        import polars
+
+        return polars.DataFrame(self)
+
     def counts(self) -> dict[str, int]:
-        """How many drives ended in which way: ``{"landed": 98, "no-flight": 2}``."""
+        """Numbers of drives by status: ``{"landed": 98, "no-flight": 2}``."""
         counts = np.bincount(self.status, minlength=len(Status))
         return {status.label: int(counts[status]) for status in Status if counts[status]}
 
     @staticmethod
     def concatenate(tables: Iterable[Table]) -> Table:
-        """One table of the rows of several, in their order: what was done before an interruption and what was done after it.
+        """One table with the rows of several, such as those before and after an interruption.
 
-        Raises:
-            InputError: where they are not of one question: the same outcomes, derivatives, parameters and setup; it names what differs.
+        Raises
+        ------
+        InputError
+            For tables of different outcomes, derivatives, parameters or setups.
         """
-        parts = parts_of(tables)
+        parts = elements_of(tables)
         if parts is None:
             raise InputError(
-                f"tables is {kind_of(tables)}; expected several tables, as in Table.concatenate([table, rest])"
+                f"tables is {kind_of(tables)}; expected several tables, as in "
+                "Table.concatenate([table, rest])"
             )
         tables = parts
         if not tables:
@@ -282,15 +332,27 @@ class Table:
         )
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (_unpickled, (dict(
-            status=self.status, columns=self._columns, points=self._points, of=self.of, wrt=self.wrt, parameters=self.parameters,
-            units=self._units, hessians=self.hessians, first_row=self.first_row, warnings=self.warnings, setup=self.setup,
-        ),))
+        fields = {
+            "status": self.status,
+            "columns": self._columns,
+            "points": self._points,
+            "of": self.of,
+            "wrt": self.wrt,
+            "parameters": self.parameters,
+            "units": self._units,
+            "hessians": self.hessians,
+            "first_row": self.first_row,
+            "warnings": self.warnings,
+            "setup": self.setup,
+        }
+        return (_unpickled, (fields,))
 
     def __array__(self, *_: object, **__: object) -> Any:
-        # as a sequence it would be an array of the names of its columns, and so would a DataFrame of it
+        # NumPy would make an array of the names of the columns
         raise InputError(
-            "a table is no one array: take columns by name, table.values or table.gradients; a DataFrame of it is pandas.DataFrame(dict(table)), or " "pandas.DataFrame.from_arrow(table)"
+            "a table is no one array: take columns by name, table.values or table.gradients; a "
+            "DataFrame of it is pandas.DataFrame(dict(table)), or "
+            "pandas.DataFrame.from_arrow(table)"
         )
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
@@ -306,7 +368,8 @@ class Table:
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{count} {label}" for label, count in self.counts().items())
-        return f"<longdrive.Table of {len(self)} drives ({counts or 'empty'}): {', '.join(self._names)}>"
+        columns = ", ".join(self._names)
+        return f"<longdrive.Table of {len(self)} drives ({counts or 'empty'}): {columns}>"
 
     def _repr_html_(self) -> str:
         names = self.keys()
@@ -325,11 +388,14 @@ class Table:
 
         rows = "".join(line(row) for row in range(min(_SHOWN, len(self))))
         caption = escape(repr(self).strip("<>"))
-        return f"<table><caption>{caption}</caption><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
+        return (
+            f"<table><caption>{caption}</caption><thead><tr>{head}</tr></thead>"
+            f"<tbody>{rows}</tbody></table>"
+        )
 
 
 def _refuse_difference(first: Table, other: Table, number: int) -> None:
-    """What differs between the question of the first of several tables and that of another."""
+    """Refuses another table that is not of the same question as the first."""
     told = {
         "outcomes": (first.of, other.of),
         "derivatives by": (first.wrt, other.wrt),
@@ -349,7 +415,8 @@ def _refuse_difference(first: Table, other: Table, number: int) -> None:
     shown = ", ".join(f"{name} = {here.get(name)} and {there.get(name)}" for name in names[:4])
     more = f", and {len(names) - 4} more" if len(names) > 4 else ""
     raise InputError(
-        f"tables 1 and {number} are of different setups: {shown}{more}; a table says of one setup what its points do: give what differs as a " "parameter of the points, or keep the tables apart"
+        f"tables 1 and {number} are of different setups: {shown}{more}; a table is of one setup: "
+        "give what differs as a parameter of the points, or keep the tables apart"
     )
 
 

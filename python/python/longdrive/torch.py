@@ -1,6 +1,6 @@
-"""Outcomes of a drive as functions of PyTorch, exact under ``autograd`` twice, ``torch.func.vmap``, ``grad``, ``jacrev``, ``jacfwd`` and ``hessian``.
+"""Outcomes as functions of PyTorch, with exact derivatives under ``autograd`` and ``torch.func``.
 
-PyTorch is not a dependency of longdrive: this module needs it, and the rest does not.
+Only this module needs PyTorch: ``pip install longdrive[torch]``.
 """
 
 from __future__ import annotations
@@ -19,25 +19,48 @@ from .types import Names, SetupLike
 __all__ = ["outcome"]
 
 
-def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> Callable[
-    [torch.Tensor], torch.Tensor
-]:
+def outcome(
+    setup: SetupLike, of: Names = "carry", wrt: Names | None = None
+) -> Callable[[torch.Tensor], torch.Tensor]:
     """An outcome, or several, as a function of PyTorch.
 
-    The function takes x, shape (parameters,), SI, and returns a tensor without dimensions, or for several outcomes one of shape
-    (outcomes,). Its first and second derivatives are exact; third ones are refused. ``torch.func.vmap`` makes one batched call of it, on
-    all processors. Where there is no drive (no flight, a value outside its range) it is NaN; :func:`longdrive.simulate` says why.
+    The function takes x, shape (parameters,), SI, and returns a tensor without dimensions, or for
+    several outcomes one of shape (outcomes,). Its first and second derivatives are exact under
+    ``autograd``, and ``vmap``, ``grad``, ``jacrev``, ``jacfwd`` and ``hessian`` of ``torch.func``;
+    third derivatives are refused. ``vmap`` makes one batched call on all processors. Without a
+    drive (no flight, a value outside its range) the value is NaN; :func:`longdrive.simulate` has
+    the reason.
 
-    The flight is integrated by ``flight.method`` and ``flight.step`` of the setup. Numbers have the precision of x: ``torch.float64`` gives
-    all digits. The function pickles, for processes and clusters.
+    The flight is integrated by ``flight.method`` and ``flight.step`` of the setup. Numbers have the
+    precision of x: ``torch.float64`` gives all digits. The function pickles, for processes and
+    clusters.
 
-    Args:
-        setup: a setup, the name of a preset, or a dict.
-        of: the outcome, or several.
-        wrt: the parameters in the order of x; without it loft and attack angle.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, or a dict.
+    of : Names
+        The outcome, or several.
+    wrt : Names | None
+        The parameters in the order of x; without it loft and attack angle.
 
-    Raises:
-        InputError: for a name that nothing bears; where x has another shape.
+    Returns
+    -------
+    Callable[[torch.Tensor], torch.Tensor]
+        The function.
+
+    Raises
+    ------
+    InputError
+        For an unknown name, and for x of another shape.
+
+    Examples
+    --------
+    >>> import torch, longdrive.torch
+    >>> carry = longdrive.torch.outcome("tour-average", "carry", ["club.loft", "swing.speed"])
+    >>> x = torch.tensor([0.18, 50.0], dtype=torch.float64)
+    >>> torch.func.grad(carry)(x).shape
+    torch.Size([2])
     """
     point = Pointwise(setup, of, wrt)
 
@@ -105,7 +128,7 @@ def outcome(setup: SetupLike, of: Names = "carry", wrt: Names | None = None) -> 
             return batched(Slopes, info, in_dims, x), (0, 0)
 
     def batched(function: Any, info: Any, in_dims: tuple[int | None, ...], x: torch.Tensor) -> Any:
-        # one call for all points: every result has their dimensions first
+        # one call for all points: the first dimensions of every result are theirs
         at = in_dims[0]
         return function.apply(
             x.expand(info.batch_size, *x.shape) if at is None else x.movedim(at, 0)

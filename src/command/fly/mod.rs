@@ -10,6 +10,7 @@ use crate::command::interrupt;
 use crate::command::output::{Answer, Warnings, system, tell, text_of};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
+use crate::input_file;
 use crate::parameters::{Law, Preset};
 #[cfg(feature = "parquet")]
 use crate::report::ShotParquet;
@@ -102,7 +103,7 @@ fn flying(request: &Request, setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) 
 
 /// Refuses a preset name given as the file of shots.
 fn refuse_preset(file: &Path) -> Result<()> {
-    if Preset::named(&file.to_string_lossy()).is_none() || file.exists() {
+    if Preset::named(&file.to_string_lossy()).is_none() || input_file::exists(file) {
         return Ok(());
     }
     let source = format!(

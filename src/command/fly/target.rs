@@ -82,9 +82,12 @@ impl Target {
         })
     }
 
-    /// The file, if the rows are written to one.
+    /// The file, if the rows are written to one on disk.
     pub fn file(&self) -> Option<&Path> {
-        self.destination.as_ref().map(Destination::path)
+        let destination = self.destination.as_ref();
+        destination
+            .filter(|destination| !destination.is_in_memory())
+            .map(Destination::path)
     }
 
     /// Returns true if no rows are written.

@@ -3,6 +3,7 @@
 use super::setting::is_of_step;
 use crate::command::running::running;
 use crate::command::wording::{advice_on, no_setup};
+use crate::input_file;
 use crate::parameters::{Law, PRESETS, Parameter, Preset, SetupFile};
 use crate::{Error, Result, Setup};
 use std::path::Path;
@@ -39,7 +40,9 @@ impl Source {
         let is_preset = Preset::named(argument).is_some();
         let (kind, content) = if !is_preset && argument == STANDARD_INPUT {
             (Kind::StandardInput, read_standard_input()?)
-        } else if !is_preset && (path.exists() || is_named_like_a_file && !argument.contains('=')) {
+        } else if !is_preset
+            && (input_file::exists(path) || is_named_like_a_file && !argument.contains('='))
+        {
             (Kind::File, read_file(path)?)
         } else {
             (Kind::Preset, read_preset(argument)?)
@@ -66,7 +69,7 @@ impl Source {
         let is_part_of_a_name = || rows().any(|row| row.name.contains(argument));
         Preset::named(argument).is_some()
             || argument == STANDARD_INPUT
-            || path.exists()
+            || input_file::exists(path)
             || is_written_like_a_file && !is_part_of_a_name()
     }
 

@@ -12,6 +12,7 @@ pub(crate) use surface::{Cell, Surface, cells_of};
 use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
 use crate::fingerprint::Fingerprint;
+use crate::input_file::InputFile;
 use read::Fault;
 use std::fmt;
 use std::path::{Path, absolute};
@@ -51,7 +52,7 @@ impl LawTable {
             place: fault.place,
             reason: fault.reason,
         };
-        let text = std::fs::read_to_string(path)
+        let text = InputFile::read_to_string(path)
             .map_err(|error| refuse(Fault::of_file(read_error_text(&error))))?;
         let nodes = read::nodes(&text).map_err(refuse)?;
         let absolute_path = absolute(path)

@@ -5,10 +5,10 @@ use super::rows::Rows;
 use super::shot_table::ShotTable;
 use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
+use crate::input_file::InputFile;
 use crate::parameters::Setup;
 use crate::shots::{Shots, is_json};
 use crate::table::{ClubColumns, Entry, RowFilter, TableOptions, Text, TextTable};
-use std::fs::File;
 use std::io::{Cursor, Read};
 use std::path::Path;
 
@@ -54,7 +54,7 @@ impl ShotTable {
         club: ClubColumns,
     ) -> Result<Self> {
         let file = path.display().to_string();
-        let source = File::open(path).map_err(|error| Error::Table {
+        let source = InputFile::open(path).map_err(|error| Error::Table {
             file: file.clone(),
             place: String::new(),
             reason: read_error_text(&error),

@@ -2,6 +2,7 @@ use super::golfer::{Correlation, Swings};
 use crate::batch::Points;
 use crate::error::{Error, Result};
 use crate::external_errors::{read_error_text, toml_error_text};
+use crate::input_file::InputFile;
 use crate::parameters::{Setup, in_file, place_in};
 use crate::study::uncertainty::Uncertain;
 use crate::table::open_table;
@@ -38,7 +39,7 @@ impl Swings {
             return recorded(setup, open_table(setup, path)?.as_mut(), path);
         }
         let file = path.display().to_string();
-        let text = std::fs::read_to_string(path).map_err(|error| Error::Unreadable {
+        let text = InputFile::read_to_string(path).map_err(|error| Error::Unreadable {
             name: format!("the swings in {file}"),
             source: read_error_text(&error).into(),
         })?;

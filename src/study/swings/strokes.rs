@@ -1,6 +1,7 @@
 use super::chained::chained;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
+use crate::input_file::InputFile;
 use crate::number::Taylor;
 use crate::units::Quantity;
 use std::path::Path;
@@ -75,10 +76,11 @@ impl Strokes {
             place,
             reason,
         };
+        let source =
+            InputFile::open(path).map_err(|error| refuse(String::new(), error.to_string()))?;
         let mut reader = csv::ReaderBuilder::new()
             .trim(csv::Trim::All)
-            .from_path(path)
-            .map_err(|error| refuse(String::new(), error.to_string()))?;
+            .from_reader(source);
         let heads = reader
             .headers()
             .map_err(|error| refuse(String::new(), error.to_string()))?

@@ -1,6 +1,7 @@
 use super::columns::{Columns, refused};
 use super::rows::Rows;
 use crate::error::{Error, Result};
+use crate::input_file::InputFile;
 use crate::parameters::{Parameter, Setup};
 use crate::table::column::Column;
 use crate::table::decimal_mark::DecimalMarkCheck;
@@ -9,7 +10,6 @@ use crate::table::records::cells;
 use crate::table::refusal::{NonShot, NonShotRows};
 use crate::table::text::{Entry, Text, TextTable, miscounted};
 use crate::units::Message;
-use std::fs::File;
 use std::path::{Path, PathBuf};
 
 /// Reads the rows of a CSV file. Heads are parameters with units (`club.loft [deg]`,
@@ -104,7 +104,7 @@ impl CsvRows {
 
 fn opened(setup: &Setup<f64>, path: &Path) -> Result<(TextTable, Head)> {
     let name = path.display().to_string();
-    let file = File::open(path).map_err(|error| {
+    let file = InputFile::open(path).map_err(|error| {
         refused(
             path,
             String::new(),

@@ -17,6 +17,7 @@ use crate::batch::Points;
 use crate::error::Result;
 #[cfg(not(all(feature = "arrow", feature = "parquet")))]
 use crate::features::how_to_get;
+use crate::input_file::table_extension;
 use crate::parameters::Setup;
 use columns::refused;
 #[cfg(any(feature = "arrow", feature = "parquet"))]
@@ -35,12 +36,7 @@ use std::path::Path;
 /// the wrong dimension; and a value that is missing, not a number, infinite, or whose decimal mark
 /// is uncertain.
 pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points + Send>> {
-    let ending = path
-        .extension()
-        .and_then(|ending| ending.to_str())
-        .unwrap_or_default()
-        .to_lowercase();
-    match ending.as_str() {
+    match table_extension(path).as_str() {
         "csv" => Ok(Box::new(Table::new(csv::CsvRows::open(setup, path)?)?)),
         #[cfg(feature = "parquet")]
         "parquet" => Ok(Box::new(Table::new(

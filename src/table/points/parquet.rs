@@ -1,17 +1,18 @@
 use super::pieces::Pieces;
 use crate::external_errors::{parquet_error_text, read_error_text};
+use crate::input_file::InputFile;
+use bytes::Bytes;
 use parquet::basic::{Compression, Type};
 use parquet::column::reader::ColumnReader;
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use std::collections::BTreeMap;
-use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 
 /// Reads a Parquet file by row groups.
 pub(super) struct ParquetPieces {
-    file: SerializedFileReader<File>,
+    file: Box<dyn FileReader>,
     /// Current row group, and number of its rows already read.
     group: usize,
     passed: usize,
@@ -68,8 +69,7 @@ impl ParquetPieces {
 
 impl Pieces for ParquetPieces {
     fn open(path: &Path) -> Result<Self, String> {
-        let file = SerializedFileReader::new(open_checked(path)?)
-            .map_err(|error| parquet_error_text(&error))?;
+        let file = reader(open_checked(path)?).map_err(|error| parquet_error_text(&error))?;
         Ok(Self {
             file,
             group: 0,
@@ -134,12 +134,22 @@ impl Pieces for ParquetPieces {
     }
 }
 
+fn reader(file: InputFile) -> Result<Box<dyn FileReader>, ParquetError> {
+    Ok(match file {
+        InputFile::Disk(file) => Box::new(SerializedFileReader::new(file)?),
+        InputFile::Memory(content) => {
+            let content = Bytes::from_owner(content.into_inner());
+            Box::new(SerializedFileReader::new(content)?)
+        }
+    })
+}
+
 /// Opens a file and checks the first and last bytes of the Parquet format.
-fn open_checked(path: &Path) -> Result<File, String> {
+fn open_checked(path: &Path) -> Result<InputFile, String> {
     const MAGIC: &[u8; 4] = b"PAR1";
     const ENCRYPTED: &[u8; 4] = b"PARE";
     let unreadable = |error: std::io::Error| read_error_text(&error);
-    let mut file = File::open(path).map_err(unreadable)?;
+    let mut file = InputFile::open(path).map_err(unreadable)?;
     let mut begins = vec![];
     file.by_ref()
         .take(4)

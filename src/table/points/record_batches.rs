@@ -1,4 +1,5 @@
 use crate::external_errors::{DAMAGED, arrow_error_text, read_error_text};
+use crate::input_file::InputFile;
 use crate::units::counted;
 use arrow_array::RecordBatch;
 use arrow_buffer::Buffer;
@@ -7,7 +8,6 @@ use arrow_ipc::reader::{RecordBatchDecoder, read_footer_length};
 use arrow_ipc::{Endianness, Message, MessageHeader, root_as_footer, root_as_message};
 use arrow_schema::Schema;
 use std::collections::HashMap;
-use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::Path;
@@ -23,7 +23,7 @@ const TAIL: usize = 10;
 /// Reads the record batches of an Arrow IPC file or stream. Lengths and offsets are checked against
 /// the file size first, because arrow-ipc panics if they are wrong.
 pub(super) struct RecordBatches {
-    file: File,
+    file: InputFile,
     schema: Arc<Schema>,
     /// End of the messages: end of the stream, or footer of the file.
     end: u64,
@@ -48,8 +48,8 @@ impl RecordBatches {
     /// Opens a file or stream; the error is a sentence.
     pub(super) fn open(path: &Path) -> Result<Self, String> {
         let unreadable = |error: std::io::Error| read_error_text(&error);
-        let mut file = File::open(path).map_err(unreadable)?;
-        let length = file.metadata().map_err(unreadable)?.len();
+        let mut file = InputFile::open(path).map_err(unreadable)?;
+        let length = file.size().map_err(unreadable)?;
         let mut magic = vec![];
         file.by_ref()
             .take(MAGIC.len() as u64)
@@ -69,7 +69,7 @@ impl RecordBatches {
         Self::of_stream(file, length)
     }
 
-    fn of_file(mut file: File, length: u64) -> Result<Self, String> {
+    fn of_file(mut file: InputFile, length: u64) -> Result<Self, String> {
         let cut_short = || {
             "it has no footer: it was cut short, or the program that wrote it did not close it"
                 .to_owned()
@@ -101,7 +101,7 @@ impl RecordBatches {
         })
     }
 
-    fn of_stream(file: File, length: u64) -> Result<Self, String> {
+    fn of_stream(file: InputFile, length: u64) -> Result<Self, String> {
         let schema = Arc::new(Schema::empty());
         let mut stream = Self {
             file,
@@ -265,7 +265,7 @@ fn read_schema(schema: Option<arrow_ipc::Schema>) -> Result<Arc<Schema>, String>
 }
 
 /// Reads a range that lies within the file.
-fn bytes(file: &mut File, part: Range<u64>) -> Result<Vec<u8>, String> {
+fn bytes(file: &mut InputFile, part: Range<u64>) -> Result<Vec<u8>, String> {
     let length =
         usize::try_from(part.end - part.start).map_err(|_| "it is too large for this machine")?;
     let mut bytes = vec![0; length];

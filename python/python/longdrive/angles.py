@@ -1,0 +1,136 @@
+"""Angles without a unit: radians, or degrees for ``angles="deg"``; a warning for likely degrees."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+from . import _longdrive
+from .arguments import shown
+from .errors import InputError, warn_of
+from .quantities import contains_quantities, is_quantity
+from .types import AngleUnit
+
+__all__ = [
+    "BareAngles",
+    "check_unit",
+    "columns_in_radians",
+    "suspicious",
+    "warn_of_angles",
+    "warnings_of",
+    "warnings_of_columns",
+]
+
+_LARGEST = 0.5
+"""Few angles of a drive are larger, rad."""
+
+
+def check_unit(angles: Any) -> AngleUnit:
+    """The unit of angles without a unit.
+
+    Raises
+    ------
+    InputError
+        For a value other than ``"rad"`` and ``"deg"``.
+    """
+    if angles not in ("rad", "deg"):
+        raise InputError(f"angles = {shown(angles)}; expected 'rad' or 'deg'")
+    unit: AngleUnit = angles
+    return unit
+
+
+def suspicious(values: Any) -> float | None:
+    """The largest of some angles in radians, if it was probably meant in degrees.
+
+    An angle above 0.5 rad is suspicious, unless it is a number of degrees with at most four
+    decimals: ``math.radians(40)`` was converted.
+    """
+    array = np.asarray(values, dtype=float)
+    if not array.size:
+        return None
+    # both reductions ignore NaN, and do not copy the array
+    ends = np.fmin.reduce(array, axis=None), np.fmax.reduce(array, axis=None)
+    largest = float(max(ends, key=abs))
+    if not math.isfinite(largest):
+        return None
+    degrees = math.degrees(largest)
+    is_converted = abs(degrees - round(degrees, 4)) < 1e-9 * abs(degrees)
+    return largest if abs(largest) > _LARGEST and not is_converted else None
+
+
+def warnings_of(angles: Iterable[tuple[str, Any]]) -> list[str]:
+    """A warning for each parameter whose angles in radians were probably meant in degrees."""
+    texts: dict[str, str] = {}
+    for name, values in angles:
+        angle = suspicious(values)
+        if angle is not None and name not in texts:
+            texts[name] = (
+                f"{name} = {angle:g} is {angle:g} rad: 1 rad is 57.3°; write '{angle:g} deg', or "
+                "angles='deg', if degrees are meant"
+            )
+    return list(texts.values())
+
+
+class BareAngles:
+    """Reads the angles without a unit of one call, and collects warnings about them."""
+
+    def __init__(self, angles: AngleUnit) -> None:
+        self.unit = check_unit(angles)
+        self._read: list[tuple[str, float]] = []
+
+    def read(self, name: str, number: float) -> float:
+        """An angle in radians."""
+        if self.unit == "deg":
+            return math.radians(number)
+        self._read.append((name, number))
+        return number
+
+    @property
+    def numbers(self) -> list[float]:
+        """The angles read so far, rad."""
+        return [number for _, number in self._read]
+
+    def warnings(self) -> list[str]:
+        """The warnings about the angles read so far."""
+        return warnings_of(self._read)
+
+
+def columns_in_radians(points: Mapping[str, Any], angles: AngleUnit) -> dict[str, Any]:
+    """Points of a batch with their angles in radians; texts with units stay."""
+    if check_unit(angles) == "rad":
+        return dict(points)
+    return {
+        name: np.radians(values)
+        if _longdrive.unit_of(name) == "rad" and _is_numeric(values)
+        else values
+        for name, values in points.items()
+    }
+
+
+def warnings_of_columns(points: Mapping[str, Any]) -> list[str]:
+    """Warnings about the angles of a batch, in radians.
+
+    The batch itself warns of values out of range.
+    """
+    return warnings_of(
+        (name, values)
+        for name, values in points.items()
+        if isinstance(name, str)
+        and _longdrive.unit_of(name) == "rad"
+        and _is_numeric(values)
+        and not _longdrive.is_out_of_range(name, suspicious(values) or 0.0)
+    )
+
+
+def _is_numeric(values: Any) -> bool:
+    if isinstance(values, str) or is_quantity(values) or contains_quantities(values):
+        return False
+    return np.asarray(values).dtype.kind in "fiu"
+
+
+def warn_of_angles(angles: Iterable[tuple[str, float]], answer: object) -> None:
+    """Warns of angles of a setup, in radians, that were probably meant in degrees."""
+    warn_of(warnings_of(angles), answer)

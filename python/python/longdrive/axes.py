@@ -1,0 +1,105 @@
+"""Plots in the axes of matplotlib, from the data of a plot."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .errors import InputError
+from .types import Floats
+
+__all__ = ["check_axes", "draw"]
+
+
+def check_axes(ax: Any) -> None:
+    """Checks the argument ``ax``.
+
+    Raises
+    ------
+    InputError
+        For an object without the methods of axes.
+    """
+    if not all(hasattr(ax, name) for name in ("plot", "fill_between", "set_xlabel")):
+        raise InputError(
+            f"ax = {ax!r}; expected axes of matplotlib, as in fig, ax = matplotlib.pyplot.subplots()"
+        )
+
+
+def draw(ax: Any, data: bytes, title: str) -> None:
+    """Draws a plot into axes, in SI units and radians.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        The axes.
+    data : bytes
+        The data of the plot as CSV: a row for each point, with the kind and name of its layer.
+    title : str
+        The title.
+    """
+    import csv
+    import io
+
+    heads, *rows = csv.reader(io.StringIO(data.decode("utf-8")))
+    layers: dict[tuple[str, str], list[list[str]]] = {}
+    for row in rows:
+        # the name of a bar is its place
+        name = "" if row[0] == "bar" else row[1]
+        layers.setdefault((row[0], name), []).append(row)
+    for (kind, name), members in layers.items():
+        columns = {
+            head: np.array([float(row[k] or "nan") for row in members])
+            for k, head in enumerate(heads)
+            if k >= 2
+        }
+        _draw_layer(ax, kind, name, columns, [row[1] for row in members])
+    places = [head for head in heads[2:] if not head.startswith("to ")]
+    ax.set_xlabel(places[0])
+    if len(places) > 1:
+        ax.set_ylabel(places[1])
+    ax.set_title(title)
+    if any(name for kind, name in layers if kind in ("line", "dots", "mark", "band")):
+        ax.legend()
+
+
+def _draw_layer(
+    ax: Any, kind: str, name: str, columns: dict[str, Floats], names: list[str]
+) -> None:
+    """Draws one layer."""
+    heads = [head for head in columns if not head.startswith("to ")]
+    x = columns[heads[0]]
+    y = columns[heads[1]] if len(heads) > 1 else x
+    label = name or None
+    if kind == "line":
+        ax.plot(x, y, label=label)
+    elif kind in ("dots", "mark"):
+        ax.plot(x, y, "o", label=label)
+    elif kind == "band":
+        ax.fill_between(x, y, columns[f"to {heads[1]}"], alpha=0.3, label=label)
+    elif kind == "bar":
+        ax.barh(names, columns[f"to {heads[0]}"] - x, left=x)
+    elif kind == "arrow":
+        to_x, to_y = columns[f"to {heads[0]}"], columns[f"to {heads[1]}"]
+        ax.quiver(x, y, to_x - x, to_y - y, angles="xy", scale_units="xy", scale=1)
+    elif kind == "region":
+        ax.plot(x, y, label=label)
+    elif kind == "frame":
+        to_x, to_y = columns[f"to {heads[0]}"], columns[f"to {heads[1]}"]
+        for left, low, right, high in zip(x, y, to_x, to_y):
+            ax.plot([left, right, right, left, left], [low, low, high, high, low], label=label)
+    else:
+        _draw_contours(ax, x, y, [columns[head] for head in heads[2:]])
+
+
+def _draw_contours(ax: Any, x: Floats, y: Floats, fields: list[Floats]) -> None:
+    """Draws the first field with values over a grid."""
+    for field in fields:
+        known = np.isfinite(field)
+        if known.any():
+            across, down = np.unique(x), np.unique(y)
+            grid = np.full((len(down), len(across)), np.nan)
+            grid[np.searchsorted(down, y), np.searchsorted(across, x)] = field
+            lines = ax.contour(across, down, grid)
+            ax.clabel(lines)
+            return

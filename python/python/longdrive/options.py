@@ -1,0 +1,72 @@
+"""The options of the commands, as the compiled module describes them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from . import _longdrive
+
+__all__ = ["Option", "nearest_outcome", "options_of"]
+
+
+@dataclass(frozen=True)
+class Option:
+    """An option of a command."""
+
+    name: str
+    """Its name on the command line, with underscores."""
+    argument: str
+    """The argument of the Python function."""
+    value: str
+    """The name of its value in the help: ``LENGTH``, ``NAME=LOW..HIGH``."""
+    takes: str
+    """The number of values: ``nothing``, ``one`` or ``several``."""
+    is_positional: bool
+    is_required: bool
+    default: str | None
+    help: str
+    """Its help, with the names of Python's arguments."""
+
+    @property
+    def has_default(self) -> bool:
+        """True if the option has a default, which its help may describe."""
+        return bool(self.default or "default" in self.help)
+
+    @property
+    def is_named(self) -> bool:
+        """True if values belong to the names of parameters or outcomes."""
+        return "=" in self.value
+
+
+@cache
+def options_of(command: str) -> dict[str, Option]:
+    """The options of a command such as ``plot contour``, by argument."""
+    name, _, below = command.partition(" ")
+    described = _described(_longdrive.described(), name)
+    if below:
+        described = _described(described["commands"], below)
+    return {option.argument: option for option in map(_option_of, described["options"])}
+
+
+def _described(commands: list[dict[str, Any]], name: str) -> dict[str, Any]:
+    return next(command for command in commands if command["name"] == name)
+
+
+def _option_of(described: dict[str, Any]) -> Option:
+    return Option(
+        name=described["name"].replace("-", "_"),
+        argument=described["argument"],
+        value=described["value"] or "",
+        takes=described["takes"],
+        is_positional=described["positional"],
+        is_required=described["required"],
+        default=described["default"],
+        help=described["words"].removesuffix(". Repeatable").replace(". Repeatable [", " ["),
+    )
+
+
+def nearest_outcome(name: str) -> str:
+    """An outcome for an example in a message: this one, or carry if there is no such outcome."""
+    return name if any(row["name"] == name for row in _longdrive.outcomes()) else "carry"

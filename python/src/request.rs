@@ -1,0 +1,87 @@
+//! Requests from Python: the typed values of `longdrive.values`.
+
+use crate::boundary::{Answer, Failure, answer, kind_of};
+use longdrive::command::{Call, Value};
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString};
+use std::ffi::OsString;
+
+/// The value of an argument.
+pub fn value_of(given: &Bound<'_, PyAny>) -> Answer<Value> {
+    if given.is_instance_of::<PyBool>() {
+        return Ok(Value::Switch(given.extract()?));
+    }
+    if given.is_instance_of::<PyString>() {
+        return Ok(Value::Text(given.extract::<OsString>()?));
+    }
+    if given.is_instance_of::<PyFloat>() {
+        return Ok(Value::Number(given.extract()?));
+    }
+    if given.is_instance_of::<PyInt>() {
+        // a number beyond 64 bits stays a text, which the command refuses
+        return Ok(match given.extract() {
+            Ok(number) => Value::Whole(number),
+            Err(_) => Value::Text(given.str()?.extract()?),
+        });
+    }
+    if let Ok(list) = given.cast::<PyList>() {
+        return Ok(Value::Several(values_of(list)?));
+    }
+    let attribute = |name: &str| given.getattr(name);
+    match given.get_type().name()?.to_str()? {
+        "Range" => Ok(Value::Range {
+            low: Box::new(value_of(&attribute("low")?)?),
+            high: Box::new(value_of(&attribute("high")?)?),
+            count: attribute("count")?.extract()?,
+        }),
+        "Distribution" => Ok(Value::Distribution(
+            attribute("kind")?.extract()?,
+            values_of(
+                attribute("numbers")?
+                    .cast::<PyList>()
+                    .map_err(PyErr::from)?,
+            )?,
+        )),
+        "Named" => Ok(Value::Named(
+            attribute("name")?.extract()?,
+            Box::new(value_of(&attribute("value")?)?),
+        )),
+        "Joined" => Ok(Value::Joined(values_of(
+            attribute("parts")?.cast::<PyList>().map_err(PyErr::from)?,
+        )?)),
+        _ => Err(Failure::Panic(format!(
+            "{} is no value of an argument",
+            kind_of(given)
+        ))),
+    }
+}
+
+fn values_of(given: &Bound<'_, PyList>) -> Answer<Vec<Value>> {
+    given.iter().map(|value| value_of(&value)).collect()
+}
+
+/// Arguments by the names of their options.
+pub fn arguments_of(given: &Bound<'_, PyDict>) -> Answer<Vec<(String, Value)>> {
+    given
+        .iter()
+        .map(|(name, value)| Ok((name.extract()?, value_of(&value)?)))
+        .collect()
+}
+
+/// The text of a value on the command line.
+#[pyfunction]
+pub fn text_of(value: &Bound<'_, PyAny>) -> PyResult<OsString> {
+    answer(|| Ok(value_of(value)?.text()))
+}
+
+/// The command line of a request, the name of the program first.
+#[pyfunction]
+pub fn words_of(command: String, arguments: &Bound<'_, PyDict>) -> PyResult<Vec<OsString>> {
+    answer(|| {
+        let call = Call {
+            command,
+            arguments: arguments_of(arguments)?,
+        };
+        Ok(call.words()?)
+    })
+}

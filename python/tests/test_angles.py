@@ -1,0 +1,98 @@
+"""Angles without a unit: radians, degrees by ``angles="deg"``, and a warning for likely degrees."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+import longdrive
+from longdrive import InputError, LongdriveWarning, Setup
+
+SMALL = {"swing.path": 1, "swing.face_angle": 1}
+
+SUSPICIOUS: list[Callable[[], Any]] = [
+    lambda: Setup(SMALL),
+    lambda: Setup().replace({"swing.path": 0.6}),
+    lambda: Setup() | SMALL,
+    lambda: longdrive.simulate(SMALL),
+    lambda: longdrive.batch(None, {"swing.path": [0.0, 1.0, -1.0]}),
+    lambda: longdrive.batch(None, {"swing.path": 1}),
+    lambda: longdrive.sweep(None, {"swing.attack_angle": (0.0, 1.0, 3)}),
+    lambda: longdrive.optimize("mae494", vary={"swing.attack_angle": (-1, 1)}),
+    lambda: longdrive.optimize({"preset": "mae494", "swing.path": 0.7}),
+    lambda: longdrive.delivery(ball_speed=67.0, launch_angle=0.8, spin=260.0),
+]
+
+
+@pytest.mark.parametrize("call", SUSPICIOUS)
+def test_a_large_bare_angle_warns_at_the_line_that_gave_it(call: Callable[[], Any]) -> None:
+    with pytest.warns(LongdriveWarning) as caught:
+        try:
+            call()
+        except longdrive.Error:
+            pass
+    told = next(one for one in caught if "1 rad is 57.3°; write '" in str(one.message))
+    assert told.filename == __file__
+    assert " deg'" in str(told.message) and "angles='deg'" in str(told.message)
+
+
+def test_exact_message_names_parameter_value_and_text_to_write() -> None:
+    with pytest.warns(LongdriveWarning) as caught:
+        setup = Setup(SMALL)
+    message = (
+        "swing.path = 1 is 1 rad: 1 rad is 57.3°; write '1 deg', or angles='deg', if degrees are "
+        "meant"
+    )
+    assert str(caught[0].message).split("\n")[0] == message
+    assert isinstance(caught[0].message, LongdriveWarning) and caught[0].message.answer == setup
+
+
+SOUND: list[Callable[[], Any]] = [
+    lambda: Setup({"club.loft": 0.2, "swing.attack_angle": -0.05}),
+    lambda: Setup({"club.loft": math.radians(40)}),
+    lambda: Setup(Setup({"club.loft": "40 deg", "wind.from": "200.5 deg", "wind.speed": 3}).to_dict()),
+    lambda: Setup({"swing.speed": 50, "club.loft": "40 deg"}),
+    lambda: longdrive.batch(None, {"club.loft": np.radians(np.linspace(5, 40, 36))}, of="spin"),
+    lambda: longdrive.sweep(None, {"club.loft": ("8 deg", "40 deg", 3)}, of="spin"),
+]
+
+
+@pytest.mark.parametrize("call", SOUND)
+def test_a_sound_angle_does_not_warn(call: Callable[[], Any]) -> None:
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        call()
+    assert not [one for one in caught if "57.3°" in str(one.message)]
+
+
+def test_same_results_in_degrees_and_radians() -> None:
+    degrees = Setup({"club.loft": 10.5, "swing": {"path": -2}}, angles="deg")
+    texts = Setup({"club.loft": "10.5 deg", "swing.path": "-2 deg"})
+    assert degrees == texts
+    assert texts.replace({"club.loft": 11}, angles="deg") == texts.replace({"club.loft": "11 deg"})
+    loft = [8.0, 10.0, 12.0]
+    table = longdrive.batch(None, {"club.loft": loft, "swing.speed": 50.0}, angles="deg")
+    same = longdrive.batch(None, {"club.loft": np.radians(loft), "swing.speed": 50.0})
+    assert np.array_equal(table["carry"], same["carry"])
+    swept = longdrive.sweep(None, {"club.loft": (8, 12, 3)}, angles="deg")
+    np.testing.assert_allclose(swept["club.loft"], np.radians(loft), rtol=1e-15)
+    best = longdrive.optimize("mae494", vary={"club.loft": (4, 20)}, angles="deg")
+    same_best = longdrive.optimize("mae494", vary={"club.loft": ("4 deg", "20 deg")})
+    assert best.fun == pytest.approx(same_best.fun, abs=1e-9)
+    with pytest.raises(InputError, match="angles = 'grad'; expected 'rad' or 'deg'"):
+        Setup({}, angles="grad")  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("truth", [True, np.True_])
+def test_a_truth_is_no_radian(truth: Any) -> None:
+    with pytest.raises(InputError, match="club.loft"):
+        Setup({"club.loft": truth})
+    with pytest.raises(InputError, match="club.loft"):
+        longdrive.batch(None, {"club.loft": truth})
+    with pytest.raises(InputError, match="club.loft"):
+        longdrive.optimize(vary={"club.loft": (truth, 0.2)})

@@ -1,0 +1,425 @@
+//! Requests of programs that embed the library: a command with its arguments by name, as typed
+//! values. Here they become the words of a command line, which clap reads.
+
+use super::args::Args;
+use crate::parameters::{Law, Parameter};
+use crate::units::Quantity;
+use crate::{Error, Outcome, Result, Setup};
+use clap::{Arg, ArgAction, CommandFactory};
+use std::ffi::OsString;
+
+/// A request: a command with arguments.
+///
+/// ```
+/// use longdrive::command::{Call, Value};
+/// let range = Value::Range {
+///     low: Box::new(Value::Number(0.1)),
+///     high: Box::new(Value::Text("20 deg".into())),
+///     count: None,
+/// };
+/// let call = Call {
+///     command: "optimize".into(),
+///     arguments: vec![("vary".into(), Value::Named("club.loft".into(), Box::new(range)))],
+/// };
+/// let words = call.words().unwrap();
+/// assert_eq!(words, ["longdrive", "optimize", "--vary=club.loft=0.1 rad..20 deg"]);
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Call {
+    /// The command, as on the command line: `optimize`, `plot contour`.
+    pub command: String,
+    /// Arguments by the names of their options, with underscores: `subject_to`.
+    pub arguments: Vec<(String, Value)>,
+}
+
+/// The value of an argument.
+#[derive(Clone, Debug)]
+pub enum Value {
+    /// On or off, as `overwrite`.
+    Switch(bool),
+    /// A text, as on the command line.
+    Text(OsString),
+    /// A whole number without a unit.
+    Whole(i64),
+    /// A number in the SI unit of its argument, parameter or outcome.
+    Number(f64),
+    /// A range, with the number of values if it has one.
+    Range {
+        /// The lower end: a number or a text.
+        low: Box<Value>,
+        /// The upper end.
+        high: Box<Value>,
+        /// The number of values, the ends included.
+        count: Option<u64>,
+    },
+    /// A distribution: its kind, and its numbers.
+    Distribution(String, Vec<Value>),
+    /// The value of a parameter or an outcome. Of several names, which commas separate, the value
+    /// has no unit.
+    Named(String, Box<Value>),
+    /// Several values of one argument.
+    Several(Vec<Value>),
+    /// Parts of one value, which commas separate: the changes that make a model.
+    Joined(Vec<Value>),
+}
+
+/// A call as words.
+pub(super) struct Written {
+    pub words: Vec<OsString>,
+    /// Angles without a unit, rad.
+    pub bare_angles: Vec<f64>,
+}
+
+impl Value {
+    /// The text of a value on the command line, such as `club.loft=0.1 rad..20 deg`.
+    pub fn text(&self) -> OsString {
+        Writer::default().text(self, None)
+    }
+}
+
+impl Call {
+    /// The words of the command line, the name of the program first.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] for an unknown command, and an argument that it does not have.
+    pub fn words(&self) -> Result<Vec<OsString>> {
+        Ok(self.written()?.words)
+    }
+
+    pub(super) fn written(&self) -> Result<Written> {
+        let unknown = |name: &str, what: String| Error::Unreadable {
+            name: name.into(),
+            source: what.into(),
+        };
+        let mut command = Args::command();
+        for name in self.command.split(' ') {
+            command = command
+                .find_subcommand(name)
+                .cloned()
+                .ok_or_else(|| unknown(&self.command, "no command has this name".into()))?;
+        }
+        for (name, _) in &self.arguments {
+            if !command.get_arguments().any(|arg| name_of(arg) == *name) {
+                let reason = format!("`{}()` has no such argument; leave it out", self.command);
+                return Err(unknown(name, reason));
+            }
+        }
+        let mut writer = Writer {
+            goal: self.goal(),
+            along: self.along(),
+            ..Writer::default()
+        };
+        let mut words = vec![OsString::from("longdrive")];
+        words.extend(self.command.split(' ').map(OsString::from));
+        for arg in command.get_arguments() {
+            let own = self
+                .arguments
+                .iter()
+                .filter(|(name, _)| name_of(arg) == *name);
+            for (_, value) in own {
+                writer.argument(arg, value, &mut words);
+            }
+        }
+        Ok(Written {
+            words,
+            bare_angles: writer.bare_angles,
+        })
+    }
+
+    /// The quantity of the goal of a search.
+    fn goal(&self) -> Option<Quantity> {
+        let text = self.arguments.iter().find_map(|(name, value)| match value {
+            Value::Text(text) if name == "maximize" || name == "minimize" => text.to_str(),
+            _ => None,
+        });
+        quantity_of_goal(text.unwrap_or("carry"))
+    }
+
+    /// The quantity of the parameter that `along` names, which places along it have.
+    fn along(&self) -> Option<Quantity> {
+        let (_, value) = self.arguments.iter().find(|(name, _)| name == "along")?;
+        let first = match value {
+            Value::Several(values) => values.first()?,
+            value => value,
+        };
+        match first {
+            Value::Named(name, _) => quantity_of(name),
+            Value::Text(text) => quantity_of(text.to_str()?.split('=').next()?.trim()),
+            _ => None,
+        }
+    }
+}
+
+/// The name of an argument: that of its option, with underscores.
+fn name_of(arg: &Arg) -> String {
+    arg.get_long()
+        .unwrap_or(arg.get_id().as_str())
+        .replace('-', "_")
+}
+
+/// The quantity of a goal such as `mean(carry) - 0.5*std(lateral)`: that of its first outcome. A
+/// share of drives and strokes have no unit.
+pub fn quantity_of_goal(goal: &str) -> Option<Quantity> {
+    let mut rest = goal;
+    while let Some(start) = rest.find(|c: char| c.is_ascii_lowercase()) {
+        rest = &rest[start..];
+        let end = rest
+            .find(|c: char| !c.is_ascii_lowercase() && c != '_')
+            .unwrap_or(rest.len());
+        let (word, behind) = rest.split_at(end);
+        rest = match word {
+            "within" | "strokes" => behind.split_once(')')?.1,
+            _ => behind,
+        };
+        if let Ok(outcome) = Outcome::named(word) {
+            return Some(outcome.quantity());
+        }
+    }
+    None
+}
+
+/// The parameter of a name, of any law.
+fn parameter(name: &str) -> Option<&'static Parameter> {
+    let of_any_law = || Law::all_rows().find(|row| row.name == name);
+    Setup::default().parameter(name).ok().or_else(of_any_law)
+}
+
+/// The quantity of a parameter or an outcome, whose SI unit a number without a unit has.
+pub fn quantity_of(name: &str) -> Option<Quantity> {
+    let of_outcome = || Outcome::named(name).ok().map(|outcome| outcome.quantity());
+    parameter(name)
+        .map(|parameter| parameter.quantity)
+        .or_else(of_outcome)
+}
+
+/// The quantity of an argument, by the name of its value in the help.
+pub(super) fn quantity_of_value(value_name: &str) -> Option<Quantity> {
+    Some(match value_name {
+        "LENGTH" => Quantity::LENGTH,
+        "SPEED" => Quantity::SPEED,
+        "ANGLE" => Quantity::ANGLE,
+        "SPIN" => Quantity::ANGULAR_VELOCITY,
+        _ => return None,
+    })
+}
+
+/// Writes values as words.
+#[derive(Default)]
+struct Writer {
+    goal: Option<Quantity>,
+    along: Option<Quantity>,
+    bare_angles: Vec<f64>,
+}
+
+impl Writer {
+    fn argument(&mut self, arg: &Arg, value: &Value, words: &mut Vec<OsString>) {
+        if let Value::Several(values) = value {
+            for value in values {
+                self.argument(arg, value, words);
+            }
+            return;
+        }
+        if let Value::Switch(false) = value {
+            return;
+        }
+        let mut word = match arg.is_positional() {
+            true => OsString::new(),
+            false => OsString::from(format!("--{}", arg.get_long().unwrap_or_default())),
+        };
+        let takes_value = !matches!(arg.get_action(), ArgAction::SetTrue | ArgAction::Count);
+        if takes_value && !matches!(value, Value::Switch(true)) {
+            if !arg.is_positional() {
+                word.push("=");
+            }
+            word.push(self.text(value, self.quantity(arg)));
+        }
+        words.push(word);
+    }
+
+    fn quantity(&self, arg: &Arg) -> Option<Quantity> {
+        match arg.get_value_names()?.first()?.as_str() {
+            "AMOUNT" => self.goal,
+            "VALUE,…" => self.along,
+            name => quantity_of_value(name),
+        }
+    }
+
+    /// A value as text; `quantity` is that of its numbers.
+    fn text(&mut self, value: &Value, quantity: Option<Quantity>) -> OsString {
+        match value {
+            Value::Switch(is_on) => is_on.to_string().into(),
+            Value::Text(text) => text.clone(),
+            Value::Whole(number) => number.to_string().into(),
+            Value::Number(number) => self.number(*number, quantity).into(),
+            Value::Range { low, high, count } => {
+                let mut text = self.text(low, quantity);
+                text.push("..");
+                text.push(self.text(high, quantity));
+                if let Some(count) = count {
+                    text.push(format!(":{count}"));
+                }
+                text
+            }
+            Value::Distribution(kind, numbers) => {
+                let mut text = OsString::from(format!("{kind}("));
+                for (at, number) in numbers.iter().enumerate() {
+                    text.push(if at == 0 { "" } else { "," });
+                    text.push(self.text(number, quantity));
+                }
+                text.push(")");
+                text
+            }
+            Value::Named(name, value) => {
+                let mut text = OsString::from(format!("{name}="));
+                text.push(self.text(value, quantity_of(name)));
+                text
+            }
+            Value::Several(values) | Value::Joined(values) => {
+                let texts: Vec<_> = values
+                    .iter()
+                    .map(|value| self.text(value, quantity))
+                    .collect();
+                texts.join(",".as_ref())
+            }
+        }
+    }
+
+    fn number(&mut self, number: f64, quantity: Option<Quantity>) -> String {
+        if quantity == Some(Quantity::ANGLE) {
+            self.bare_angles.push(number);
+        }
+        let unit = quantity.map_or("", |quantity| quantity.si);
+        format!("{number:?} {unit}").trim_end().to_owned()
+    }
+}
+
+/// The error of a value out of range, with the degrees that were probably meant by an angle without
+/// a unit.
+pub fn with_degrees(error: Error, bare_angles: &[f64]) -> Error {
+    let Error::OutOfRange {
+        name,
+        value,
+        range,
+        advice,
+    } = error
+    else {
+        return error;
+    };
+    let parameter = parameter(&name).or_else(|| parameter(&format!("launch.{name}")));
+    let is_angle = parameter.is_some_and(|parameter| parameter.quantity == Quantity::ANGLE);
+    // the message rounds the value
+    let told: Option<f64> = value.split(' ').next().and_then(|text| text.parse().ok());
+    let is_told = |number: &&f64| {
+        told.is_some_and(|told| is_angle && (told - **number).abs() <= 1e-5 * number.abs())
+    };
+    let meant = bare_angles.iter().find(is_told);
+    let advice = meant.map_or(advice, |number| {
+        format!("a number without a unit is SI; did you mean \"{number} deg\"?")
+    });
+    Error::OutOfRange {
+        name,
+        value,
+        range,
+        advice,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Call, Value, quantity_of_goal};
+    use crate::units::Quantity;
+
+    fn words(command: &str, arguments: Vec<(&str, Value)>) -> Vec<String> {
+        let arguments = arguments
+            .into_iter()
+            .map(|(name, value)| (name.into(), value));
+        let call = Call {
+            command: command.into(),
+            arguments: arguments.collect(),
+        };
+        let words = call.words().unwrap();
+        words
+            .into_iter()
+            .map(|word| word.into_string().unwrap())
+            .collect()
+    }
+
+    fn number(number: f64) -> Box<Value> {
+        Box::new(Value::Number(number))
+    }
+
+    #[test]
+    fn exact_numbers_have_the_si_unit_of_their_argument_parameter_or_goal() {
+        let change = Value::Named("swing.speed".into(), number(1.5));
+        let arguments = vec![
+            ("loss", Value::Number(1e-7)),
+            ("minimize", Value::Text("std(launch_angle)".into())),
+            ("change", Value::Several(vec![change])),
+            ("tolerance", Value::Number(0.001)),
+            ("max_iterations", Value::Whole(3)),
+            ("overwrite", Value::Switch(true)),
+            ("json", Value::Switch(false)),
+            ("setup", Value::Text("-".into())),
+        ];
+        let mut written = words("optimum-sensitivity", arguments);
+        written.sort();
+        let expected = [
+            "-",
+            "--change=swing.speed=1.5 m/s",
+            "--loss=1e-7 rad",
+            "--max-iterations=3",
+            "--minimize=std(launch_angle)",
+            "--overwrite",
+            "--tolerance=0.001 m",
+            "longdrive",
+            "optimum-sensitivity",
+        ];
+        assert_eq!(written, expected);
+    }
+
+    #[test]
+    fn exact_distributions_and_several_changes_are_one_word_each() {
+        let numbers = vec![Value::Text("1deg".into()), Value::Number(0.25)];
+        let distribution = Value::Distribution("normal".into(), numbers);
+        let distribution = Value::Named("swing.path".into(), Box::new(distribution));
+        let model = Value::Joined(vec![
+            Value::Named("aero.cd0".into(), number(0.2)),
+            Value::Named("club.loft".into(), number(0.2)),
+        ]);
+        let arguments = vec![
+            ("distribution", distribution),
+            ("model", Value::Several(vec![model])),
+        ];
+        let mut written = words("robust", arguments);
+        written.sort();
+        let expected = [
+            "--distribution=swing.path=normal(1deg,0.25 rad)",
+            "--model=aero.cd0=0.2,club.loft=0.2 rad",
+            "longdrive",
+            "robust",
+        ];
+        assert_eq!(written, expected);
+    }
+
+    #[test]
+    fn exact_goals_have_the_unit_of_their_first_outcome() {
+        assert_eq!(
+            quantity_of_goal("2*mean(carry) - std(lateral)"),
+            Some(Quantity::LENGTH)
+        );
+        assert_eq!(quantity_of_goal("within(lateral, 15yd)"), None);
+    }
+
+    #[test]
+    fn unknown_arguments_are_named() {
+        let call = Call {
+            command: "plot laws".into(),
+            arguments: vec![("sense".into(), Value::Switch(true))],
+        };
+        let message = call.words().unwrap_err().to_string();
+        assert_eq!(
+            message,
+            "sense: `plot laws()` has no such argument; leave it out"
+        );
+    }
+}
