@@ -35,6 +35,7 @@ type Plan<'py> = (Bound<'py, PyDict>, Vec<(&'static str, f64, f64)>);
 /// bare_angles
 ///     The angles in `over` that were given without a unit, rad.
 #[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "only longdrive.sweep calls it")]
 pub fn plan<'py>(
     py: Python<'py>,
     setup: &Bound<'py, PyAny>,

@@ -461,9 +461,7 @@ impl PySetup {
         if changes.cast::<PyMapping>().is_err() {
             return Ok(py.NotImplemented());
         }
-        Ok(self
-            .replace(py, Some(changes), None, None)?
-            .into_py_any(py)?)
+        self.replace(py, Some(changes), None, None)?.into_py_any(py)
     }
 
     /// The value of a parameter in SI, None where it is unset; a choice such as ``aero.law`` as a
