@@ -55,7 +55,7 @@ impl<T: Numbers> WindField<T> {
         self.profile.is_some()
     }
 
-    /// Velocity of the air, m/s, at a height, m.
+    /// Velocity of the air, m/s, at a `height` above the tee, m.
     #[inline(always)]
     pub fn at(&self, height: T) -> Vector<T> {
         match &self.profile {

@@ -170,7 +170,8 @@ impl Block {
         self.status[row]
     }
 
-    /// Validity limits of the model that a landed drive exceeds at launch.
+    /// Validity limits of the model that a landed drive exceeds. The ranges of the law are checked
+    /// at launch only.
     pub fn beyond(&self, row: usize) -> ExceededLimits {
         self.beyond[row]
     }
@@ -189,7 +190,8 @@ impl Block {
         Some(self.outcomes[outcome][row]).filter(|value| value.is_finite())
     }
 
-    /// Derivatives of all outcomes by all parameters, SI, by outcome, then parameter.
+    /// Derivatives of a row, SI: all outcomes by all parameters, sorted by outcome, then by
+    /// parameter.
     pub fn derivatives(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
         self.derivatives
             .iter()

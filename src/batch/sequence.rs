@@ -19,7 +19,8 @@ impl Sequence {
     /// points.
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a repeated parameter; [`Error::Nothing`] without ranges.
+    /// [`Error::SearchRange`] for a repeated parameter, or too many of them; [`Error::Nothing`]
+    /// without ranges.
     pub fn new(over: Vec<Vary>, rows: u64, seed: u32) -> Result<Self> {
         let parameters: Vec<_> = over.iter().map(|vary| vary.parameter).collect();
         refuse_repeated(&parameters)?;

@@ -96,7 +96,7 @@ impl<T: Numbers> Turf<T> {
         self.inertia / (self.inertia + 1.0)
     }
 
-    /// Position at rest, in the lanes of a mask.
+    /// Position at rest, in `lanes`.
     #[inline(always)]
     pub fn rest(&self, ball: &Landing<T>, lanes: T::Mask) -> Rest<T> {
         let Some(restitution) = self.restitution else {
@@ -257,7 +257,7 @@ struct Hop<T: Numbers> {
 }
 
 impl<T: Numbers> Hop<T> {
-    /// Displacement after a fraction of the duration, from 0 to 1.
+    /// Displacement after the fraction `part` of the duration, from 0 to 1.
     #[inline(always)]
     fn displacement(&self, part: f64) -> Vector<T> {
         let time = self.time * part;

@@ -148,8 +148,8 @@ impl Parameter {
         }
     }
 
-    /// The error for an unreadable text. For a word, such as a direction of the wind, it has the
-    /// meaning of the parameter, which tells what the numbers are.
+    /// The error for an unreadable text. For a word, such as a direction of the wind, the error
+    /// states the meaning of the parameter, which says what its numbers are.
     fn unreadable(&self, error: UnitError) -> Error {
         let is_word = |text: &str| text.starts_with(char::is_alphabetic);
         let source = match &error {
@@ -199,7 +199,7 @@ impl Setup<f64> {
 }
 
 impl<T: Copy> Setup<T> {
-    /// Sets parameters without checks; `value` returns the number for each index of the list.
+    /// Sets parameters without checks; `value` returns the number for each index of `parameters`.
     #[inline(always)]
     pub(crate) fn put(
         &mut self,
@@ -402,8 +402,8 @@ impl Setup<f64> {
     /// that others replace to its default.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`]; [`Error::OtherLaw`] for a coefficient of another law;
-    /// [`Error::Unreadable`] for `None` if the parameter needs a value.
+    /// [`Error::OutOfRange`]; [`Error::NotANumber`]; [`Error::OtherLaw`] for a coefficient of
+    /// another law; [`Error::Unreadable`] for `None` if the parameter needs a value.
     pub fn set_value(&mut self, parameter: &Parameter, value: Option<f64>) -> Result<()> {
         if let Some(value) = value {
             parameter.check(value)?;
@@ -445,8 +445,8 @@ impl Setup<f64> {
     /// together.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`], also for more than 1e8 steps; [`Error::Inertia`]; [`Error::Launch`];
-    /// [`Error::Together`].
+    /// [`Error::OutOfRange`], also for more than 1e8 steps; [`Error::NotANumber`];
+    /// [`Error::Inertia`]; [`Error::Launch`]; [`Error::Together`].
     pub fn validate(&self) -> Result<()> {
         self.validate_but_launch()?;
         self.check_launch(&[])?;

@@ -103,7 +103,8 @@ impl Vary {
     /// A parameter with a range in SI.
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a reversed or infinite range, [`Error::OutOfRange`].
+    /// [`Error::SearchRange`] for a reversed or infinite range, [`Error::OutOfRange`],
+    /// [`Error::NotANumber`].
     pub fn new(parameter: &'static Parameter, low: f64, high: f64) -> Result<Self> {
         parameter.check(low)?;
         parameter.check(high)?;

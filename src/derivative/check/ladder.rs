@@ -15,7 +15,7 @@ pub(super) const LEAST_STEP: f64 = 1e-6;
 /// rounding.
 const LEAST_LEFT: f64 = 1e-5;
 
-/// Range of steps at which second differences are pure rounding.
+/// Range of steps, relative to the scale, at which second differences are pure rounding.
 const ROUNDING_ONLY: std::ops::Range<f64> = 1e-12..2e-9;
 
 /// One step of a ladder with the function values on both sides. A value is `None` where the

@@ -81,7 +81,7 @@ pub struct Point {
 pub struct Check {
     /// Exact derivative.
     pub exact: f64,
-    /// Best estimate from differences; `None` if the function has no values on either side.
+    /// Best estimate from differences; `None` if there are too few values on both sides.
     pub best: Option<Estimate>,
     /// One-sided derivatives below and above the point, if they differ; `None` for a side without
     /// values.

@@ -187,8 +187,9 @@ fn check_between_nodes(
     Ok(())
 }
 
-/// Samples along one direction of a cell, 0 to 1 within it, and beyond it in the outermost cells
-/// (`at` of `count` lines). `zero` is the coordinate of zero speed or spin, the smallest possible.
+/// Samples along one direction of a cell, 0 to 1 within it, and beyond it in the outermost cells.
+/// `at` is the index of its first line among `count` lines. `zero` is the coordinate of zero speed
+/// or spin, the smallest possible.
 fn samples(at: usize, count: usize, zero: f64) -> impl Iterator<Item = f64> {
     const INTERVALS: usize = 8;
     let below = if at == 0 && count > 1 {
