@@ -27,7 +27,7 @@ impl Drop for PopOnDrop {
     }
 }
 
-/// Runs `work` on this thread with these files in memory.
+/// Runs `work` on this thread with `files` in memory.
 pub fn with_memory_files<T>(files: MemoryFiles, work: impl FnOnce() -> T) -> T {
     MEMORY.with_borrow_mut(|all| all.push(files));
     let _popped = PopOnDrop;

@@ -27,7 +27,7 @@ struct Profile<T> {
 }
 
 impl<T: Numbers> WindField<T> {
-    /// The wind of these parameters.
+    /// The wind of the parameters `wind` over `ground`.
     #[inline(always)]
     pub fn new(wind: &Wind<T>, ground: &Ground<T>) -> Self {
         let profile = wind.roughness.map(|roughness| {

@@ -21,8 +21,8 @@ pub enum Status {
     /// The club does not strike the ball: the strike is off the face, or the face moves away from
     /// the ball, or the bodies jam. No outcomes exist.
     NoStrike,
-    /// A value is outside its parameter's range, or the inertia tensor is impossible for a rigid
-    /// body. No outcomes exist.
+    /// A value is outside its parameter's range, or the inertia tensor is not positive definite. No
+    /// outcomes exist.
     OutOfRange,
 }
 
@@ -98,7 +98,7 @@ impl StatusCounts {
         self.beyond
     }
 
-    /// True if any drive has one of these outcomes, or if there are no drives. Outcomes of the
+    /// True if any drive has one of the outcomes `of`, or if there are no drives. Outcomes of the
     /// launch also exist for balls that do not land.
     pub fn has_any(&self, of: &[Outcome]) -> bool {
         let is_of_the_launch = of

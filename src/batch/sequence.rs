@@ -15,7 +15,7 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// Sequence of the first `rows` points over these ranges. Different seeds give different
+    /// Sequence of the first `rows` points over the ranges `over`. Different seeds give different
     /// points.
     ///
     /// # Errors

@@ -64,8 +64,8 @@ impl Drive<f64> {
         warnings
     }
 
-    /// The [`warnings`](Self::warnings) of a drive for these requested outcomes. If one of the
-    /// outcomes depends on the run, there is also a warning about a landing flatter than any
+    /// The [`warnings`](Self::warnings) of a drive, if the outcomes `of` are requested. If one of
+    /// the outcomes depends on the run, there is also a warning about a landing flatter than any
     /// measured bounce.
     pub fn warnings_about(&self, setup: &Setup<f64>, of: &[Outcome]) -> Vec<Message> {
         let mut warnings = self.warnings(setup);

@@ -40,7 +40,7 @@ struct StepEvents<M> {
 }
 
 impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
-    /// Integrates the flights of these lanes up to the landing. A lane flies if it starts above the
+    /// Integrates the flights of `lanes` up to the landing. A lane flies if it starts above the
     /// ground or upwards.
     #[inline(always)]
     pub(crate) fn integrate(
@@ -265,7 +265,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         lands
     }
 
-    /// The landing ball with this spin, rad/s.
+    /// State of the ball at landing, with `spin`, rad/s.
     #[inline(always)]
     pub(super) fn landing(&self, landed: &Landed<T>, spin: T) -> Landing<T> {
         Landing {

@@ -181,8 +181,8 @@ impl<T: Numbers> Turf<T> {
     }
 }
 
-/// Angle between the velocity of a landing ball and the ground of these slopes, rad; negative if the
-/// ball moves away from the ground.
+/// Angle between the `velocity` of a landing ball and ground with `slope` and `side_slope`, rad;
+/// negative if the ball moves away from the ground.
 pub(crate) fn angle_of_impact([slope, side_slope]: [f64; 2], velocity: Vector<f64>) -> f64 {
     let Slope { normal, .. } = Slope::new(slope, side_slope, 1.0);
     (-normal.dot(velocity) / velocity.norm()).asin()

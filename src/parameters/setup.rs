@@ -17,8 +17,8 @@ pub(crate) const NO_CLUB: &str =
 const LISTING: &str = "`parameters()` lists them all";
 
 impl Parameter {
-    /// Parses a value. With `bare`, a number without a unit is SI, like a bare number in a setup
-    /// file; otherwise the text needs a unit. `none` unsets an optional parameter.
+    /// Parses a value. With `bare`, a number without a unit is SI; otherwise a quantity with a
+    /// dimension needs its unit. `none` unsets an optional parameter.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for a wrong or missing unit, [`Error::OutOfRange`].
@@ -255,8 +255,9 @@ impl Setup<f64> {
         copy.slot(parameter)?.value()
     }
 
-    /// Sets a parameter, or the law, by name from a text such as `"10.5 deg"`. A quantity with a
-    /// dimension needs its unit; [`set_value`](Self::set_value) takes a number in SI.
+    /// Sets a parameter, or a choice such as the law, by name from a text such as `"10.5 deg"`. A
+    /// quantity with a dimension needs its unit; [`set_value`](Self::set_value) takes a number in
+    /// SI.
     ///
     /// # Errors
     /// [`Error::Unknown`], [`Error::OtherLaw`], [`Error::Unreadable`], [`Error::OutOfRange`];
@@ -289,7 +290,8 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Applies settings in order, but law and turf before their numbers.
+    /// Applies settings in order, but table, law and turf before the numbers, and resets (`none`)
+    /// after the numbers.
     ///
     /// # Errors
     /// The errors of [`set`](Self::set).
@@ -305,7 +307,7 @@ impl Setup<f64> {
     }
 
     /// Like [`set_all`](Self::set_all), for triples of a name, a text, and true if a number without
-    /// a unit is SI (as in a setup file).
+    /// a unit is SI.
     ///
     /// ```
     /// use longdrive::Setup;

@@ -34,7 +34,7 @@ impl Vary {
     }
 
     /// Like [`read`](Self::read), for a parameter that need not have a value in the setup, since
-    /// each drive gives one.
+    /// each drive of a batch has its own.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read) and [`Setup::column`].

@@ -107,8 +107,8 @@ impl Ladder {
         }
     }
 
-    /// Rounding error of the function at the centre: the largest second difference over steps so
-    /// small that curvature has no effect. At the end of the variable's range, the second
+    /// Rounding error of the function at the centre: half the largest second difference over steps
+    /// so small that curvature has no effect. At the end of the variable's range, the second
     /// difference uses two steps on one side.
     pub fn rounding(&self) -> f64 {
         let small: Vec<&Rung> = self

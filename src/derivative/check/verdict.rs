@@ -179,8 +179,9 @@ impl Ladder {
         NEXT_TO_NOTHING * self.size / self.scale
     }
 
-    /// One-sided derivatives, if they differ by more than their error estimates and by more than
-    /// the rounding of the function's terms over the smallest step.
+    /// One-sided derivatives, if they differ by more than ten times their error estimates, by more
+    /// than 1e-4 of their size, and by more than the rounding of the function's terms over the
+    /// smallest step.
     fn corner(&self) -> Option<[Option<f64>; 2]> {
         let (below, above) = (self.slope(Side::Below, 0.0)?, self.slope(Side::Above, 0.0)?);
         let distance = (above.value - below.value).abs();

@@ -193,7 +193,7 @@ fn cubic([here, there]: [f64; 2], [slope, end]: [f64; 2]) -> [f64; 4] {
     ]
 }
 
-/// Writes the slopes at the knots of the natural cubic spline through some values (no curvature at
+/// Writes the slopes at the knots of the natural cubic spline through `values` (no curvature at
 /// both ends). `place` maps a knot to the index of its value and slope in a table; `diagonal` is
 /// working memory.
 fn slopes(
