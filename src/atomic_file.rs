@@ -35,7 +35,7 @@ pub(crate) fn persist(
         return file.persist(at);
     }
     match file.persist_noclobber(at) {
-        // some file systems cannot rename without replacing in one step
+        // some file systems have no atomic rename that never replaces a file
         Err(failed) if failed.error.kind() != io::ErrorKind::AlreadyExists && !at.exists() => {
             failed.path.persist(at)
         }

@@ -1,7 +1,8 @@
 //! Separator of a table of text.
 
 /// Separator of the cells of a table, and the text after a line `sep=;`. The separator is stated in
-/// this line; otherwise it is the most frequent of tab, semicolon and comma in the head.
+/// this line; otherwise it is the most frequent of tab, semicolon and comma in the line of column
+/// heads.
 pub(crate) fn detect_separator(text: &str) -> (u8, &str) {
     let text = text.trim_start_matches('\u{feff}');
     if let Some(rest) = text.strip_prefix("sep=") {
@@ -15,7 +16,7 @@ pub(crate) fn detect_separator(text: &str) -> (u8, &str) {
         .find(|line| !line.starts_with('#') && !line.trim().is_empty())
         .unwrap_or_default();
     let count = |separator: &u8| head.bytes().filter(|byte| byte == separator).count();
-    // comma for a head of a single column: max_by_key returns the last of equal counts
+    // comma for a single column head: max_by_key returns the last of equal counts
     let separator = [b'\t', b';', b',']
         .into_iter()
         .max_by_key(count)

@@ -453,8 +453,8 @@ pub(crate) fn nearest<'a>(
 }
 
 /// Jaro–Winkler similarity of two names, 0 to 1. Names of the same group are compared without the
-/// group; a name without its group ("loft") is compared with the last part too; case does not
-/// count.
+/// group; a name without its group ("loft") is compared also with the last part of `known`; names
+/// that differ only in case have similarity 1.
 fn similarity(given: &str, known: &str) -> f64 {
     if given.eq_ignore_ascii_case(known) {
         return 1.0;

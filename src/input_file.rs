@@ -1,7 +1,7 @@
 //! Input files: on disk, or in memory.
 //!
-//! Every reader of tables, setups and swings opens its file here. A host without a disk, or with
-//! tables of its own, gives files in memory to a command: [`with_memory_files`].
+//! Every reader of tables, setups and swings opens its file here. A host program without a disk, or
+//! with tables of its own, gives files in memory to a command: [`with_memory_files`].
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -14,11 +14,11 @@ use std::sync::Arc;
 pub type MemoryFiles = HashMap<PathBuf, Arc<[u8]>>;
 
 thread_local! {
-    /// The files in memory of the work on this thread, the innermost last.
+    /// Files of the calls of [`with_memory_files`] on this thread, the innermost call last.
     static MEMORY: RefCell<Vec<MemoryFiles>> = const { RefCell::new(vec![]) };
 }
 
-/// Removes the files from their thread, also after a panic.
+/// Removes the files of the innermost call of [`with_memory_files`], also after a panic.
 struct PopOnDrop;
 
 impl Drop for PopOnDrop {
@@ -27,7 +27,7 @@ impl Drop for PopOnDrop {
     }
 }
 
-/// Runs `work` on this thread with these files in memory.
+/// Runs `work` on this thread with `files` in memory.
 pub fn with_memory_files<T>(files: MemoryFiles, work: impl FnOnce() -> T) -> T {
     MEMORY.with_borrow_mut(|all| all.push(files));
     let _popped = PopOnDrop;
@@ -90,7 +90,7 @@ impl InputFile {
     /// The size in bytes.
     ///
     /// # Errors
-    /// If the file system does not tell it.
+    /// If the file system does not report the size.
     #[cfg_attr(
         not(any(feature = "arrow", feature = "parquet")),
         expect(dead_code, reason = "for binary tables")

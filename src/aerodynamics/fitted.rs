@@ -81,8 +81,8 @@ impl Fitted {
             })
     }
 
-    /// How the law continues beyond these ends (below, above) of its ranges: "extrapolated", "held",
-    /// or "extrapolated or held".
+    /// How the law continues beyond `exceeded_ends`, the exceeded ends (below, above) of its
+    /// ranges: "extrapolated", "held", or "extrapolated or held".
     pub(crate) fn continuation(&self, exceeded_ends: [[bool; 2]; 4]) -> &'static str {
         let exceeded = exceeded_ends
             .as_flattened()
@@ -101,8 +101,8 @@ impl Fitted {
         }
     }
 
-    /// The ends (below, above) of the ranges that are exceeded, from the least and the greatest value
-    /// of each variable.
+    /// The ends (below, above) of the ranges that are exceeded, from `flown`, the least and the
+    /// greatest value of each variable.
     pub(crate) fn exceeded_ends(&self, flown: [[f64; 2]; 4]) -> [[bool; 2]; 4] {
         let ranges = self
             .ranges()

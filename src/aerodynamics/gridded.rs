@@ -51,7 +51,7 @@ fn grid_coefficients_inlined<T: Numbers>(
     }
 }
 
-/// Value of a variable of an axis in this stream.
+/// Value of `variable` in `stream`.
 #[inline(always)]
 fn value<T: Numbers>(variable: AxisVariable, stream: &Stream<T>) -> T {
     match variable {

@@ -128,8 +128,8 @@ pub trait AerodynamicLaw<T: Numbers> {
 impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        // copy the fields: with an outlined law the struct is in memory, and without a copy the
-        // results of the inlined laws would be there too
+        // copy the fields: a law that is not inlined returns its `Coefficients` in memory, and
+        // without a copy the coefficients of the inlined laws would be in memory too
         let (drag, lift) = with_law!(self, |law| {
             let found = law.coefficients(stream);
             (found.drag, found.lift)
@@ -165,8 +165,8 @@ mod tests {
         Stream::new(spin_ratio * speed / radius, speed, radius, 3000.0)
     }
 
-    /// C_D and C_L that docs/sources.md tabulates for the two laws at Re = 1.5e5, to one in the
-    /// last digit.
+    /// C_D and C_L that docs/sources.md tabulates for the two laws at Re = 1.5e5, to one unit of
+    /// the last digit.
     #[test]
     fn published_values_of_launch_monitor_and_ferguson() {
         let spin_ratios = [0.08, 0.10, 0.15, 0.20, 0.25, 0.30];

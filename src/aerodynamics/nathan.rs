@@ -5,7 +5,7 @@ use crate::parameters::Nathan;
 
 /// Values of Re/10⁵ between which the drag coefficient without spin falls from cd_low to cd_high.
 const FALLS: [f64; 2] = [0.5, 1.0];
-/// Width of the rounded corners at both ends, in Re/10⁵.
+/// Width of the rounded corners at both ends of `FALLS`, in Re/10⁵.
 const ROUNDED: f64 = 0.05;
 
 /// With r = Re/10⁵, C_D = cd_s s + c, with c = cd_low for r < 0.5, c = cd_high for r > 1 and c

@@ -29,10 +29,11 @@ impl<T: Numbers> CubicOrigin<T> {
     }
 }
 
-/// Spin ratio below which a power law, whose slope is infinite at 0, is replaced by the cubic.
+/// Spin ratio below which a power law, whose slope is infinite at 0, is replaced by a
+/// [`CubicOrigin`].
 const SMOOTH_BELOW: f64 = 0.001;
 
-/// C_L = factor s^exponent, replaced by the cubic for s < 0.001.
+/// C_L = factor s^exponent, replaced by a [`CubicOrigin`] for s < 0.001.
 #[inline(always)]
 pub(super) fn power<T: Numbers>(factor: T, exponent: T, s: T) -> T {
     let smooth = inlined!(|| {
@@ -53,8 +54,8 @@ pub(super) fn power<T: Numbers>(factor: T, exponent: T, s: T) -> T {
     )
 }
 
-/// C_L = c₀ + c₁ s + c₂ s² …, replaced by the cubic for s < join, because the polynomial gives lift
-/// without spin.
+/// C_L = c₀ + c₁ s + c₂ s² …, replaced by a [`CubicOrigin`] for s < `join`, because the polynomial
+/// gives lift without spin.
 #[inline(always)]
 pub(super) fn polynomial<T: Numbers, const N: usize>(c: [T; N], join: f64, s: T) -> T {
     let smooth = inlined!(|| {

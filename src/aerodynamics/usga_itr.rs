@@ -10,8 +10,8 @@ const SMOOTH_BELOW: f64 = 0.042;
 /// formula holds for s < 0.3.
 const LARGEST: f64 = 0.3;
 const HELD_OVER: f64 = 0.1;
-/// Start and width of the lower clamp of Re/10⁵: 1/r² makes the lift negative below. The slowest
-/// measured shots had 0.8.
+/// Start and width of the lower clamp of Re/10⁵: 1/r² makes the lift negative at lower values. In
+/// the slowest measured shots Re/10⁵ was 0.8.
 const SMALLEST: f64 = 0.6;
 const HELD_UNDER: f64 = 0.2;
 

@@ -82,7 +82,7 @@ fn saturation<T: Numbers>(temperature: T, pressure: T) -> T {
     enhancement * exponent.exp() / pressure
 }
 
-/// Density of moist air with 400 ppm of carbon dioxide and this mole fraction of water vapour
+/// Density of moist air with 400 ppm of carbon dioxide and the mole fraction `vapour` of water
 /// (CIPM-2007, eqs. 1 and A1.4; docs/model.md, eqs. 12a, 12b).
 #[inline(always)]
 fn density<T: Numbers>(temperature: T, pressure: T, vapour: T) -> T {

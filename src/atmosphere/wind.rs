@@ -27,7 +27,7 @@ struct Profile<T> {
 }
 
 impl<T: Numbers> WindField<T> {
-    /// The wind of these parameters.
+    /// The wind of the parameters `wind` over `ground`.
     #[inline(always)]
     pub fn new(wind: &Wind<T>, ground: &Ground<T>) -> Self {
         let profile = wind.roughness.map(|roughness| {
@@ -55,7 +55,7 @@ impl<T: Numbers> WindField<T> {
         self.profile.is_some()
     }
 
-    /// Velocity of the air, m/s, at a height, m.
+    /// Velocity of the air, m/s, at a `height` above the tee, m.
     #[inline(always)]
     pub fn at(&self, height: T) -> Vector<T> {
         match &self.profile {

@@ -21,8 +21,8 @@ pub enum Status {
     /// The club does not strike the ball: the strike is off the face, or the face moves away from
     /// the ball, or the bodies jam. No outcomes exist.
     NoStrike,
-    /// A value is outside its parameter's range, or the inertia tensor is impossible for a rigid
-    /// body. No outcomes exist.
+    /// A value is outside its parameter's range, or the inertia tensor is not positive definite. No
+    /// outcomes exist.
     OutOfRange,
 }
 
@@ -98,7 +98,7 @@ impl StatusCounts {
         self.beyond
     }
 
-    /// True if any drive has one of these outcomes, or if there are no drives. Outcomes of the
+    /// True if any drive has one of the outcomes `of`, or if there are no drives. Outcomes of the
     /// launch also exist for balls that do not land.
     pub fn has_any(&self, of: &[Outcome]) -> bool {
         let is_of_the_launch = of
@@ -170,7 +170,8 @@ impl Block {
         self.status[row]
     }
 
-    /// Validity limits of the model that a landed drive exceeds at launch.
+    /// Validity limits of the model that a landed drive exceeds. The ranges of the law are checked
+    /// at launch only.
     pub fn beyond(&self, row: usize) -> ExceededLimits {
         self.beyond[row]
     }
@@ -189,7 +190,8 @@ impl Block {
         Some(self.outcomes[outcome][row]).filter(|value| value.is_finite())
     }
 
-    /// Derivatives of all outcomes by all parameters, SI, by outcome, then parameter.
+    /// Derivatives of a row, SI: all outcomes by all parameters, sorted by outcome, then by
+    /// parameter.
     pub fn derivatives(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
         self.derivatives
             .iter()

@@ -21,7 +21,7 @@ pub struct Batch {
 }
 
 impl Batch {
-    /// Creates a batch of outcomes at points of some parameters, with derivatives by `wrt`.
+    /// Creates a batch of the outcomes `of` at points of `parameters`, with derivatives by `wrt`.
     ///
     /// # Errors
     /// Errors of [`Setup::validate`]; [`Error::Nothing`] without outcomes or swept parameters;

@@ -14,7 +14,7 @@ use crate::parameters::{Parameter, Setup};
 const MAX_HALVINGS: usize = 12;
 
 impl Batch {
-    /// Computes the drives of some points, given row by row.
+    /// Computes the drives of `points`, given row by row.
     ///
     /// # Panics
     /// If the last point is incomplete.

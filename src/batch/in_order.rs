@@ -50,7 +50,7 @@ pub(crate) fn in_order<T: Send, R: Send>(
                     Ok(Some(chunk)) => {
                         let (finished, work) = (finished.clone(), &work);
                         scope.spawn(move |_| {
-                            // the receiver is gone after an error of the sink
+                            // `results` is dropped after an error of `sink`
                             let _ = finished
                                 .send((begun, catch_unwind(AssertUnwindSafe(|| work(chunk)))));
                         });

@@ -191,8 +191,8 @@ impl LaneBatch<'_> {
         }
     }
 
-    /// Sets the swept parameters to the values of a group of rows; `directions` seeds those of
-    /// differentiation.
+    /// Sets the swept parameters to the values of a group of rows; `directions` has the direction
+    /// in which a swept parameter is seeded, if it is one of `wrt`.
     #[inline(always)]
     fn put_group<J: Lanes>(
         &self,

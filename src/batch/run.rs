@@ -166,7 +166,8 @@ pub fn gradient_batch(
     )
 }
 
-/// Shared code, not generic over the sink, so that it is compiled once.
+/// Common code of [`simulate_batch`] and [`gradient_batch`], not generic over the sink, so that it
+/// is compiled once.
 fn of_batch(
     batch: &Batch,
     points: &mut dyn Points,

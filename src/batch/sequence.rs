@@ -15,11 +15,12 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// Sequence of the first `rows` points over these ranges. Different seeds give different
+    /// Sequence of the first `rows` points over the ranges `over`. Different seeds give different
     /// points.
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a repeated parameter; [`Error::Nothing`] without ranges.
+    /// [`Error::SearchRange`] for a repeated parameter, or too many of them; [`Error::Nothing`]
+    /// without ranges.
     pub fn new(over: Vec<Vary>, rows: u64, seed: u32) -> Result<Self> {
         let parameters: Vec<_> = over.iter().map(|vary| vary.parameter).collect();
         refuse_repeated(&parameters)?;

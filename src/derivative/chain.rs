@@ -63,7 +63,7 @@ pub(super) fn derivatives(
     Ok(taylors)
 }
 
-/// Zero polynomial with this number of variables, up to the order of the point.
+/// Zero polynomial in `columns` variables, up to the order of `point`.
 fn zero(point: &Point<'_>, columns: usize) -> Taylor {
     Taylor::zero(columns, point.first_row.map_or(0, |_| columns))
 }

@@ -33,8 +33,8 @@ impl Directions<'_> {
         })
     }
 
-    /// Instruction level for these directions. AVX2 is chosen if its lanes suffice with the same
-    /// number type, because it is faster.
+    /// Instruction level for these directions, at most `level`. AVX2 is chosen if its lanes suffice
+    /// with the same number type, because AVX2 is then faster.
     pub fn level(&self, level: Level) -> Level {
         let count = self.variables.len() / if self.are_pairs { 2 } else { 1 };
         let lanes = Level::Avx2.width();

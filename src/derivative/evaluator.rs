@@ -106,7 +106,7 @@ impl Evaluator {
         &self.wrt
     }
 
-    /// Outcomes at these values of the parameters, SI.
+    /// Outcomes at the `values` of the parameters, SI.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] and [`Error::Inertia`] for impossible values; errors of

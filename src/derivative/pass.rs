@@ -27,7 +27,8 @@ pub(super) struct Point<'a> {
     pub columns: usize,
     /// First computed row (and column) of the Hessians; `None` for first order.
     pub first_row: Option<usize>,
-    /// True if an outcome belongs to the flight, the apex, or the run after landing.
+    /// `flies`, `has_apex`, `has_run`: true if an outcome belongs to the flight, depends on the
+    /// apex, or depends on the run after landing.
     pub flies: bool,
     pub has_apex: bool,
     pub has_run: bool,
@@ -40,7 +41,7 @@ pub(super) struct Point<'a> {
 pub(super) enum Stage<'a> {
     /// The whole drive.
     Whole,
-    /// Impact only; the components of the launch follow the outcomes.
+    /// Impact only; in `taylors` the components of the launch follow the outcomes.
     Impact,
     /// Flight only, from this launch.
     Flight(&'a [Taylor]),
@@ -57,8 +58,8 @@ impl Stage<'_> {
 }
 
 impl Point<'_> {
-    /// Computes the derivatives by some variables. `progress` receives the numbers of completed and
-    /// of all passes.
+    /// Writes the derivatives by `variables` to `taylors`. `progress` receives the numbers of
+    /// completed and of all passes.
     pub fn differentiate(
         &self,
         stage: Stage<'_>,
@@ -191,7 +192,8 @@ impl Pass<'_> {
         })
     }
 
-    /// The launch of all lanes: of the drive, or with these components.
+    /// The launch of all lanes: from `components` if only the flight is differentiated, otherwise
+    /// from `setup`.
     #[inline(always)]
     fn launch_state<J: Lanes>(
         &self,

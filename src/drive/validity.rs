@@ -9,8 +9,8 @@ use crate::number::Number;
 use crate::parameters::{Law, Setup};
 use crate::units::{Digits, Message, Quantity, counted_of};
 
-/// Smallest change of the carry by a variable outside the range of the law for which there is a
-/// warning, m: 0.3 yd.
+/// Smallest change of the carry, m, that causes a warning: 0.3 yd. The change is the effect of a
+/// variable outside the range of the law, or of the temperature of the ball.
 pub(super) const LEAST_WARNED_CHANGE: f64 = 0.3 * 0.9144;
 
 /// Width and height of the largest conforming head, m: 5 in from heel to toe, 2.8 in from sole to
@@ -47,7 +47,7 @@ pub(crate) fn flat_landing_angle<T: Number>(slopes: [f64; 2], landed: &Landed<T>
     Some(angle).filter(|angle| *angle < FLATTEST_MEASURED)
 }
 
-/// Appends the limit and the warning about flat landings to a message.
+/// Appends [`FLATTEST_MEASURED`] and the warning about flat landings to a message.
 pub(super) fn with_flat_landing_warning(before: Message) -> Message {
     before
         .quantity(
@@ -74,7 +74,7 @@ pub struct ExceededLimits {
     pub flat: bool,
 }
 
-/// Part of a drive whose validity is checked.
+/// Part of a drive in which the ranges of the law are checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CheckScope {
     /// The launch only: cheap enough for every drive of a batch.
@@ -84,7 +84,8 @@ pub enum CheckScope {
 }
 
 impl Drive<f64> {
-    /// Validity limits that the drive of this setup exceeds, if these outcomes are requested.
+    /// Validity limits that the drive of this setup exceeds, if the outcomes `of` are requested.
+    /// The ranges of the law are checked in `scope`.
     pub fn exceeded_limits(
         &self,
         setup: &Setup<f64>,
@@ -118,7 +119,7 @@ pub struct ExceededCount {
     pub all: u64,
     /// Drives outside the ranges of the law.
     pub law: u64,
-    /// Drives struck outside any face.
+    /// Drives struck outside the largest face that the Rules of Golf allow.
     pub face: u64,
     /// Drives that landed flatter than any measured bounce.
     pub flat: u64,
@@ -160,7 +161,7 @@ impl ExceededCount {
 pub struct ExceededShare {
     /// Share of drives outside the ranges of the law.
     pub law: f64,
-    /// Share of drives struck outside any face.
+    /// Share of drives struck outside the largest face that the Rules of Golf allow.
     pub face: f64,
     /// Share of drives that land flatter than any measured bounce.
     pub flat: f64,

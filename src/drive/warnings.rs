@@ -11,18 +11,18 @@ use crate::flight::{Flight, carry_by_holding, fly, trajectory};
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity};
 
-/// Smallest share of the flight time outside the range for which there is a warning where the law
-/// holds a variable.
+/// Smallest share of the flight time outside the range that causes a warning, for a variable that
+/// the law holds.
 const LEAST_WARNED_SHARE: f64 = 0.01;
 
 /// A variable of a flight outside the range that the law was fitted to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Extrapolated {
-    /// Its number in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
+    /// Index of the variable in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
     variable: usize,
     flown: FlownRange,
     /// Change of the carry, m, if the variable is held at the ends of the range; `None` if the law
-    /// holds it, and if a ball does not land.
+    /// itself holds the variable, or if one of the two flights does not land.
     change: Option<f64>,
 }
 
@@ -36,7 +36,7 @@ const TEN_DEGREES: f64 = 10.0 / 1.8;
 /// Temperature of the balls whose restitution was measured, K: 25 °C.
 const BALL_TEMPERATURE: f64 = 298.15;
 
-/// Largest shift of the landing by half the step, m, without a warning.
+/// Largest shift of the landing, m, without a warning, if the step is halved.
 const LARGEST_SHIFT: f64 = 1e-3;
 
 /// Values of a variable along a flight, and the range that the law was fitted to.
@@ -50,9 +50,10 @@ pub struct FlownRange {
 
 impl Drive<f64> {
     /// All warnings about a setup and its drive: the warnings about the setup, corners of the model
-    /// at this drive, a strike outside any face, a flight outside the ranges of the law, and a step
-    /// so long that the landing depends on it. The flight is computed again, so a search requests
-    /// the warnings for its result only.
+    /// at this drive, a strike outside the largest face that the Rules of Golf allow, a flight
+    /// outside the ranges of the law, a step so long that the landing depends on it, and a
+    /// temperature that would change the ball too. The flight is computed again, so a search
+    /// requests the warnings for its result only.
     pub fn warnings(&self, setup: &Setup<f64>) -> Vec<Message> {
         let mut warnings = setup.warnings();
         warnings.extend(self.corners(setup).into_iter().map(Message::from));
@@ -63,8 +64,8 @@ impl Drive<f64> {
         warnings
     }
 
-    /// The [`warnings`](Self::warnings) of a drive for these requested outcomes. If one of the
-    /// outcomes depends on the run, there is also a warning about a landing flatter than any
+    /// The [`warnings`](Self::warnings) of a drive, if the outcomes `of` are requested. If one of
+    /// the outcomes depends on the run, there is also a warning about a landing flatter than any
     /// measured bounce.
     pub fn warnings_about(&self, setup: &Setup<f64>, of: &[Outcome]) -> Vec<Message> {
         let mut warnings = self.warnings(setup);
@@ -157,8 +158,8 @@ impl Drive<f64> {
         })
     }
 
-    /// The largest change of the carry, m, by a variable outside the range of the law that is held
-    /// at its end; `None` if no variable changes the carry by more than 0.3 yd.
+    /// The largest change of the carry, m, if a variable outside the range of the law is held at
+    /// the end of that range; `None` if no variable changes the carry by more than 0.3 yd.
     pub fn extrapolated_carry(&self, setup: &Setup<f64>) -> Option<f64> {
         let changes = self.extrapolated(setup).into_iter();
         changes
@@ -166,8 +167,9 @@ impl Drive<f64> {
             .max_by(|a, b| a.abs().total_cmp(&b.abs()))
     }
 
-    /// The variables outside the ranges of the law that change the carry by more than 0.3 yd. A law
-    /// that holds a variable itself has no such change: the share of the time counts.
+    /// The variables outside the ranges of the law that change the carry by more than 0.3 yd. For a
+    /// variable that the law itself holds, the share of the flight time outside the range counts
+    /// instead ([`LEAST_WARNED_SHARE`]).
     fn extrapolated(&self, setup: &Setup<f64>) -> Vec<Extrapolated> {
         let fitted = setup.law.fitted();
         let ranges = fitted.ranges().map(|(.., range)| range);
@@ -199,8 +201,7 @@ impl Drive<f64> {
         flown.filter_map(one).collect()
     }
 
-    /// Warnings about variables outside the ranges that the law was fitted to, where this changes
-    /// the carry by more than 0.3 yd.
+    /// Warnings about the variables that [`extrapolated`](Self::extrapolated) returns.
     pub(super) fn law_warnings(&self, setup: &Setup<f64>) -> Vec<Message> {
         let fitted = setup.law.fitted();
         let name = setup.law.name();

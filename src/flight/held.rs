@@ -7,8 +7,7 @@ use crate::aerodynamics::{AerodynamicLaw, Coefficients, Published, Stream};
 use crate::launch::Launch;
 use crate::parameters::{Law, Setup};
 
-/// The variables of a law, in the order of
-/// [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
+/// Indices of the variables of a law in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
 const SPIN_RATIO: usize = 0;
 const SPIN: usize = 1;
 const REYNOLDS: usize = 2;
@@ -31,8 +30,8 @@ impl AerodynamicLaw<f64> for HeldLaw {
     }
 }
 
-/// The downrange carry, m, where a variable of the law is held within a range, in place of its
-/// value outside. `None` if the ball does not land.
+/// The downrange carry, m, of the flight in which `variable` of the law is held within `range`.
+/// `None` if the ball does not land.
 pub(crate) fn carry_by_holding(
     setup: &Setup<f64>,
     launch: &Launch<f64>,
@@ -53,7 +52,9 @@ pub(crate) fn carry_by_holding(
     result.has_landed.then_some(result.landed.carry)
 }
 
-/// A flow in which a variable is moved to the nearer end of a range, and the others stay.
+/// The flow `stream` with `variable` moved to the nearer end of the range. The Reynolds number and
+/// the airspeed stay unless they are `variable`; the spin follows from the spin ratio, and the spin
+/// ratio from the spin.
 fn hold(stream: Stream<f64>, variable: usize, [low, high]: [f64; 2]) -> Stream<f64> {
     let mut held = stream;
     match variable {

@@ -40,7 +40,7 @@ struct StepEvents<M> {
 }
 
 impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
-    /// Integrates the flights of these lanes up to the landing. A lane flies if it starts above the
+    /// Integrates the flights of `lanes` up to the landing. A lane flies if it starts above the
     /// ground or upwards.
     #[inline(always)]
     pub(crate) fn integrate(
@@ -191,7 +191,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         lanes
     }
 
-    /// Records the apex at s of a step, and ends the flights whose apex is not above the ground.
+    /// Records the apex at s of a step, and ends the flights that have never been above the ground.
     #[inline(always)]
     fn record_apex(
         &self,
@@ -265,7 +265,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         lands
     }
 
-    /// The landing ball with this spin, rad/s.
+    /// State of the ball at landing, with `spin`, rad/s.
     #[inline(always)]
     pub(super) fn landing(&self, landed: &Landed<T>, spin: T) -> Landing<T> {
         Landing {
@@ -280,7 +280,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     }
 
     /// Lanes whose step resolves the forces: drag and lift change the airspeed within it by less
-    /// than this fraction.
+    /// than the fraction `largest_relative_change`.
     #[inline(always)]
     fn is_resolved(&self, node: &Node<T>, h: f64, largest_relative_change: f64) -> T::Mask {
         let a = node.rate.acceleration;

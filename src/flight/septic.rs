@@ -87,8 +87,8 @@ impl<T: Numbers> Septic<T> {
         self.derivative_of_order::<2>(s)
     }
 
-    /// The s at which the coordinate falls to `level`, in the lanes of a mask. The coordinate must
-    /// be above `level` at `from`, and not above it at the end of the step.
+    /// The s at which the coordinate falls to `level`, in `lanes`. The coordinate must be above
+    /// `level` at `from`, and not above it at the end of the step.
     #[inline(always)]
     pub fn find_crossing(&self, level: T, from: T, lanes: T::Mask) -> T {
         falling_root(
@@ -98,8 +98,8 @@ impl<T: Numbers> Septic<T> {
         )
     }
 
-    /// The s of the maximum, in the lanes of a mask. The coordinate must rise at the start of the
-    /// step, and must not rise at its end.
+    /// The s of the maximum, in `lanes`. The coordinate must rise at the start of the step, and
+    /// must not rise at its end.
     #[inline(always)]
     pub fn find_maximum(&self, lanes: T::Mask) -> T {
         falling_root(
@@ -117,7 +117,7 @@ impl<T: Numbers> Septic<T> {
 /// converge has no derivatives.
 #[inline(always)]
 fn falling_root<T: Numbers>(low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> T {
-    // bisection needs 53
+    // bisection alone needs 53 steps
     const MOST_STEPS: usize = 60;
     const DERIVATIVE_STEPS: usize = 2;
     let (mut low, mut high) = (low.without_derivatives(), T::constant(1.0));

@@ -25,12 +25,13 @@ impl<T: Numbers> Motion<T> {
 /// Speed, m/s, and angle of incidence of the impact with the tilt θ_g: Penner (2002), p. 934.
 const SPEED: f64 = 18.6;
 const INCIDENCE: f64 = 44.4 / 180.0 * PI;
-/// Start and width of the smooth clamp of the tilt over the angle of incidence (H in eq. 19). It
-/// ends at 1, where the ball meets the crater head-on; above, Penner's φ − θ_c is negative.
+/// Start and width of the smooth clamp of the ratio of the tilt to the angle of incidence (H in eq.
+/// 19). The clamped ratio ends at 1, where the ball meets the crater head-on; above 1, Penner's φ −
+/// θ_c is negative.
 const TILT_CLAMP: [f64; 2] = [0.7, 0.6];
 /// Angle to the ground below which the ball digs less than in Penner's formula (S in eq. 19). A
 /// ball that moves along the ground does not dig at all, although Penner's angle is largest for it.
-/// The width is fitted to TrackMan's chart (docs/sources.md).
+/// `FLAT` is fitted to TrackMan's chart (docs/sources.md).
 const FLAT: f64 = 70.0 / 180.0 * PI;
 /// Coefficients, s/m and s²/m², of e/e_g = 1 + e₁ u + e₂ u² (eq. 20): Penner (2002), p. 933.
 const RESTITUTION: [f64; 2] = [-0.0375 / 0.51, 0.000903 / 0.51];
@@ -40,7 +41,8 @@ const CLAMP_WIDTH: f64 = 2.0 * (-RESTITUTION[0] / (2.0 * RESTITUTION[1]) - CLAMP
 /// Start and width of the transition from sticking to slipping, as x in eq. 21.
 const STICKS: f64 = 0.8;
 const SLIPS_OVER: f64 = 0.4;
-/// Largest squared slip, (m/s)², that counts as zero, without a direction.
+/// Margin, (m/s)², of the comparison of squared impulses per mass. A contact without slip sticks
+/// even without friction, because its slip has no direction.
 const NO_SLIP: f64 = 1e-24;
 /// Smallest squared speed along the ground, (m/s)². It keeps the direction and the derivatives
 /// finite for a ball that falls vertically.
@@ -73,7 +75,7 @@ impl<T: Numbers> Turf<T> {
         }
     }
 
-    /// Normal n′ of the crater that the ball digs, tilted against its velocity (eq. 19).
+    /// Normal n′ of the crater that the ball digs, tilted against the ball's velocity (eq. 19).
     #[inline(always)]
     fn crater_normal(&self, velocity: Vector<T>, ground: Vector<T>) -> Vector<T> {
         let down = -ground.dot(velocity);

@@ -96,7 +96,7 @@ impl<T: Numbers> Turf<T> {
         self.inertia / (self.inertia + 1.0)
     }
 
-    /// Position at rest, in the lanes of a mask.
+    /// Position at rest, in `lanes`.
     #[inline(always)]
     pub fn rest(&self, ball: &Landing<T>, lanes: T::Mask) -> Rest<T> {
         let Some(restitution) = self.restitution else {
@@ -181,8 +181,8 @@ impl<T: Numbers> Turf<T> {
     }
 }
 
-/// Angle between the velocity of a landing ball and the ground of these slopes, rad; negative if the
-/// ball moves away from the ground.
+/// Angle between the `velocity` of a landing ball and ground with `slope` and `side_slope`, rad;
+/// negative if the ball moves away from the ground.
 pub(crate) fn angle_of_impact([slope, side_slope]: [f64; 2], velocity: Vector<f64>) -> f64 {
     let Slope { normal, .. } = Slope::new(slope, side_slope, 1.0);
     (-normal.dot(velocity) / velocity.norm()).asin()
@@ -257,7 +257,7 @@ struct Hop<T: Numbers> {
 }
 
 impl<T: Numbers> Hop<T> {
-    /// Displacement after a fraction of the duration, from 0 to 1.
+    /// Displacement after the fraction `part` of the duration, from 0 to 1.
     #[inline(always)]
     fn displacement(&self, part: f64) -> Vector<T> {
         let time = self.time * part;

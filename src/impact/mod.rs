@@ -122,7 +122,7 @@ impl<T: Numbers> LaneImpact<T> {
             delivery.to_ground(rebound.ball_velocity),
             delivery.to_ground(rebound.ball_spin),
         );
-        // false for NaN
+        // a comparison with NaN is false: an overflow is not valid
         let size = velocity.dot(velocity) + spin.dot(spin);
         let launch = Launch { velocity, spin };
         let launch = match setup.golfer {

@@ -1,9 +1,9 @@
-//! The numbers that impact and flight are compiled for.
+//! The number types that impact and flight are compiled for.
 //!
-//! This list is the only place that names them, and a test compares it with docs/architecture.md.
-//! Each number below is compiled once at each [`Level`](super::Level) of the processor: five
-//! numbers at three levels on x86-64. Two more numbers reach this code through public generics:
-//! `f64` ([`Drive::new`](crate::Drive::new)), which the baseline level uses too, and
+//! This file is the only place that names them, and a test compares it with docs/architecture.md.
+//! Each number type below is compiled once at each [`Level`](super::Level) of the processor: five
+//! number types at three levels on x86-64. Two more number types reach this code through public
+//! generics: `f64` ([`Drive::new`](crate::Drive::new)), which the baseline level uses too, and
 //! `num_dual::Dual64` (`study::certificate`), which adds one copy.
 
 use super::{Derivatives, Jet, Lanes, Mixed};
@@ -12,17 +12,17 @@ use super::{Derivatives, Jet, Lanes, Mixed};
 /// compiled flight.
 pub(crate) const MOST_PER_LANE: usize = 3;
 
-/// Work that is compiled for each number of a list below. As for [`Task`](super::Task), `over` and
-/// its calls on numbers must be `#[inline(always)]`.
+/// Work that is compiled for each number type of [`over_directions`] or [`over_drives`]. As for
+/// [`Task`](super::Task), `over` and its calls on numbers must be `#[inline(always)]`.
 pub(crate) trait OverNumbers {
     /// Result of the work.
     type Output;
-    /// Runs over numbers with this many directions in each lane.
+    /// Runs over numbers with `per_lane` directions in each lane.
     fn over<J: Lanes<Lane: Derivatives>>(&mut self, per_lane: usize) -> Self::Output;
 }
 
-/// One drive, whose lanes are directions: values, gradients, or Hessians (a pair of variables in
-/// each lane).
+/// Runs `work` for one drive, whose lanes are directions: values, gradients, or Hessians (a pair of
+/// variables in each lane).
 #[inline(always)]
 pub(crate) fn over_directions<V: Lanes<Lane = f64>, W: OverNumbers>(
     work: &mut W,
@@ -37,7 +37,8 @@ pub(crate) fn over_directions<V: Lanes<Lane = f64>, W: OverNumbers>(
     }
 }
 
-/// Sweeps, whose lanes are drives, with derivatives by up to [`MOST_PER_LANE`] parameters.
+/// Runs `work` for a sweep, whose lanes are drives, with derivatives by up to [`MOST_PER_LANE`]
+/// parameters.
 #[inline(always)]
 pub(crate) fn over_drives<V: Lanes<Lane = f64>, W: OverNumbers>(
     work: &mut W,

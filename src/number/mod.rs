@@ -114,7 +114,7 @@ pub trait Numbers:
     fn without_derivatives(self) -> Self;
     /// True where the value is finite.
     fn is_finite(self) -> Self::Mask;
-    /// Gathers `N` constants of a table per lane: `entry` returns the constants at the values of
+    /// Gathers `N` constants of a table per lane: `place` returns the constants at the values of
     /// (`self`, `other`). The result has zero derivatives.
     fn gather<const N: usize>(
         self,
@@ -196,7 +196,8 @@ pub trait Numbers:
 
     /// xᵃ, with exact derivatives where they exist.
     ///
-    /// - integer a: [`powi`](Numbers::powi), for any x; for a < 0 its reciprocal, infinite at 0.
+    /// - integer a: [`powi`](Numbers::powi) with |a|, for any x; for a < 0 the reciprocal of that
+    ///   power, infinite at 0.
     /// - non-integer a > 0: 0 at 0, with derivatives up to order ⌊a⌋; the next one is infinite. NaN
     ///   for x < 0.
     /// - non-integer a < 0: infinite at 0, NaN for x < 0.

@@ -70,7 +70,7 @@ impl Ways {
     }
 }
 
-/// The alternatives in which two setups use different parameters.
+/// The [`Ways`] in which two setups use different parameters.
 pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Ways> {
     WAYS.iter()
         .filter(|ways| ways.given_in(a) != ways.given_in(b))
@@ -100,7 +100,8 @@ pub(crate) fn follows_from(name: &str, other: &str) -> bool {
         .any(|ways| ways.replaced.contains(&name) && ways.by.contains(&other))
 }
 
-/// End of a sentence with the parameters that may replace this one; empty if there are none.
+/// End of a sentence with the parameters that may replace the parameter `name`; empty if there are
+/// none.
 pub(super) fn instead(name: &str) -> String {
     let ways = WAYS.iter().find(|ways| ways.replaced.contains(&name));
     ways.map_or_else(String::new, |ways| {
@@ -111,11 +112,11 @@ pub(super) fn instead(name: &str) -> String {
     })
 }
 
-/// Refuses a parameter that is replaced by another one, either among these names, in the order in
-/// which they were given, or already set.
+/// Refuses a parameter of `names` that is replaced by another one, which is among `names` or
+/// already set. `names` are in the order in which they were given.
 ///
 /// # Errors
-/// [`Error::Together`], with advice how to unset the first one.
+/// [`Error::Together`], with advice how to unset the one that was given first.
 pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> Result<()> {
     for Ways {
         by: by_all,
@@ -155,8 +156,8 @@ pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> 
 }
 
 impl Setup<f64> {
-    /// Refuses given parameters that others replace: density and viscosity follow from the weather
-    /// if any weather parameter is set, and the components of the wind from its speed and
+    /// Refuses parameters of `names` that others replace: density and viscosity follow from the
+    /// weather if any weather parameter is set, and the components of the wind from its speed and
     /// direction.
     ///
     /// ```
@@ -253,8 +254,8 @@ impl Setup<f64> {
         ))
     }
 
-    /// Refuses weather or wind that is given twice or incompletely, by set parameters and these
-    /// names together.
+    /// Refuses weather or wind that is given twice or incompletely, by the set parameters and
+    /// `names` together.
     ///
     /// # Errors
     /// [`Error::Together`].

@@ -96,7 +96,8 @@ impl SpeedOf {
     }
 }
 
-/// Runge–Kutta method with a fixed step. The interpolation of the landing is the same for all.
+/// Runge–Kutta method with a fixed step. The interpolation of the landing is the same for all
+/// methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Method {
     /// The classical Runge–Kutta method, order 4 (Kutta 1901).

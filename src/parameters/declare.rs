@@ -330,8 +330,8 @@ macro_rules! parameter_groups {
                 Setup { $( $group: self.$group.map(f), )+ law: self.law.map(f), method, golfer, speed_of }
             }
 
-            /// The parameters of this setup in the order of the table: all groups, then the
-            /// coefficients of its law.
+            /// The parameters of this setup in the order of the parameter table: all groups, then
+            /// the coefficients of its law.
             pub fn parameters(&self) -> Vec<&'static Parameter> {
                 let groups = [$( $Group::rows().as_slice(), )+ self.law.rows()];
                 groups.into_iter().flatten().collect()

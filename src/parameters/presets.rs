@@ -1,7 +1,8 @@
 use super::table::{LAW, Setup};
 use crate::error::{Error, Result};
 
-/// A named setup: its differences from the defaults of the table, each number with its source.
+/// A named setup: its differences from the defaults of the parameter table, each number with its
+/// source.
 #[derive(Debug)]
 pub struct Preset {
     /// Name on the command line.
@@ -51,7 +52,7 @@ const GROWTH: &str = "assumed: the load on the shaft grows with the square of th
 /// The preset of a command without a setup, and of a setup file that names none.
 pub const DEFAULT_PRESET: &str = "tour-average";
 
-/// The presets; `modern-driver` has the defaults of the table.
+/// The presets; `modern-driver` has the defaults of the parameter table.
 pub static PRESETS: &[Preset] = &[
     Preset {
         name: "modern-driver",

@@ -17,8 +17,8 @@ pub(crate) const NO_CLUB: &str =
 const LISTING: &str = "`parameters()` lists them all";
 
 impl Parameter {
-    /// Parses a value. With `bare`, a number without a unit is SI, like a bare number in a setup
-    /// file; otherwise the text needs a unit. `none` unsets an optional parameter.
+    /// Parses a value. With `bare`, a number without a unit is SI; otherwise a quantity with a
+    /// dimension needs its unit. `none` unsets an optional parameter.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for a wrong or missing unit, [`Error::OutOfRange`].
@@ -148,8 +148,8 @@ impl Parameter {
         }
     }
 
-    /// The error for an unreadable text. For a word, such as a direction of the wind, it has the
-    /// meaning of the parameter, which tells what the numbers are.
+    /// The error for an unreadable text. For a word, such as a direction of the wind, the error
+    /// states the meaning of the parameter, which says what its numbers are.
     fn unreadable(&self, error: UnitError) -> Error {
         let is_word = |text: &str| text.starts_with(char::is_alphabetic);
         let source = match &error {
@@ -199,7 +199,7 @@ impl Setup<f64> {
 }
 
 impl<T: Copy> Setup<T> {
-    /// Sets parameters without checks; `value` returns the number for each index of the list.
+    /// Sets parameters without checks; `value` returns the number for each index of `parameters`.
     #[inline(always)]
     pub(crate) fn put(
         &mut self,
@@ -255,8 +255,9 @@ impl Setup<f64> {
         copy.slot(parameter)?.value()
     }
 
-    /// Sets a parameter, or the law, by name from a text such as `"10.5 deg"`. A quantity with a
-    /// dimension needs its unit; [`set_value`](Self::set_value) takes a number in SI.
+    /// Sets a parameter, or a choice such as the law, by name from a text such as `"10.5 deg"`. A
+    /// quantity with a dimension needs its unit; [`set_value`](Self::set_value) takes a number in
+    /// SI.
     ///
     /// # Errors
     /// [`Error::Unknown`], [`Error::OtherLaw`], [`Error::Unreadable`], [`Error::OutOfRange`];
@@ -289,7 +290,8 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Applies settings in order, but law and turf before their numbers.
+    /// Applies settings in order, but table, law and turf before the numbers, and resets (`none`)
+    /// after the numbers.
     ///
     /// # Errors
     /// The errors of [`set`](Self::set).
@@ -305,7 +307,7 @@ impl Setup<f64> {
     }
 
     /// Like [`set_all`](Self::set_all), for triples of a name, a text, and true if a number without
-    /// a unit is SI (as in a setup file).
+    /// a unit is SI.
     ///
     /// ```
     /// use longdrive::Setup;
@@ -402,8 +404,8 @@ impl Setup<f64> {
     /// that others replace to its default.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`]; [`Error::OtherLaw`] for a coefficient of another law;
-    /// [`Error::Unreadable`] for `None` if the parameter needs a value.
+    /// [`Error::OutOfRange`]; [`Error::NotANumber`]; [`Error::OtherLaw`] for a coefficient of
+    /// another law; [`Error::Unreadable`] for `None` if the parameter needs a value.
     pub fn set_value(&mut self, parameter: &Parameter, value: Option<f64>) -> Result<()> {
         if let Some(value) = value {
             parameter.check(value)?;
@@ -445,8 +447,8 @@ impl Setup<f64> {
     /// together.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`], also for more than 1e8 steps; [`Error::Inertia`]; [`Error::Launch`];
-    /// [`Error::Together`].
+    /// [`Error::OutOfRange`], also for more than 1e8 steps; [`Error::NotANumber`];
+    /// [`Error::Inertia`]; [`Error::Launch`]; [`Error::Together`].
     pub fn validate(&self) -> Result<()> {
         self.validate_but_launch()?;
         self.check_launch(&[])?;

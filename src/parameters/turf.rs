@@ -113,7 +113,7 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// The turf with these numbers; `None` for other numbers.
+    /// The turf whose numbers this setup has; `None` if no turf has them.
     pub fn turf(&self) -> Option<&'static Preset> {
         let matches = |entry: &PresetEntry| {
             let Ok(parameter) = self.parameter(entry.name) else {

@@ -34,7 +34,7 @@ impl Vary {
     }
 
     /// Like [`read`](Self::read), for a parameter that need not have a value in the setup, since
-    /// each drive gives one.
+    /// each drive of a batch has its own.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read) and [`Setup::column`].
@@ -103,7 +103,8 @@ impl Vary {
     /// A parameter with a range in SI.
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a reversed or infinite range, [`Error::OutOfRange`].
+    /// [`Error::SearchRange`] for a reversed or infinite range, [`Error::OutOfRange`],
+    /// [`Error::NotANumber`].
     pub fn new(parameter: &'static Parameter, low: f64, high: f64) -> Result<Self> {
         parameter.check(low)?;
         parameter.check(high)?;

@@ -2,7 +2,7 @@ use super::Quantity;
 use super::expression::read_unit;
 use super::symbols::{Dimension, SYMBOLS};
 
-/// A number with any unit, SI.
+/// A number that was given with any unit: its SI value and its dimension.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Amount {
     pub value: f64,

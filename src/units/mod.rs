@@ -185,8 +185,8 @@ impl Quantity {
         (unit.dimension == self.dimension).then(|| unit.difference(1.0))
     }
 
-    /// An SI value as a number in `unit`, from the zero of its scale. A difference is divided by
-    /// [`size_of`](Self::size_of) in place of this.
+    /// An SI value as a number in `unit`, from the zero of its scale. For a difference, divide by
+    /// [`size_of`](Self::size_of) instead.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -237,7 +237,7 @@ impl Quantity {
         units.join(", ")
     }
 
-    /// Head of a column of SI values: `club.loft [rad]`.
+    /// Column head for SI values: `club.loft [rad]`.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -271,7 +271,7 @@ impl Quantity {
         meant.map_or(String::new(), |known| format!(" (did you mean '{known}'?)"))
     }
 
-    /// The unit of a text.
+    /// Parses `unit`; errors quote the whole `text`.
     ///
     /// # Errors
     /// [`UnitError`] for an unknown unit, and a unit of another quantity.

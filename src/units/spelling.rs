@@ -46,8 +46,8 @@ pub fn one(unit: &str) -> String {
     }
 }
 
-/// SI unit of a derivative for the heads of tables, from the SI units of the outcome and the
-/// parameter; empty for a plain number.
+/// SI unit of a derivative for column heads, from the SI units of the outcome and the parameter;
+/// empty for a plain number.
 ///
 /// ```
 /// use longdrive::units::ratio;

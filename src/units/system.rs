@@ -102,7 +102,7 @@ impl TableUnits {
         }
     }
 
-    /// Head of a column: the name with its unit.
+    /// Column head: the name with its unit.
     pub fn head(self, name: &str, quantity: Quantity, unit: &'static str) -> String {
         match self.unit(quantity, unit) {
             "" => name.into(),
@@ -110,7 +110,7 @@ impl TableUnits {
         }
     }
 
-    /// An SI value as a number of its column.
+    /// An SI value as a number in the unit of its column.
     pub fn number(self, value: f64, quantity: Quantity, unit: &'static str) -> f64 {
         match self {
             Self::Si => value,

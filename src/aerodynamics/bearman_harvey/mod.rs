@@ -75,7 +75,7 @@ impl<T: Numbers> AerodynamicLaw<T> for BearmanHarvey<T> {
             spin: Some(SPINS.map(|rpm| rpm * RPM)),
             speed: Some(MEASURED),
             to: "a wind tunnel, Bearman & Harvey 1976",
-            // not clamped above: the grid has one column more than was measured
+            // the speed is not clamped at 80.2 m/s: the grid has one column more than was measured
             held: [[false; 2], [true; 2], [false; 2], [true, false]],
             ..Fitted::UNKNOWN
         }

@@ -68,8 +68,8 @@ pub(super) fn estimate(
     best
 }
 
-/// Extrapolates some differences to step 0. The estimate of the truncation error is the change of
-/// the result if one difference is omitted.
+/// Extrapolates `differences` to step 0. The estimate of the truncation error is the change of the
+/// result if one difference is omitted.
 fn extrapolated(differences: &[Difference], side: Side) -> Estimate {
     let all = at_zero(differences, side);
     let but_one = [&differences[1..], &differences[..differences.len() - 1]];

@@ -15,7 +15,7 @@ pub(super) const LEAST_STEP: f64 = 1e-6;
 /// rounding.
 const LEAST_LEFT: f64 = 1e-5;
 
-/// Range of steps at which second differences are pure rounding.
+/// Range of steps, relative to the scale, at which second differences are pure rounding.
 const ROUNDING_ONLY: std::ops::Range<f64> = 1e-12..2e-9;
 
 /// One step of a ladder with the function values on both sides. A value is `None` where the
@@ -107,8 +107,8 @@ impl Ladder {
         }
     }
 
-    /// Rounding error of the function at the centre: the largest second difference over steps so
-    /// small that curvature has no effect. At the end of the variable's range, the second
+    /// Rounding error of the function at the centre: half the largest second difference over steps
+    /// so small that curvature has no effect. At the end of the variable's range, the second
     /// difference uses two steps on one side.
     pub fn rounding(&self) -> f64 {
         let small: Vec<&Rung> = self

@@ -50,7 +50,7 @@ fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
         .max_by(f64::total_cmp)
 }
 
-/// Slope of the least-squares line through some points.
+/// Slope of the least-squares line through `points`.
 pub(crate) fn line_slope(points: &[(f64, f64)]) -> f64 {
     let mean = |f: fn(&(f64, f64)) -> f64| points.iter().map(f).sum::<f64>() / points.len() as f64;
     let (x, y) = (mean(|p| p.0), mean(|p| p.1));

@@ -81,7 +81,7 @@ pub struct Point {
 pub struct Check {
     /// Exact derivative.
     pub exact: f64,
-    /// Best estimate from differences; `None` if the function has no values on either side.
+    /// Best estimate from differences; `None` if there are too few values on both sides.
     pub best: Option<Estimate>,
     /// One-sided derivatives below and above the point, if they differ; `None` for a side without
     /// values.
@@ -179,8 +179,9 @@ impl Ladder {
         NEXT_TO_NOTHING * self.size / self.scale
     }
 
-    /// One-sided derivatives, if they differ by more than their error estimates and by more than
-    /// the rounding of the function's terms over the smallest step.
+    /// One-sided derivatives, if they differ by more than ten times their error estimates, by more
+    /// than 1e-4 of their size, and by more than the rounding of the function's terms over the
+    /// smallest step.
     fn corner(&self) -> Option<[Option<f64>; 2]> {
         let (below, above) = (self.slope(Side::Below, 0.0)?, self.slope(Side::Above, 0.0)?);
         let distance = (above.value - below.value).abs();

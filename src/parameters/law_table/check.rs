@@ -8,15 +8,15 @@ use super::surface::{Cell, Surface};
 /// than in any drive.
 const FULL_LIFT: f64 = 0.02;
 
-/// Smallest distance of two lines of the grid, relative to the largest value. Closer lines are one
-/// line, rounded differently.
+/// Smallest distance of two lines of the grid, relative to the largest value. Closer lines are
+/// refused: they are one line, rounded differently.
 const LEAST_DISTANCE: f64 = 1e-9;
 
 /// Width of the smooth clamp beyond the ends of an axis, as a fraction of the outermost interval.
 /// The splines are evaluated up to half this width beyond the last node.
 const CLAMP_WIDTH: f64 = 0.5;
 
-/// The grid of some nodes.
+/// The grid of `nodes`.
 pub(super) fn grid(nodes: &Nodes) -> Result<Grid, Fault> {
     let rows = &nodes.rows;
     if rows.len() < 2 {
@@ -187,8 +187,9 @@ fn check_between_nodes(
     Ok(())
 }
 
-/// Samples along one direction of a cell, 0 to 1 within it, and beyond it in the outermost cells
-/// (`at` of `count` lines). `zero` is the coordinate of zero speed or spin, the smallest possible.
+/// Samples along one direction of a cell, 0 to 1 within it, and beyond it in the outermost cells.
+/// `at` is the index of its first line among `count` lines. `zero` is the coordinate of zero speed
+/// or spin, the smallest possible.
 fn samples(at: usize, count: usize, zero: f64) -> impl Iterator<Item = f64> {
     const INTERVALS: usize = 8;
     let below = if at == 0 && count > 1 {

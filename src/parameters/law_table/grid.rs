@@ -18,7 +18,7 @@ impl AxisVariable {
     /// All variables.
     pub const ALL: [Self; 4] = [Self::SpinRatio, Self::Spin, Self::Reynolds, Self::Speed];
 
-    /// Names in the heads of columns, lower case.
+    /// Names in column heads, lower case.
     pub fn names(self) -> &'static [&'static str] {
         match self {
             Self::SpinRatio => &["spin_ratio", "s"],
@@ -42,7 +42,7 @@ impl AxisVariable {
         matches!(self, Self::SpinRatio | Self::Spin)
     }
 
-    /// Head of the column: `speed [m/s]`.
+    /// Column head: `speed [m/s]`.
     pub fn head(self) -> String {
         let (_, unit) = self.quantity();
         let name = self.names()[0];
@@ -71,8 +71,8 @@ pub struct Axis {
 pub(crate) struct Grid {
     pub speed: Option<Axis>,
     pub spin: Option<Axis>,
-    /// Variable below which the lift falls to 0, and the reciprocal, SI, of the value at which it
-    /// is full. `None` if the grid begins at zero spin.
+    /// Variable with which the lift falls to 0, and the reciprocal, SI, of the value from which the
+    /// lift is full. `None` if the grid begins at zero spin.
     pub full_lift: Option<(AxisVariable, f64)>,
     pub surface: Surface,
 }

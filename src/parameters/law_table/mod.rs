@@ -25,8 +25,8 @@ pub const TABLE: &str = "aero.table";
 pub const TABLE_LAW: &str = "table";
 
 /// A table of C_D and C_L over spin and speed, with the splines through it. A setup is copied for
-/// each drive, so it has a static reference to the table; equal tables are stored once, until the
-/// program ends.
+/// each drive, so it has a static reference to the table; a table that is read again from the same
+/// file is stored once, until the program ends.
 pub struct LawTable {
     file: String,
     description: String,

@@ -31,7 +31,7 @@ impl Fault {
         }
     }
 
-    /// A fault of the head of a column, counted from 0.
+    /// A fault of the column head at index `column`.
     fn at_head(column: usize, reason: String) -> Self {
         Self {
             place: format!(", column {}", column + 1),
@@ -70,7 +70,7 @@ enum Content {
 
 /// A column of the table.
 struct Column {
-    /// Head as written in the file.
+    /// Column head as written in the file.
     head: String,
     content: Content,
     /// Size of the column's unit, SI.
@@ -154,7 +154,7 @@ fn node(
     Ok(node)
 }
 
-/// Parses the heads of the columns.
+/// Parses the column heads.
 fn columns(heads: &StringRecord) -> Result<Vec<Column>, Fault> {
     let mut columns: Vec<Column> = vec![];
     for (at, head) in heads.iter().enumerate() {
@@ -187,7 +187,7 @@ fn columns(heads: &StringRecord) -> Result<Vec<Column>, Fault> {
     )))
 }
 
-/// Parses the head of a column, such as `speed [m/s]`.
+/// Parses a column head, such as `speed [m/s]`.
 fn column(head: &str) -> Result<Column, String> {
     let (name, unit) = match head.split_once(['[', '(']) {
         Some((name, unit)) => (

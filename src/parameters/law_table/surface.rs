@@ -21,7 +21,7 @@ struct Knots {
     at: &'static [f64],
     /// Index of the last interval.
     last: usize,
-    /// Reciprocal of the interval, if all are equal.
+    /// Reciprocal of the length of an interval, if all intervals are equal.
     per_unit: Option<f64>,
 }
 
@@ -50,7 +50,7 @@ impl Surface {
         }
     }
 
-    /// The cell that contains a point, or the nearest one outside of the grid.
+    /// The cell that contains a point, or the nearest cell for a point outside of the grid.
     pub fn cell(&self, x: f64, y: f64) -> &'static Cell {
         &self.cells[self.y.step(y) * (self.x.last + 1) + self.x.step(x)]
     }
@@ -78,7 +78,8 @@ pub(crate) fn cells_of<const N: usize, const CELLS: usize>(
     cells
 }
 
-/// Largest number of intervals for a linear search, which has no branches; above, bisection.
+/// Largest number of inner knots for a linear search, which has no branches. More inner knots are
+/// searched by bisection.
 const MOST_LINEAR: usize = 16;
 
 impl Knots {
@@ -96,7 +97,8 @@ impl Knots {
         }
     }
 
-    /// Index of the interval that contains a value, or of the nearest one.
+    /// Index of the interval that contains a value, or of the nearest interval for a value outside
+    /// of all.
     #[inline]
     fn step(&self, value: f64) -> usize {
         if let Some(per_unit) = self.per_unit {
@@ -191,7 +193,7 @@ fn cubic([here, there]: [f64; 2], [slope, end]: [f64; 2]) -> [f64; 4] {
     ]
 }
 
-/// Writes the slopes at the knots of the natural cubic spline through some values (no curvature at
+/// Writes the slopes at the knots of the natural cubic spline through `values` (no curvature at
 /// both ends). `place` maps a knot to the index of its value and slope in a table; `diagonal` is
 /// working memory.
 fn slopes(

@@ -99,7 +99,7 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                // not inlined: an impact calls it six times
+                // not inlined: an impact calls `sin_cos` six times
                 Self::not_inlined(inlined!(|| sine::sin_cos(self, inlined!(|x: Self| (x.each(f64::sin), x.each(f64::cos))))))
             }
             #[inline(always)]
