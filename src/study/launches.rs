@@ -28,7 +28,8 @@ pub struct Launched {
     pub launch_angle: f64,
     /// Backspin, rad/s.
     pub backspin: f64,
-    /// Ball speed, m/s; the first drive has the ball speed of the map.
+    /// Ball speed of this drive, m/s. The carries in [`Launches::plane`] are for the ball speed of
+    /// the first drive.
     pub ball_speed: f64,
     /// Carry of this drive, m; `None` if it does not fly.
     pub carry: Option<f64>,

@@ -37,7 +37,7 @@ use crate::units::System;
 /// Reproduction of the report.
 #[derive(Clone, Debug)]
 pub struct Mae494 {
-    /// The optimum over both angles, compared with the recommended optimum.
+    /// The optimum over loft and attack angle, compared with the recommended optimum.
     pub optimum: Row,
     /// Table 1: best loft at each attack angle.
     pub table1: Vec<Row>,

@@ -38,9 +38,9 @@ pub(super) struct Reading {
 /// The column that names the club.
 #[derive(Clone)]
 pub(super) struct ClubName {
-    /// Its index.
+    /// Index of the column.
     pub at: usize,
-    /// Its head.
+    /// Column head.
     pub head: String,
 }
 

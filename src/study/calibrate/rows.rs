@@ -279,7 +279,7 @@ impl Rows {
         )
     }
 
-    /// Builds the table; `reading` belongs to the first section.
+    /// Builds the table. `reading` describes the columns of the table's first section.
     ///
     /// # Errors
     /// [`Error::Table`] without a shot.
