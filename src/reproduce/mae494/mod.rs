@@ -43,9 +43,9 @@ pub struct Mae494 {
     pub table1: Vec<Row>,
     /// Table 2: best attack angle at each loft.
     pub table2: Vec<Row>,
-    /// The regression.
+    /// The report's regression.
     pub regression: Regression,
-    /// Optimum of the regression with the wrong powers, with its carry in the model.
+    /// Optimum of the regression with the wrong powers, and the carry of this optimum in the model.
     pub slipped: Delivery,
     /// Energy argument against the printed distances.
     pub energy: Energy,

@@ -37,7 +37,7 @@ pub struct Landings {
     pub overshot: f64,
     /// Carry interpolated between the last two steps of the report's loop, m.
     pub interpolated: f64,
-    /// Carry of the smooth landing, m.
+    /// Carry of this library's flight, a smooth function of loft, m.
     pub smooth: f64,
 }
 
@@ -72,7 +72,7 @@ const ZOOM: u32 = 400;
 const REACH: f64 = 0.5;
 
 impl Noise {
-    /// The study in the air and with the club of a setup.
+    /// The study of the noise, in the air and with the club of a setup.
     pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
         let (step, difference) = (setup.flight.step, f64::EPSILON.sqrt());
         let smooth_at = |loft: f64| tables::carried(&level(setup, loft));

@@ -18,7 +18,7 @@ pub enum Landing {
     Overshot,
     /// Interpolated between the last two steps of the report's loop.
     Interpolated,
-    /// The smooth landing.
+    /// The landing of this library's flight, a smooth function of the delivery.
     Smooth,
 }
 
