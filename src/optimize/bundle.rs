@@ -24,7 +24,8 @@ impl Bundle {
         self.0.iter().all(|point| point.has_dimensions(n, m))
     }
 
-    /// Adds a candidate. Keeps the nearest point of each other side of a kink near `at`.
+    /// Adds `candidate` if it lies on another side of a kink near `at`. Keeps the nearest point of
+    /// each such side.
     pub fn update(&mut self, scaling: &Scaling, at: &Point, candidate: Option<Point>) {
         let is_side = |point: &Point| {
             scaling.distance(point, at) <= NEARBY && are_sides_of_a_kink(scaling, at, point)

@@ -88,7 +88,7 @@ impl Checkpoint {
         Ok(checkpoint)
     }
 
-    /// Saved state of a search, by its number.
+    /// Saved state of search `number`.
     pub fn run(&self, number: usize) -> Option<Run> {
         self.lock().runs.get(&number).cloned()
     }
@@ -102,7 +102,7 @@ impl Checkpoint {
             .count()
     }
 
-    /// Saves the state of a search.
+    /// Saves `run`, the state of search `number`.
     ///
     /// # Errors
     /// [`Error::Checkpoint`] if the file cannot be written.

@@ -3,18 +3,19 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 /// Smallest eigenvalue after a reflection, relative to the largest.
 const FLOOR: f64 = 1e-8;
-/// Growth factor of the raise from one attempt to the next. The first raise is the Hessian's size.
+/// Growth factor of the raise of the Hessian along active normals, from one attempt to the next.
+/// The first raise is the Hessian's size.
 const GROWTH: f64 = 4.0;
-/// Maximum number of attempts. A larger raise makes the sum numerically singular.
+/// Maximum number of attempts. A larger raise makes the raised Hessian numerically singular.
 const MOST_RAISES: u32 = 15;
 /// Raise before a reflection, relative to the Hessian's size. It separates the eigenvalues of the
 /// active normals from the eigenvalues of the tangents.
 const APART: f64 = 100.0;
 
-/// Changes that made a Hessian positive definite.
+/// Reflection that made a Hessian positive definite. A raise without a reflection is not recorded.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Convexified {
-    /// Raise along each active unit normal before a reflection.
+    /// Raise along each active unit normal before the reflection.
     pub raise: f64,
     /// True if eigenvalues were reflected.
     pub is_reflected: bool,

@@ -74,7 +74,7 @@ impl Bounds {
         (0..self.dimension()).map(scale).collect()
     }
 
-    /// True if both limits of a number are equal.
+    /// True if both limits of number `i` are equal.
     ///
     /// # Panics
     /// If `i` is out of range.
@@ -82,7 +82,8 @@ impl Bounds {
         self.low[i] == self.high[i]
     }
 
-    /// Signed violation of a number's limits: > 0 above the upper, < 0 below the lower, 0 within.
+    /// Signed violation of the limits of number `i` by `value`: > 0 above the upper limit, < 0
+    /// below the lower, 0 within.
     ///
     /// # Panics
     /// If `i` is out of range, or the limits are NaN or reversed.

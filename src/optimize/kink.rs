@@ -109,8 +109,8 @@ fn is_kink(scaling: &Scaling, at: &Point, i: usize, below: &Side, above: &Side) 
         && is_unexplained(above)
 }
 
-/// True if a converged point may be a smoothed kink: the curvature changes the derivative by φ
-/// within a thousandth of the variable's scale.
+/// True if a converged point may be a smoothed kink: the curvature changes the scaled derivative by
+/// the objective's size within a thousandth of the variable's scale.
 pub(super) fn is_suspected(scaling: &Scaling, at: &Point) -> bool {
     let hessian = &at.f.objective.hessian;
     let curvature = |i: usize| hessian[i][i].abs() * scaling.scale[i] * scaling.scale[i];

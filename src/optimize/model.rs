@@ -171,7 +171,7 @@ impl Model<'_> {
         convexified
     }
 
-    /// Limits of one component of the step: bounds and trust region.
+    /// Limits of component `i` of the step: bounds and trust region.
     fn step_bounds(&self, i: usize) -> (f64, f64) {
         let bounds = &self.scaling.domain.variables;
         let limit = |bound: f64| {
@@ -316,8 +316,8 @@ impl Model<'_> {
             .collect()
     }
 
-    /// Predicted reduction of f. With a single term it uses the exact Hessian: the convexified one
-    /// has raised curvature along the normals of constraints.
+    /// Predicted reduction of f. With a single term of the maximum, the exact Hessian is used: the
+    /// convexified Hessian has raised curvature along the normals of constraints.
     fn objective_reduction(&self, program: &QuadraticProgram, d: &DVector<f64>) -> f64 {
         if program.max_terms.len() > 1 {
             return -program.value(d);

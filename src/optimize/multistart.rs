@@ -25,7 +25,7 @@ pub struct LocalMinimum {
     pub starts: Vec<usize>,
 }
 
-/// Receives the number of a search and an item.
+/// Callback that receives the number of a search, and its [`Iteration`] or [`Solution`].
 pub type Callback<T> = Arc<dyn Fn(usize, &T) + Send + Sync>;
 
 /// Callbacks, interrupt flag and checkpoint of searches that run in parallel.
@@ -45,8 +45,8 @@ pub struct Observers {
 const SAME: f64 = 1e-6;
 
 /// Starts spread evenly over the bounds: the given start, then points of the scrambled Sobol
-/// sequence (Owen 1995; Burley 2020). A variable without a bound is spread over its scale on that
-/// side of the start.
+/// sequence (Owen 1995; Burley 2020). Without a bound on one side of the start, a variable is
+/// spread over its scale on that side.
 ///
 /// # Errors
 /// [`Error::Optimizer`] for more starts or variables than the sequence has, and for an invalid

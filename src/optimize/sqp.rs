@@ -1,4 +1,4 @@
-//! The loop: sequential quadratic programming with a trust region, as an argmin `Solver`.
+//! The SQP loop: sequential quadratic programming with a trust region, as an argmin `Solver`.
 
 use super::domain::Domain;
 use super::kink::Kink;
@@ -31,8 +31,8 @@ pub struct IterationInfo {
     pub accepted: bool,
 }
 
-/// Shared reference to the problem. argmin takes ownership of its problem, but several runs use
-/// one.
+/// Shared reference to the problem. argmin takes ownership of its problem, but several runs use the
+/// same problem.
 #[derive(Clone, Copy)]
 pub(super) struct ProblemRef<'a>(pub &'a dyn Problem);
 

@@ -21,7 +21,7 @@ const SHRINK: f64 = 0.25;
 const GROW: f64 = 2.0;
 /// Smallest factor applied to |λ| when a negative eigenvalue λ is reflected.
 const MIN_REFLECTION: f64 = 1e-12;
-/// Predicted reductions below this, relative to φ, are negligible.
+/// Predicted reductions below this, relative to the objective's size, are negligible.
 const NEGLIGIBLE: f64 = 1e-13;
 /// The predicted reduction of the merit function is at least this fraction of ν times the predicted
 /// reduction of the violation (Nocedal & Wright 2006, eq. 18.36: ρ).

@@ -54,7 +54,7 @@ pub(super) struct Trial {
 /// within rounding is accepted.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reduction {
-    /// Actual reduction φ(x) − φ(x + d).
+    /// Actual reduction φ(x) − φ(x + d), with the merit function φ.
     pub actual: f64,
     /// Reduction predicted by the quadratic model.
     pub predicted: f64,
@@ -62,7 +62,7 @@ pub(super) struct Reduction {
     pub size: f64,
 }
 
-/// Rounding error of the functions, relative to their sizes φ and γ.
+/// Rounding error of the functions, relative to the objective's size and to γ.
 pub(super) const NOISE: f64 = 1e-14;
 /// Reductions up to this, relative to the size of the merit function, are little more than
 /// rounding.

@@ -17,8 +17,8 @@ pub struct LoopRow {
 }
 
 impl LoopRow {
-    /// Difference of the loop's carry at the step nearest to 1e-8 of the scale, as optimizers use
-    /// it.
+    /// Difference of the loop's carry at the step nearest to 1e-8 of `scale`, a step that
+    /// optimizers use.
     pub fn small_difference(&self) -> Option<f64> {
         let distance = |step: f64| (step / self.scale / 1e-8).ln().abs();
         let nearest = self

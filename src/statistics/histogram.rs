@@ -83,7 +83,7 @@ impl Bins {
         })
     }
 
-    /// Identity of the bins: equal texts for equal bins.
+    /// Text that identifies the bins: equal for equal bins.
     pub fn identity(&self) -> String {
         format!(
             "{}={:?}..{:?}:{}",

@@ -44,7 +44,7 @@ impl RankingSpec {
         }
     }
 
-    /// Identity of the selection: equal texts for equal selections.
+    /// Text that identifies the selection: equal for equal selections.
     pub fn identity(&self) -> String {
         format!(
             "{} {}:{}",

@@ -88,7 +88,7 @@ impl SummarySpec {
         })
     }
 
-    /// Identity of the contents: equal texts for equal contents.
+    /// Text that identifies the histograms and rankings: equal for equal ones.
     pub fn identity(&self) -> String {
         let bins = self
             .bins

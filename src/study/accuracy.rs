@@ -32,8 +32,8 @@ impl Accuracy {
 
 /// Method for every tolerance: the method of highest order needs the fewest force evaluations.
 const METHOD: Method = Method::DormandPrince8;
-/// Largest error of the compared drives, as a fraction of the tolerance. The margin is for all
-/// other drives in the ranges.
+/// Largest error allowed for the compared drives, as a fraction of the tolerance. The margin is for
+/// all other drives in the ranges.
 const SAFETY: f64 = 0.25;
 /// Longest trial step, s. Each further trial step is shorter by the factor 2^(−1/4).
 const LONGEST_STEP: f64 = 1.6;
@@ -198,7 +198,7 @@ impl Sample {
         )
     }
 
-    /// Refines the reference if it is too coarse for a step.
+    /// Repeats the reference flights with a shorter step, if their step is too long for `step`.
     fn refine(&mut self, step: f64) -> Result<()> {
         if self.reference > (REFERENCE * step).max(SHORTEST_REFERENCE) {
             // the following steps use the finer reference too
@@ -218,7 +218,8 @@ impl Sample {
         Ok(true)
     }
 
-    /// The largest error of a step, or the drive that exceeds the limit.
+    /// The largest error with `step`, or the first drive that does not land or whose error exceeds
+    /// `limit`.
     ///
     /// # Errors
     /// [`Error::NoFlight`] if no drive lands.

@@ -312,7 +312,7 @@ fn check(search: &Search, along: Vary, at: &[f64]) -> Result<()> {
     Ok(())
 }
 
-/// End of the next step: snapped to zero, and at most the next requested value.
+/// End of the next step: `to`, or 0 if `to` is nearly 0, but at most the next value in `at`.
 fn target(to: f64, from: f64, at: &[f64], width: f64) -> f64 {
     let to = if to.abs() < LOCATED * width { 0.0 } else { to };
     at.iter()

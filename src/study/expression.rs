@@ -484,7 +484,7 @@ fn advice_on_parameter(text: &str) -> Option<String> {
     })
 }
 
-/// `AMOUNT` or `[AMOUNT *] PARAMETER`.
+/// Parses `AMOUNT` or `[AMOUNT *] PARAMETER`.
 fn relation_term(setup: &Setup<f64>, piece: Piece<'_>) -> Result<Term> {
     let (amount, parameter) = match piece.text.rsplit_once('*') {
         Some((amount, name)) => (amount.trim(), Some(name.trim())),
@@ -514,7 +514,7 @@ fn relation_term(setup: &Setup<f64>, piece: Piece<'_>) -> Result<Term> {
     })
 }
 
-/// `[WEIGHT *] MEASURE(OUTCOME[, AMOUNT])`.
+/// Parses `[WEIGHT *] MEASURE(OUTCOME[, AMOUNT])`, or an outcome of the club head.
 fn swings_term(piece: Piece<'_>, strokes: Option<&Strokes>) -> Result<Term> {
     let (weight, call) = match piece.text.split_once('*') {
         Some((weight, call)) if !weight.contains('(') => (Some(weight.trim()), call.trim()),
@@ -564,7 +564,7 @@ fn weighted(piece: Piece<'_>, weight: &str, term: Term) -> Result<Term> {
     )))
 }
 
-/// Parses an outcome of the head. It is equal for all swings and needs no measure.
+/// Parses an outcome of the club head. It is equal for all swings and needs no measure.
 fn head_outcome(piece: Piece<'_>, name: &str) -> Result<Outcome> {
     match Outcome::named(name) {
         Ok(of) if of.group() == OutcomeGroup::Head => Ok(of),

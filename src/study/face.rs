@@ -40,7 +40,7 @@ const HALF: [f64; 2] = [0.055, 0.025];
 /// Extent of the face relative to its ellipsoid.
 const WITHIN: f64 = 0.95;
 
-/// Grid nodes over the face, and points with an arrow.
+/// Numbers of points across and up the face: of [`Face::plane`], and of [`Face::tilts`].
 const NODES: [usize; 2] = [111, 51];
 const ARROWS: [usize; 2] = [5, 3];
 

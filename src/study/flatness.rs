@@ -343,7 +343,8 @@ impl<'a> Top<'a> {
             .collect()
     }
 
-    /// The ellipse of a pair, if the outcome decreases in every direction of its plane.
+    /// The ellipse of `pair`, if the outcome becomes worse in every direction in the plane of the
+    /// pair.
     fn ellipse(&self, pair: [usize; 2]) -> Option<Ellipse> {
         let solution = &self.best.solution;
         let scale = self.domain.variables.scale(&solution.x);

@@ -1,4 +1,4 @@
-//! The value of an optimum in reach of the club alone.
+//! The part of an optimum's gain that a change of the club alone achieves.
 
 use super::optimum::{Optimum, local_optimum};
 use super::search::Search;
@@ -13,14 +13,15 @@ pub struct ClubAlone {
     pub as_set_up: f64,
     /// The optimum over the varied parameters of club and ball.
     pub optimum: Optimum,
-    /// The value of the objective there, SI.
+    /// The value of the objective at `optimum`, SI.
     pub value: f64,
-    /// The change of the objective from there to the optimum over club and swing, SI.
+    /// The change of the objective from `optimum` to the optimum over club and swing, SI.
     pub rest: f64,
 }
 
-/// The best value with the swing as set up. `None` unless the search varies parameters of the club
-/// and of the swing, and for a start or a club without a value.
+/// The best value with the swing as set up. `None` unless the search is over one drive and varies
+/// parameters of club or ball and of swing or strike only; also `None` if the start has no value,
+/// or the search over club and ball does not converge.
 ///
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum).

@@ -10,7 +10,7 @@ use crate::parameters::Setup;
 pub struct Landing {
     /// Name of the drive: "as set up", "optimum".
     pub name: String,
-    /// Lateral and carry, m.
+    /// Landing point, m: lateral and carry.
     pub at: [f64; 2],
     /// Rest position, m: right of the target line and downrange; `None` if the ball does not come
     /// to rest.

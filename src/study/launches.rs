@@ -15,7 +15,8 @@ pub struct Launches {
     pub plane: Plane,
     /// Launches of the drives shown; the first belongs to the setup.
     pub launched: Vec<Launched>,
-    /// Best launch angle for each backspin: [launch angle, backspin], where it lies within the map.
+    /// Best launch angle for each backspin: [launch angle, backspin], where it lies inside the
+    /// range of [`plane`](Self::plane).
     pub ridge: Vec<[f64; 2]>,
 }
 
@@ -28,7 +29,8 @@ pub struct Launched {
     pub launch_angle: f64,
     /// Backspin, rad/s.
     pub backspin: f64,
-    /// Ball speed, m/s; the first drive has the ball speed of the map.
+    /// Ball speed of this drive, m/s. The carries in [`Launches::plane`] are for the ball speed of
+    /// the first drive.
     pub ball_speed: f64,
     /// Carry of this drive, m; `None` if it does not fly.
     pub carry: Option<f64>,
@@ -47,22 +49,23 @@ impl Launched {
     }
 }
 
-/// Margin of the map around the launches, rad and rad/s. The ends of the map are rounded to
-/// multiples of `ENDS`.
+/// Margin of [`Launches::plane`] around the launches, rad and rad/s. The ends of its ranges are
+/// rounded to multiples of `ENDS`.
 const BEYOND: [f64; 2] = [7.0 * DEGREE, 1250.0 * RPM];
 const ENDS: [f64; 2] = [DEGREE, 250.0 * RPM];
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 const RPM: f64 = std::f64::consts::PI / 30.0;
 
-/// Nodes per side.
+/// Nodes per side of [`Launches::plane`].
 const NODES: usize = 61;
 
 impl Launches {
-    /// The map at the ball speed of the first drive, with the launches of all drives.
+    /// Flies the launches of [`plane`](Self::plane) at the ball speed of the first drive. The plane
+    /// contains the launches of all drives.
     ///
     /// # Errors
     /// The errors of [`Drive::new`] and [`Batch::new`](crate::batch::Batch::new);
-    /// [`Error::Nothing`] without a drive; [`Error::NoFlight`] if nothing on the map flies.
+    /// [`Error::Nothing`] without a drive; [`Error::NoFlight`] if no launch of the plane flies.
     pub fn around(drives: &[(&str, &Setup<f64>)]) -> Result<Self> {
         let mut launched = vec![];
         let mut first = None;

@@ -160,7 +160,7 @@ fn slopes(gradients: &Evaluator, ranges: [Vary; 2], cells: usize) -> Vec<Slope> 
         .collect()
 }
 
-/// The point at parts of both ranges, from 0 to 1.
+/// The point at `parts`, the fractions of both ranges from 0 to 1.
 fn place([across, up]: [Vary; 2], parts: [f64; 2]) -> [f64; 2] {
     let at = |vary: Vary, part: f64| vary.low + part * (vary.high - vary.low);
     [at(across, parts[0]), at(up, parts[1])]

@@ -63,7 +63,8 @@ impl Plane {
         ]
     }
 
-    /// Node with the largest value of an outcome among the allowed positions, with that value.
+    /// Position of the node with the largest value of outcome `of` among the positions that `may`
+    /// allows, with that value.
     pub fn largest(&self, of: usize, may: impl Fn([f64; 2]) -> bool) -> Option<([f64; 2], f64)> {
         let values = self.values.get(of)?.iter().enumerate();
         let known = values

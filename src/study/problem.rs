@@ -44,16 +44,16 @@ pub(super) struct SearchProblem {
     drives: Vec<Evaluator>,
     /// Subset of the scenarios whose drives have second derivatives, in order.
     part: Vec<usize>,
-    /// Number of scenarios that each scenario of the subset represents.
+    /// Number of scenarios that each scenario in `part` represents.
     represents: Vec<f64>,
-    /// The last computed second derivatives of the subset.
+    /// The last computed second derivatives of the drives in `part`.
     seconds: Mutex<Option<Arc<Seconds>>>,
     /// Interrupt flag: once true, no more drives are computed, and evaluations that need them fail.
     stop: Arc<AtomicBool>,
     pub domain: Domain,
 }
 
-/// Second derivatives of the drives of the subset.
+/// Second derivatives of the drives in [`SearchProblem::part`].
 struct Seconds {
     at: Vec<f64>,
     /// A Hessian for each drive and outcome.
@@ -223,9 +223,9 @@ impl SearchProblem {
             .collect()
     }
 
-    /// Second derivatives of the drives of the subset near `x`, each times the number of scenarios
-    /// that the drive represents. They are computed at the nearest point of a grid over the ranges:
-    /// only once near an optimum, and independently of the points evaluated before.
+    /// Second derivatives of the drives in `part` near `x`, each times the number of scenarios that
+    /// the drive represents. They are computed at the nearest point of a grid over the ranges: only
+    /// once near an optimum, and independently of the points evaluated before.
     fn second_derivatives(&self, x: &[f64]) -> std::result::Result<Arc<Seconds>, String> {
         let nearest: Vec<f64> = (0..x.len()).map(|i| self.on_the_grid(i, x[i])).collect();
         let cached = |seconds: &Option<Arc<Seconds>>| {
@@ -528,8 +528,8 @@ impl SearchProblem {
         }
     }
 
-    /// Goals with exact values and gradients. The Hessians contain all products of gradients, but
-    /// second derivatives only of the drives of the subset.
+    /// Goals with exact values and gradients. The Hessians contain all products of outcome
+    /// gradients, but second derivatives only of the drives in `part`.
     fn evaluated(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
         if let ([drive], true) = (self.drives.as_slice(), self.is_of_outcomes) {
             let goals = drive.at(x).map_err(|error| error.to_string())?;
@@ -553,8 +553,8 @@ impl SearchProblem {
     }
 }
 
-/// Refuses a parameter that the swings vary, if it is also varied by the search or part of a
-/// relation.
+/// Refuses a parameter that the swings vary, if the search varies it too, or if a relation of the
+/// design contains it.
 fn refuse_distributed(search: &Search) -> Result<()> {
     let distributed = &search.scenarios.parameters;
     let refuse = |parameter: &Parameter, reason: &str| {

@@ -131,7 +131,7 @@ enum Amount {
     /// Uncertainty of the mean wind, m/s, in addition to its gusts.
     Wind(f64),
     /// Uncertainty of the mark of a strike, m. A strike that is measured from the sweet spot also
-    /// has the uncertainty of its place, [`SWEET_SPOT`].
+    /// has the uncertainty of the sweet spot, [`SWEET_SPOT`].
     Strike(f64),
 }
 

@@ -92,7 +92,8 @@ fn status_name(status: Status) -> &'static str {
     }
 }
 
-/// Text on the constraints that the nearest design violates, with the goals of this design.
+/// Text on the constraints that the design of `found` violates, with the exact `goals` of this
+/// design.
 pub(super) fn violated(
     constraints: &[Constraint],
     found: &Solution,
@@ -216,7 +217,7 @@ impl Optimum {
             ))
     }
 
-    /// Text on the constraints that the nearest drive violates.
+    /// Text on the constraints that the drive at the end of the search violates.
     fn violated_by_drive(&self) -> Message {
         let all = self.search.subject_to.iter();
         let missed: Vec<_> = all

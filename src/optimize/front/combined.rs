@@ -14,7 +14,7 @@ pub(super) struct Combined<'a> {
 }
 
 impl<'a> Combined<'a> {
-    /// Minimises the weighted sum, without a constraint on the second sum.
+    /// Problem with the weights `objective` in its objective, without a constraint on a second sum.
     pub fn minimized(problem: &'a dyn Problem, objective: [f64; 2]) -> Self {
         Self {
             problem,

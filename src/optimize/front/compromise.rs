@@ -77,7 +77,7 @@ impl Plane<'_> {
         }
     }
 
-    /// Active set at a function's own minimum.
+    /// Active set at `end`, the minimum of one function.
     pub fn active_set(&self, end: &Solution) -> ActiveSet {
         let domain = &self.context.domain;
         let mut active_set = ActiveSet::new(end, domain);
@@ -87,7 +87,7 @@ impl Plane<'_> {
         active_set
     }
 
-    /// Corrector: computes the compromise at s from a nearby point.
+    /// Corrector: computes the compromise at s = `at`, from the nearby point `from`.
     pub fn solve_at(&self, at: f64, from: &[f64]) -> Result<Compromise> {
         let domain = self.domain(at);
         let solution =
@@ -145,7 +145,7 @@ impl Plane<'_> {
         Ok((found, distance))
     }
 
-    /// Predicts, to first order, where the active set changes on the way to another s.
+    /// Predicts, to first order, at which s between `here` and `to` the active set changes.
     pub fn expected_event(&self, here: &Compromise, to: f64) -> Option<f64> {
         let (solution, response) = here.derivatives.as_ref()?;
         let (part, _) = first_event(solution, &self.domain(here.at), response, to - here.at)?;

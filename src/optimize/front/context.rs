@@ -174,7 +174,8 @@ impl FrontContext<'_> {
         {
             (domain.variables.low[i], domain.variables.high[i]) = (end.x[i], end.x[i]);
         }
-        // try without the limit first: it is not needed if active bounds determine the minimum
+        // try without the limit on function `k` first: it is not needed if active bounds determine
+        // the minimum
         let other = Combined::minimized(self.problem, weights_of(1 - k));
         let limited = Combined {
             constraint: Some(weights_of(k)),

@@ -217,7 +217,7 @@ fn trace(plane: &Plane<'_>, from: Compromise, end: f64) -> Path {
         points,
         ended: Some(reason),
     };
-    // distance along the front, from −1 to 1
+    // s in the direction of the trace, which rises from −1 to 1
     let travelled = |place: &Compromise| end * place.at;
     while let Some(here) = points.last().map(|point| point.place.clone())
         && travelled(&here) < 1.0
@@ -365,8 +365,8 @@ fn find_knee(plane: &Plane<'_>, path: &[PathPoint]) -> Option<Compromise> {
         .or_else(|| Some(nearest.clone()))
 }
 
-/// Removes duplicates, and points that another point of the list or of the path dominates. Also
-/// returns the number of dominated points.
+/// Removes duplicates, and points that another point of `points` or `path` dominates. Also returns
+/// the number of dominated points.
 fn nondominated(
     points: Vec<PathPoint>,
     path: &[PathPoint],

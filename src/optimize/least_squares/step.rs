@@ -75,7 +75,8 @@ impl Point {
         })
     }
 
-    /// Raises each entry to the length of its Jacobian column (Moré 1978: scales never shrink).
+    /// Raises each entry of `longest` to the length of its Jacobian column (Moré 1978: scales never
+    /// shrink).
     pub fn lengthen(&self, longest: &mut [f64]) {
         for (i, length) in longest.iter_mut().enumerate() {
             *length = length.max(self.curvature[(i, i)].sqrt());

@@ -58,7 +58,7 @@ enum Coefficients {
 }
 
 impl ConeRow {
-    /// Coefficient of a variable; `None` outside the sparsity pattern.
+    /// Coefficient of variable `column`; `None` outside the sparsity pattern.
     fn coefficient(&self, column: usize) -> Option<f64> {
         match &self.coefficients {
             Coefficients::One { variable, value } => (*variable == column).then_some(*value),

@@ -98,9 +98,9 @@ const ROW_ROUNDING: f64 = 1e-11;
 const BOUND_ROUNDING: f64 = 1e-14;
 
 impl QuadraticProgram {
-    /// Working set of these constraints, sorted by falling multiplier. Constraints at the end of
-    /// the list are dropped until the equations are consistent, because two limits closer than
-    /// Clarabel's tolerance both look active.
+    /// Working set of the constraints `ranked`, which are sorted by falling multiplier. Constraints
+    /// at the end of `ranked` are dropped until the equations are consistent, because two limits
+    /// closer than Clarabel's tolerance both look active.
     pub(super) fn consistent_working_set(&self, mut ranked: Vec<ActiveConstraint>) -> WorkingSet {
         loop {
             let active = WorkingSet::new(self, ranked.iter().copied());

@@ -31,7 +31,7 @@ impl WorkingSet {
             && self.max_terms.len() == program.max_terms.len()
     }
 
-    /// Working set of these constraints and of the constraints that are always active: fixed
+    /// Working set of the constraints `active` and of the constraints that are always active: fixed
     /// variables, equalities, and at least one term.
     pub(super) fn new(
         program: &QuadraticProgram,

@@ -37,15 +37,15 @@ use crate::units::System;
 /// Reproduction of the report.
 #[derive(Clone, Debug)]
 pub struct Mae494 {
-    /// The optimum over both angles, compared with the recommended optimum.
+    /// The optimum over loft and attack angle, compared with the recommended optimum.
     pub optimum: Row,
     /// Table 1: best loft at each attack angle.
     pub table1: Vec<Row>,
     /// Table 2: best attack angle at each loft.
     pub table2: Vec<Row>,
-    /// The regression.
+    /// The report's regression.
     pub regression: Regression,
-    /// Optimum of the regression with the wrong powers, with its carry in the model.
+    /// Optimum of the regression with the wrong powers, and the carry of this optimum in the model.
     pub slipped: Delivery,
     /// Energy argument against the printed distances.
     pub energy: Energy,

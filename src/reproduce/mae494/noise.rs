@@ -10,7 +10,7 @@ use crate::parameters::Setup;
 /// differences give the slope of a single tooth.
 #[derive(Clone, Debug)]
 pub struct Noise {
-    /// Time step of the loop, s.
+    /// Time step of the report's flight loop, s.
     pub step: f64,
     /// Step of forward differences, rad: √ε, as in MATLAB's `fmincon`.
     pub difference: f64,
@@ -20,10 +20,11 @@ pub struct Noise {
     pub teeth: Sawtooth,
     /// Derivatives of carry by loft at attack angle 0°.
     pub slopes: Vec<Slopes>,
-    /// Forward differences of the loop at loft 10°, attack angle 0°, for shorter time steps, s.
+    /// Forward differences of the report's loop at loft 10°, attack angle 0°, for shorter time
+    /// steps, s.
     pub shorter_steps: Vec<(f64, f64)>,
-    /// Differences with larger steps, rad, at loft 10°, attack angle 0°: of the loop, the
-    /// interpolated loop, and the smooth landing.
+    /// Differences with larger steps, rad, at loft 10°, attack angle 0°: of the report's loop, of
+    /// its interpolated landing, and of the smooth landing.
     pub longer_differences: Vec<(f64, [f64; 3])>,
 }
 
@@ -34,16 +35,16 @@ pub struct Landings {
     pub loft: f64,
     /// Carry at the end of the report's loop, m.
     pub overshot: f64,
-    /// Carry interpolated between the last two steps of the loop, m.
+    /// Carry interpolated between the last two steps of the report's loop, m.
     pub interpolated: f64,
-    /// Carry of the smooth landing, m.
+    /// Carry of this library's flight, a smooth function of loft, m.
     pub smooth: f64,
 }
 
-/// Sawtooth of the loop's carry where the number of steps changes.
+/// Sawtooth of the carry of the report's loop where the number of steps changes.
 #[derive(Clone, Copy, Debug)]
 pub struct Sawtooth {
-    /// Number of jumps in the zoom.
+    /// Number of jumps in [`Noise::zoom`].
     pub count: usize,
     /// Mean distance of the jumps, rad of loft.
     pub width: f64,
@@ -62,16 +63,16 @@ pub struct Slopes {
     pub at_fixed_time: f64,
     /// Forward difference of the report's loop.
     pub overshot: f64,
-    /// Forward difference of the interpolated loop.
+    /// Forward difference of the loop's interpolated landing.
     pub interpolated: f64,
 }
 
-/// Number of points of the zoom, and its half-width about 10°, deg.
+/// Number of intervals between the points of [`Noise::zoom`], and its half-width about 10°, deg.
 const ZOOM: u32 = 400;
 const REACH: f64 = 0.5;
 
 impl Noise {
-    /// The study in the air and with the club of a setup.
+    /// The study of the noise, in the air and with the club of a setup.
     pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
         let (step, difference) = (setup.flight.step, f64::EPSILON.sqrt());
         let smooth_at = |loft: f64| tables::carried(&level(setup, loft));
@@ -109,7 +110,7 @@ impl Noise {
         })
     }
 
-    /// Number of lofts at which the slope of the loop has the wrong sign.
+    /// Number of lofts at which the forward difference of the report's loop has the wrong sign.
     pub fn wrong_signs(&self) -> usize {
         self.slopes
             .iter()
@@ -149,7 +150,7 @@ impl Slopes {
     }
 }
 
-/// Forward differences of the report's loop and of the interpolated loop, m/rad.
+/// Forward differences of the report's loop and of its interpolated landing, m/rad.
 fn loop_slopes(setup: &Setup<f64>, loft: f64, by: f64, step: f64) -> Result<[f64; 2]> {
     let here = fly_past_the_ground(&level(setup, loft), step)?;
     let there = fly_past_the_ground(&level(setup, loft + by), step)?;
@@ -160,8 +161,8 @@ fn loop_slopes(setup: &Setup<f64>, loft: f64, by: f64, step: f64) -> Result<[f64
 }
 
 impl Sawtooth {
-    /// Finds jumps: neighbouring points between which the loop's carry changes by more than ten
-    /// times the smooth change.
+    /// Finds jumps: neighbouring points between which the changes of the loop's carry and of the
+    /// smooth carry differ by more than three times the smooth change.
     fn of(zoom: &[Landings]) -> Self {
         let jump = |pair: &[Landings]| {
             let smooth = pair[1].smooth - pair[0].smooth;

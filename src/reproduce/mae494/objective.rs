@@ -16,9 +16,9 @@ use std::cell::Cell;
 pub enum Landing {
     /// End of the report's loop, below the ground.
     Overshot,
-    /// Interpolated between the last two steps of the loop.
+    /// Interpolated between the last two steps of the report's loop.
     Interpolated,
-    /// The smooth landing.
+    /// The landing of this library's flight, a smooth function of the delivery.
     Smooth,
 }
 
@@ -109,7 +109,7 @@ impl<'a> Objective<'a> {
         })
     }
 
-    /// −carry with the derivatives of the method.
+    /// −carry with the derivatives that `method` uses.
     pub fn taylor(&self, x: &[f64]) -> Result<Taylor> {
         if matches!(self.method, Method::Exact | Method::LimitedMemoryExact) {
             self.flights.set(self.flights.get() + 1);

@@ -32,7 +32,7 @@ impl Constant {
     }
 }
 
-/// Constants of the model, including coefficients of the law.
+/// Constants of the model, including coefficients of the aerodynamic law.
 const CONSTANTS: [&str; 17] = [
     "swing.speed",
     "club.mass",
@@ -62,7 +62,7 @@ const CHANGES: [(&str, f64); 4] = [
 ];
 
 impl Parametric {
-    /// The study at the optimum.
+    /// The parametric study at `optimum`.
     pub(super) fn new(optimum: &Row) -> Result<Self> {
         let best = &optimum.best;
         let constant = |name: &&str| {

@@ -49,7 +49,7 @@ pub const REGRESSION: [[f64; 2]; 5] = [
     [20.0, 98.3],
 ];
 
-/// The swing elevation of these data, deg.
+/// The swing elevation of [`REGRESSION`], deg.
 pub const REGRESSION_ATTACK: f64 = 10.0;
 
 /// Attack angles and lofts of the third study, deg.
@@ -58,5 +58,5 @@ pub const AVERAGED_LOFTS: [f64; 11] = [
     8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0, 18.0,
 ];
 
-/// The loft with the longest average, deg.
+/// The printed loft of the longest mean carry, deg.
 pub const AVERAGE_LOFT: f64 = 16.0;

@@ -9,7 +9,7 @@ use crate::number::Vector;
 use crate::parameters::Setup;
 use std::f64::consts::PI;
 
-/// Landing point of the loop.
+/// Landing point of the report's flight loop.
 #[derive(Clone, Copy, Debug)]
 pub(in super::super) struct Stop {
     /// Downrange position at the first step below the ground, m: the report's distance.

@@ -48,10 +48,11 @@ impl Mean {
     }
 }
 
-/// Number of points of the curve.
+/// Number of points of [`Mean::polynomial`].
 const CURVE: usize = 101;
 
-/// Interpolating polynomial, in degrees of loft from the middle, for well-scaled powers.
+/// Interpolating polynomial in the loft minus `middle`, the mean loft, in degrees, for well-scaled
+/// powers.
 struct Polynomial {
     middle: f64,
     coefficients: DVector<f64>,

@@ -7,7 +7,7 @@ use crate::study::calibrate::{Calibration, FitPlan, ShotTable, calibrate};
 
 /// Printed values as data for a calibration.
 const PRINTED: &str = include_str!("printed.csv");
-/// Decay rates of the profile, 1/s.
+/// Spin decay rates of [`Fitted::profile`], 1/s.
 const PROFILE: [f64; 6] = [0.0, 0.045, 0.1, 0.2, 0.3, 0.65];
 /// Method of the fits. Its carries agree with the preset's own method within 4e-9 m, with a sixth
 /// of the evaluations.
@@ -19,7 +19,7 @@ const DECAY: &str = "aero.spin_decay";
 /// The law of the preset `winfield-tan`, fitted anew.
 #[derive(Clone, Debug)]
 pub struct Fitted {
-    /// Calibration with the decay rate of the preset.
+    /// Calibration with the spin decay rate of the preset.
     pub law: Calibration,
     /// Calibration including the decay rate.
     pub with_decay: Calibration,

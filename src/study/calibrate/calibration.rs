@@ -49,8 +49,8 @@ pub struct Calibration {
     pub starts: usize,
     /// Number of searches that ended at the smallest sum of squares (within a relative 1e-6).
     pub at_minimum: usize,
-    /// Statuses of the other searches with their counts. Empty if the curvatures of optima were
-    /// renewed more than once, because only the best search is then repeated.
+    /// Statuses of the other searches with their counts. Empty if [`renewals`](Self::renewals)
+    /// exceeds 1, because only the best search is then repeated.
     pub elsewhere: Vec<(Status, usize)>,
     /// Number of searches that were interrupted.
     pub stopped: usize,
@@ -62,6 +62,7 @@ pub struct Calibration {
     pub statistics: Statistics,
     /// The residuals, row by row.
     pub remainders: Vec<Remainder>,
-    /// Number of times the curvatures of the optima were renewed.
+    /// Number of times that the curvatures of carry in the stationary parameters were computed
+    /// anew.
     pub renewals: usize,
 }

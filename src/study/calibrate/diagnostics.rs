@@ -111,7 +111,7 @@ impl Calibration {
     }
 }
 
-/// Parameters of the setup that the note shows.
+/// Parameters of the setup that the note of [`ShotTable::one_drive`] shows.
 const SHOWN: [&str; 3] = ["swing.speed", "swing.attack_angle", "club.loft"];
 
 impl ShotTable {

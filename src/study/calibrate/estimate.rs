@@ -264,7 +264,7 @@ fn no_start(problem: &ShotResiduals<'_>, own: &[f64], observer: &FitObserver) ->
     }
 }
 
-/// Searches from several starting points, repeated with renewed curvatures of the optima.
+/// Searches from several starting points, repeated with renewed [`ShotResiduals::curvatures`].
 struct Searches {
     /// Fits in ascending order of the sum of squares.
     fits: Vec<Fit>,
@@ -296,7 +296,7 @@ impl Searches {
                 return Err(no_start(problem, own, observer));
             }
             let renewed = match problem.curvatures_at(&best.x) {
-                // an interrupted fit is settled only if no row is an optimum
+                // an interrupted fit is settled only if no row has a stationary parameter
                 Err(_) if observer.is_interrupted() => {
                     let is_settled = problem.shots.iter().all(|shot| shot.stationary.is_empty());
                     return Ok(Self {

@@ -56,7 +56,7 @@ const APART: &str =
 /// models differ.
 const RUNS: &str = "the totals of two monitors on the same shots differ by {11.5 yd} (one standard \
                     deviation): {8 yd} each, docs/sources.md";
-/// Charts: published averages are rounded to whole yards and degrees.
+/// Apex height and descent angle: published averages are rounded to whole yards and degrees.
 const ROUNDED: &str = "assumed: tables print whole units of length and whole degrees; indoors \
                        both are computed from the launch";
 

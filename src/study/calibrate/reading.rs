@@ -38,16 +38,17 @@ pub(super) struct Reading {
 /// The column that names the club.
 #[derive(Clone)]
 pub(super) struct ClubName {
-    /// Its index.
+    /// Index of the column.
     pub at: usize,
-    /// Its head.
+    /// Column head.
     pub head: String,
 }
 
 /// A row that was read successfully.
 pub(super) struct Row {
     pub shot: Shot,
-    /// Head of a column that is not compared because launch direction or spin axis is assumed.
+    /// Column head of a measured value that is not compared because launch direction or spin axis
+    /// is assumed.
     pub not_compared: Option<String>,
     /// Message on contradictory spins.
     pub contradiction: Option<String>,
@@ -106,7 +107,7 @@ pub(super) enum Values<'a> {
 }
 
 impl<'a> Values<'a> {
-    /// The text of a column; empty for numbers.
+    /// The text of column `at`; empty for numbers.
     fn text(self, at: usize) -> &'a str {
         match self {
             Self::Cells(cells) => cells.get(at).copied().unwrap_or_default(),
@@ -114,7 +115,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// The value of a column, SI.
+    /// The value of column `at`, SI.
     fn value(self, at: usize, column: &Column) -> Result<Option<f64>, String> {
         match self {
             Self::Cells(_) => column.value(self.text(at)),
@@ -123,7 +124,7 @@ impl<'a> Values<'a> {
     }
 }
 
-/// Outcomes that a message may contain, with their heads.
+/// Outcomes that a message may contain, with their column heads.
 const OF_MESSAGES: [(Outcome, &str); 13] = [
     (Outcome::BallSpeed, "Ball Speed"),
     (Outcome::LaunchAngle, "Launch Angle"),
@@ -142,7 +143,7 @@ const OF_MESSAGES: [(Outcome, &str); 13] = [
 
 /// Error in a row.
 pub(super) struct RowError {
-    /// Head of the faulty column.
+    /// Column head of the faulty cell; `None` for an error of the whole row.
     pub column: Option<String>,
     pub why: String,
     /// True if only a required value is missing and all other values are valid.
@@ -171,7 +172,7 @@ impl<T: Into<String>> From<(Option<String>, T)> for RowError {
 }
 
 impl Reading {
-    /// Reads the columns of a section from their heads.
+    /// Reads the columns of a section from their column heads.
     ///
     /// # Errors
     /// [`Error::Table`] for a repeated column, a wrong unit, a sigma without its measurement, and
@@ -300,7 +301,7 @@ impl Reading {
         }
     }
 
-    /// Values of a message, in the order of the columns.
+    /// Values of `shot`, in the order of the columns.
     pub fn numbers(&self, shot: &Stated, further: &[&'static Parameter]) -> Vec<Option<f64>> {
         let of = |column: &Column| match column.content {
             Content::Outcome(outcome) => shot.value(outcome).map(|value| value.value),
@@ -494,7 +495,8 @@ impl Reading {
         self.club == ClubColumns::Read && column.is_of_the_strike()
     }
 
-    /// True if all club values are zero: the club was not measured.
+    /// True if the row states the club speed and all its club values are 0: the club was not
+    /// measured.
     fn is_still(&self, record: Values<'_>) -> bool {
         let of_club =
             self.columns
@@ -546,7 +548,7 @@ impl Reading {
         self.has(Outcome::BallSpeed) && self.has(Outcome::LaunchAngle) && has_spin
     }
 
-    /// Heads of a complete launch and of the club columns, if the table has both.
+    /// Column heads of the launch and of the club, if the table has the club and a complete launch.
     pub fn launch_beside_club(&self) -> Option<[String; 2]> {
         let heads = |is: &dyn Fn(&Column) -> bool| {
             let heads = self
@@ -563,7 +565,7 @@ impl Reading {
         (self.has_whole_launch() && !club.is_empty()).then_some([launch, club])
     }
 
-    /// The head of an outcome's column, for messages.
+    /// The column head of outcome `of`, for messages.
     fn head(&self, of: Outcome) -> String {
         let column = self
             .columns
@@ -611,7 +613,7 @@ impl Reading {
         }
     }
 
-    /// Zero spin is a value, except in exports, where it means unmeasured.
+    /// True for a 0 that is a value, not a missing measurement: zero spin, except in exports.
     fn may_be_none(&self, of: Outcome, value: f64) -> bool {
         of == Outcome::Spin && value == 0.0 && !self.is_export
     }

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 
-/// Rows whose reasons differ only in their numbers.
+/// Failed rows whose reasons differ only in the numbers within the text.
 struct Group {
     rows: Vec<usize>,
     /// The reason of the first row.

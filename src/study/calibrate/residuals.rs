@@ -191,7 +191,8 @@ impl ShotResiduals<'_> {
         })
     }
 
-    /// Computes the curvatures at `x` and checks every row; true if all rows can be computed.
+    /// Computes [`curvatures`](Self::curvatures) at `x` and checks every row; true if all rows can
+    /// be computed.
     pub fn begin(&mut self, x: &[f64]) -> bool {
         let Ok(curvatures) = self.curvatures_at(x) else {
             return false;

@@ -233,8 +233,8 @@ impl Rows {
         Some(format!("{first}{others}").into())
     }
 
-    /// Remarks on columns and rows, in this order: columns, rejected rows, values that are not
-    /// compared or replaced.
+    /// Remarks in this order: on columns, rejected rows, values that are not compared, values that
+    /// the prior replaces, implausible values, and contradictory spins.
     fn remarks(&mut self, reading: &Reading, left_out: Vec<Message>) -> Vec<Message> {
         let mut remarks = reading.remarks.clone();
         remarks.append(&mut self.of_sections);
@@ -279,7 +279,7 @@ impl Rows {
         )
     }
 
-    /// Builds the table; `reading` belongs to the first section.
+    /// Builds the table. `reading` describes the columns of the table's first section.
     ///
     /// # Errors
     /// [`Error::Table`] without a shot.

@@ -29,12 +29,12 @@ pub struct ShotTable {
     pub remarks: Vec<Message>,
     /// Warnings for a table that is not an export: rejected rows, and contradictory spins.
     pub warnings: Vec<Message>,
-    /// Heads of the launch and of the club columns, if the table has both. The rows are then
+    /// Column heads of the launch and of the club, if the table has both. The rows are then
     /// deliveries.
     pub(super) launch_beside_club: Option<[String; 2]>,
     /// Quality of the standard uncertainties.
     pub uncertainties: Uncertainties,
-    /// Head of the air column of an export.
+    /// Column head of the air of an export.
     pub(super) stated_air: Option<String>,
 }
 

@@ -16,8 +16,8 @@ const PART: f64 = 1e-3;
 pub enum Uncertainties {
     /// The table states all standard uncertainties.
     Stated,
-    /// The table lacks some; the known uncertainties of instruments replace them
-    /// ([`instrument`](super::instrument())).
+    /// The table lacks some standard uncertainties; the known uncertainties of instruments replace
+    /// them ([`instrument`](super::instrument())).
     Instruments,
     /// Some standard uncertainties are unknown: one unit of the column serves as a weight.
     Weights,
@@ -37,7 +37,7 @@ pub struct Fitted {
 #[derive(Clone, Debug)]
 pub struct Statistics {
     /// Covariance. An entry is `None` if one of its parameters is undetermined or lies on a bound;
-    /// all entries are `None` without a scale.
+    /// all entries are `None` without a [`scale`](Self::scale).
     pub covariance: Vec<Vec<Option<f64>>>,
     /// Directions that the data do not determine.
     pub undetermined: Vec<Undetermined>,
@@ -336,7 +336,7 @@ fn upper_tail(chi_square: f64, degrees_of_freedom: usize) -> Option<f64> {
         .map(|distribution| distribution.sf(chi_square))
 }
 
-/// The 97.5 % quantile of the normal distribution, or of Student's t if the scale is estimated.
+/// The 97.5 % quantile of the normal distribution, or of Student's t if `is_scaled`.
 fn reach(degrees_of_freedom: usize, is_scaled: bool) -> f64 {
     let normal = Normal::standard().inverse_cdf(0.975);
     if !is_scaled {

@@ -6,9 +6,9 @@ use super::statistics::{Uncertainties, Undetermined};
 use crate::optimize::least_squares::{Fit, Loss, Status};
 use crate::units::{counted, significant};
 
-/// Sets the status of the best of several searches. `is_settled`: the curvatures of optima no
-/// longer change. Returns the number of interrupted searches, and true if the best search converged
-/// to a minimum.
+/// Sets the status of the best of several searches. `is_settled`: the curvatures of carry in the
+/// stationary parameters no longer change. Returns the number of interrupted searches, and true if
+/// the best search converged to a minimum.
 pub(super) fn of_searches(
     fits: &mut [Fit],
     is_settled: bool,

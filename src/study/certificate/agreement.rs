@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use num_dual::Dual64;
 
-/// Relative tolerance.
+/// Tolerance of [`Agreement::difference`], relative to the derivative.
 const RELATIVE: f64 = 1e-9;
 
 /// Rounding tolerance, relative to the magnitude of the outcome's terms over the parameter's scale.

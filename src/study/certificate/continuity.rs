@@ -11,7 +11,7 @@ const FARTHEST: f64 = 0.1;
 /// Number of doublings that lead to the end of the search range.
 const DOUBLED: i32 = 9;
 
-/// Samples on each side of the change, to estimate the scatter by rounding.
+/// Samples on each side of the change of the number of steps, to estimate the scatter by rounding.
 const NEIGHBOURS: usize = 8;
 
 /// Distance of the samples in units of the parameter's scale. Adjacent floating-point numbers can
@@ -34,7 +34,7 @@ pub struct Continuity {
     pub of: Outcome,
     /// The parameter that varies.
     pub parameter: &'static Parameter,
-    /// Value just before the change, SI.
+    /// Value of the parameter just before the number of steps changes, SI.
     pub at: f64,
     /// Number of steps before and after the change.
     pub steps: [usize; 2],

@@ -11,7 +11,7 @@ use crate::parameters::{Parameter, Setup};
 pub enum InjectedError {
     /// Sign changed.
     Sign,
-    /// Too large by 1e-6.
+    /// Too large by the factor 1 + 1e-6.
     Millionth,
     /// Landing time treated as constant, like a flight loop that stops after a fixed step.
     LandingTerm,

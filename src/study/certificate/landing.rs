@@ -21,7 +21,8 @@ use crate::parameters::{Parameter, Setup};
 /// Outcomes whose derivative contains a landing term.
 pub(super) const AT_LANDING: [Outcome; 3] = [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime];
 
-/// Depth to which the ground is lowered, m, so that all sampled flights are airborne at T.
+/// Depth to which the ground is lowered, m, so that all sampled flights are airborne at the landing
+/// time T.
 const LOWERED_BY: f64 = 2000.0;
 
 /// A derivative at the landing compared with differences at a fixed time.

@@ -155,7 +155,7 @@ impl<'a> Neighbours<'a> {
         })
     }
 
-    /// A number of each outcome at a value of the parameter; NaN where the drive has not all
+    /// `number` of each outcome at the value `x` of the parameter; NaN where the drive has not all
     /// outcomes, and empty once stopped.
     fn sample(
         &self,

@@ -14,7 +14,7 @@ pub enum Cause {
     Law,
     /// The golfer's handedness (discrete).
     Golfer,
-    /// The point of the head whose speed the swing states (discrete).
+    /// The point of the club head whose speed the swing states (discrete).
     SpeedOf,
     /// A club strike or a given launch, with all parameters of both alternatives (discrete).
     Launch,

@@ -23,7 +23,7 @@ pub(super) struct Split<'a> {
 #[derive(Default)]
 struct Side {
     evaluator: Option<Evaluator>,
-    /// Derivatives by the bits of the position on the path.
+    /// Derivatives at the positions already flown; the key is the bits of the position on the path.
     flown: HashMap<u64, Slopes>,
 }
 

@@ -222,7 +222,7 @@ fn deviation<'a, D: Iterator<Item = (&'a Taylor, f64)>>(
     root(&summed(squares, &mean.gradient, is_second), least)
 }
 
-/// The value or gradient, with a Hessian of 0 where the second order has none.
+/// `f`, with a Hessian of 0 if `is_second` and `f` has none.
 fn with_hessian(f: &Taylor, is_second: bool) -> Taylor {
     let n = f.gradient.len();
     let mut of_order = f.clone();
@@ -232,13 +232,13 @@ fn with_hessian(f: &Taylor, is_second: bool) -> Taylor {
     of_order
 }
 
-/// √(f + η²).
+/// √(f + `least`²).
 fn root(f: &Taylor, least: f64) -> Taylor {
     let root = (f.value + least * least).sqrt();
     chained(f, [root, 0.5 / root, -0.25 / root.powi(3)])
 }
 
-/// σ((h − f)/e) − σ((−h − f)/e) with the logistic σ.
+/// σ((`half` − f)/`edge`) − σ((−`half` − f)/`edge`) with the logistic σ, and two derivatives by f.
 fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
     let at = |end: f64| {
         let s = 1.0 / (1.0 + ((f - end) / edge).exp());

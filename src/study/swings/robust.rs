@@ -136,7 +136,7 @@ pub struct Robust {
     /// Result of the search for the minimax design. Its variables are the design parameters and the
     /// greatest loss t.
     pub solution: Solution,
-    /// The design.
+    /// The minimax design.
     pub design: Vec<f64>,
     /// The first model's setup with this design.
     pub setup: Setup<f64>,
@@ -353,7 +353,8 @@ fn best_of_each(
     models.into_iter().map(best).collect()
 }
 
-/// The multiplier of the loss of each model, whose first constraint is its loss less t.
+/// The multiplier of each model's loss. Of the 1 + `limits` constraints of a model, the first is
+/// its loss less t.
 fn shares(solution: &Solution, limits: usize) -> Vec<f64> {
     let losses = solution.constraints.iter().step_by(1 + limits);
     losses.map(|at| at.multiplier.max(0.0)).collect()

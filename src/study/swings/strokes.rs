@@ -13,7 +13,7 @@ pub struct Strokes {
     /// Distances, m, ascending.
     distance: Vec<f64>,
     strokes: Vec<f64>,
-    /// Second derivatives at the distances.
+    /// Second derivatives of the spline at the distances.
     bend: Vec<f64>,
     /// Outcomes that give the ball's final position: downrange and to the right.
     outcomes: [Outcome; 2],

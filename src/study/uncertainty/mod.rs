@@ -255,7 +255,7 @@ fn check(inputs: &[Uncertain], plan: SamplePlan) -> Result<()> {
     inputs.iter().try_for_each(Uncertain::check)
 }
 
-/// The flown sample of a design.
+/// The results of the drives at the points of a [`Design`].
 struct Sample<'a> {
     of: &'a [Outcome],
     inputs: &'a [Uncertain],

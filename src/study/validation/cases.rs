@@ -2,7 +2,7 @@ use super::compared::Compared;
 use crate::error::{Error, Result};
 use crate::units::Quantity;
 
-/// Published drives with sources. Heads contain units; an empty cell means not stated.
+/// Published drives with sources. Column heads contain units; an empty cell means not stated.
 const CASES: &str = include_str!("cases.csv");
 
 /// A published drive: stated values in SI.
