@@ -1,4 +1,4 @@
-//! Announces to the host which work of a command can be interrupted.
+//! Announces to the `Host` of a command which work of the command can be interrupted.
 
 use super::running::running;
 use std::path::Path;

@@ -37,8 +37,8 @@ pub struct CertificateReport<'a> {
     pub step_errors: Vec<StepErrorReport>,
     /// Omitted checks, with the reasons.
     pub not_examined: Vec<UnmadeCheck>,
-    /// The finite differences of the MAE 494 report's while-loop, for each parameter by which carry
-    /// is certified.
+    /// The finite differences of carry in the while-loop of the MAE 494 report, for each parameter
+    /// by which the derivative of carry is certified.
     pub while_loop: Vec<LoopCheck>,
     /// Outcomes without derivatives at this drive, with the reasons.
     pub missing: Vec<MissingOutcome>,
