@@ -229,7 +229,8 @@ pub struct StepErrorReport {
     pub parameter: Option<&'static str>,
     /// The relative error of that derivative.
     pub derivative_error: Number,
-    /// The error of the derivative relative to the outcome, for a change by the parameter's size.
+    /// The error of the derivative relative to the outcome, for a change of the parameter by its
+    /// typical size.
     pub derivative_error_of_outcome: Number,
 }
 
