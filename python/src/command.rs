@@ -26,7 +26,7 @@ use std::time::Duration;
 /// and a single drive may take long.
 const LAST_WORDS: Duration = Duration::from_secs(2);
 
-/// A program in Python, as the host of a command.
+/// A program in Python that calls a command: the `Host` of the command.
 #[derive(Default)]
 struct Caller {
     now: Mutex<Now>,

@@ -168,12 +168,12 @@ pub fn warn(warnings: &[Message]) {
     }
 }
 
-/// The warnings of an answer. `add` also reports each of them to the host.
+/// The warnings of an answer. `add` also reports each of them to the user.
 #[derive(Default)]
 pub struct Warnings(Vec<Message>);
 
 impl Warnings {
-    /// Adds warnings and reports them to the host.
+    /// Adds warnings and reports them to the user.
     pub fn add(&mut self, warnings: impl IntoIterator<Item = Message>) {
         let before = self.0.len();
         self.0.extend(warnings);
@@ -254,8 +254,8 @@ fn not_utf8() -> Error {
     }
 }
 
-/// The parser's message with argument names in the syntax of the host: `--width <PIXELS>` for the
-/// program, `width` for Python.
+/// The parser's message with argument names in the syntax of the command's `Host`: `--width
+/// <PIXELS>` for the program, `width` for Python.
 fn with_named_arguments(message: &str, error: &clap::Error) -> String {
     let mut message = message.to_owned();
     for kind in [ContextKind::InvalidArg, ContextKind::PriorArg] {

@@ -111,8 +111,8 @@ impl TextTable {
     /// Opens a table and reads its first line of column heads.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for an empty table, an unclosed quote in the head, an
-    /// unknown column, and errors of the source.
+    /// [`Error::Table`](crate::Error::Table) for an empty table, an unclosed quote in the column
+    /// heads, an unknown column, and errors of the source.
     pub fn open(text: Text, setup: &Setup<f64>, wanted: &TableOptions) -> Result<(Self, Head)> {
         let Text {
             name,
