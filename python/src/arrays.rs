@@ -11,14 +11,15 @@ use numpy::{PyArray1, PyArrayDescrMethods, PyArrayMethods, PyUntypedArray, PyUnt
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyList, PyMapping, PyString, PyTuple};
 
-/// Rows that are copied from the arrays at a time, with the lock of Python.
+/// Number of rows that are copied from the arrays at a time, while the thread holds Python's lock.
 const GATHERED: usize = 65_536;
 
 /// Rows that are checked before other threads of Python may run.
 const LOOKED_AT: usize = 1 << 20;
 
-/// Imports NumPy's functions at the start: the first use of an array does so, and a Ctrl-C within
-/// that would panic. Without NumPy, the first use of an array raises the error.
+/// Imports NumPy's functions at the start. Otherwise the first use of an array would import them,
+/// and a Ctrl-C during that import would panic. Without NumPy, the first use of an array raises the
+/// error.
 pub fn prepared(py: Python<'_>) {
     if py.import("numpy").is_ok() {
         let array = PyArray1::<f64>::zeros(py, [0], false);
@@ -26,7 +27,7 @@ pub fn prepared(py: Python<'_>) {
     }
 }
 
-/// The values of one parameter: one for all rows, or one for each.
+/// The values of one parameter: one for all rows, or one for each row.
 enum Column {
     Same(f64),
     Each(Py<PyArray1<f64>>),
@@ -111,14 +112,14 @@ impl Arrays {
         self.rows
     }
 
-    /// The warnings about points: degrees in the place of radians.
+    /// Warnings about points whose angles were probably given in degrees, not in radians.
     pub fn in_degrees(&self) -> Vec<String> {
         self.in_degrees.clone()
     }
 
     /// Finds the ranges of the valid values, and columns that look like degrees. Other threads of
-    /// Python may run in between. `is_bare` is true for numbers without a unit: those of a sweep
-    /// have one.
+    /// Python may run in between. `is_bare` is true if the numbers have no unit; the values of a
+    /// sweep have one.
     pub fn look(&mut self, py: Python<'_>, is_bare: bool) -> PyResult<()> {
         for (parameter, column) in self.parameters.iter().zip(&self.columns) {
             let mut range = None::<(f64, f64)>;
@@ -166,7 +167,7 @@ impl Arrays {
 }
 
 impl Column {
-    /// Its values in some rows, one after the other.
+    /// Calls `take` with the value of this column in each of the `rows`, in order.
     fn each(&self, py: Python<'_>, rows: std::ops::Range<usize>, take: &mut dyn FnMut(f64)) {
         match self {
             Self::Same(value) => rows.for_each(|_| take(*value)),
@@ -185,7 +186,7 @@ impl Column {
     }
 }
 
-/// One argument as a column.
+/// The argument `given` as a column of `parameter`.
 fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Column> {
     let name = parameter.name;
     if let Ok(text) = given.cast::<PyString>() {
@@ -222,8 +223,8 @@ fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Col
     }
 }
 
-/// Whole numbers and floats as an array of 64-bit floats of any shape; `refuse` makes the error for
-/// other values, `missing` the number for a missing value.
+/// Whole numbers and floats as an array of 64-bit floats of any shape. `refuse` makes the error for
+/// other values; `missing` is the advice on missing values in its message.
 pub fn floats<'py>(
     given: &Bound<'py, PyAny>,
     missing: &str,
@@ -254,7 +255,7 @@ pub fn floats<'py>(
     let kind = array.dtype().kind();
     // only whole numbers and floats are quantities
     if !matches!(kind, b'i' | b'u' | b'f') {
-        // with None among numbers the array has objects
+        // an array of numbers and None has Python objects as elements
         let objects = if kind == b'O' { missing } else { "" };
         return Err(refuse(format!("has dtype {}{objects}", array.dtype())));
     }

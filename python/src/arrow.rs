@@ -47,8 +47,8 @@ fn numbers(array: &Bound<'_, PyArray1<f64>>) -> Answer<Float64Array> {
     Ok(Float64Array::new(values, nulls))
 }
 
-/// The capsule of `__arrow_c_stream__`: columns of numbers with their units; and the status of each
-/// row, if there is one, before the column of the number `at`.
+/// The capsule of `__arrow_c_stream__`: columns of numbers with their units. The column of
+/// `status`, if it is given, is inserted before column `at`.
 #[pyfunction]
 pub fn arrow_stream<'py>(
     py: Python<'py>,

@@ -19,8 +19,8 @@ use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// The status of a drive that landed without a requested outcome or derivative, after those of
-/// `longdrive::batch::Status`.
+/// The status number of a drive that landed without a requested outcome or derivative: the first
+/// number after those of `longdrive::batch::Status`.
 const UNDEFINED: i8 = Status::ALL.len() as i8;
 
 /// The results of a batch, column after column.
@@ -156,7 +156,7 @@ impl Shared {
 /// The results for Python: status, columns (points, outcomes, derivatives; a row of the array
 /// each), Hessians, the names of outcomes, derivatives' parameters and points' parameters, the
 /// units of the columns, warnings, the rows done and the number of points, and the exception that
-/// ended the batch early. After the rows done, the arrays have space for the others.
+/// ended the batch early. After the rows done, the arrays have space for the remaining points.
 type Found<'py> = (
     Bound<'py, PyArray1<i8>>,
     Bound<'py, PyArray2<f64>>,
@@ -225,7 +225,7 @@ pub fn batch<'py>(
             results: Mutex::new(Some(Results::new(rows, width, of_hessians)?)),
             done: AtomicU64::new(0),
         });
-        // after the allocation, which may fail
+        // check the values after the allocation, which may fail
         arrays.look(py, ranges.is_none())?;
         let ranges = match ranges {
             None => arrays.ranges(),
@@ -274,7 +274,7 @@ pub fn batch<'py>(
                 .map(|_| ()),
             None => Ok(()),
         };
-        // few drives take less time than an interruption
+        // compute a few drives without threads: they take less time than a check for Ctrl-C
         let ended = if rows <= CHUNK && !hessians && asked.is_known(&setup) {
             py.detach(|| work(&AtomicBool::new(false)))
                 .map_err(Failure::from)
@@ -371,8 +371,8 @@ fn none(
     )
 }
 
-/// The ranges for which a sweep chooses its step: the stated ranges, which the points need not
-/// reach.
+/// The ranges for which a sweep chooses its step: the ranges in `given`. The points may cover only
+/// a part of them.
 fn given_ranges(setup: &PySetup, given: &[(String, f64, f64)]) -> Answer<Vec<Vary>> {
     let range = |(name, low, high): &(String, f64, f64)| {
         Ok(Vary {
@@ -384,7 +384,7 @@ fn given_ranges(setup: &PySetup, given: &[(String, f64, f64)]) -> Answer<Vec<Var
     given.iter().map(range).collect()
 }
 
-/// The parameters of the derivatives; "points" for those of the points.
+/// The parameters to differentiate by; the name "points" stands for the parameters of the points.
 fn by_names(
     setup: &PySetup,
     arrays: &Arrays,
@@ -395,7 +395,7 @@ fn by_names(
     if names == ["points"] {
         return Ok(of_points.to_vec());
     }
-    // only the points may have a value of the parameter
+    // a parameter of the points may have no value in `setup`
     let is_of_points = |name: &String| of_points.iter().any(|row| row.name == name);
     if names.iter().any(is_of_points) {
         let mut rows = vec![];
@@ -431,7 +431,7 @@ fn units(arrays: &Arrays, of: &[Outcome], wrt: &[&'static Parameter]) -> Vec<Str
     points.chain(outcomes).chain(derivatives).collect()
 }
 
-/// Computes the rows and appends them to the shared results, until these are taken.
+/// Computes the rows and appends them to the results in `to`, until Python takes those results.
 fn compute(
     batch: &Batch,
     mut arrays: Arrays,
@@ -478,7 +478,7 @@ type Moved<'py> = (
     Option<Bound<'py, PyArray4<f64>>>,
 );
 
-/// The numbers as arrays of Python, moved there.
+/// Moves the results into arrays of NumPy without a copy.
 fn moved(
     py: Python<'_>,
     results: Results,

@@ -22,11 +22,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// How long work that was told to end may take to answer with what it has so far: it stops between
-/// two drives, and one alone may take long.
+/// Time for stopped work to answer with its result so far. The work stops only between two drives,
+/// and a single drive may take long.
 const LAST_WORDS: Duration = Duration::from_secs(2);
 
-/// A program in Python, as the host of a command.
+/// A program in Python that calls a command: the `Host` of the command.
 #[derive(Default)]
 struct Caller {
     now: Mutex<Now>,
@@ -44,16 +44,16 @@ struct Now {
     answer: String,
     said: Vec<(&'static str, String)>,
     stop: Option<Arc<AtomicBool>>,
-    /// True after interruptible work: the rest of the command makes the answer only.
+    /// True after interruptible work: the rest of the command only makes the answer.
     has_found: bool,
-    /// The bar that was shown last.
+    /// The last progress bar that the command showed.
     bar: Option<ProgressBar>,
 }
 
-/// The files of a command; locked while one is written.
+/// The files of a command; locked while a file is written.
 #[derive(Default)]
 struct Files {
-    /// The complete files.
+    /// Names of the complete files.
     written: Vec<String>,
     /// True if the call has returned already.
     is_left: bool,
@@ -96,8 +96,8 @@ impl Caller {
         now.said.push(("note", told));
     }
 
-    /// Tells the work that goes on to end, and says how long it may take to answer: no time where
-    /// it cannot be told.
+    /// Stops the current work. Returns how long the work may take to answer: zero if it cannot be
+    /// stopped.
     fn stops(&self) -> Duration {
         let now = self.now();
         if let Some(stop) = &now.stop {
@@ -121,14 +121,14 @@ impl Host for Caller {
         let kind = match kind {
             Kind::Note => "note",
             Kind::Warning => "warning",
-            // the answer has errors in arguments too, without colours
+            // the answer contains errors in arguments too, without colours
             Kind::Usage => return,
             Kind::Error => "error",
         };
         self.now().said.push((kind, text.to_owned()));
     }
 
-    /// The level of the log chooses.
+    /// Always true: the level of Python's log selects the messages.
     fn receives_details(&self) -> bool {
         true
     }
@@ -166,7 +166,8 @@ impl Host for Caller {
         let files = self.written();
         if files.is_left {
             drop(files);
-            // it ends here, without the message of a panic: who has gone on expects no more files
+            // end this thread, without the message of a panic: the call has returned, and its
+            // caller expects no more files
             resume_unwind(Box::new("left"));
         }
         Box::new(Writing(files))
@@ -179,7 +180,7 @@ impl Host for Caller {
     }
 }
 
-/// Files are written.
+/// Prevents the end of the process while files are written: it holds the lock of `Files`.
 struct Writing<'a>(MutexGuard<'a, Files>);
 
 impl Hold for Writing<'_> {
@@ -268,7 +269,7 @@ fn ran<'py>(
     let watch = || said(&caller, say).and_then(|()| shown(&caller, progress));
     let patience = |raised: &PyErr| {
         let time = caller.stops();
-        // any other exception is the caller's own, and waits for nothing
+        // only Ctrl-C waits for the answer: another exception comes from `say` or `progress`
         if raised.is_instance_of::<PyKeyboardInterrupt>(py) {
             time
         } else {
@@ -290,7 +291,7 @@ fn ran<'py>(
                 return Ok((None, written.into_pyobject(py)?, none, Some(raised)));
             }
         };
-    // Ctrl-C may come now, too
+    // Ctrl-C may also come during these last messages
     let raised = raised.or(said(&caller, say).err());
     let text = std::mem::take(&mut caller.now().answer);
     let outputs = PyDict::new(py);
@@ -328,7 +329,7 @@ fn parsed<'py>(py: Python<'py>, text: &str) -> Answer<Bound<'py, PyAny>> {
     }
 }
 
-/// The program itself, in the terminal; its exit status.
+/// Runs the program in the terminal; returns its exit status.
 #[pyfunction]
 pub fn main(py: Python<'_>, words: Vec<OsString>) -> PyResult<u8> {
     answer(|| {

@@ -21,8 +21,8 @@ type Path<'py> = (
     Bound<'py, PyArray2<f64>>,
 );
 
-/// A drive: its outcomes by name, SI, None where it has none; the answer of ``longdrive simulate
-/// --json``; and its path, if it was requested and the ball flies.
+/// A drive: its outcomes by name, SI (None for an outcome without a value); the answer of
+/// ``longdrive simulate --json``; and its path, if it was requested and the ball flies.
 type Simulated<'py> = (Bound<'py, PyDict>, Bound<'py, PyAny>, Option<Path<'py>>);
 
 /// One drive; see :func:`longdrive.simulate`.

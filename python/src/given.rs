@@ -46,9 +46,9 @@ impl AngleUnit {
 /// An angle that was given as a number: its parameter and its value, rad.
 pub type BareAngle = (String, f64);
 
-/// A parameter with its value of Python.
+/// A parameter and the value that Python gives it.
 pub struct Given<'py> {
-    /// Its dotted name.
+    /// The dotted name of the parameter.
     pub name: String,
     value: Bound<'py, PyAny>,
 }
@@ -61,7 +61,7 @@ impl Given<'_> {
             .is_ok_and(|text| text == UNSET)
     }
 
-    /// The value as a text, and whether a number in it is SI without a unit.
+    /// The value as a text, and true if it is a number in SI, given without a unit.
     fn text(&self, setup: &Setup<f64>) -> Answer<(String, bool)> {
         let value = &self.value;
         if value.is_none() {
@@ -131,8 +131,8 @@ impl Given<'_> {
         ))
     }
 
-    /// The number of a quantity of pint, SI. The check uses its attributes: pint need not be
-    /// installed.
+    /// The number of a quantity of pint, SI. The check looks at the attributes of the value: pint
+    /// need not be installed.
     fn of_pint(&self, setup: &Setup<f64>) -> Answer<Option<f64>> {
         if !self.is_of_pint() {
             return Ok(None);
@@ -153,7 +153,7 @@ fn is_bool(value: &Bound<'_, PyAny>) -> bool {
     value.is_instance_of::<PyBool>() || name.is_ok_and(|name| name == "bool" || name == "bool_")
 }
 
-/// The entries of a dict under their dotted names, each given once.
+/// The entries of a dict under their dotted names. A name may occur once.
 pub fn flattened<'py>(dict: &Bound<'py, PyAny>) -> Answer<Vec<Given<'py>>> {
     let mut all = vec![];
     flatten(
@@ -246,8 +246,8 @@ fn not_a_mapping(value: &Bound<'_, PyAny>) -> Failure {
     ))
 }
 
-/// Sets these parameters. Numbers without a unit are SI, but angles have the unit `angles`. Returns
-/// the angles that were given as numbers.
+/// Sets the parameters `given`. Numbers without a unit are SI, but angles have the unit `angles`.
+/// Returns the angles that were given as numbers.
 pub fn apply(
     setup: &mut Setup<f64>,
     given: &[Given<'_>],
@@ -257,7 +257,7 @@ pub fn apply(
     let mut of_law = *setup;
     let is_choice = |given: &&Given<'_>| matches!(given.name.as_str(), LAW | TABLE);
     for choice in given.iter().filter(is_choice) {
-        // errors in it are reported below
+        // the loop below reports errors in this choice
         let _ = of_law.set(&choice.name, &choice.text(setup)?.0);
     }
     let mut texts = given

@@ -17,7 +17,7 @@ pub struct Hessians {
 
 impl Hessians {
     /// # Errors
-    /// As [`Evaluator::new`].
+    /// The errors of [`Evaluator::new`].
     pub fn new(
         setup: &Setup<f64>,
         points: &[&'static Parameter],

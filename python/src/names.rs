@@ -11,7 +11,7 @@ use longdrive::{Outcome, Setup};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PySequence, PyString};
 
-/// A name or several, of the argument `what`.
+/// The names in `given`: one, or several. `what` is the name of the argument in messages.
 pub fn listed(what: &str, given: &Bound<'_, PyAny>) -> Answer<Vec<String>> {
     // an array of NumPy is not a sequence
     if given.hasattr("dtype")? && given.hasattr("tolist")? && !given.is_instance_of::<PyString>() {

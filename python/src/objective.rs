@@ -19,10 +19,10 @@ use pyo3::types::{PyDict, PySequenceMethods, PyTuple};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// The last point, with its results.
+/// The last point at which the function was evaluated, with its results.
 struct Point {
     x: Vec<f64>,
-    /// Bits of the computed order, and of the requested orders.
+    /// The order of the computed derivatives, and the highest requested order.
     order: Order,
     asked: Order,
     found: Option<Taylor>,
@@ -37,8 +37,8 @@ enum Function {
 }
 
 impl Function {
-    /// The value at a point. Many swings use threads of their own, while the thread of Python
-    /// checks for Ctrl-C and lets other threads run.
+    /// The value at a point. Many swings are computed on several threads, while the thread of
+    /// Python checks for Ctrl-C and lets other threads of Python run.
     fn at(
         &self,
         py: Python<'_>,
@@ -116,7 +116,7 @@ impl Over {
         Ok(Scenarios::new(&swings, rule)?)
     }
 
-    /// The goal over the swings; errors point to the position in its text.
+    /// The goal over the swings, parsed from `of`; errors point to the position in `of`.
     fn goal(&self, of: &str) -> Answer<Goal> {
         let strokes = self
             .strokes
@@ -196,14 +196,15 @@ fn ends(range: Range) -> (f64, f64) {
 }
 
 impl PyObjective {
-    /// The derivatives at a point, to an order. Optimizers request value, gradient and Hessian of a
-    /// point one after the other: the orders requested at the last point are computed together and
-    /// cached.
+    /// The derivatives at a point, up to `order`. Optimizers request value, gradient and Hessian of
+    /// a point one after the other: the orders requested at the last point are computed together
+    /// and cached.
     fn at(&self, x: &Bound<'_, PyAny>, order: Order) -> Answer<Option<Taylor>> {
         let (py, x) = (x.py(), self.point(x)?);
         let mut to = order;
         let mut asked = order;
-        // unlocked during the computation: other code of Python may call meanwhile
+        // release the lock before the computation: other code of Python may call this method
+        // meanwhile
         if let Some(point) = &mut *self.last() {
             if point.x == x {
                 point.asked = point.asked.max(order);
@@ -244,7 +245,7 @@ impl PyObjective {
         self.last.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The result; `None` for a point without an answer, if that is NaN.
+    /// The value in `found`. An error becomes `None` if `gives_nan` is true.
     fn lone(&self, found: longdrive::Result<Option<Taylor>>) -> Answer<Option<Taylor>> {
         match found {
             Ok(found) => Ok(found),

@@ -36,7 +36,7 @@ fn pool() -> std::io::Result<&'static ThreadPool> {
         .build()
         .map_err(std::io::Error::other)?;
     let made = Box::into_raw(Box::new(Own { process, pool }));
-    // the pool of a parent process stays: its threads do not exist here
+    // never free the pool of a parent process: its threads do not exist in this process
     let kept = match OWN.compare_exchange(known, made, Ordering::AcqRel, Ordering::Acquire) {
         Ok(_) => made,
         // another thread created a pool first
@@ -80,8 +80,8 @@ pub fn run<R: Send + 'static>(
     }
 }
 
-/// Like `run`, for work with an answer after an interruption: `patience` interrupts it and returns
-/// how long it may take. A second Ctrl-C ends the waiting at once.
+/// Like `run`, for work with an answer after an interruption. `patience` stops the work and returns
+/// the time that the work may take to answer. A second Ctrl-C ends the waiting at once.
 pub fn run_to_answer<R: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send + 'static,
@@ -96,7 +96,7 @@ pub fn run_to_answer<R: Send + 'static>(
         // the receiver is gone if Python did not wait
         let _ = finished.send(unpanicked(|| work(&stopped)));
     });
-    // the exception of the interruption, and the deadline of the answer
+    // the exception of the interruption, and the time until which the answer is awaited
     let mut ending: Option<(PyErr, Instant)> = None;
     loop {
         let heard;

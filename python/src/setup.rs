@@ -14,7 +14,7 @@ use pyo3::types::{PyDict, PyIterator, PyList, PyMapping, PyString};
 use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 
-/// Changes that a short text shows.
+/// Number of changes that the short text of a setup shows.
 const SHOWN: usize = 4;
 
 /// All parameters of a drive: head, swing, strike, ball, air, ground, and integration of the flight.
@@ -255,12 +255,13 @@ impl PySetup {
             .into_iter()
             .chain(table)
             .chain(used)
-            // a step that nobody stated is chosen for each question
+            // an unstated step is chosen anew for each request
             .filter(|name| self.gives_step || !is_of_step(name))
             .collect()
     }
 
-    /// The content of the user's own table of drag and lift: setup files have its name only.
+    /// The content of the user's own table of drag and lift. Setup files contain only its file
+    /// name.
     fn table(&self) -> Option<String> {
         self.setup.law.table().map(|table| format!("{table:?}"))
     }
@@ -268,7 +269,7 @@ impl PySetup {
     fn toml(&self) -> Answer<String> {
         Ok(match self.gives_step {
             true => setup_toml(&self.setup, self.preset, &[], &[])?,
-            // a step that nobody stated is chosen for each question
+            // an unstated step is chosen anew for each request
             false => setup_toml_without_step(&self.setup, self.preset)?,
         })
     }

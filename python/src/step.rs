@@ -24,7 +24,7 @@ pub enum Asked {
 }
 
 impl Asked {
-    /// The choice of the arguments `tolerance` and `own_step`.
+    /// The choice that the arguments `tolerance` and `own_step` make.
     pub fn of(tolerance: Option<&Bound<'_, PyAny>>, own_step: bool) -> Answer<Self> {
         let Some(given) = tolerance else {
             return Ok(if own_step { Self::Own } else { Self::Usual });

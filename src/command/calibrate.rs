@@ -142,7 +142,7 @@ impl Outputs {
         Ok(Self { folder, setup })
     }
 
-    /// Writes the fitted setup; returns whether there is such a file.
+    /// Writes the fitted setup; returns true if the file was written.
     fn write_setup(
         &self,
         args: &Calibrate,
@@ -177,7 +177,7 @@ impl Outputs {
     }
 }
 
-/// Cross-validation: fits that leave out some rows, of this law and of the laws to compare.
+/// Cross-validation: fits of this law and of the laws to compare, each without some rows.
 struct CrossValidation<'a> {
     folds: usize,
     compared: Vec<Compared<'a>>,

@@ -1,5 +1,5 @@
 //! Requests of programs that embed the library: a command with its arguments by name, as typed
-//! values. Here they become the words of a command line, which clap reads.
+//! values. This module writes a request as the words of a command line, which clap reads.
 
 use super::args::Args;
 use crate::parameters::{Law, Parameter};
@@ -54,8 +54,8 @@ pub enum Value {
     },
     /// A distribution: its kind, and its numbers.
     Distribution(String, Vec<Value>),
-    /// The value of a parameter or an outcome. Of several names, which commas separate, the value
-    /// has no unit.
+    /// The value of a parameter or an outcome. If the name is a list with commas, the value has no
+    /// unit.
     Named(String, Box<Value>),
     /// Several values of one argument.
     Several(Vec<Value>),
@@ -135,7 +135,8 @@ impl Call {
         quantity_of_goal(text.unwrap_or("carry"))
     }
 
-    /// The quantity of the parameter that `along` names, which places along it have.
+    /// The quantity of the parameter that `along` names. The values of the option `at` have this
+    /// quantity.
     fn along(&self) -> Option<Quantity> {
         let (_, value) = self.arguments.iter().find(|(name, _)| name == "along")?;
         let first = match value {
@@ -244,7 +245,7 @@ impl Writer {
         }
     }
 
-    /// A value as text; `quantity` is that of its numbers.
+    /// A value as text; `quantity` is the quantity of the numbers in the value.
     fn text(&mut self, value: &Value, quantity: Option<Quantity>) -> OsString {
         match value {
             Value::Switch(is_on) => is_on.to_string().into(),

@@ -75,7 +75,7 @@ pub fn run(args: &ChartArgs) -> Result<Answer> {
     Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
 }
 
-/// Follows the optimum along the parameter, with its place as progress.
+/// Follows the optimum along the parameter `along`; its current value is the progress message.
 fn follow(
     setup: &Setup<f64>,
     search: &Search,
@@ -92,7 +92,8 @@ fn follow(
         let (spinner, last) = (spinner.clone(), RefCell::new(String::new()));
         move |at| {
             let place = place_text(at);
-            // near the end of a chart the steps are so small that their texts are equal
+            // near the end of a chart the steps are so small that consecutive values have equal
+            // texts
             if last.replace(place.clone()) != place {
                 let doing = format!("searching for an optimum at {place}");
                 spinner.set_message(doing.clone());

@@ -61,7 +61,7 @@ struct Deliveries {
     from: String,
     /// Number of rows that an interruption left out.
     left_out: usize,
-    /// The warnings that the host has already.
+    /// Warnings that were reported before.
     warned: Vec<Message>,
 }
 
@@ -71,8 +71,8 @@ impl Deliveries {
         self.all.iter().filter_map(Delivery::explained).count()
     }
 
-    /// All warnings. The host gets only those about the deliveries, because it already has the
-    /// others.
+    /// All warnings. Reports only the warnings about the deliveries: those in `warned` were
+    /// reported before.
     fn warnings(&self) -> Vec<Message> {
         let mut warnings = vec![];
         if self.left_out > 0 {
@@ -156,10 +156,10 @@ fn of_shots(
     })
 }
 
-/// The parameter of a club that a golfer reads on it.
+/// The club parameter that a golfer can read on the club.
 const LOFT: &str = "club.loft";
 
-/// The warning that the loft is that of an average: later answers about a loft are relative to it.
+/// The warning that the loft is an average's: a best loft found later is relative to this loft.
 fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec<Message> {
     let is_varied = unknowns
         .iter()
@@ -286,8 +286,9 @@ impl Outputs {
         Ok(false)
     }
 
-    /// Writes the swings that explain the shots; `setup_words` are the arguments that give their
-    /// setup to another command. Returns false if the swings were requested but not written.
+    /// Writes the swings that explain the shots; `setup_words` are the arguments that give the
+    /// setup of the shots to another command. Returns false if the swings were requested but not
+    /// written.
     fn write_swings(
         &self,
         found: &Deliveries,
@@ -328,7 +329,7 @@ fn is_table(file: &Path) -> Result<bool> {
 }
 
 impl SwingsFile {
-    /// Writes the swings that explain the shots, or returns the reason why it cannot.
+    /// Writes the swings that explain the shots, or returns the reason why they are not written.
     fn write(
         &self,
         found: &Deliveries,
@@ -378,8 +379,8 @@ impl SwingsFile {
     }
 }
 
-/// The command line that optimizes the design over these swings; `setup` has the arguments of
-/// their setup.
+/// The command line that optimizes the design over these swings; `setup` has the arguments for the
+/// setup of the swings.
 fn optimize_over(swings: &Path, setup: Vec<String>) -> String {
     let setup = setup.into_iter().map(OsString::from);
     let arguments = std::iter::once("optimize".into())

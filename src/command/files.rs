@@ -24,7 +24,7 @@ pub struct Rule {
 }
 
 impl Rule {
-    /// The rule for a command that reads these files, or that stores its progress in them.
+    /// The rule for a command that reads the files `inputs`, or that stores its progress in them.
     pub fn new(inputs: impl IntoIterator<Item = PathBuf>, overwrite: bool) -> Self {
         Self {
             inputs: inputs
@@ -220,7 +220,7 @@ enum Kind {
     File,
     /// A device or a pipe.
     Device,
-    /// The host keeps the file in memory.
+    /// A file that the caller of the command keeps in memory.
     Memory,
 }
 
@@ -235,7 +235,7 @@ impl Destination {
         self.kind == Kind::File
     }
 
-    /// Returns true for a file that the host keeps in memory.
+    /// Returns true for a file that the caller of the command keeps in memory.
     pub fn is_in_memory(&self) -> bool {
         self.kind == Kind::Memory
     }

@@ -32,7 +32,7 @@ pub trait Host: Send + Sync {
     /// Receives a message other than the answer.
     fn say(&self, kind: Kind, text: &str);
 
-    /// The most columns of an answer as text.
+    /// The maximum width of an answer as text, in columns.
     fn width(&self) -> usize {
         width::UNKNOWN
     }
@@ -47,8 +47,8 @@ pub trait Host: Send + Sync {
         false
     }
 
-    /// Formats an argument or a command in a message. By default the host uses the syntax of the
-    /// command line.
+    /// Formats an argument or a command in a message. The default is the syntax of the command
+    /// line.
     fn mention(&self, mention: Mention<'_>) -> String {
         mention.in_words_of_the_program()
     }

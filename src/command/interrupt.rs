@@ -1,4 +1,4 @@
-//! Announces to the host which work of a command can be interrupted.
+//! Announces to the `Host` of a command which work of the command can be interrupted.
 
 use super::running::running;
 use std::path::Path;
@@ -8,7 +8,7 @@ use std::sync::atomic::AtomicBool;
 /// The message of an interrupted search.
 pub const BEST_SO_FAR: &str = "stopping with the best result so far";
 
-/// A flag that the host sets to stop the following work. The work then returns its result so far.
+/// A flag that the `Host` sets to stop the following work. The work then returns its result so far.
 pub fn stops(stopping: &'static str) -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     running().host.can_stop(stopping, &stop);

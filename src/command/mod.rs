@@ -101,7 +101,7 @@ pub fn run_in_terminal(words: Vec<OsString>) -> u8 {
 }
 
 /// Runs a command line for a host; the first word is the name of the program. Returns the exit
-/// status: 0 done, 1 no answer, 2 bad input. The host receives the message; with `--json` the
+/// status: 0 done, 1 no answer, 2 bad input. The host receives the error message; with `--json` the
 /// answer contains it too.
 pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
     run_words(words, host, &[])

@@ -28,7 +28,7 @@ pub fn outcomes(names: &[String]) -> Result<Vec<Outcome>> {
     Ok(of)
 }
 
-/// Notes the uncertainty of the roll-out if an outcome depends on it.
+/// Notes the uncertainty of the roll-out if one of the outcomes depends on the roll-out.
 pub fn tell_of_the_run(of: &[Outcome]) {
     if of.iter().any(|of| of.needs_run()) {
         tell(&known_within().in_units(system()));
@@ -38,7 +38,8 @@ pub fn tell_of_the_run(of: &[Outcome]) {
 /// The named parameters, to differentiate by; "all" means every parameter with a number in this
 /// setup.
 ///
-/// "all" excludes the parameters that affect only the roll-out, unless an outcome depends on it.
+/// "all" excludes the parameters that affect only the roll-out, unless one of the outcomes depends
+/// on the roll-out.
 pub fn variables(
     setup: &Setup<f64>,
     names: &[String],

@@ -113,7 +113,7 @@ fn with_early_warnings(answer: &impl Serialize) -> Value {
     value
 }
 
-/// Formats the arguments in the strings of a JSON value with the syntax of the host.
+/// Formats the arguments in the strings of a JSON value with the syntax of the command's `Host`.
 fn put_in_words_of_the_host(value: &mut Value) {
     match value {
         Value::String(text) if text.contains('`') => *text = in_words_of_the_host(text),
@@ -144,7 +144,7 @@ pub fn tell(text: &str) {
     running().tell(text);
 }
 
-/// Adds what the answer leaves out to its JSON, and reports it with `--verbose`.
+/// Adds `text`, about what the answer leaves out, to the JSON; with `--verbose` also reports it.
 pub fn tell_left_out(text: &str) {
     running().leave_out(text);
     tell_detail(text);
@@ -168,12 +168,12 @@ pub fn warn(warnings: &[Message]) {
     }
 }
 
-/// The warnings of an answer. `add` also reports each of them to the host.
+/// The warnings of an answer. `add` also reports each of them to the user.
 #[derive(Default)]
 pub struct Warnings(Vec<Message>);
 
 impl Warnings {
-    /// Adds warnings and reports them to the host.
+    /// Adds warnings and reports them to the user.
     pub fn add(&mut self, warnings: impl IntoIterator<Item = Message>) {
         let before = self.0.len();
         self.0.extend(warnings);
@@ -254,8 +254,8 @@ fn not_utf8() -> Error {
     }
 }
 
-/// The parser's message with argument names in the syntax of the host: `--width <PIXELS>` for the
-/// program, `width` for Python.
+/// The parser's message with argument names in the syntax of the command's `Host`: `--width
+/// <PIXELS>` for the program, `width` for Python.
 fn with_named_arguments(message: &str, error: &clap::Error) -> String {
     let mut message = message.to_owned();
     for kind in [ContextKind::InvalidArg, ContextKind::PriorArg] {
@@ -273,8 +273,8 @@ fn with_named_arguments(message: &str, error: &clap::Error) -> String {
     message
 }
 
-/// The largest number of letters in which a suggested option differs, as a share of its length;
-/// one letter may always differ.
+/// The maximum edit distance between a typed option and a suggested option, as a fraction of the
+/// length of the suggested option; a distance of one is always allowed.
 const MOST_DIFFERENT: f64 = 0.3;
 
 /// True for a misspelling of an option: `--threds` of `--threads`, and not `--over` of
@@ -307,7 +307,7 @@ fn in_own_words(error: &mut clap::Error) {
         && !is_misspelt(&argument, option)
     {
         error.remove(ContextKind::SuggestedArg);
-        // it has the suggested option
+        // the usage line would show the suggested option
         error.remove(ContextKind::Usage);
         let tip = tip_of_unknown_option(&argument);
         error.insert(

@@ -113,7 +113,7 @@ fn contour(args: &PlotContour) -> Result<Answer> {
     )
 }
 
-/// The map around an optimum, or around the setup if the search finds none.
+/// The [`Map`] around an optimum, or around the setup if the search finds none.
 fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)> {
     let [across, up, ..] = search.vary[..] else {
         let (name, reason) = (
@@ -204,8 +204,8 @@ fn shown_curve(args: &PlotChart, search: &Search) -> Result<Option<&'static Para
     Err(Error::unknown("curve", name, names, advice))
 }
 
-/// The figure of the curve. The first figure shows the outcome; the others show the parameters that
-/// change, in the order of the search.
+/// The figure of the curve `shown`. The first figure shows the outcome; the others show the
+/// parameters that change, in the order of the search.
 fn figure_of<'a>(
     figures: &'a ChartFigures,
     search: &Search,
@@ -419,7 +419,8 @@ impl PlotLaws {
     }
 }
 
-/// The number of an option, checked against its range.
+/// The number in `text`, the value of the option `name`, or `default` without a text. A number
+/// outside of `least` to `most` is an error.
 fn held(name: &str, text: &Option<String>, default: f64, [least, most]: [f64; 2]) -> Result<f64> {
     let Some(text) = text else { return Ok(default) };
     let unreadable = |e| Error::Unreadable {

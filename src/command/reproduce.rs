@@ -6,7 +6,7 @@ use crate::report::{Document, Mae494Report, Reply, Report, WinfieldTanReport, do
 use crate::reproduce::{Mae494, WinfieldTan, mae494, winfield_tan};
 use crate::units::{System, counted};
 
-/// Files of every document.
+/// Names of the files that every document has.
 pub const DOCUMENT: [&str; 2] = ["report.md", "index.html"];
 
 pub fn run(args: &Reproduce) -> Result<Answer> {

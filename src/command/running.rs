@@ -1,4 +1,4 @@
-//! The command that runs on a thread: its host, and its output options.
+//! The command that runs on a thread: its `Host`, and its output options.
 
 use super::args::OutputOptions;
 use super::host::{Host, Kind};
@@ -16,7 +16,7 @@ pub struct Running {
     shown: Option<OutputOptions>,
     /// The arguments, without the name of the program.
     words: Vec<OsString>,
-    /// Warnings about the input and automatic choices, from before the work of the command.
+    /// Warnings from before the work of the command, about its automatic choices.
     early: Mutex<Vec<Message>>,
     /// Parameters that the answer leaves out, with the reasons.
     left_out: Mutex<Vec<String>>,

@@ -233,7 +233,8 @@ pub fn write(
     Ok(Some(file.to_string()))
 }
 
-/// The outcome in an option of a single drive. A goal over many swings needs their distribution.
+/// The outcome in `text`, an option of a single drive. A goal over many swings needs their
+/// distribution.
 pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
     Outcome::named(text.trim()).map_err(|error| match text.contains('(') {
         true => {

@@ -362,7 +362,8 @@ pub fn limit(setup: &Setup<f64>, text: &str, strokes: Option<&Strokes>) -> Resul
     }
 }
 
-/// The goal in an option. An error points at the wrong place in the text.
+/// The goal in `text`, the value of the option `option`. An error shows the position of the fault
+/// in `text`.
 pub fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal> {
     Goal::read(text, strokes).map_err(|error| match error {
         Error::Constraint {

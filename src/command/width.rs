@@ -3,18 +3,18 @@
 use std::io;
 use terminal_size::{Height, Width, terminal_size_of};
 
-/// Columns of text where no terminal is known.
+/// Width of text if no terminal is known, columns.
 pub const UNKNOWN: usize = 80;
 
-/// Widths of text, columns. Longer lines are hard to read.
+/// Minimum and maximum width of text, columns. Longer lines are hard to read.
 const WIDTHS: [usize; 2] = [40, 120];
 
-/// Columns of answers and help on standard output.
+/// Width of answers and help on standard output, columns.
 pub fn of_answers() -> usize {
     width(terminal_size_of(io::stdout()))
 }
 
-/// Columns of messages on standard error.
+/// Width of messages on standard error, columns.
 pub fn of_messages() -> usize {
     width(terminal_size_of(io::stderr()))
 }

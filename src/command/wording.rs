@@ -1,4 +1,4 @@
-//! Messages in the syntax of the host, and advice on words that belong to no option.
+//! Messages in the syntax of the command's `Host`, and advice on words that belong to no option.
 
 use super::mention::{Argument, Mention, with_mentions};
 use super::running::running;
@@ -13,8 +13,9 @@ pub fn in_words_of_the_host(message: &str) -> String {
     with_mentions(message, |mention| running.host.mention(mention))
 }
 
-/// The name of an argument in the syntax of the host, from the name in the parser's message
-/// (`--width <PIXELS>`, `<STUDY>`); `None` in a terminal, and for an unknown argument.
+/// The name of an argument in the syntax of this command's host; `shown` is its name in the
+/// parser's message (`--width <PIXELS>`, `<STUDY>`). `None` in a terminal, and for an unknown
+/// argument.
 pub fn name_in_words_of_the_host(shown: &str) -> Option<String> {
     let name = match shown.strip_prefix("--") {
         Some(option) => option.split([' ', '=']).next()?.replace('-', "_"),
@@ -60,8 +61,8 @@ pub fn advice_on(left_over: &str) -> Option<String> {
         .or_else(|| after_an_option(left_over))
 }
 
-/// Advice on a piece of a constraint without quotes. The shell takes `>` and `<` for files: it
-/// writes a file named `=` for `>=`.
+/// Advice on a piece of a constraint that was given without quotes: the shell treats `>` and `<` as
+/// redirections, and for `>=` it writes a file named `=`.
 fn unquoted_constraint(left_over: &str) -> Option<String> {
     let running = running();
     let words = running.words();

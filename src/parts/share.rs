@@ -10,8 +10,8 @@ pub fn most_parts(rows: u64) -> u64 {
     rows.div_ceil(CHUNK as u64)
 }
 
-/// Rows of part K of M, from 0: whole blocks of [`CHUNK`] rows, divided as evenly as possible. Of B
-/// blocks, part K has the blocks ⌊(K − 1)B/M⌋ to ⌊K B/M⌋ − 1.
+/// The rows of part K of M, counted from 0: whole blocks of [`CHUNK`] rows, divided as evenly as
+/// possible. Of B blocks, part K has the blocks ⌊(K − 1)B/M⌋ to ⌊K B/M⌋ − 1.
 ///
 /// ```
 /// use longdrive::parts::rows_of;

@@ -61,7 +61,7 @@ impl Dataset {
         &self.question
     }
 
-    /// Rows of a part, from 0.
+    /// The rows of a part, counted from 0.
     ///
     /// # Errors
     /// [`Error::Together`] for a part that is not from 1 to the number of parts.

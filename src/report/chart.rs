@@ -47,7 +47,7 @@ pub struct ChartPointReport {
     pub active: Vec<String>,
     /// The active bound of each parameter that is at a bound.
     pub bounds: ByName<BoundSide>,
-    /// The change of the active bounds and constraints here.
+    /// The change of the active bounds and constraints at this point.
     pub event: Option<String>,
 }
 
@@ -65,7 +65,7 @@ impl<'a> ChartReport<'a> {
         }
     }
 
-    /// The chart as CSV. The heads name the units: `swing.speed [m/s]`.
+    /// The chart as CSV. The column heads contain the units: `swing.speed [m/s]`.
     ///
     /// # Errors
     /// [`Error::Output`].

@@ -74,8 +74,8 @@ pub struct SharesReport {
     /// The difference minus the sum of the shares, SI. It is at most `integration_error`, unless
     /// the model has a corner between the drives.
     pub remainder: Number,
-    /// The error estimate of a share, SI: rounding, 1e-11 of the outcome, for a smooth law, and up
-    /// to 1e-8 of it for a law with pieces.
+    /// The error estimate of a share, SI: 1e-11 of the outcome (rounding) for a smooth law, up to
+    /// 1e-8 of the outcome for a law with pieces.
     pub integration_error: Number,
 }
 

@@ -14,7 +14,7 @@ use crate::study::Sense;
 use crate::study::design::{ConstraintState, Design, DesignConstraint, Enforcement, Improvement};
 use crate::units::{System, signed};
 
-/// Values below this fraction of the limit's step are displayed as 0.
+/// A value below this fraction of `DesignConstraint::step` is displayed as 0.
 const ROUNDING: f64 = 1e-6;
 
 /// A design with its limits and its changes.

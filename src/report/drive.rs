@@ -13,7 +13,8 @@ use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity, System};
 use serde::Serialize;
 
-/// Uncertainty of a total at best, m: differences between grounds cause it (docs/limitations.md).
+/// Minimum uncertainty of the total, m: it comes from differences between grounds
+/// (docs/limitations.md).
 const RUN_WITHIN: f64 = 10.0 * 0.9144;
 
 /// A drive: setup, launch, head after impact and flight.

@@ -70,7 +70,7 @@ pub struct EffectReport {
 }
 
 impl<'a> EffectsReport<'a> {
-    /// The report of these effects: effects on the drive as set up, or on the drive of the optimum
+    /// The report of the effects `found`: on the drive as set up, or on the drive of the optimum
     /// `best`. `totals` are the optimized outcome and the sensitivities of its optimal value.
     pub fn new(
         found: &'a [Effects],

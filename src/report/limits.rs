@@ -23,8 +23,8 @@ pub(super) struct Limit<'a> {
     pub at: &'a ConstraintValue,
     /// The gradient of the limited goal by the varied parameters.
     pub slopes: &'a [f64],
-    /// The gain for each unit by which the limit is relaxed; for an equation, by which its value is
-    /// raised.
+    /// The gain of the objective for each unit by which the limit is relaxed; for an equation, for
+    /// each unit by which its right side is raised.
     pub gain: f64,
 }
 
@@ -46,8 +46,8 @@ impl<'a> Limit<'a> {
 }
 
 impl Objective {
-    /// The gain for each unit, with its sign: "+2.11 yd for each degree". Golfers read it as the
-    /// price of the limit.
+    /// The gain for each unit of `by`, with its sign: "+2.11 yd for each degree". Golfers read it
+    /// as the price of the limit.
     pub fn price(self, amount: f64, by: (Quantity, &'static str), system: System) -> String {
         // for a minimized objective, a decrease is a gain
         let amount = if self.sense == Sense::Maximize {
@@ -107,7 +107,7 @@ impl Objective {
 }
 
 /// "at its upper bound: +2.11 yd for each degree that it is raised". The signs of the multipliers
-/// determine which bound of a parameter is active; `shown` formats the gain.
+/// determine which bound of the parameter is active; `shown` formats the gain.
 pub(super) fn bound(
     [lower, upper]: [f64; 2],
     prices: [f64; 2],
@@ -125,7 +125,8 @@ pub(super) fn bound(
     }
 }
 
-/// The head of the column of values at the end of a search; `converged` is the head for an optimum.
+/// The column head for the values at the end of a search; `converged` is the column head for an
+/// optimum.
 pub(super) fn ended_at(status: Status, converged: &'static str) -> &'static str {
     match status {
         Status::Converged => converged,

@@ -21,7 +21,7 @@ pub(super) fn note(text: &str, width: usize) -> String {
 }
 
 /// Reasons for omissions, each reason once with all its names: "gravity, air.density: the reason".
-/// They are sorted by their first name in the input.
+/// The order of the reasons is the order of their first names in `reasons`.
 pub fn by_reason<'a>(reasons: impl IntoIterator<Item = (&'a str, String)>) -> Vec<String> {
     let mut all: Vec<(String, String)> = vec![];
     for (name, reason) in reasons {
@@ -35,8 +35,8 @@ pub fn by_reason<'a>(reasons: impl IntoIterator<Item = (&'a str, String)>) -> Ve
         .collect()
 }
 
-/// A remark or warning for standard error, wrapped to `width` columns with a hanging indent. It does
-/// not end with a line break.
+/// A remark or warning for standard error, wrapped to `width` columns with a hanging indent. The
+/// result does not end with a line break.
 pub fn remark(text: &str, width: usize) -> String {
     let lines: Vec<_> = text
         .lines()
@@ -55,8 +55,9 @@ pub fn remark(text: &str, width: usize) -> String {
         .join("\n")
 }
 
-/// Wraps a text to `most` columns; the first line is indented by `first`, the others by `by`. A word
-/// that is too wide stays whole, because it may be a file name. It ends with a line break.
+/// Wraps a text to `most` columns; the first line is indented by `first`, the others by `by`. A
+/// word that is too wide stays whole, because it may be a file name. The result ends with a line
+/// break.
 pub fn wrapped(text: &str, [first, by]: [usize; 2], most: usize) -> String {
     let [first, by] = [first, by].map(|columns| " ".repeat(columns));
     let options = Options::new(most)

@@ -12,14 +12,15 @@ pub struct Origin {
     pub title: String,
     /// False if the setup has no name in the request, as for standard input.
     pub has_name: bool,
-    /// Parameters that a search would vary, with their stated values: they are held.
+    /// Parameters that a search would vary by default, but keeps at the values that the request
+    /// states.
     pub held: Vec<(&'static Parameter, f64)>,
     /// Advice on the setup; empty if there is none.
     pub advice: String,
 }
 
 impl Origin {
-    /// Holds these parameters at their values in the setup.
+    /// Sets the field `held` to the parameters `held`, with their values in the setup.
     #[must_use]
     pub fn with_held(self, held: &[&'static Parameter], setup: &Setup<f64>) -> Self {
         let held = held

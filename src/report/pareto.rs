@@ -73,7 +73,7 @@ pub struct ParetoPointReport {
     /// The varied parameters, SI.
     pub design: ByName<Number>,
     /// The derivative of the first goal by the second along the front, SI; `null` if the front has
-    /// no unique slope here.
+    /// no unique slope at this point.
     pub slope: Number,
     /// The role: an end, or the knee; `null` for the points between.
     pub role: Option<String>,
@@ -81,7 +81,7 @@ pub struct ParetoPointReport {
     pub active: Vec<String>,
     /// The active bound of each parameter that is at a bound.
     pub bounds: ByName<BoundSide>,
-    /// The change of the active bounds and constraints here.
+    /// The change of the active bounds and constraints at this point.
     pub event: Option<String>,
 }
 
@@ -251,7 +251,7 @@ fn notes(found: &Pareto, system: System) -> Vec<String> {
     notes
 }
 
-/// The front as CSV. The heads name the units; the slope is in SI.
+/// The front as CSV. The column heads contain the units; the slope is in SI.
 ///
 /// # Errors
 /// [`Error::Output`].

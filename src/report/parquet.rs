@@ -64,8 +64,8 @@ pub struct ParquetGroup {
 #[derive(Clone, Debug)]
 pub struct PlacedGroup(RowGroupMetaData);
 
-/// All data of this program are valid for Parquet. The only possible source of an error is a
-/// damaged row group in a journal.
+/// The error for a damaged row group in a journal. No other error of Parquet can occur, because all
+/// data of this program are valid for Parquet.
 fn failed(_: ParquetError) -> Error {
     let reason = "its record of a row group of the Parquet file is damaged; start the sweep again \
                   with `overwrite`";

@@ -101,8 +101,9 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> 
     rows
 }
 
-/// The values of a setup with their sources. They are in the units of `system`; without a system,
-/// in the spelling of input. A value that differs from the preset's has the source "as given".
+/// The values of a setup with their sources. The values are in the units of `system`; without a
+/// system, in the spelling of input. A value that differs from the preset's has the source "as
+/// given".
 pub(super) fn sources(
     setup: &Setup<f64>,
     preset: &Preset,

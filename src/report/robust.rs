@@ -14,7 +14,7 @@ use crate::units::{System, counted};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Head of the column with the multipliers in words.
+/// Column head for the multipliers in words.
 const CHANGE: &str = "change of the greatest loss";
 
 /// Minimum multiplier of a model whose loss determines the design.
@@ -368,7 +368,8 @@ fn add_constraints(document: &mut Document, found: &Robust, system: System) {
     }
 }
 
-/// The multiplier of an inactive bound or constraint that is active at a single model's optimum.
+/// The multiplier, as `price`, of a bound or constraint that is inactive for the robust design but
+/// active at a single model's optimum.
 fn of_the_bests(multipliers: [f64; 2], price: String) -> Option<String> {
     Some(price).filter(|price| multipliers == [0.0; 2] && !price.starts_with("0 "))
 }

@@ -105,7 +105,8 @@ pub struct StatedChangeReport {
     pub resolved: ResolvedOptimum,
     /// The first predicted change of the active bounds and constraints.
     pub event: Option<EventReport>,
-    /// The differences of the active bounds and constraints after the change.
+    /// The actual changes of the active bounds and constraints, or the reason why no optimum was
+    /// found.
     pub differences: Vec<Message>,
 }
 
@@ -317,7 +318,7 @@ impl Analysis<'_> {
     }
 }
 
-/// Sensitivities in a text that fits a screen.
+/// Number of sensitivities in a text that fits a screen.
 const FIRST_SENSITIVITIES: usize = 12;
 
 /// Adds the derivatives of the optimum by each parameter to a document. The parameter that changes

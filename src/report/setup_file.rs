@@ -31,7 +31,7 @@ pub fn setup_toml(
     Ok(toml(preset, about, &rows(setup, preset, remarks)?))
 }
 
-/// A setup file without `flight.method` and `flight.step`: its reader may choose the integration.
+/// A setup file without `flight.method` and `flight.step`: a program that reads it may choose them.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::{Preset, SetupFile}, report::setup_toml_without_step};

@@ -167,8 +167,8 @@ fn computed(parameter: &Parameter, value: f64) -> Message {
     Message::default().quantity(parameter.quantity, parameter.unit, value, digits)
 }
 
-/// Largest distance from an end of a range, relative to the range, that counts as the end: a search
-/// that did not converge stops near the end.
+/// Maximum distance from an end of a range, relative to the range, at which a value counts as the
+/// end: a search that did not converge stops near the end.
 const AT_THE_END: f64 = 1e-6;
 
 /// A value of a varied parameter. It gets more digits if rounding would show it as an end of the
@@ -287,7 +287,7 @@ pub(super) fn constraint(constraint: &Constraint, system: System) -> String {
 }
 
 /// An active bound or constraint: "attack angle at its upper bound", "apex height ≤ 35 yd". `name`
-/// formats a parameter.
+/// formats the name of a parameter.
 pub(super) fn active(
     active: &Active,
     search: &Search,
@@ -341,7 +341,7 @@ pub(super) fn typical_size(parameter: &Parameter) -> f64 {
         .unwrap_or_else(|| parameter.quantity.size_of(parameter.unit).unwrap_or(1.0))
 }
 
-/// True if a change of an outcome with this value is a rounding error.
+/// True if `change` of an outcome with this value is a rounding error.
 pub(super) fn is_rounding(of: Outcome, value: f64, change: f64) -> bool {
     settled(change, value, (of.quantity(), of.unit()), &[]) == 0.0
 }

@@ -81,16 +81,16 @@ pub struct StudiesReport {
     pub nominal: Option<NominalReport>,
     /// Sentences about results that could not be computed.
     pub unknown: Vec<String>,
-    /// The error of the objective by Gauss's rules, SI: twice the change from half as many more
-    /// nodes.
+    /// The error of the objective by Gauss's rules, SI: twice the change of the objective if the
+    /// number of nodes grows by half.
     pub quadrature_error: Option<f64>,
     /// The 99 % interval of the objective over all swings, from independent sequences of swings.
     pub sampling: Option<SamplingReport>,
-    /// The fraction of the swings whose ball ends where the table of strokes is extrapolated, 0 to
-    /// 1; `null` without such a table.
+    /// The fraction of the swings whose ball ends where the table of expected strokes is
+    /// extrapolated, 0 to 1; `null` without such a table.
     pub beyond_strokes: Option<f64>,
-    /// The optima of resamples of recorded swings, and the number of swings that distinguish the
-    /// two designs.
+    /// The optima of resamples of recorded swings, and the number of swings needed to distinguish
+    /// the best design from the design before the search.
     pub resampled: Option<ResampledReport>,
 }
 
@@ -128,7 +128,8 @@ pub struct ResampledReport {
     pub rounds: usize,
     /// The 95 % interval of the gain over the design before the search.
     pub better_than_set_up: Option<IntervalReport>,
-    /// The number of swings needed to distinguish the two designs.
+    /// The number of swings needed to distinguish the best design from the design before the
+    /// search.
     pub swings_to_tell: Option<u64>,
 }
 

@@ -6,10 +6,10 @@ const NARROWEST: usize = 20;
 /// Number of spaces before the first column, and after each column.
 const MARGIN: usize = 2;
 
-/// A table within `most` columns of a terminal, without rules; the columns `right` are
-/// right-aligned. In a table that is too wide, the last column is wrapped if it contains text.
-/// Otherwise the table continues below with the remaining columns, after a repetition of the first
-/// column.
+/// A table within `most` columns of a terminal, without lines between the cells; the columns
+/// `right` are right-aligned. In a table that is too wide, the last column is wrapped if it
+/// contains text. Otherwise the table continues below with the remaining columns, after a
+/// repetition of the first column.
 pub(super) fn table(
     head: &[&str],
     right: &[usize],

@@ -505,14 +505,14 @@ fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) ->
     table
 }
 
-/// Shares of the variance in a line.
+/// Number of shares of the variance in a line.
 const FIRST_SHARES: usize = 4;
 
-/// Ellipses in a text that fits a screen: those from the sample.
+/// Number of ellipses in a text that fits a screen: the ellipses from the sample.
 const FIRST_ELLIPSES: usize = 2;
 
 /// The uncertain parameters with the largest contributions to the variance of an outcome, and the
-/// one to measure first.
+/// parameter to measure first.
 fn shares_lines(
     outcome: &OutcomeUncertainty,
     sampled: &Statistics,
@@ -541,7 +541,7 @@ fn shares_lines(
     shares.into_iter().chain(first).map(Line::item).collect()
 }
 
-/// The numbers of the uncertain parameters, the largest share of the variance first.
+/// The indices of the uncertain parameters, the largest share of the variance first.
 fn by_share(sampled: &Statistics) -> Vec<usize> {
     let total = |k: usize| sampled.indices[k].map_or(0.0, |indices| indices.total.value);
     let mut order: Vec<usize> = (0..sampled.indices.len()).collect();
@@ -602,8 +602,8 @@ fn shares(outcome: &OutcomeUncertainty, sampled: &Statistics, found: &Uncertaint
     table
 }
 
-/// True if the outcome depends on an uncertain parameter at the means, or if the derivatives there
-/// are unknown.
+/// True if the outcome depends on an uncertain parameter at the means, or if the derivatives at the
+/// means are unknown.
 fn depends(outcome: &OutcomeUncertainty, found: &Uncertainty) -> bool {
     let Some(at) = &outcome.at_means else {
         return true;

@@ -9,7 +9,7 @@ impl ExportHead {
         self.further_columns.iter().position(Column::is_stated_air)
     }
 
-    /// Remark for the user.
+    /// Remark on the air of the export; `None` if the export states no air.
     pub fn air_remark(&self) -> Option<String> {
         self.air_at()
             .map(|at| air_of_rows(&self.further_columns[at].head))
@@ -32,7 +32,7 @@ impl ExportHead {
         true
     }
 
-    /// Message for rows without usable air.
+    /// Message for a row without usable air.
     pub fn air_note<S: AsRef<str>>(&self, row: &[S]) -> Option<String> {
         let at = self.air_at()?;
         let stated = self.further_columns[at].stated_air(row[self.further[at].at].as_ref());

@@ -9,7 +9,8 @@ use crate::table::{
     contradiction, implausible, implausible_launch, is_straight_by_assumption, miscounted,
 };
 
-/// Conditions whose origin is stated in the common column `Spin Rate Type`.
+/// Launch conditions of the spin. A column such as `Spin Rate Type` states one origin for all of
+/// them.
 pub(super) const OF_SPIN: [Outcome; 4] = [
     Outcome::Spin,
     Outcome::Backspin,
@@ -46,8 +47,8 @@ impl ExportHead {
         shot
     }
 
-    /// The refusal by an earlier run of `fly`, if the rewritten row does not contain the faulty
-    /// value.
+    /// The refusal by an earlier run of `fly`, if the row that `fly` wrote does not contain the
+    /// faulty value.
     fn refused_before<S: AsRef<str>>(&self, row: &[S], now: &Refusal) -> Option<Refusal> {
         let [_, flight, reason, _] = row.get(self.added.clone())?.first_chunk()?;
         // for a row without valid cells, `fly` writes the whole row into the first cell
@@ -58,7 +59,7 @@ impl ExportHead {
             .then(|| Refusal::new(Refusal::BEFORE, reason.as_ref()))
     }
 
-    /// The number in a cell, SI; `None` if it is empty.
+    /// The number in the cell `text`, SI; `None` for an empty cell.
     fn number(&self, read: &Read, text: &str) -> Result<Option<f64>, String> {
         if DecimalMark::is_ambiguous(self.decimal_mark, text) {
             return Err(format!(

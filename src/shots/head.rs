@@ -18,16 +18,16 @@ pub(super) struct Read {
     pub at: usize,
     pub of: Outcome,
     pub column: Column,
-    /// Origin of the column's values, if the head states it.
+    /// Origin of the column's values, if the column head states it.
     pub origin: Option<Origin>,
 }
 
-/// Head of an export.
+/// The column heads of an export, interpreted.
 #[derive(Clone, Debug)]
 pub(super) struct ExportHead {
     pub separator: u8,
     pub heads: Vec<String>,
-    /// Units in a line below the head; `None` without this line.
+    /// Units in a line below the column heads; `None` without this line.
     pub units: Option<Vec<String>>,
     pub maker: Option<&'static str>,
     pub read: Vec<Read>,
@@ -35,7 +35,7 @@ pub(super) struct ExportHead {
     pub club: [Option<(usize, Column)>; 4],
     pub further: Vec<Further>,
     pub further_columns: Vec<Column>,
-    /// Columns with the origin of the spin, and with the conditions of the values.
+    /// Column with the origin of the spin, and column with the conditions of the values.
     pub spin_type: Option<usize>,
     pub condition: Option<usize>,
     /// Column with the name of the club.
@@ -51,7 +51,7 @@ pub(super) struct ExportHead {
 }
 
 impl ExportHead {
-    /// Interprets the head of a table for shots.
+    /// Interprets the column heads of a table for shots.
     ///
     /// # Errors
     /// [`Error::Table`] for a missing launch column, or a unit of the wrong dimension.
@@ -110,7 +110,7 @@ impl ExportHead {
         Ok(found)
     }
 
-    /// Detects the decimal mark from the rows below the head's line.
+    /// Detects the decimal mark from the rows below `line`, the line of the column heads.
     fn detect_decimal_mark(&mut self, table: &TextTable, line: u64) {
         self.decimal_mark = DecimalMark::detect(
             table.separator,
@@ -329,7 +329,7 @@ impl ExportHead {
             .collect())
     }
 
-    /// Head of the column of a launch condition, for messages.
+    /// Column head of a launch condition, for messages.
     pub fn name_of(&self, of: Outcome) -> String {
         self.read
             .iter()
@@ -338,7 +338,7 @@ impl ExportHead {
     }
 }
 
-/// Interprets the unknown columns of an export that hold rest positions.
+/// Interprets the columns of rest positions, which are unknown to `Head`.
 fn add_totals(setup: &Setup<f64>, head: &mut Head) -> Result<()> {
     if head.format.is_export {
         for at in 0..head.columns.len() {
@@ -370,13 +370,14 @@ fn added(columns: &[Column]) -> Range<usize> {
     from..from + of_outcomes
 }
 
-/// Unit of a column in the line below the head, without brackets.
+/// Unit of a column in the line below the column heads, without brackets.
 fn read_units(units: Option<&[String]>, at: usize) -> Option<&str> {
     let unit = units?.get(at)?.trim_matches(['[', ']', '(', ')']);
     (!unit.is_empty()).then_some(unit)
 }
 
-/// Heads of the ball's rest position. `calibrate` ignores them, since the ground is unknown.
+/// Column heads for the ball's rest position. `calibrate` ignores these columns, since the ground
+/// is unknown.
 const TOTALS: [(&str, Outcome); 11] = [
     ("gesamtstrecke", Outcome::Total),
     ("gesamtabweichungsdistanz", Outcome::LateralTotal),
@@ -391,7 +392,7 @@ const TOTALS: [(&str, Outcome); 11] = [
     ("est total flat side", Outcome::LateralTotal),
 ];
 
-/// The column of a rest position, if the head names one.
+/// The column for a head in [`TOTALS`]; `None` for any other head.
 fn total(
     setup: &Setup<f64>,
     name: &str,
@@ -411,7 +412,7 @@ fn total(
     Ok(Some(column))
 }
 
-/// Origin of a column's values, if its head states it: `Est. Total Flat`, `Carry (Sim)`.
+/// Origin of a column's values, if its column head states it: `Est. Total Flat`, `Carry (Sim)`.
 fn origin(head: &str) -> Option<Origin> {
     let words = words(head);
     let has = |word: &str| words.split(' ').any(|other| other == word);

@@ -11,7 +11,7 @@ use crate::table::{
 /// Interpretation of an export.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Interpretation {
-    /// Maker, if the heads identify it.
+    /// Maker, if the column heads identify it.
     pub maker: Option<&'static str>,
     /// Message about assumed units.
     pub without_unit: Option<String>,

@@ -1,6 +1,6 @@
-//! Detects the maker of an export from its heads.
+//! Detects the maker of an export from its column heads.
 
-/// Makers with heads (in lower case) that occur together only in their exports. Sources:
+/// Makers with column heads (in lower case) that occur together only in their exports. Sources:
 /// docs/sources.md.
 const SIGNATURES: [(&str, &[&str]); 16] = [
     ("TrackMan", &["carry flat length"]),
@@ -28,7 +28,7 @@ const SIGNATURES: [(&str, &[&str]); 16] = [
     ),
 ];
 
-/// The maker for these heads, in lower case without units.
+/// The maker for these column heads, in lower case without units.
 pub(super) fn maker(heads: &[String]) -> Option<&'static str> {
     let has = |head: &&str| heads.iter().any(|other| other == head);
     SIGNATURES

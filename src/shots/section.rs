@@ -1,4 +1,4 @@
-//! Sections of a table: the rows below one head.
+//! Sections of a table: the rows below one line of column heads.
 
 use super::head::ExportHead;
 use crate::table::{DecimalMark, cells};
@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// The head of an export.
+/// The column heads of an export, interpreted.
 #[derive(Clone, Debug)]
 pub struct Export {
     pub(super) head: ExportHead,
@@ -18,12 +18,12 @@ impl Export {
         self.head.separator
     }
 
-    /// The heads of the columns.
+    /// The column heads as written.
     pub fn heads(&self) -> &[String] {
         &self.head.heads
     }
 
-    /// Units in a line below the heads; `None` without this line.
+    /// Units in a line below the column heads; `None` without this line.
     pub fn units(&self) -> Option<&[String]> {
         self.head.units.as_deref()
     }
@@ -44,10 +44,10 @@ impl Export {
     }
 }
 
-/// A section of a table: the rows below one head.
+/// A section of a table: the rows below one line of column heads.
 #[derive(Clone, Debug)]
 pub struct Section {
-    /// The head of the section.
+    /// The column heads of the section.
     pub export: Arc<Export>,
     /// True if the shots of this chunk are the first of a later section.
     pub begins: bool,

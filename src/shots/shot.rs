@@ -65,7 +65,7 @@ pub struct Club {
     pub face_angle: Option<f64>,
 }
 
-/// A club value with its head, SI.
+/// A club value with its column head, SI.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StatedOfClub<'a> {
     pub head: &'a str,
@@ -214,7 +214,7 @@ pub(super) fn of_conditions(value: impl Fn(Outcome) -> Option<f64>) -> Stated {
     CONDITIONS.map(value)
 }
 
-/// The value if it is in the parameter's range; `name` is the head of its column.
+/// The value if it is in the parameter's range; `name` is its column head.
 ///
 /// # Errors
 /// A value outside the range.

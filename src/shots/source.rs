@@ -48,7 +48,7 @@ pub(super) enum Rows {
 pub(super) struct TableRows {
     table: TextTable,
     setup: Setup<f64>,
-    /// Head of the current section.
+    /// Column heads of the current section.
     export: Arc<Export>,
     is_begun: bool,
     /// Further parameters of every row.
@@ -98,7 +98,7 @@ impl Shots {
         Self::of_text(setup, text.with_filter(filter))
     }
 
-    /// Reads CSV with a head, or JSON, in UTF-8, UTF-16 or Windows-1252.
+    /// Reads CSV with column heads, or JSON, in UTF-8, UTF-16 or Windows-1252.
     ///
     /// # Errors
     /// [`Error::Table`](crate::Error::Table) for an unreadable or empty text, a missing launch
@@ -178,7 +178,7 @@ impl Shots {
         &self.layout
     }
 
-    /// Maker of the export, if its heads identify it; for JSON the format.
+    /// Maker of the export, if its column heads identify it; for JSON, the name of the format.
     pub fn maker(&self) -> Option<&'static str> {
         match &self.layout {
             Layout::Export(export) => export.head.maker,
@@ -216,7 +216,7 @@ impl Shots {
         matches!(&self.layout, Layout::Export(export) if export.head.has(of))
     }
 
-    /// Head of the column of an outcome.
+    /// Column head of an outcome.
     pub fn name_of(&self, of: Outcome) -> String {
         match &self.layout {
             Layout::Export(export) => export.head.name_of(of),

@@ -265,7 +265,7 @@ impl ShotStatistics {
         Some(self.clubs.entry(name.into()).or_insert_with(new))
     }
 
-    /// Warnings about columns with a likely wrong unit or sign; `name` gives the head of an
+    /// Warnings about columns with a likely wrong unit or sign; `name` gives the column head of an
     /// outcome.
     pub fn unit_warnings(&self, name: impl Fn(Outcome) -> String) -> Vec<Message> {
         self.comparison.warnings(&self.of, name)

@@ -7,11 +7,11 @@ use crate::units::{Message, Quantity};
 /// Maximum number of ratios kept for a median.
 const MOST: usize = 4096;
 
-/// Minimum number of rows for a warning, in general and for ratios near 1.
+/// Minimum number of rows for a warning: in general, and for ratios near 1.
 const LEAST: usize = 2;
 const LEAST_NEAR_ONE: usize = 5;
 
-/// Relative tolerance of a ratio, in general and for ratios near 1.
+/// Relative tolerance of a ratio: in general, and near 1.
 const NEAR: f64 = 0.06;
 const NEAR_ONE: f64 = 0.025;
 
@@ -37,7 +37,7 @@ const MOST_CARRY_PER_SPEED: f64 = 4.6;
 /// Predicted/measured carry of speeds in km/h that were read in mph.
 const IN_KMH: std::ops::Range<f64> = 1.45..2.0;
 
-/// Minimum ball speed of the carries in this check, m/s.
+/// Minimum ball speed of the rows in `carries`, m/s.
 const SLOW: f64 = 22.0;
 
 /// Ratios and sides of predicted and measured values.
@@ -105,7 +105,7 @@ impl Comparison {
         ];
     }
 
-    /// Warnings about columns; `name` gives the head of an outcome.
+    /// Warnings about columns; `name` gives the column head of an outcome.
     pub fn warnings(&self, of: &[Outcome], name: impl Fn(Outcome) -> String) -> Vec<Message> {
         let mut warnings = vec![];
         if let Some(speed) = self.speed(of) {

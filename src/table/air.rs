@@ -89,7 +89,7 @@ pub(crate) fn air_as_given(head: &str) -> String {
     format!("the given air replaces the air of each row, which the export states: {head}")
 }
 
-/// Message for rows without usable air.
+/// Message for a row without usable air, whose shot flies in the air of the setup.
 pub(crate) fn air_of_setup(why: &str) -> String {
     format!("the air of the setup is assumed; {why}")
 }

@@ -28,7 +28,7 @@ pub(crate) enum Content {
     Written,
 }
 
-/// A column with the unit of its numbers; SI if the head has none.
+/// A column with the unit of its numbers; SI if the column head has no unit.
 #[derive(Clone, Debug)]
 pub(crate) struct Column {
     pub content: Content,
@@ -69,11 +69,11 @@ pub(super) const OF_SHOTS: &str = "give each a name that is known, or take it ou
                                    parameter, an outcome, 'sigma OUTCOME', 'stationary', 'sigma \
                                    stationary' or 'note'";
 
-/// Head of the column of stationary parameters.
+/// Column head of stationary parameters.
 const STATIONARY: &str = "stationary";
-/// Head of the column of remarks.
+/// Column head of remarks.
 const NOTE: &str = "note";
-/// Head of the status column of sweeps.
+/// Column head of the status in sweeps.
 const STATUS: &str = "status";
 /// Columns that `fly` adds to the shots.
 pub(crate) const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
@@ -85,8 +85,9 @@ pub(super) const AIR: &str = "air.density";
 const LAUNCH: &str = "launch.";
 
 impl Column {
-    /// Interprets a head: `carry [yd]`, `sigma carry [yd]`, `club.loft [deg]`, `stationary`,
-    /// `note`, or a head of a launch monitor. `below` is the unit in the line below the head.
+    /// Interprets the column head `head`: `carry [yd]`, `sigma carry [yd]`, `club.loft [deg]`,
+    /// `stationary`, `note`, or a column head of a launch monitor. `below` is the unit in the line
+    /// below the column heads.
     ///
     /// Measured carry is the distance to the landing point, as launch monitors define it, not its
     /// component along the target line.
@@ -195,7 +196,7 @@ impl Column {
         }
     }
 
-    /// True if the column is ignored because its head is unknown.
+    /// True if the column is ignored because its column head is unknown.
     pub fn is_unknown(&self) -> bool {
         self.content == Content::Note && self.head != NOTE && !self.is_of_given_air
     }
@@ -433,7 +434,7 @@ impl Column {
         size.unwrap_or(1.0)
     }
 
-    /// The unit of the head; otherwise SI.
+    /// The unit in the column head; otherwise SI.
     pub fn unit(&self) -> &str {
         self.unit
             .as_deref()
@@ -618,7 +619,7 @@ fn is_of_flown(name: &str) -> bool {
     OF_FLOWN.contains(&name) || FLOWN.iter().any(|before| name.starts_with(before))
 }
 
-/// True for an unknown head of a launch monitor, false for a misspelt name of this program.
+/// True for an unknown column head of a launch monitor, false for a misspelt name of this program.
 fn is_head_of_launch_monitor(name: &str, format: Format) -> bool {
     let is_written_otherwise = name.is_empty() || name.contains(". ");
     let has_own_marks = name.contains(['_', '.']) && !name.ends_with('.');

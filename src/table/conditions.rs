@@ -41,8 +41,8 @@ const MOST_AXIS: f64 = std::f64::consts::FRAC_PI_2 - 1e-9;
 /// degrees gives 0.9 %.
 const ROUNDING: f64 = 0.02;
 
-/// Removes redundant spin values. The first available combination is used: spin with axis, backspin
-/// with sidespin, spin with sidespin, backspin with axis, spin, backspin.
+/// Removes redundant spin values. Keeps the first of these combinations that is present: spin with
+/// axis, backspin with sidespin, spin with sidespin, backspin with axis, spin, backspin.
 pub(crate) fn without_redundant_spins(values: Stated) -> Stated {
     let [speed, angle, direction, spin, backspin, sidespin, axis] = values;
     let [spin, backspin, sidespin, axis] = match (spin, backspin, sidespin, axis) {

@@ -9,7 +9,7 @@ use crate::units::{Message, Quantity};
 /// Beginning of the remark on assumed units.
 pub(crate) const ASSUMED_UNITS: &str = "heads without a unit are read as";
 
-/// Default units of heads without a unit, as in US versions of the makers' applications.
+/// Default units of columns without a unit, as in US versions of the makers' applications.
 const DEFAULT_UNITS: [(Quantity, &str); 4] = [
     (Quantity::SPEED, "mph"),
     (Quantity::LENGTH, "yd"),
@@ -71,7 +71,7 @@ pub(crate) enum SpinSource {
     Row,
 }
 
-/// Clause that lists unknown columns similar to known ones: "; near a known head: …".
+/// Clause that lists unknown column heads similar to known ones: "; near a known head: …".
 pub(crate) fn near_known(columns: &[Column]) -> String {
     let near = columns.iter().filter(|column| column.is_unknown());
     let near = near.filter_map(|column| {
@@ -188,7 +188,7 @@ fn redundant_spins(has: impl Fn(Outcome) -> bool) -> &'static [Outcome] {
     }
 }
 
-/// Heads of the columns that satisfy a condition, without empty heads.
+/// Column heads of the columns that satisfy `is`, without empty ones.
 fn heads_of(columns: &[Column], is: impl Fn(&Column) -> bool) -> Vec<&str> {
     columns
         .iter()
@@ -197,7 +197,7 @@ fn heads_of(columns: &[Column], is: impl Fn(&Column) -> bool) -> Vec<&str> {
         .collect()
 }
 
-/// Remark on unknown columns, with similar known heads.
+/// Remark on unknown columns, with similar known column heads.
 fn unknown_columns(columns: &[Column]) -> Option<Message> {
     // a condition column is not unknown: it may state the air of the rows
     let is_condition =

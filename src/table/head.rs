@@ -1,4 +1,4 @@
-//! The head of a table: meaning of its columns, and errors in heads.
+//! The column heads of a table: meaning of the columns, and errors in column heads.
 
 use super::CONDITIONS;
 use super::column::{Column, Content, Format, OF_SHOTS};
@@ -16,7 +16,7 @@ pub(crate) struct TableOptions {
     pub club: ClubColumns,
     /// Source of redundant spin values.
     pub spin: SpinSource,
-    /// Advice for unknown heads.
+    /// Advice for unknown column heads.
     pub advice: &'static str,
 }
 
@@ -47,12 +47,12 @@ impl TableOptions {
     };
 }
 
-/// Head of a table.
+/// The column heads of a table, interpreted.
 #[derive(Clone, Debug)]
 pub(crate) struct Head {
-    /// Line of the head, from 1.
+    /// Line of the column heads, from 1.
     pub line: u64,
-    /// The heads as written.
+    /// The column heads as written.
     pub heads: Vec<String>,
     /// The columns in order.
     pub columns: Vec<Column>,
@@ -70,7 +70,8 @@ pub(crate) struct Head {
 pub(crate) struct Names<'a>(pub Vec<&'a str>);
 
 impl Head {
-    /// Interprets the heads of a text table; `first` is the row below, which may contain units.
+    /// Interprets the column heads of a text table; `first` is the row below, which may contain
+    /// units.
     ///
     /// # Errors
     /// The unreadable columns, with reasons.
@@ -146,17 +147,17 @@ impl Head {
         })
     }
 
-    /// True if the head has these heads and units.
+    /// True if the column heads and units are equal to these.
     pub fn is_like(&self, heads: &[String], units: Option<&[String]>) -> bool {
         self.heads == heads && self.units.as_deref() == units
     }
 
-    /// True with a column of the delivery.
+    /// True if there is a column of the delivery.
     pub fn has_strike(&self) -> bool {
         self.columns.iter().any(Column::is_of_the_strike)
     }
 
-    /// True with a complete launch and no delivery.
+    /// True if there is a complete launch and no column of the delivery.
     pub fn is_launched(&self) -> bool {
         let has = |outcome| {
             self.columns
@@ -167,7 +168,7 @@ impl Head {
         has(Outcome::BallSpeed) && has(Outcome::LaunchAngle) && has_spin && !self.has_strike()
     }
 
-    /// Heads of the columns that satisfy a condition.
+    /// Column heads of the columns that satisfy `is`.
     pub fn named(&self, is: impl Fn(&Column) -> bool) -> Names<'_> {
         Names(
             self.columns
@@ -224,7 +225,7 @@ impl Names<'_> {
     }
 }
 
-/// Errors in heads: all unknown names, or the first other error.
+/// Errors in column heads: all unknown names, or the first other error.
 #[derive(Debug)]
 pub(crate) struct ColumnErrors {
     /// Positions, from 0.

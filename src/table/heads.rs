@@ -1,8 +1,8 @@
-//! Heads of launch monitors with their meanings.
+//! Column heads of launch monitors with their meanings.
 
 use crate::drive::Outcome;
 
-/// Meaning of a head.
+/// Meaning of a column head.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Meaning {
     /// An outcome.
@@ -11,7 +11,7 @@ pub(super) enum Meaning {
     Input(&'static str),
 }
 
-/// Known heads in lower case without punctuation.
+/// Known column heads in lower case without punctuation.
 pub(super) const HEADS: &[(&str, Meaning)] = &[
     ("club speed", Meaning::Input("swing.speed")),
     ("club head speed", Meaning::Input("swing.speed")),
@@ -146,7 +146,7 @@ pub(super) const HEADS: &[(&str, Meaning)] = &[
     ),
 ];
 
-/// Known heads of launch monitors that are not used.
+/// Known column heads of launch monitors that are not used.
 pub(super) const NOT_USED: &[&str] = &[
     "ball type",
     "club brand",

@@ -1,4 +1,4 @@
-//! Heads, units and separators as launch monitors write them.
+//! Column heads, units and separators as launch monitors write them.
 
 use super::heads::{HEADS, Meaning, NOT_USED};
 use super::numbers::{cell_number, is_unit};
@@ -6,8 +6,8 @@ use super::records::cells;
 use crate::drive::Outcome;
 use crate::units::Quantity;
 
-/// Meaning of a launch monitor's head without unit; `None` for names of this program and unknown
-/// heads.
+/// Meaning of a launch monitor's column head without unit; `None` for names of this program and
+/// unknown heads.
 pub(super) fn meaning(name: &str) -> Option<Meaning> {
     let is_a_name = || Outcome::ALL.iter().any(|of| of.name() == name);
     if is_own(name) && (!name.contains('_') || is_a_name()) {
@@ -41,7 +41,7 @@ fn is_own(name: &str) -> bool {
     name == name.to_lowercase() && !name.contains(' ')
 }
 
-/// A head in lower case, without punctuation.
+/// A column head in lower case, without punctuation.
 pub(crate) fn words(name: &str) -> String {
     let plain = |c: char| {
         if c.is_alphanumeric() {
@@ -54,8 +54,8 @@ pub(crate) fn words(name: &str) -> String {
     words.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The known head nearest to an unknown one, with at most one or two different letters: "ball
-/// speed" for `Ball Sped [mph]`.
+/// The known column head nearest to an unknown one, with at most one or two different letters:
+/// "ball speed" for `Ball Sped [mph]`.
 pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
     let words = words(split_unit(head).0);
     let near = HEADS
@@ -66,8 +66,8 @@ pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
     (words.len() > 4 && !is_known && (1..=2).contains(&near.0)).then_some(near.1)
 }
 
-/// Meaning of a head that depends on its unit: `Ball (km/h)` is a speed, while `Ball` may be the
-/// name of a ball model.
+/// Meaning of a column head that depends on its unit: `Ball (km/h)` is a speed, while `Ball` may be
+/// the name of a ball model.
 pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
     let is_speed = unit.is_some_and(|unit| Quantity::SPEED.size_of(unit).is_some());
     let is_time = unit.is_some_and(|unit| Quantity::TIME.size_of(unit).is_some());
@@ -75,7 +75,7 @@ pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
     let by_unit = match name {
         "Ball" if is_speed => Some(Meaning::Outcome(Outcome::BallSpeed)),
         "Club" if is_speed => Some(Meaning::Input("swing.speed")),
-        // without a unit the head means the time of day
+        // without a unit the column head means the time of day
         "Time" if is_time => Some(Meaning::Outcome(Outcome::FlightTime)),
         // without a unit g/L and lb/ft³ are ambiguous (a factor of 16)
         _ if is_density && ["air density", "luftdichte"].contains(&words(name).as_str()) => {
@@ -86,20 +86,20 @@ pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
     by_unit.or_else(|| meaning(name))
 }
 
-/// Recognizes exports: at least two heads of launch monitors, misspelt or not.
+/// Recognizes exports: at least two column heads of launch monitors, misspelt or not.
 pub(crate) fn is_export<'a>(heads: impl Iterator<Item = &'a str>) -> bool {
     let is_near = |head: &str| !is_own(split_unit(head).0) && nearest_head(head).is_some();
     heads.filter(|head| is_known(head) || is_near(head)).count() >= 2
 }
 
-/// Recognizes heads of launch monitors, also `ball_speed_mph`.
+/// Recognizes column heads of launch monitors, also `ball_speed_mph`.
 fn is_known(head: &str) -> bool {
     let (name, unit) = split_unit(head);
     meaning(name).is_some()
         || unit.is_some() && head.trim().starts_with(name) && head[name.len()..].starts_with('_')
 }
 
-/// Splits a head into name and unit: `Club Speed [mph]`, `Carry (yds)`, `Ball Speed MPH`,
+/// Splits a column head into name and unit: `Club Speed [mph]`, `Carry (yds)`, `Ball Speed MPH`,
 /// `BallSpeedMph`, `ball_speed_mph`.
 pub(crate) fn split_unit(head: &str) -> (&str, Option<String>) {
     let head = head.trim();
@@ -141,9 +141,9 @@ fn is_simulated(word: &str) -> bool {
         .eq_ignore_ascii_case("sim")
 }
 
-/// Parses a line of units below the heads, each `[mph]` or empty; `None` for another line. At least
-/// one cell below a known head must be a unit, and no cell may be a number. An unknown word below a
-/// known head is returned as a unit, so that an error reports it.
+/// Parses a line of units below the column heads, each `[mph]` or empty; `None` for another line.
+/// At least one cell below a known column head must be a unit, and no cell may be a number. An
+/// unknown word below a known column head is returned as a unit, so that an error reports it.
 pub(super) fn units_row(heads: &[String], cells: &[String]) -> Option<Vec<Option<String>>> {
     let is_known = |head: &str| {
         let name = split_unit(head).0;
@@ -179,7 +179,7 @@ pub(super) fn units_row(heads: &[String], cells: &[String]) -> Option<Vec<Option
     has_unit.then(|| cells.iter().enumerate().map(unit).collect())
 }
 
-/// Recognizes the head of an export.
+/// Recognizes the line of column heads of an export.
 pub(super) fn is_head(text: &str, separator: u8) -> bool {
     // nearly every row contains a number
     let is_number = |cell: &str| cell.trim().parse::<f64>().is_ok();

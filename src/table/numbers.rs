@@ -82,7 +82,7 @@ pub(super) fn unwrapped(cell: &str) -> &str {
 pub(super) fn digits(cell: &str) -> &str {
     let number =
         unwrapped(cell).trim_matches(|c: char| !(c.is_ascii_digit() || "+-.,".contains(c)));
-    // a head such as `Launch Dir.` has a mark without digits
+    // a column head such as `Launch Dir.` has a mark without digits
     if number.contains(|c: char| c.is_ascii_digit()) {
         number
     } else {

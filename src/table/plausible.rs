@@ -53,7 +53,7 @@ static OF_CLUB_IN_SI: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
     OF_CLUB.iter().map(range).collect()
 });
 
-/// Message for implausible values of a club; `head` is the head of the column.
+/// Message for implausible values of a club; `head` is the column head.
 pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Option<String> {
     let at = OF_CLUB.iter().position(|(known, ..)| *known == parameter)?;
     let [lowest, highest] = OF_CLUB_IN_SI[at];
@@ -99,7 +99,7 @@ static IN_SI: LazyLock<Vec<(Outcome, f64, f64)>> = LazyLock::new(|| {
     RANGES.iter().map(range).collect()
 });
 
-/// Message for values that no drive has; `name` is the head of the column.
+/// Message for values that no drive has; `name` is the column head.
 pub(crate) fn implausible(
     of: Outcome,
     value: f64,
@@ -108,7 +108,7 @@ pub(crate) fn implausible(
     outside(of, value).map(|why| format!("{}: {why}", name()))
 }
 
-/// Message without the head of the column.
+/// Message without the column head.
 pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
     let (at, (_, lowest, highest)) = IN_SI
         .iter()

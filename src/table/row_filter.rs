@@ -77,7 +77,7 @@ impl RowFilter {
         self.columns.iter().any(|column| column.is_named(head))
     }
 
-    /// Finds the columns in the head of a section.
+    /// Finds the columns of the conditions among the column heads of a section.
     ///
     /// # Errors
     /// The reason if there is no such column.
@@ -153,7 +153,7 @@ impl RowFilter {
 }
 
 impl ColumnFilter {
-    /// True for the head of this column, with or without its unit.
+    /// True for the column head of this column, with or without its unit.
     fn is_named(&self, head: &str) -> bool {
         is_like(&self.name, head) || words(&self.name) == words(split_unit(head).0)
     }
@@ -176,7 +176,7 @@ pub(crate) fn counted_values<'a>(
     counts.into_iter().map(shown).collect::<Vec<_>>().join(", ")
 }
 
-/// Heads of the column that names the club, in lower case without punctuation, best first.
+/// Column heads of the column that names the club, in lower case without punctuation, best first.
 const OF_CLUB: [&str; 4] = ["club type", "club", "club name", "schlägerart"];
 
 /// Index of the column that names the club; `is_text` is true for a column without numbers.

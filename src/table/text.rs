@@ -1,4 +1,5 @@
-//! Reader of text tables: title lines, a head, rows, and further heads that begin sections.
+//! Reader of text tables: title lines, column heads, rows, and further lines of column heads that
+//! begin sections.
 
 use super::encoding::{Encoding, decoded};
 use super::head::{Head, TableOptions};
@@ -12,7 +13,7 @@ use crate::external_errors::read_error_text;
 use crate::parameters::Setup;
 use std::io::{self, BufReader, Cursor, Read};
 
-/// Number of bytes inspected for format, head and decimal mark.
+/// Number of bytes inspected for format, column heads and decimal mark.
 const BEGINNING: u64 = 1 << 16;
 
 /// Buffer size, bytes.
@@ -21,7 +22,7 @@ const PIECE: usize = 1 << 16;
 /// Number of rows inspected for units, decimal marks and signs.
 const MOST_ROWS: usize = 200;
 
-/// Number of records searched for the head.
+/// Number of records searched for the column heads.
 const MOST_RECORDS: usize = 25;
 
 /// Name of the file, for messages.
@@ -88,7 +89,7 @@ pub(crate) enum Entry {
     Row(Record),
     /// A row that the filter excludes.
     Excluded,
-    /// The head of a further section.
+    /// The line of column heads of a further section.
     Head(Record),
 }
 
@@ -101,17 +102,17 @@ pub(crate) struct TextTable {
     /// The first 64 KiB of the text.
     beginning: String,
     encoding: Encoding,
-    /// True for exports, which may contain further heads.
+    /// True for exports, which may contain further lines of column heads.
     has_sections: bool,
     filter: RowFilter,
 }
 
 impl TextTable {
-    /// Opens a table and reads its first head.
+    /// Opens a table and reads its first line of column heads.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for an empty table, an unclosed quote in the head, an
-    /// unknown column, and errors of the source.
+    /// [`Error::Table`](crate::Error::Table) for an empty table, an unclosed quote in the column
+    /// heads, an unknown column, and errors of the source.
     pub fn open(text: Text, setup: &Setup<f64>, wanted: &TableOptions) -> Result<(Self, Head)> {
         let Text {
             name,
@@ -160,7 +161,7 @@ impl TextTable {
         Ok((table, head))
     }
 
-    /// Reads a head and the line of units below it.
+    /// Reads a line of column heads and the line of units below it.
     ///
     /// # Errors
     /// The errors of [`open`](Self::open).
@@ -195,7 +196,7 @@ impl TextTable {
         Ok(head)
     }
 
-    /// Rows below a head, within the first 64 KiB, at most [`MOST_ROWS`].
+    /// Rows below the line `head` of column heads, within the first 64 KiB, at most [`MOST_ROWS`].
     pub fn rows_below(&self, head: u64) -> Vec<Vec<String>> {
         let has_returns = self.beginning.contains('\r') && !self.beginning.contains('\n');
         let end = if has_returns { '\r' } else { '\n' };
@@ -211,7 +212,7 @@ impl TextTable {
         rows.take(MOST_ROWS).map(cells).collect()
     }
 
-    /// The next row or head; `None` at the end.
+    /// The next row or line of column heads; `None` at the end.
     ///
     /// # Errors
     /// Errors of the source; lines that are not text, or too long; a table without a row that
@@ -259,14 +260,14 @@ impl TextTable {
     }
 }
 
-/// Location of the head.
+/// Location of the column heads.
 struct HeadPlace {
     separator: u8,
     line: u64,
 }
 
 impl HeadPlace {
-    /// The first record with two known heads; otherwise the first record.
+    /// The first record with two known column heads; otherwise the first record.
     fn find(beginning: &str) -> Option<Self> {
         let mut lines = Lines::new(
             Box::new(Cursor::new(beginning.to_owned())),
@@ -302,7 +303,7 @@ impl HeadPlace {
     }
 }
 
-/// Refusal of a row whose number of cells differs from the number of heads.
+/// Refusal of a row whose number of cells differs from `heads`, the number of column heads.
 pub(crate) fn miscounted<S: AsRef<str>>(row: &[S], heads: usize) -> Option<Refusal> {
     let filled = row
         .iter()

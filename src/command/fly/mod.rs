@@ -90,7 +90,8 @@ fn fly(args: &Fly) -> Result<Answer> {
     ))
 }
 
-/// The flights of the shots, on the ground where they were measured if the request gives it.
+/// The flights of the shots. If the request gives the ground, it is the ground where the shots were
+/// measured.
 fn flying(request: &Request, setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Flying> {
     request.refuse_replaced(setup, shots.further())?;
     let flying = followed(request, setup, of, |setup| Flying::new(setup, shots, of))?;
@@ -146,7 +147,7 @@ fn refuse_no_rows(tally: &ShotStatistics, file: &Path) -> Result<()> {
     })
 }
 
-/// Remarks about a file of shots. `add` also reports each of them to the host.
+/// Remarks about a file of shots. `add` also reports each of them to the user.
 struct Remarks<'a> {
     file: &'a Path,
     all: Vec<Message>,
@@ -187,7 +188,8 @@ fn not_compared(shots: &Shots, of: &[Outcome], is_on_their_ground: bool) -> Vec<
     remarks
 }
 
-/// The error of the law for shots of clubs with more loft than a driver.
+/// A remark on the error of the law `launch-monitor` for shots of clubs with more loft than a
+/// driver.
 fn of_lofted(tally: &ShotStatistics, law: &Law<f64>) -> Option<String> {
     (tally.lofted > 0 && law.name() == "launch-monitor").then(|| {
         format!(

@@ -34,7 +34,7 @@ pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
     Ok(setup)
 }
 
-/// The flights of the shots, with the integration step for many drives.
+/// The flights of the shots, with the method and step that [`Request::accuracy_for_many`] chooses.
 pub fn followed(
     request: &Request,
     setup: &Setup<f64>,

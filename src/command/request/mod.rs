@@ -61,8 +61,8 @@ impl SetupArgs {
 }
 
 impl Request {
-    /// Applies these settings to the source; the host receives notes for the user. `args` has
-    /// the other options.
+    /// Applies these settings to the source. The caller of the command receives notes for the user.
+    /// `args` has the options other than settings.
     ///
     /// # Errors
     /// For two settings of one parameter, and a setting that does not apply.
@@ -240,8 +240,9 @@ impl Request {
         }
     }
 
-    /// The setup that the answer of a search is about. Shaft and strike determine the best loft by
-    /// degrees, and those of an average are nobody's.
+    /// The setup that the answer of a search is about. Shaft and strike shift the best loft by
+    /// degrees; if the setup is an average, they belong to no golfer, and the answer contains
+    /// advice.
     pub fn origin_of_search(&self, vary: &[Vary]) -> Origin {
         let varies_loft = vary.iter().any(|vary| vary.parameter.name == "club.loft");
         let advice = if varies_loft && self.source.is_average() {
@@ -399,8 +400,8 @@ impl Request {
         self.refuse_stated(&parameters, why)
     }
 
-    /// Refuses parameters of the setup file and of the settings if parameters of the setup or of
-    /// the columns `more` replace them.
+    /// Refuses parameters of the setup file and of the settings if other parameters of the setup,
+    /// or the columns `more`, replace them.
     ///
     /// # Errors
     /// [`Error::Together`].

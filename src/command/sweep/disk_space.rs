@@ -68,7 +68,8 @@ pub fn check(
     })
 }
 
-/// The available bytes for a file, including its present size, with its folder.
+/// The number of bytes available for a file, including its present size; and the folder of the
+/// file.
 fn free(path: &Path) -> Option<(f64, String)> {
     let folder = path
         .parent()

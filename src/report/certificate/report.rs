@@ -37,8 +37,8 @@ pub struct CertificateReport<'a> {
     pub step_errors: Vec<StepErrorReport>,
     /// Omitted checks, with the reasons.
     pub not_examined: Vec<UnmadeCheck>,
-    /// The finite differences of the MAE 494 report's while-loop, for each parameter by which carry
-    /// is certified.
+    /// The finite differences of carry in the while-loop of the MAE 494 report, for each parameter
+    /// by which the derivative of carry is certified.
     pub while_loop: Vec<LoopCheck>,
     /// Outcomes without derivatives at this drive, with the reasons.
     pub missing: Vec<MissingOutcome>,
@@ -229,7 +229,8 @@ pub struct StepErrorReport {
     pub parameter: Option<&'static str>,
     /// The relative error of that derivative.
     pub derivative_error: Number,
-    /// The error of the derivative relative to the outcome, for a change by the parameter's size.
+    /// The error of the derivative relative to the outcome, for a change of the parameter by its
+    /// typical size.
     pub derivative_error_of_outcome: Number,
 }
 

@@ -18,19 +18,19 @@ pub struct Document {
     parts: Vec<Part>,
 }
 
-/// A block with the detail of the texts that have it. Pages have all blocks.
+/// A block, and the texts that show it. Pages show all blocks.
 #[derive(Clone, Debug)]
 struct Part {
     block: Block,
     detail: Detail,
 }
 
-/// The texts that have a block.
+/// The texts that show a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Detail {
     /// All texts.
     Answer,
-    /// Texts with every table: a screen has no room for it.
+    /// Texts with every table. A screen has no room for this block.
     Rest,
     /// Texts about the computation.
     Computation,
@@ -103,7 +103,7 @@ pub(super) struct Table {
 }
 
 impl Table {
-    /// A table with these heads. Columns of numbers are right-aligned.
+    /// A table with these column heads. Columns of numbers are right-aligned.
     pub fn new<H: Into<String>>(
         head: impl IntoIterator<Item = H>,
         rows: impl IntoIterator<Item = Vec<String>>,

@@ -5,7 +5,8 @@ use crate::report::table::table;
 /// The width and the detail of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TextOptions {
-    /// The most columns of a terminal. A word, and a table that cannot be narrower, may be wider.
+    /// The maximum width of the text, columns. A word, and a table that cannot be narrower, may be
+    /// wider.
     pub width: usize,
     /// Includes tables and rows for which a screen has no room.
     pub all: bool,
@@ -112,7 +113,7 @@ fn table_text(found: &Table, options: &TextOptions) -> String {
     };
     let mut text = table(&head, &right, rows, most);
     if !found.row_notes.is_empty() {
-        // a table of single lines: the head, then the rows
+        // a table of single lines: the column heads, then the rows
         let details = found.row_notes.iter().map(|details| note(details, width));
         let details = std::iter::once(String::new()).chain(details);
         text = text

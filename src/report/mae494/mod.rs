@@ -28,7 +28,8 @@ pub struct Mae494Report<'a> {
     /// `mae494`.
     #[cfg_attr(test, schemars(extend("const" = STUDY)))]
     pub study: &'static str,
-    /// The optimum of the report's regression, which evaluates its polynomial with wrong powers.
+    /// The optimum of the report's regression, which evaluates its fitted polynomial with wrong
+    /// powers.
     pub slipped_optimum: DeliveryPoint,
     /// The optimum of the report's model.
     pub optimum: OptimumRow,
@@ -229,13 +230,13 @@ pub struct NoiseReport {
     pub slopes: Vec<SlopesReport>,
     /// Number of lofts where the sign of the difference is wrong.
     pub wrong_signs: usize,
-    /// The finite difference of the loop for shorter time steps.
+    /// The finite difference of the while-loop for shorter time steps.
     pub shorter_steps: Vec<ShorterStep>,
     /// The finite differences for longer steps of the loft.
     pub longer_differences: Vec<LongerDifference>,
     /// Carry over a small range of loft.
     pub zoom: Vec<LandingReport>,
-    /// Searches for each landing and method.
+    /// Searches for each way to compute the landing and each method.
     pub searches: Vec<SearchesReport>,
 }
 
@@ -262,33 +263,33 @@ pub struct SlopesReport {
     pub exact: f64,
     /// The derivative with a constant landing time, m/rad.
     pub at_fixed_time: f64,
-    /// The finite difference of the loop, m/rad.
+    /// The finite difference of the while-loop, m/rad.
     #[serde(rename = "loop")]
     pub overshot: f64,
-    /// The finite difference of the loop with an interpolated landing, m/rad.
+    /// The finite difference of the while-loop with an interpolated landing, m/rad.
     pub interpolated: f64,
-    /// True if the sign of the loop's finite difference is wrong.
+    /// True if the sign of the while-loop's finite difference is wrong.
     pub sign_is_wrong: bool,
 }
 
-/// The loop's finite difference for a shorter time step.
+/// The while-loop's finite difference for a shorter time step.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ShorterStep {
     /// The time step, s.
     pub step: f64,
-    /// The finite difference of the loop, m/rad.
+    /// The finite difference of the while-loop, m/rad.
     #[serde(rename = "loop")]
     pub overshot: f64,
 }
 
-/// The finite differences for a longer step of the parameter.
+/// The finite differences for a longer step of the loft.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LongerDifference {
     /// The step of the loft, rad.
     pub difference: f64,
-    /// The finite difference of the loop, m/rad.
+    /// The finite difference of the while-loop, m/rad.
     #[serde(rename = "loop")]
     pub overshot: f64,
     /// The finite difference with an interpolated landing, m/rad.
@@ -297,14 +298,14 @@ pub struct LongerDifference {
     pub smooth: f64,
 }
 
-/// The carry at a loft, for each landing.
+/// The carry at a loft, for each way to compute the landing.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LandingReport {
     /// The loft, rad.
     #[serde(rename = "club.loft")]
     pub loft: f64,
-    /// The carry of the loop, m.
+    /// The carry of the while-loop, m.
     #[serde(rename = "loop")]
     pub overshot: f64,
     /// The carry with an interpolated landing, m.
@@ -313,11 +314,11 @@ pub struct LandingReport {
     pub smooth: f64,
 }
 
-/// Searches with a landing and a method.
+/// Searches with one way to compute the landing and one method.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SearchesReport {
-    /// The landing.
+    /// The way to compute the landing.
     pub landing: &'static str,
     /// The method.
     pub method: &'static str,

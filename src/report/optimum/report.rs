@@ -92,8 +92,8 @@ pub struct ConstraintReport {
     /// The distance of the value from the limits, SI; 0 within them.
     pub violation: f64,
     /// The gain of the objective for each SI unit by which the limit is relaxed, ≥ 0; for an
-    /// equation, by which its value is raised. `robust`: the decrease of the greatest loss,
-    /// negative if the best design gains more.
+    /// equation, for each SI unit by which its right side is raised. `robust`: the decrease of the
+    /// greatest loss, negative if the best design of a model gains more.
     pub multiplier: f64,
 }
 

@@ -6,7 +6,7 @@ use crate::study::{ClubAlone, Limit as WindowLimit, Optimum, Vary, Window};
 use crate::units::{System, signed};
 use serde::Serialize;
 
-/// The surroundings of an optimum of one drive.
+/// Results about the surroundings of an optimum of one drive.
 #[derive(Clone, Copy, Debug)]
 pub struct Surroundings<'a> {
     /// The allowed loss, SI.

@@ -35,7 +35,7 @@ const MEASURED: [(&str, Outcome); 6] = [
 /// Statements of the export about the origin of the spin and the conditions of its values.
 const TEXTS: [&str; 2] = ["Spin Rate Type", "Condition"];
 
-/// The line of heads.
+/// The line of column heads.
 pub(super) fn head(added: &Added) -> Vec<u8> {
     let own = LAUNCH
         .iter()
@@ -55,8 +55,8 @@ pub(super) fn head(added: &Added) -> Vec<u8> {
 }
 
 /// The launch of a shot, SI. The spin and its axis come from the flight; for a shot that is not
-/// flown they are the stated values. Assumed values are omitted: in another run they would be
-/// measured zeros.
+/// flown they are the stated values. Assumed values are omitted: a later run of `fly` would read
+/// them as measured zeros.
 pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
     match shot.launch() {
         Some(&[speed, angle, direction, back, side]) => {

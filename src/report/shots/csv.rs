@@ -34,7 +34,7 @@ impl Added {
         self.system.unit(of.unit())
     }
 
-    /// The heads, each with its unit.
+    /// The column heads, each with its unit.
     pub fn heads(&self) -> Vec<(String, &'static str)> {
         let words = ["Line", "Flight", "Reason", "Notes"].map(|word| (word.to_owned(), ""));
         let of = |before: &'static str| {
@@ -112,13 +112,13 @@ impl Copied {
         }
     }
 
-    /// The columns of another section, which has its own head.
+    /// The columns of another section, which has its own column heads.
     pub fn of_section(&self, export: &Arc<Export>) -> Self {
         Self::new(export, &self.added.of, self.added.system)
     }
 
-    /// The cells of a line without those that an earlier run added, one for each column. A row of
-    /// units may be shorter.
+    /// The cells of a line, one for each column, without the cells that an earlier run of `fly`
+    /// added. A row of units may be shorter.
     fn own<'a, S: AsRef<str>>(&self, cells: &'a [S]) -> impl Iterator<Item = &'a str> {
         let (columns, added) = (self.export.heads().len(), self.export.added());
         let cells = (0..columns).map(|at| cells.get(at).map_or("", AsRef::as_ref));
@@ -170,7 +170,7 @@ impl Copied {
             .refusal()
             .is_some_and(|refusal| refusal.is_unreadable())
         {
-            // write the row as one cell, so that no value is below a wrong head
+            // write the row as one cell, so that no value is below a wrong column head
             bytes.extend_from_slice(format!("\"{}\"", shot.text.replace('"', "\"\"")).as_bytes());
             bytes.extend(std::iter::repeat_n(
                 separator,
@@ -179,8 +179,8 @@ impl Copied {
         } else if shot.has_cells_of_head && self.export.added().is_empty() {
             bytes.extend_from_slice(shot.text.as_bytes());
         } else {
-            // omit the cells that an earlier run added, and empty cells beyond the columns of the
-            // head
+            // omit the cells that an earlier run of `fly` added, and empty cells beyond the last
+            // column head
             for (at, cell) in self.own(&self.export.cells(&shot.text)).enumerate() {
                 if at > 0 {
                     bytes.push(separator);

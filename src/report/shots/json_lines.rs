@@ -24,7 +24,7 @@ pub(super) struct Keys {
     of: Vec<Outcome>,
     /// The further parameters, which have a value in every row.
     further: Vec<&'static str>,
-    /// The export, with the text `"head":` for each of its columns.
+    /// The export, with the text `"COLUMN HEAD":` for each of its columns.
     cells: Option<(Arc<Export>, Vec<String>)>,
 }
 
@@ -85,7 +85,7 @@ enum RowStatus {
 #[schemars(untagged)]
 #[allow(dead_code)]
 enum OriginalRow {
-    /// The cells by their heads, or the message.
+    /// The cells by their column heads, or the message.
     Cells(serde_json::Map<String, serde_json::Value>),
     /// The text, if it cannot be divided into cells.
     Text(String),
@@ -174,7 +174,7 @@ impl Keys {
     pub fn of_section(&self, section: Option<&Section>) -> Self {
         let cells = section.map(|Section { export, .. }| {
             let heads = export.heads();
-            // equal heads get a number
+            // a repeated column head gets a number
             let key = |(at, head): (usize, &String)| {
                 let before = heads[..at].iter().filter(|other| *other == head).count();
                 let name = if before == 0 {

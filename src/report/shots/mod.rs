@@ -85,7 +85,8 @@ impl ShotWriter {
         }
     }
 
-    /// A line for each row. If a section of the table begins, a line of heads precedes them.
+    /// A line for each row. If a section of the table begins, a line of column heads precedes the
+    /// rows.
     pub fn rows(&self, flown: &Flown) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(flown.rows() * 400);
         let section = flown.section();

@@ -6,13 +6,14 @@ use crate::report::shown;
 use crate::shots::Flown;
 use crate::units::{System, fixed, printed, signed};
 
-/// Columns of text of the number of a line.
+/// Width of the column with the line numbers, in characters.
 const LINE: usize = 5;
 
-/// Columns of text of each other column.
+/// Width of each other column, in characters.
 const WIDTH: usize = 15;
 
-/// The launch of each shot, and its first outcome: predicted, and less the measured value.
+/// The launch of each shot, and its first outcome: the predicted value, and the predicted minus the
+/// measured value.
 #[derive(Clone, Debug)]
 pub(super) struct Screen {
     of: Option<Outcome>,
@@ -27,7 +28,7 @@ impl Screen {
         }
     }
 
-    /// The lines of heads: the outcomes, and their units.
+    /// Two lines of column heads: the outcomes, and their units.
     pub fn head(&self) -> Vec<u8> {
         let launch = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Spin];
         let columns = launch

@@ -18,7 +18,7 @@ pub struct ShotsReport<'a> {
     pub ending: Ending,
     /// The file of the rows; `null` if the rows are not written to a file.
     pub file: Option<String>,
-    /// The maker of the export, if its heads identify it; for JSON, the program that wrote it.
+    /// The maker of the export, if its column heads identify it; for JSON, the name of the format.
     pub source: Option<&'static str>,
     /// Number of rows.
     pub rows: u64,

@@ -118,7 +118,7 @@ impl SweepCsv {
     }
 }
 
-/// The head of the column of a derivative, and the SI size of its unit.
+/// The column head of a derivative, and the SI size of its unit.
 fn derivative_column(of: Outcome, by: &Parameter, units: TableUnits) -> (String, f64) {
     let name = format!("d_{}/d_{}", of.name(), by.name);
     let of_unit = units.unit(of.quantity(), of.unit());

@@ -37,7 +37,7 @@ impl Over {
 /// The set of optima to plot. Its club gives launch angle and spin in the ratio of the chart.
 const OPTIMA: &str = "chart-optima-impact";
 
-/// The name of the band, and the note about it.
+/// The name of the band for the difference between two launch monitors, and the note about it.
 const INSTRUMENTS: &str = "two launch monitors";
 const BAND: &str = "The band is what two launch monitors differ by on a single drive, one standard \
                     deviation (Bliss & Langdown 2026): 6.7 yd of carry, 12.3 ft of apex, 3.9° of \
@@ -64,7 +64,7 @@ pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
     figures
 }
 
-/// The default law, the alternative, and the law with the best carry for each set.
+/// The default law, the law `ALTERNATIVE`, and the law with the best carry for each set.
 fn drawn(sets: &[&SetScores]) -> Vec<&'static str> {
     let mut laws = vec![Law::default().name(), ALTERNATIVE];
     for set in sets {

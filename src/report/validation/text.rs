@@ -43,7 +43,7 @@ pub(super) fn document(found: &[SetScores], system: System) -> Document {
 }
 
 /// The mean absolute error of the first quantity of every set, for the best law, the default law
-/// and the alternative.
+/// and the law `ALTERNATIVE`.
 fn summary(document: &mut Document, found: &[SetScores], system: System) {
     let default = Law::default().name();
     document.heading("Which law is the default");

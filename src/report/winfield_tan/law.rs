@@ -8,8 +8,8 @@ use crate::report::shown::stated;
 use crate::reproduce::WinfieldTan;
 use crate::units::{Quantity, System, significant};
 
-/// Speeds of the displayed values, m/s and mph, equal within 3 %. The flights of the paper have
-/// these speeds.
+/// Speeds of the displayed values in m/s and in mph; the two lists agree within 3 %. The flights of
+/// the paper have these speeds.
 const METRES_PER_SECOND: [f64; 4] = [30.0, 40.0, 50.0, 65.0];
 const MILES_PER_HOUR: [f64; 4] = [70.0, 90.0, 110.0, 145.0];
 
@@ -64,7 +64,7 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: Published
 
 /// The speeds of the displayed values.
 struct Speeds {
-    /// The values in the unit below.
+    /// The speeds in the unit `unit`.
     numbers: [f64; 4],
     unit: &'static str,
     /// The size of the unit, m/s.

@@ -6,8 +6,8 @@ use arrow_array::{Array, RecordBatch, downcast_integer};
 use arrow_schema::DataType;
 use std::path::Path;
 
-/// Reads an Arrow IPC file or stream by record batches, which may be compressed with ZSTD or LZ4.
-/// Feather version 2 is the same format.
+/// Reads an Arrow IPC file or stream by record batches. The batches may be compressed with ZSTD or
+/// LZ4. Feather version 2 is the same format.
 pub(super) struct ArrowPieces {
     batches: RecordBatches,
     /// Current record batch, and number of its rows already read.

@@ -101,7 +101,7 @@ impl Columns {
     }
 }
 
-/// Remark on ignored columns, except those that the head reports.
+/// Remark on ignored columns, except those in the remarks of `head`.
 fn not_read(head: &Head, read: &[usize]) -> Option<Message> {
     let is_read = |column: &Column| {
         read.iter()

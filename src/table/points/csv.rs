@@ -12,9 +12,9 @@ use crate::table::text::{Entry, Text, TextTable, miscounted};
 use crate::units::Message;
 use std::path::{Path, PathBuf};
 
-/// Reads the rows of a CSV file. Heads are parameters with units (`club.loft [deg]`,
-/// `impact.restitution`) or heads of a launch monitor (`Ball Speed [mph]`). Commas, semicolons or
-/// tabs separate cells.
+/// Reads the rows of a CSV file. Column heads are parameters with units (`club.loft [deg]`,
+/// `impact.restitution`) or column heads of a launch monitor (`Ball Speed [mph]`). Commas,
+/// semicolons or tabs separate cells.
 pub(super) struct CsvRows {
     path: PathBuf,
     setup: Setup<f64>,

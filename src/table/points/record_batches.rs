@@ -126,7 +126,7 @@ impl RecordBatches {
         &self.schema
     }
 
-    /// Back to the first record batch.
+    /// Goes back to the first record batch.
     pub(super) fn rewind(&mut self) {
         match &mut self.order {
             Order::Listed { next, .. } => *next = 0,

@@ -9,7 +9,7 @@ use crate::units::Message;
 pub(super) trait Rows {
     fn columns(&self) -> &Columns;
 
-    /// Back to the first row.
+    /// Goes back to the first row.
     fn rewind(&mut self) -> Result<()>;
 
     /// Reads values as [`Points::read`] does; a missing value is NaN.
