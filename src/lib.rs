@@ -52,8 +52,6 @@
 #![warn(clippy::missing_errors_doc, missing_docs)]
 // items used only by the reports
 #![cfg_attr(not(feature = "reports"), allow(dead_code, unused_imports))]
-// items used only by the test of the schemas, which includes the schemas of `parts`
-#![cfg_attr(all(test, not(feature = "parquet")), allow(dead_code, unused_imports))]
 
 #[macro_use]
 mod schema;

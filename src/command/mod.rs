@@ -61,7 +61,7 @@ mod reproduce;
 mod request;
 mod robust;
 mod running;
-#[cfg(all(test, feature = "parquet"))]
+#[cfg(test)]
 mod schemas;
 mod search;
 mod sensitivity;

@@ -25,8 +25,8 @@ pub struct Summary {
     /// Number of drives by status.
     pub statuses: BTreeMap<Status, u64>,
     /// Number of landed drives beyond each validity limit, in this order: launch outside the ranges
-    /// that the law was fitted to, strike outside any face, and landing flatter than any measured
-    /// bounce.
+    /// that the law was fitted to, strike outside the largest face that the Rules of Golf allow,
+    /// and landing flatter than any measured bounce.
     pub beyond: [u64; 3],
     /// Moments of each outcome and derivative, by column name.
     pub moments: BTreeMap<String, Moments>,
