@@ -66,7 +66,7 @@ impl Face {
             Ok([Vary::new(toe, -x, x)?, Vary::new(high, -y, y)?])
         };
         let [across, up] = over(1.0)?;
-        let plane = Plane::fly(setup, &Self::OUTCOMES, across, up, NODES)?;
+        let plane = Plane::fly_with_gradients(setup, &Self::OUTCOMES, across, up, NODES)?;
         let longest = plane
             .largest(0, |at| is_on(half, at))
             .ok_or_else(|| Error::NoFlight {
