@@ -14,9 +14,9 @@ use crate::report::{Origin, Reply};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{Row, certify};
 use crate::study::{
-    Chart, Constraint, Effects, Face, Fineness, Landing, Launches, Map, NamedDrive, Optimum,
-    Region, Search, Sigma, Vary, chart, effects, flatness, map, optimum, short_drive, usual_loss,
-    with_defaults,
+    Chart, ClubAlone, Constraint, Effects, Face, Fineness, Flatness, Landing, Launches, Map,
+    NamedDrive, Optimum, Plane, Region, Search, Sigma, Vary, chart, club_alone, effects, flatness,
+    lofts, map, optimum, short_drive, usual_loss, with_defaults,
 };
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
@@ -29,88 +29,27 @@ const USUAL_POINTS: u64 = 24;
 
 pub fn run(args: &Report) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let stated = request.setup()?;
-    let of = args.search.sought()?.0;
-    let reason = args.search.nothing_to_vary(&request, &stated)?;
-    let sought = match &reason {
-        None => Some(args.sought(&request, &stated)?),
-        Some(_) => {
-            args.refuse_idle_search()?;
-            None
-        }
-    };
-    let ranges: Vec<_> = sought
-        .iter()
-        .flat_map(|(search, along)| search.vary.iter().copied().chain([*along]))
-        .collect();
-    let setup = request.for_many(stated, &ranges)?;
+    let inputs = Inputs::new(args, &request)?;
     let date = today()?;
-    let given = args
-        .sigma
-        .iter()
-        .map(|text| Sigma::read(&setup, text))
-        .collect::<Result<Vec<_>>>()?;
-    let sigmas = with_defaults(&setup, &given, &[of])?;
     // check the folder before the work, not after it
     let folder = Rule::new(request.inputs(), args.overwrite)
         .folder(&args.output, &["index.html", SETUP_FILE])?;
 
     let bar = bar("parts");
     bar.set_length(USUAL_POINTS + 5);
-    let mut remarks = vec![];
-    let search = sought.as_ref().map(|(search, _)| search);
-    let drives = Drives::new(&setup, search, &bar, &mut remarks)?;
-    let best = drives.best();
-    let pictures = Pictures::of(&setup, best, &drives.flown, &given, &mut remarks)?;
-    remarks.extend(
-        best.and_then(short_drive)
-            .map(|(_, said)| Message::from(said)),
-    );
-    let flatness = best
-        .map(|best| flatness(best, usual_loss(best)))
-        .transpose()?;
-    bar.inc(1);
-    let neighbourhood = Neighbourhood::new(&setup, of, search, best, &mut remarks)?;
-    bar.inc(1);
-    let chart = match (&sought, best) {
-        (Some((search, along)), Some(_)) => chart_of(&setup, search, *along, &bar, &mut remarks)?,
-        _ => None,
-    };
-    let slopes = Slopes::new(&setup, of, search, best, &sigmas, &bar, &mut remarks)?;
-
+    let results = Results::new(&inputs, &bar)?;
     let in_words = |message: Message| message.map_words(in_words_of_the_host);
-    let mut remarks: Vec<_> = remarks.into_iter().map(in_words).collect();
-    let why_none = drives.why_none(reason.as_deref()).map(in_words);
-    let name = name_of(&request);
-    let findings = Findings {
-        name: &name,
-        stated: &stated,
-        setup: &setup,
-        of,
-        preset: request.source().preset(),
-        flown: &drives.flown,
-        landings: &pictures.landings,
-        launches: pictures.launches.as_ref(),
-        face: pictures.face.as_ref(),
-        best_face: pictures.best_face.as_ref(),
-        found: drives.found.as_ref(),
-        best,
-        why_none: why_none.as_ref(),
-        flatness: flatness.as_ref(),
-        map: neighbourhood.map.as_ref(),
-        limits: &neighbourhood.limits,
-        region: neighbourhood.region.as_ref(),
-        chart: chart.as_ref(),
-        effects: &slopes.effects,
-        at_best: slopes.at_best.as_ref(),
-        rows: &slopes.rows,
-        loops: &while_loop(&setup, &slopes.rows),
-        system: system(),
-        remarks: &remarks,
-        command: &command_line(running().words()),
-        date: &date,
-    };
-    let documents = report_documents(&findings)?;
+    let mut remarks: Vec<_> = results.remarks.iter().cloned().map(in_words).collect();
+    let why_none = results.drives.why_none(inputs.reason.as_deref());
+    let why_none = why_none.map(in_words);
+    let documents = documents(
+        &request,
+        &inputs,
+        &results,
+        &remarks,
+        why_none.as_ref(),
+        &date,
+    )?;
     folder.write(
         documents
             .iter()
@@ -125,7 +64,167 @@ pub fn run(args: &Report) -> Result<Answer> {
         counted(documents.len() as u64, "file")
     ));
     let origin = request.origin();
-    Ok(answer(args, &origin, &drives, &documents, remarks))
+    Ok(answer(args, &origin, &results.drives, &documents, remarks))
+}
+
+/// The drive and the search of a report.
+struct Inputs {
+    /// The setup of the request.
+    stated: Setup<f64>,
+    /// The setup with the method and the step for the accuracy of the flight.
+    setup: Setup<f64>,
+    /// The outcome that the report is about.
+    of: Outcome,
+    /// The search, and the parameter along which the chart runs.
+    sought: Option<(Search, Vary)>,
+    /// The reason why there is no search.
+    reason: Option<String>,
+    /// The stated uncertainties.
+    given: Vec<Sigma>,
+    /// All uncertainties.
+    sigmas: Vec<Sigma>,
+}
+
+impl Inputs {
+    fn new(args: &Report, request: &Request) -> Result<Self> {
+        let stated = request.setup()?;
+        let of = args.search.sought()?.0;
+        let reason = args.search.nothing_to_vary(request, &stated)?;
+        let sought = match &reason {
+            None => Some(args.sought(request, &stated)?),
+            Some(_) => {
+                args.refuse_idle_search()?;
+                None
+            }
+        };
+        let ranges: Vec<_> = sought
+            .iter()
+            .flat_map(|(search, along)| search.vary.iter().copied().chain([*along]))
+            .collect();
+        let setup = request.for_many(stated, &ranges)?;
+        let given = args
+            .sigma
+            .iter()
+            .map(|text| Sigma::read(&setup, text))
+            .collect::<Result<Vec<_>>>()?;
+        let sigmas = with_defaults(&setup, &given, &[of])?;
+        Ok(Self {
+            stated,
+            setup,
+            of,
+            sought,
+            reason,
+            given,
+            sigmas,
+        })
+    }
+}
+
+/// The computed parts of a report.
+struct Results {
+    drives: Drives,
+    pictures: Pictures,
+    flatness: Option<Flatness>,
+    club_alone: Option<ClubAlone>,
+    lofts: Option<Plane>,
+    neighbourhood: Neighbourhood,
+    chart: Option<Chart>,
+    slopes: Slopes,
+    remarks: Vec<Message>,
+}
+
+impl Results {
+    fn new(inputs: &Inputs, bar: &ProgressBar) -> Result<Self> {
+        let Inputs {
+            setup,
+            of,
+            sought,
+            given,
+            sigmas,
+            ..
+        } = inputs;
+        let mut remarks = vec![];
+        let search = sought.as_ref().map(|(search, _)| search);
+        let drives = Drives::new(setup, search, bar, &mut remarks)?;
+        let best = drives.best();
+        let pictures = Pictures::of(setup, best, &drives.flown, given, &mut remarks)?;
+        let short = best.and_then(short_drive);
+        remarks.extend(short.map(|(_, said)| Message::from(said)));
+        let flatness = best
+            .map(|best| flatness(best, usual_loss(best)))
+            .transpose()?;
+        let club_alone = best
+            .map(|best| said(club_alone(best), &mut remarks))
+            .transpose()?;
+        let lofts = lofts(setup, best.map_or(setup, |best| &best.setup))?;
+        bar.inc(1);
+        let neighbourhood = Neighbourhood::new(setup, *of, search, best, &mut remarks)?;
+        bar.inc(1);
+        let chart = match (sought, best) {
+            (Some((search, along)), Some(_)) => chart_of(setup, search, *along, bar, &mut remarks)?,
+            _ => None,
+        };
+        let slopes = Slopes::new(setup, *of, search, best, sigmas, bar, &mut remarks)?;
+        Ok(Self {
+            club_alone: club_alone.flatten().flatten(),
+            drives,
+            pictures,
+            flatness,
+            lofts,
+            neighbourhood,
+            chart,
+            slopes,
+            remarks,
+        })
+    }
+}
+
+/// The files of a report.
+fn documents(
+    request: &Request,
+    inputs: &Inputs,
+    results: &Results,
+    remarks: &[Message],
+    why_none: Option<&Message>,
+    date: &str,
+) -> Result<Vec<Document>> {
+    let Results {
+        drives,
+        pictures,
+        neighbourhood,
+        slopes,
+        ..
+    } = results;
+    report_documents(&Findings {
+        name: &name_of(request),
+        stated: &inputs.stated,
+        setup: &inputs.setup,
+        of: inputs.of,
+        preset: request.source().preset(),
+        flown: &drives.flown,
+        landings: &pictures.landings,
+        launches: pictures.launches.as_ref(),
+        face: pictures.face.as_ref(),
+        best_face: pictures.best_face.as_ref(),
+        found: drives.found.as_ref(),
+        best: drives.best(),
+        why_none,
+        flatness: results.flatness.as_ref(),
+        club_alone: results.club_alone.as_ref(),
+        lofts: results.lofts.as_ref(),
+        map: neighbourhood.map.as_ref(),
+        limits: &neighbourhood.limits,
+        region: neighbourhood.region.as_ref(),
+        chart: results.chart.as_ref(),
+        effects: &slopes.effects,
+        at_best: slopes.at_best.as_ref(),
+        rows: &slopes.rows,
+        loops: &while_loop(&inputs.setup, &slopes.rows),
+        system: system(),
+        remarks,
+        command: &command_line(running().words()),
+        date,
+    })
 }
 
 /// The name of the setup. For a file, omit the folder (privacy).

@@ -61,7 +61,7 @@ impl Face {
     pub fn of(setup: &Setup<f64>) -> Result<Self> {
         let half = half_of(setup);
         let [across, up] = ranges(setup, half)?;
-        let plane = Plane::fly(setup, &Self::OUTCOMES, across, up, NODES)?;
+        let plane = Plane::fly_with_gradients(setup, &Self::OUTCOMES, across, up, NODES)?;
         let longest = plane
             .largest(0, |at| is_on(half, at))
             .ok_or_else(|| Error::NoFlight {

@@ -105,7 +105,7 @@ impl Launches {
         };
         let across = vary("launch.launch_angle", 0, |one| one.launch_angle)?;
         let up = vary("launch.backspin", 1, |one| one.backspin)?;
-        let plane = Plane::fly(&setup, &[Outcome::Carry], across, up, [NODES; 2])?;
+        let plane = Plane::fly_with_gradients(&setup, &[Outcome::Carry], across, up, [NODES; 2])?;
         if plane.values[0].iter().all(Option::is_none) {
             return Err(Error::NoFlight {
                 reason: "no flight: no launch of the map flies and lands".into(),

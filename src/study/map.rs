@@ -1,6 +1,7 @@
 //! An outcome over a grid of two parameters.
 
 use super::Vary;
+use super::plane::Plane;
 use crate::derivative::{Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -22,6 +23,8 @@ pub struct Map {
     /// Outcome at each node, SI, row by row from the lowest row; `None` if the drive does not have
     /// the outcome.
     pub values: Vec<Option<f64>>,
+    /// Derivatives of the outcome by both parameters at each node, SI; `None` without the outcome.
+    pub gradients: Vec<Option<[f64; 2]>>,
     /// Reason at the first node without a value.
     pub missing: Option<Message>,
     /// Gradients at a coarser grid of points.
@@ -110,20 +113,13 @@ pub fn map(
     let gradients = Evaluator::new(setup, &[of], &wrt, Order::First)?;
     let columns = fineness.nodes;
     let ranges = [across, up];
-    let nodes: Vec<Result<f64>> = (0..columns * columns)
-        .into_par_iter()
-        .map(|i| {
-            let part = |at: usize| at as f64 / (columns - 1) as f64;
-            let x = place(ranges, [part(i % columns), part(i / columns)]);
-            Ok(values.at(&x)?[0].value)
-        })
-        .collect();
-    let missing = nodes
-        .iter()
-        .find_map(|node| node.as_ref().err())
-        .map(Error::message);
-    let values: Vec<Option<f64>> = nodes.into_iter().map(Result::ok).collect();
-    if values.iter().all(Option::is_none) {
+    let mut plane = Plane::fly_with_gradients(setup, &[of], across, up, [columns; 2])?;
+    let found = plane.values.pop().unwrap_or_default();
+    let first_missing = found.iter().position(Option::is_none);
+    let missing = first_missing
+        .and_then(|node| values.at(&plane.node(node)).err())
+        .map(|error| error.message());
+    if found.iter().all(Option::is_none) {
         let reason = missing.unwrap_or_default();
         return Err(Error::NoFlight {
             reason: Message::from(format!(
@@ -138,7 +134,8 @@ pub fn map(
         across,
         up,
         columns,
-        values,
+        values: found,
+        gradients: plane.gradients.pop().unwrap_or_default(),
         missing,
         slopes: slopes(&gradients, ranges, fineness.slopes),
     })

@@ -2,7 +2,7 @@ use super::Vary;
 use crate::batch::{Batch, CHUNK};
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::parameters::Setup;
+use crate::parameters::{Parameter, Setup};
 use rayon::prelude::*;
 
 /// Outcomes at the nodes of a grid over two parameters, computed as a batch.
@@ -19,6 +19,9 @@ pub struct Plane {
     /// Each outcome at each node, SI, row by row from the lowest row; `None` if the drive does not
     /// have the outcome.
     pub values: Vec<Vec<Option<f64>>>,
+    /// Derivatives of each outcome by the two parameters at each node, SI, in the order of
+    /// `values`; empty if only values were computed.
+    pub gradients: Vec<Vec<Option<[f64; 2]>>>,
 }
 
 impl Plane {
@@ -32,24 +35,57 @@ impl Plane {
         of: &[Outcome],
         across: Vary,
         up: Vary,
-        [columns, rows]: [usize; 2],
+        nodes: [usize; 2],
     ) -> Result<Self> {
-        let batch = Batch::new(setup, &[across.parameter, up.parameter], of, &[])?;
+        Self::differentiate(setup, of, across, up, nodes, &[])
+    }
+
+    /// Flies a setup as [`Plane::fly`] does, with the gradient at each node.
+    ///
+    /// # Errors
+    /// The errors of [`Batch::new`].
+    pub fn fly_with_gradients(
+        setup: &Setup<f64>,
+        of: &[Outcome],
+        across: Vary,
+        up: Vary,
+        nodes: [usize; 2],
+    ) -> Result<Self> {
+        let wrt = [across.parameter, up.parameter];
+        Self::differentiate(setup, of, across, up, nodes, &wrt)
+    }
+
+    fn differentiate(
+        setup: &Setup<f64>,
+        of: &[Outcome],
+        across: Vary,
+        up: Vary,
+        [columns, rows]: [usize; 2],
+        wrt: &[&'static Parameter],
+    ) -> Result<Self> {
+        let batch = Batch::new(setup, &[across.parameter, up.parameter], of, wrt)?;
         let mut plane = Self {
             across,
             up,
             columns,
             rows,
             values: vec![],
+            gradients: vec![],
         };
         let places: Vec<[f64; 2]> = (0..columns * rows).map(|node| plane.node(node)).collect();
         let blocks: Vec<_> = places
             .par_chunks(CHUNK)
             .map(|chunk| batch.evaluate(0, chunk.concat()))
             .collect();
-        plane.values = (0..of.len())
-            .map(|i| blocks.iter().flat_map(|block| block.result(i)).collect())
-            .collect();
+        let column = |i: usize| blocks.iter().flat_map(move |block| block.result(i));
+        plane.values = (0..of.len()).map(|i| column(i).collect()).collect();
+        let gradients = |i: usize| {
+            let [across, up] = [0, 1].map(|axis| column(of.len() + 2 * i + axis));
+            across.zip(up).map(|(a, b)| Some([a?, b?])).collect()
+        };
+        if !wrt.is_empty() {
+            plane.gradients = (0..of.len()).map(gradients).collect();
+        }
         Ok(plane)
     }
 

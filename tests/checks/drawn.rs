@@ -8,7 +8,7 @@ use longdrive::report::figures::{
     OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
     trajectory_figure,
 };
-use longdrive::report::plot::{Figure, Layer, Look, figure_csv, figure_svg};
+use longdrive::report::plot::{Figure, Hue, Layer, Look, figure_csv, figure_svg};
 use longdrive::study::uncertainty::{SamplePlan, Uncertain, uncertainty};
 use longdrive::study::{
     Constraint, Face, Fineness, Landing, Launches, Map, NamedDrive, Optimum, Region, Search, Sigma,
@@ -716,6 +716,90 @@ fn same_ellipses_on_the_fairway_and_in_uncertainty() {
         .zip([Outcome::Lateral, Outcome::Carry])
     {
         close(at, of.value(&drive).unwrap(), 250.0, 1e-12, "the landing");
+    }
+}
+
+/// The landings of the drive as set up and of its optimum.
+fn two_landings() -> [Landing; 2] {
+    let setup = setup();
+    let search = Search::longest_drive(&setup).unwrap();
+    let best = optimum(&setup, search, Observer::default()).unwrap();
+    [("as set up", &setup), ("optimum", &best.setup)].map(|(name, setup)| {
+        let sigmas = with_defaults(setup, &[], &[Outcome::Carry]).unwrap();
+        Landing::of(name, setup, &sigmas).unwrap()
+    })
+}
+
+/// The points of the arcs of a view.
+fn arcs(view: &Figure) -> Vec<Vec<[f64; 2]>> {
+    let arc = |layer: &Layer| match layer {
+        Layer::Line {
+            name,
+            hue: Hue::Faint,
+            is_dashed: false,
+            points,
+        } if name.is_empty() => Some(points.clone()),
+        _ => None,
+    };
+    view.layers.iter().filter_map(arc).collect()
+}
+
+/// The arcs of the fairway are at the distances that their labels state; the second view begins at
+/// the tee.
+#[test]
+fn exact_distances_of_the_arcs_and_the_edges_of_a_fairway() {
+    let landings = two_landings();
+    for (system, unit, size) in [(System::Us, "yd", YARD), (System::Metric, "m", 1.0)] {
+        let figure = fairway_figure(&landings, system);
+        let tee = &figure.panels[0];
+        let radius = |[x, y]: [f64; 2]| x.hypot(y) / size;
+        for view in [&figure, tee] {
+            let arcs = arcs(view);
+            assert!(arcs.len() > 2, "{}", view.name);
+            for arc in &arcs {
+                let first = radius(arc[0]).round();
+                assert!(first % 5.0 == 0.0 && arc.len() > 50);
+                for at in arc {
+                    close(radius(*at), first, first, 1e-12, "a point of an arc");
+                }
+            }
+            let mut labels = 0;
+            for layer in &view.layers {
+                if let Layer::Text { name, at, .. } = layer {
+                    let stated: f64 = name.strip_suffix(unit).unwrap().trim().parse().unwrap();
+                    close(radius(*at), stated, stated, 1e-12, name);
+                    labels += 1;
+                }
+            }
+            assert!(labels > 1, "{labels}");
+        }
+        for [x, _] in line_of(&figure, "fairway") {
+            close(x, -15.0 * YARD, 1.0, 1e-12, "the left edge");
+        }
+        let at_tee = tee.layers.iter().any(
+            |layer| matches!(layer, Layer::Mark { name, at: [0.0, 0.0], .. } if name == "tee"),
+        );
+        assert!(at_tee);
+    }
+}
+
+/// Both runs are on the target line: one is dashed, and each end has its total.
+#[test]
+fn two_runs_on_one_line_are_both_seen() {
+    let landings = two_landings();
+    let figure = fairway_figure(&landings, System::Us);
+    let runs = figure.layers.iter().filter_map(|layer| match layer {
+        Layer::Line {
+            name, is_dashed, ..
+        } if name.starts_with("run") => Some(*is_dashed),
+        _ => None,
+    });
+    assert_eq!(runs.collect::<Vec<_>>(), [false, true]);
+    for rest in landings.iter().map(|landing| landing.rest.unwrap()) {
+        let total = format!("total {:.1} yd", rest[1] / YARD);
+        let marks = figure.layers.iter();
+        let mut marks = marks.filter(|layer| matches!(layer, Layer::Mark { .. }));
+        assert!(marks.any(|layer| layer.named().0 == total), "{total}");
     }
 }
 

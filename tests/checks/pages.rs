@@ -98,6 +98,95 @@ fn the_answer_is_the_first_thing_on_the_page() {
     );
 }
 
+/// The cells of a table of a page, row by row, in yards.
+fn cells(table: &str) -> Vec<Vec<String>> {
+    let rows = table.split("<tr>").skip(1);
+    let cell = |cell: &str| {
+        let (_, text) = cell.split_once('>').unwrap();
+        words(text, "us").trim().to_owned()
+    };
+    rows.map(|row| row.split("<td").skip(1).map(cell).collect())
+        .collect()
+}
+
+#[test]
+fn same_gain_of_the_club_and_of_the_swing_on_the_page_and_in_optimize() {
+    let (_, page) = report(&[]);
+    let (_, best) = json(&["optimize"]);
+    let alone = &best["club_alone"];
+    let yard = 0.9144;
+    let value = number(&best["value"]);
+    let with_swing = value / yard;
+    let with_club = (value - number(&alone["swing_gain"])) / yard;
+    let yours = with_club - number(&alone["club_gain"]) / yard;
+    let table = cells(part(answer(&page), "<table class=\"steps\">", "</table>"));
+    assert_eq!(table[1][0], "Carry");
+    for (cell, carry) in table[1][1..].iter().zip([yours, with_club, with_swing]) {
+        assert_eq!(*cell, format!("{carry:.1} yd"));
+    }
+    assert_eq!(table[2][0], "Total");
+    let loft = table
+        .iter()
+        .find(|row| row.first().is_some_and(|name| name == "Club loft"));
+    let club = number(&alone["optimum"]["club.loft"]).to_degrees();
+    assert_eq!(loft.unwrap()[2], format!("{club:.2}°"));
+    // the swing of the club alone is that of the drive as set up
+    let attack = table
+        .iter()
+        .find(|row| row.first().is_some_and(|name| name == "Attack angle"));
+    assert_eq!(attack.unwrap()[1], attack.unwrap()[2]);
+    assert_ne!(attack.unwrap()[2], attack.unwrap()[3]);
+    // a search over the club alone has no such column
+    let (_, page) = report(&["--vary", "club.loft=4deg..20deg"]);
+    let table = cells(part(answer(&page), "<table class=\"steps\">", "</table>"));
+    assert_eq!(table[1].len(), 3);
+}
+
+#[test]
+fn same_carry_and_total_by_loft_and_attack_angle_and_alone() {
+    let (_, page) = report(&["--set", "swing.speed=95mph"]);
+    let table = cells(part(&page, "<table class=\"lofts\">", "</table>"));
+    let head = part(&page, "<table class=\"lofts\">", "</thead>");
+    let attacks: Vec<String> = head
+        .split("<th class=\"number\" scope=\"col\">")
+        .skip(1)
+        .map(|cell| cell.split_once('<').unwrap().0.replace('−', "-"))
+        .collect();
+    let rows: Vec<_> = table.iter().filter(|row| !row.is_empty()).collect();
+    assert_eq!((attacks.len(), rows.len()), (5, 7));
+    for (row, column) in [(0, 0), (3, 2), (6, 4)] {
+        let loft = format!("club.loft={}", rows[row][0].replace('°', "deg"));
+        let attack = format!("swing.attack_angle={}", attacks[column].replace('°', "deg"));
+        let set = [
+            "--set",
+            "swing.speed=95mph",
+            "--set",
+            &loft,
+            "--set",
+            &attack,
+        ];
+        let (_, drive) = json(&[&["simulate"][..], &set].concat());
+        let [carry, total] = ["carry", "total"].map(|of| number(&drive["flight"][of]) / 0.9144);
+        assert_eq!(
+            rows[row][1 + column],
+            format!("{carry:.1}{total:.1}"),
+            "{set:?}"
+        );
+    }
+    // the longest carry of each column is bold
+    assert_eq!(
+        part(&page, "<table class=\"lofts\">", "</table>")
+            .matches("<strong>")
+            .count(),
+        5
+    );
+    let (_, page) = report(&[
+        "--launch",
+        "ball_speed=150mph,launch_angle=12deg,backspin=2600rpm",
+    ]);
+    assert!(!page.contains("<table class=\"lofts\">"), "no club");
+}
+
 /// A common error changes both drives: between two equal drives the change has no uncertainty.
 #[test]
 fn exact_zero_uncertainty_of_the_change_to_an_equal_drive() {

@@ -194,6 +194,130 @@ fn no_words_are_cut_or_overlap_in_any_picture_at_any_width() {
     });
 }
 
+/// The fill and the opacity of each polygon with more than two corners.
+fn fills(svg: &str) -> Vec<[String; 2]> {
+    let picture = roxmltree::Document::parse(svg).unwrap();
+    let polygons = picture
+        .descendants()
+        .filter(|node| node.has_tag_name("polygon"));
+    polygons
+        .map(|node| ["fill", "opacity"].map(|name| node.attribute(name).unwrap().to_owned()))
+        .collect()
+}
+
+/// The region of small loss is drawn over the colours of the map, its symbol over the page: both
+/// are opaque and of one colour.
+#[test]
+fn the_legend_of_a_map_has_the_colour_of_its_region() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.svg").display().to_string();
+    for more in [&[][..], &["--dark"]] {
+        let svg = drawn(&[&["contour"], more].concat(), &file, 480);
+        // the symbol is the last polygon before its name
+        let (before, _) = svg.split_once("at most 1.00 yd lost\n</text>").unwrap();
+        let [symbol, opacity] = fills(&format!("{before}</text></svg>")).pop().unwrap();
+        assert_eq!(opacity, "1");
+        let found = fills(&svg);
+        let same = found.iter().filter(|[fill, _]| *fill == symbol);
+        assert!(same.clone().count() >= 2, "{symbol} {found:?}");
+        assert!(same.clone().all(|[_, opacity]| opacity == "1"), "{found:?}");
+    }
+}
+
+/// The points of the drawn lines of at least this many points, pixels.
+fn long_lines(svg: &str, least: usize) -> Vec<[f64; 2]> {
+    let lines = crate::report::polylines(&crate::report::whole(svg));
+    let long = lines.into_iter().filter(|line| line.len() >= least);
+    long.flatten().map(|at| at.map(|at| at / 10.0)).collect()
+}
+
+#[test]
+fn a_trajectory_names_its_flight_and_no_label_covers_the_landing() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.svg").display().to_string();
+    for width in [340, 390, 480, 640, 800] {
+        for preset in ["tour-average", "amateur-average", "modern-driver"] {
+            let svg = drawn(&["trajectory", preset], &file, width);
+            let found = words(&svg);
+            for name in ["flight", "run", "ground"] {
+                assert!(found.iter().any(|words| words.text == name), "{name}");
+            }
+            let label = found.iter().find(|words| words.text.starts_with("carry"));
+            let [left, top, right, bottom] = label.unwrap().place;
+            for [x, y] in long_lines(&svg, 20) {
+                let is_covered = (left..right).contains(&x) && (top..bottom).contains(&y);
+                assert!(!is_covered, "{preset} at {width}: {x} {y}");
+            }
+        }
+    }
+}
+
+/// Each circle of a mark: its centre and colour.
+fn marks(svg: &str) -> Vec<([f64; 2], String)> {
+    let picture = roxmltree::Document::parse(svg).unwrap();
+    let circles = picture
+        .descendants()
+        .filter(|node| node.has_tag_name("circle") && node.attribute("r") == Some("50"));
+    circles
+        .map(|node| {
+            let number = |name: &str| node.attribute(name).unwrap().parse::<f64>().unwrap() / 10.0;
+            let fill = node.attribute("fill").unwrap().to_owned();
+            ([number("cx"), number("cy")], fill)
+        })
+        .collect()
+}
+
+/// At any width a label on the face is nearer to its own mark than to another one, or has a line to
+/// it.
+#[test]
+fn labels_of_the_face_belong_to_their_marks() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.svg").display().to_string();
+    let labels = ["sweet spot", "strike", "longest carry"];
+    for strike in ["strike.toe=0mm", "strike.toe=10mm", "strike.high=-3mm"] {
+        for width in [340, 390, 480, 640, 800] {
+            let svg = drawn(&["face", "--set", strike], &file, width);
+            let marks = marks(&svg);
+            let picture = roxmltree::Document::parse(&svg).unwrap();
+            let fill = |text: &str| {
+                let mut texts = picture
+                    .descendants()
+                    .filter(|node| node.has_tag_name("text"));
+                let node = texts.find(|node| node.text().is_some_and(|own| own.trim() == text));
+                node.unwrap().attribute("fill").unwrap().to_owned()
+            };
+            let named = |text: &str| labels.iter().any(|label| text.starts_with(label));
+            let found: Vec<Words> = words(&svg)
+                .into_iter()
+                .filter(|words| named(&words.text))
+                .collect();
+            assert_eq!(found.len(), marks.len(), "{strike} at {width}");
+            for Words { text, place, .. } in found {
+                let [left, top, right, bottom] = place;
+                let distance = |[x, y]: [f64; 2]| {
+                    let dx = (left - x).max(x - right).max(0.0);
+                    dx.hypot((top - y).max(y - bottom).max(0.0))
+                };
+                let color = fill(&text);
+                let own = marks.iter().find(|(_, fill)| *fill == color).unwrap();
+                // a label farther away has a line to its mark
+                let is_joined = long_lines(&svg, 2)
+                    .iter()
+                    .any(|[x, y]| ((x - own.0[0]).hypot(y - own.0[1]) - 6.5).abs() < 0.2);
+                if distance(own.0) > 28.0 && is_joined {
+                    continue;
+                }
+                for (other, _) in marks.iter().filter(|(at, _)| *at != own.0) {
+                    assert!(
+                        distance(own.0) < distance(*other),
+                        "{strike} at {width}: {text} {place:?} {marks:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn a_width_too_narrow_for_a_picture_is_refused_with_the_least_width() {
     let axis = |label: &str| Axis::linear(Measure::plain(label));

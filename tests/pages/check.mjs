@@ -60,6 +60,12 @@ function wide() {
   return scrollWidth > clientWidth ? [`it is ${scrollWidth} pixels wide, on a screen of ${clientWidth}`] : [];
 }
 
+/** Tables wider than their column, whose right side is hidden until the reader scrolls. */
+function clipped() {
+  const tables = [...document.querySelectorAll(".wide")].filter(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth + 1);
+  return tables.map((table) => `the table '${table.getAttribute("aria-label")}' is ${table.scrollWidth} pixels wide in ${table.clientWidth}`);
+}
+
 /** Pictures larger than a sheet of paper, which would be cut in two. */
 function tall(sheet) {
   const figures = [...document.querySelectorAll("figure")].map((figure) => figure.getBoundingClientRect().height);
@@ -132,6 +138,7 @@ async function look(browser, name, file) {
       say(width, await page.evaluate(wide));
       say(width, await page.evaluate(cut));
       if (isReport) say(width, await page.evaluate(answered));
+      if (isReport) say(width, await page.evaluate(clipped));
       if (isFirst) say(width, await page.evaluate(small, LEAST_TEXT));
       const isOff = { enabled: false };
       const options = scheme === "dark" ? { runOnly: COLOURS } : isFirst ? {} : { rules: Object.fromEntries(COLOURS.map((rule) => [rule, isOff])) };

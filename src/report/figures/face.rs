@@ -92,7 +92,6 @@ pub(super) fn tilt_arrows(face: &Face, name: String, largest: f64) -> Layer {
 /// longest carry, contours of the carry lost relative to the longest carry, and the tilt of the
 /// spin axis.
 pub fn face_figure(face: &Face, system: System) -> Figure {
-    let seen = |at: [f64; 2]| seen(face, at);
     let [wide, tall] = face.half;
     // margin for the labels above and below the face
     let ranges = [
@@ -110,47 +109,10 @@ pub fn face_figure(face: &Face, system: System) -> Figure {
         [0.3, 1.2],
         [Grows::Evenly; 2],
     );
-    figure.names_on_lines = true;
-    let outline = face.outline().into_iter().map(seen).collect();
-    figure.layers.push(Layer::Line {
-        name: String::new(),
-        hue: Hue::Faint,
-        is_dashed: false,
-        points: outline,
-    });
-
-    let (at, most) = face.longest;
-    let carries = field(&face.plane, 0, Measure::outcome(Outcome::Carry));
-    let unit = system.unit("yd");
-    let size = Quantity::LENGTH.size_of(unit).unwrap_or(1.0);
-    for ring in RINGS {
-        let points = carries.line_at(most - ring * size);
-        // a contour point outside of the face is not drawn
-        let points: Vec<_> = points
-            .into_iter()
-            .map(|at| {
-                if face.holds(at) {
-                    seen(at)
-                } else {
-                    [f64::NAN; 2]
-                }
-            })
-            .collect();
-        if points.iter().any(|[x, _]| x.is_finite()) {
-            let name = format!("−{} {unit}", significant(ring, 3));
-            figure.layers.push(Layer::Line {
-                name,
-                hue: Hue::Series(2),
-                is_dashed: false,
-                points,
-            });
-        }
-    }
-    let largest = face
-        .tilts
-        .iter()
-        .map(|(_, tilt)| tilt.abs())
-        .fold(0.0, f64::max);
+    figure.layers.push(outline(face));
+    figure.layers.extend(rings(face, system));
+    let tilts = face.tilts.iter().map(|(_, tilt)| tilt.abs());
+    let largest = tilts.fold(0.0, f64::max);
     if largest > 0.0 {
         let name = format!(
             "spin axis tilt, longest {}",
@@ -166,10 +128,48 @@ pub fn face_figure(face: &Face, system: System) -> Figure {
     figure.layers.push(Layer::Mark {
         name: longest.into(),
         hue: Hue::Series(1),
-        at: seen(at),
+        at: seen(face, face.longest.0),
     });
     figure.layers.extend(marks(face, Hue::Series(0)));
     figure.noted(note(face, largest, system))
+}
+
+/// The outline of the face.
+pub(super) fn outline(face: &Face) -> Layer {
+    let points = face.outline().into_iter();
+    Layer::Line {
+        name: String::new(),
+        hue: Hue::Faint,
+        is_dashed: false,
+        points: points.map(|at| seen(face, at)).collect(),
+    }
+}
+
+/// Contours of the carry lost. A part outside of the face is not drawn.
+fn rings(face: &Face, system: System) -> Vec<Layer> {
+    let (_, most) = face.longest;
+    let carries = field(&face.plane, 0, Measure::outcome(Outcome::Carry));
+    let unit = system.unit("yd");
+    let size = Quantity::LENGTH.size_of(unit).unwrap_or(1.0);
+    let on_face = |at: [f64; 2]| match face.holds(at) {
+        true => seen(face, at),
+        false => [f64::NAN; 2],
+    };
+    let ring = |(i, lost): (usize, f64)| {
+        let points = carries.line_at(most - lost * size);
+        Layer::Line {
+            name: format!("−{} {unit}", significant(lost, 3)),
+            hue: Hue::Series(2 + i),
+            is_dashed: false,
+            points: points.into_iter().map(on_face).collect(),
+        }
+    };
+    let is_on_face = |layer: &Layer| match layer {
+        Layer::Line { points, .. } => points.iter().any(|[x, _]| x.is_finite()),
+        _ => false,
+    };
+    let rings = RINGS.into_iter().enumerate().map(ring);
+    rings.filter(is_on_face).collect()
 }
 
 fn note(face: &Face, largest: f64, system: System) -> String {

@@ -2,36 +2,63 @@ use super::capital;
 use super::scale::{Grows, extent, to_scale, with_margin};
 use super::style::style;
 use crate::drive::Outcome;
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, Measure, nice_step};
 use crate::report::shown;
 use crate::study::Landing;
 use crate::study::uncertainty::LandingEllipse;
 use crate::units::{Quantity, System, significant, with_unit};
 
-/// Limits of the picture's aspect ratio, height over width.
+/// Limits of the aspect ratio, height over width: of the view of the landings, and of the view from
+/// the tee.
 const SHAPE: [f64; 2] = [0.8, 1.25];
+const FROM_TEE: [f64; 2] = [0.8, 1.1];
 
-/// Number of points of an ellipse.
+/// Width of the fairway, m: 30 yards. It is for scale only.
+const FAIRWAY: f64 = 27.432;
+
+/// Numbers of segments of an ellipse and of an arc.
 const AROUND: u32 = 120;
+const ALONG: u32 = 90;
 
-/// The landings of drives from above at true scale, with the target at the top. Each landing has
-/// the ellipses of 50 % and 95 % of the landings for the variation of the golfer's inputs, and the
-/// point where the ball comes to rest.
+/// Approximate number of arcs.
+const ARCS: f64 = 6.0;
+
+/// The colour of the edges of the fairway.
+const EDGES: Hue = Hue::Series(2);
+
+/// Position of an arc's label, relative to the half-width of the picture.
+const LABELLED: f64 = 0.85;
+
+/// The landings of drives from above at true scale, with the target at the top, the edges of a
+/// fairway and arcs of equal distance from the tee. Each landing has the ellipses of 50 % and 95 % of
+/// the landings for the variation of the golfer's inputs, and the point where the ball comes to
+/// rest. A second view begins at the tee.
 pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     let layers: Vec<Layer> = landings
         .iter()
         .enumerate()
         .flat_map(|(i, landing)| layers_of(landing, i, system))
         .collect();
-    let mut figure = empty(&layers);
-    let [low, high] = figure.y.reach.unwrap_or_default();
-    figure.layers.push(Layer::Line {
-        name: "target line".into(),
-        hue: Hue::Faint,
-        is_dashed: true,
-        points: vec![[0.0, low], [0.0, high]],
+    let [x, y] = extents(&layers);
+    let near = view(
+        "fairway",
+        "Landings from above",
+        [x, y],
+        SHAPE,
+        Grows::Evenly,
+    );
+    let mut figure = drawn(near, &layers, system);
+    let whole = [x, with_margin([0.0, y[1]], 0.04, 0.0)];
+    let from_tee = view("fairway-tee", "From the tee", whole, FROM_TEE, Grows::Up);
+    let mut from_tee = drawn(from_tee, &layers, system);
+    clear_names(&mut from_tee.layers);
+    from_tee.layers.push(Layer::Mark {
+        name: "tee".into(),
+        hue: Hue::Ink,
+        at: [0.0, 0.0],
     });
-    figure.layers.extend(layers);
+    figure.panels.push(from_tee);
+    figure.columns = 2;
 
     let mut notes: Vec<String> = landings
         .iter()
@@ -45,14 +72,21 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
             .map(too_wide),
     );
     if landings.iter().any(|landing| landing.rest.is_some()) {
-        notes.push("Small points: where the ball comes to rest.".into());
+        notes.push("The total is where the ball comes to rest.".into());
     }
-    notes.push("True scale; the tee is at 0.".into());
+    let unit = system.unit("yd");
+    let width = FAIRWAY / Quantity::LENGTH.size_of(unit).unwrap_or(1.0);
+    notes.push(format!(
+        "True scale. Arcs: distance from the tee, which is at 0. The fairway is {} wide, for scale \
+         only.",
+        with_unit(&significant(width, 3), unit)
+    ));
     figure.noted(notes.join(" "))
 }
 
-/// A figure at true scale without layers, whose axes contain these layers.
-fn empty(layers: &[Layer]) -> Figure {
+/// The ranges of some layers, symmetric about the target line and with margins. They contain the
+/// edges of the fairway.
+fn extents(layers: &[Layer]) -> [[f64; 2]; 2] {
     let points = || {
         layers.iter().flat_map(|layer| match layer {
             Layer::Line { points, .. } | Layer::Dots { points, .. } => points.clone(),
@@ -60,7 +94,7 @@ fn empty(layers: &[Layer]) -> Figure {
             _ => vec![],
         })
     };
-    let widest = points().map(|[x, _]| x.abs()).fold(0.0, f64::max);
+    let widest = points().map(|[x, _]| x.abs()).fold(0.5 * FAIRWAY, f64::max);
     // a single point gets a margin too
     let around = |[low, high]: [f64; 2]| {
         if high - low > 1.0 {
@@ -69,16 +103,87 @@ fn empty(layers: &[Layer]) -> Figure {
             [low - 5.0, high + 5.0]
         }
     };
-    let y = with_margin(around(extent(points().map(|[_, y]| y))), 0.08, 0.08);
-    let x = with_margin(around([-widest, widest]), 0.1, 0.1);
+    [
+        with_margin([-widest, widest], 0.1, 0.1),
+        with_margin(around(extent(points().map(|[_, y]| y))), 0.08, 0.08),
+    ]
+}
+
+/// A figure at true scale without layers, whose axes contain these ranges.
+fn view(name: &str, title: &str, ranges: [[f64; 2]; 2], shape: [f64; 2], y_grows: Grows) -> Figure {
     let length = |label: &str| Axis::linear(Measure::new(label, Quantity::LENGTH, "yd"));
     let figure = Figure::new(
-        "fairway",
-        "Landings from above",
+        name,
+        title,
         length("right of the target line (left: −)"),
         length("downrange"),
     );
-    to_scale(figure, [x, y], SHAPE, [Grows::Evenly; 2])
+    to_scale(figure, ranges, shape, [Grows::Evenly, y_grows])
+}
+
+/// A view with its course and these layers.
+fn drawn(mut figure: Figure, layers: &[Layer], system: System) -> Figure {
+    let [x, y] = [&figure.x, &figure.y].map(|axis| axis.reach.unwrap_or_default());
+    let along = |x: f64| vec![[x, y[0].max(0.0)], [x, y[1]]];
+    let line = |name: &str, hue: Hue, is_dashed: bool, points: Vec<[f64; 2]>| Layer::Line {
+        name: name.into(),
+        hue,
+        is_dashed,
+        points,
+    };
+    figure.layers.extend(arcs([x, y], system));
+    figure.layers.extend([
+        line("fairway", EDGES, false, along(-0.5 * FAIRWAY)),
+        line("", EDGES, false, along(0.5 * FAIRWAY)),
+        line("target line", Hue::Faint, true, along(0.0)),
+    ]);
+    figure.layers.extend_from_slice(layers);
+    figure
+}
+
+/// Arcs of equal distance from the tee at round distances, with their labels.
+fn arcs([x, y]: [[f64; 2]; 2], system: System) -> Vec<Layer> {
+    let unit = system.unit("yd");
+    let size = Quantity::LENGTH.size_of(unit).unwrap_or(1.0);
+    let step = nice_step((y[1] - y[0]) / ARCS / size) * size;
+    let first = (y[0].max(0.0) / step).floor() as u32 + 1;
+    let mut layers = vec![];
+    for radius in (first..).map(|i| f64::from(i) * step) {
+        // an arc reaches the picture if its top does
+        if radius > y[1] {
+            break;
+        }
+        let end = (x[1] / radius).min(1.0).asin();
+        let at = |angle: f64| [radius * angle.sin(), radius * angle.cos()];
+        let along = |step: u32| at(end * (2.0 * f64::from(step) / f64::from(ALONG) - 1.0));
+        layers.push(Layer::Line {
+            name: String::new(),
+            hue: Hue::Faint,
+            is_dashed: false,
+            points: (0..=ALONG).map(along).collect(),
+        });
+        let at = at((LABELLED * x[1] / radius).min(LABELLED).asin());
+        if at[1] > y[0] {
+            let name = with_unit(&significant(radius / size, 4), unit);
+            layers.push(Layer::Text {
+                name,
+                hue: Hue::Faint,
+                at,
+            });
+        }
+    }
+    layers
+}
+
+/// Clears the names of symbols: the first view has them.
+fn clear_names(layers: &mut [Layer]) {
+    for layer in layers {
+        if let Layer::Line { name, .. } | Layer::Dots { name, .. } | Layer::Mark { name, .. } =
+            layer
+        {
+            name.clear();
+        }
+    }
 }
 
 /// The ellipses, the roll-out and the marks of a drive. The legend names each drive once, at its
@@ -117,13 +222,14 @@ fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
                 format!("run ({})", landing.name)
             },
             hue,
-            is_dashed: false,
+            // another run on the same line stays visible between the dashes
+            is_dashed,
             points: vec![landing.at, rest],
         });
-        layers.push(Layer::Dots {
-            name: part("at rest"),
+        layers.push(Layer::Mark {
+            name: format!("total {}", shown::outcome(Outcome::Total, rest[1], system)),
             hue,
-            points: vec![rest],
+            at: rest,
         });
     }
     layers.push(Layer::Mark {

@@ -1,20 +1,20 @@
-use super::style::field;
+use super::capital;
+use super::style::{field, style};
 use crate::drive::Outcome;
-use crate::parameters::Parameter;
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, Measure};
 use crate::report::shown;
-use crate::study::Launches;
+use crate::study::{Launched, Launches, Vary};
 use crate::units::System;
 
 /// A map of carry over launch angle and backspin at a constant ball speed, as in club fitting, with
 /// the launches of the drives and the best launch for each spin.
 pub fn launches_figure(map: &Launches, system: System) -> Figure {
-    let of = |parameter: &Parameter, label: &str| Measure {
-        label: label.into(),
-        ..Measure::parameter(parameter)
-    };
-    let axis = |vary: &crate::study::Vary, label: &str| {
-        Axis::linear(of(vary.parameter, label)).exactly(vary.low, vary.high)
+    let axis = |vary: &Vary, label: &str| {
+        let measure = Measure {
+            label: label.into(),
+            ..Measure::parameter(vary.parameter)
+        };
+        Axis::linear(measure).exactly(vary.low, vary.high)
     };
     let (x, y) = (
         axis(&map.plane.across, "launch angle"),
@@ -24,63 +24,45 @@ pub fn launches_figure(map: &Launches, system: System) -> Figure {
         Layer::Contours(field(&map.plane, 0, Measure::outcome(Outcome::Carry))),
     );
     figure.aspect = 0.85;
-    figure.names_on_lines = true;
+    figure.line_names = LineNames::OnLines;
     figure.subtitle = format!(
         "at a ball speed of {}",
         shown::outcome(Outcome::BallSpeed, map.ball_speed, system)
     );
-    if map.ridge.len() > 1 {
-        let name = "best launch".into();
-        figure.layers.push(Layer::Line {
-            name,
-            hue: Hue::Ink,
-            is_dashed: true,
-            points: map.ridge.clone(),
-        });
-    }
-    let places: Vec<_> = map
-        .launched
-        .iter()
-        .map(|one| [one.launch_angle, one.backspin])
-        .collect();
-    if let [first, second, ..] = places[..] {
-        figure.layers.push(Layer::Arrows {
+    figure.layers.extend(layers(map));
+    figure.noted(note(map, system))
+}
+
+/// The best launch for each spin, and the launches of the drives.
+fn layers(map: &Launches) -> Vec<Layer> {
+    let ridge = (map.ridge.len() > 1).then(|| Layer::Line {
+        name: "best launch".into(),
+        hue: Hue::Ink,
+        is_dashed: true,
+        points: map.ridge.clone(),
+    });
+    let place = |one: &Launched| [one.launch_angle, one.backspin];
+    let arrow = match &map.launched[..] {
+        [first, second, ..] => Some(Layer::Arrows {
             name: String::new(),
             hue: Hue::Ink,
-            arrows: vec![[first, second]],
-        });
-    }
+            arrows: vec![[place(first), place(second)]],
+        }),
+        _ => None,
+    };
+    let launched = map.launched.iter().enumerate();
+    let marks = launched.map(|(i, one)| Layer::Mark {
+        name: one.name.clone(),
+        hue: style(&one.name, i).0,
+        at: place(one),
+    });
+    ridge.into_iter().chain(arrow).chain(marks).collect()
+}
+
+fn note(map: &Launches, system: System) -> String {
     let mut notes = vec!["Dashed: the best launch angle for each backspin.".to_owned()];
-    for (i, (one, at)) in map.launched.iter().zip(places).enumerate() {
-        let (hue, _) = super::style::style(&one.name, i);
-        figure.layers.push(Layer::Mark {
-            name: one.name.clone(),
-            hue,
-            at,
-        });
-        let told = |of: Outcome, value: f64| shown::outcome(of, value, system);
-        let carry = one.carry.map_or("no flight".into(), |carry| {
-            format!("carry {}", told(Outcome::Carry, carry))
-        });
-        let speed = if i == 0 {
-            String::new()
-        } else {
-            format!(
-                ", its own ball speed {}",
-                told(Outcome::BallSpeed, one.ball_speed)
-            )
-        };
-        notes.push(format!(
-            "{}: launch {}, backspin {}, {carry}{speed}.",
-            super::capital(if one.name.is_empty() {
-                "this drive"
-            } else {
-                &one.name
-            }),
-            told(Outcome::LaunchAngle, one.launch_angle),
-            told(Outcome::Backspin, one.backspin),
-        ));
-    }
+    let launched = map.launched.iter().enumerate();
+    notes.extend(launched.map(|(i, one)| note_of(one, i > 0, system)));
     notes.push(
         "The map has the ball speed, launch direction and sidespin of the first launch; air and \
          ball are the setup's."
@@ -89,5 +71,29 @@ pub fn launches_figure(map: &Launches, system: System) -> Figure {
     if map.plane.values[0].iter().any(Option::is_none) {
         notes.push("Without colour: no flight.".into());
     }
-    figure.noted(notes.join(" "))
+    notes.join(" ")
+}
+
+/// The launch and the carry of a drive, with its ball speed if the map has another one.
+fn note_of(one: &Launched, has_own_speed: bool, system: System) -> String {
+    let told = |of: Outcome, value: f64| shown::outcome(of, value, system);
+    let carry = one.carry.map_or("no flight".into(), |carry| {
+        format!("carry {}", told(Outcome::Carry, carry))
+    });
+    let speed = if has_own_speed {
+        let speed = told(Outcome::BallSpeed, one.ball_speed);
+        format!(", its own ball speed {speed}")
+    } else {
+        String::new()
+    };
+    let name = match one.name.as_str() {
+        "" => "this drive",
+        name => name,
+    };
+    format!(
+        "{}: launch {}, backspin {}, {carry}{speed}.",
+        capital(name),
+        told(Outcome::LaunchAngle, one.launch_angle),
+        told(Outcome::Backspin, one.backspin),
+    )
 }

@@ -1,7 +1,7 @@
 use crate::aerodynamics::{AerodynamicLaw, Coefficients, Fitted, Stream};
 use crate::atmosphere::AirState;
-use crate::parameters::{AxisVariable, Law, Setup};
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::parameters::{AxisVariable, Law, LawTable, Setup};
+use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, Measure};
 use crate::units::significant;
 use std::f64::consts::PI;
 
@@ -41,48 +41,74 @@ struct Measured {
     values: [Option<f64>; 2],
 }
 
-/// Laws of drag and lift as curves with measured points. Curves are solid in the fitted range, and
-/// dashed outside of it or if it is unknown. Speeds and spins are for the ball and the air of a
-/// setup.
+/// The range of a coefficient. Values beyond it are not drawn, except those of the law in use.
+const COEFFICIENTS: [f64; 2] = [0.0, 0.5];
+
+/// Laws of drag and lift as curves with measured points. The law of the setup has a colour, the
+/// others are grey. Curves are solid in the fitted range, and dashed outside of it or if it is
+/// unknown. Speeds and spins are for the ball and the air of a setup.
 pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coefficient) -> Figure {
     let plot = LawPlot::new(setup, over, of);
     let mut figure = plot.empty();
-    let mut marks = vec![];
-    let mut has_points = false;
-    for (i, law) in laws.iter().enumerate() {
-        let curve = Curve::new(&plot, law);
-        // each curve has its label at another position, so that the labels do not overlap
-        let at = curve.at(2 * i + 1, 2 * laws.len());
-        marks.extend(at.map(|at| Layer::Mark {
-            name: law.name().into(),
-            hue: Hue::Series(i),
-            at,
-        }));
-        figure.layers.extend(curve.layers(&plot, law, i));
-        let points = plot.measured_points(law);
-        if !points.is_empty() {
-            has_points = true;
-            let name = format!("{} (measured)", law.name());
-            figure.layers.push(Layer::dots(name, i, points));
-        }
+    figure.line_names = LineNames::AtEnds;
+    let is_used = |law: &&Law<f64>| law.name() == setup.law.name();
+    let (used, others): (Vec<_>, Vec<_>) = laws.iter().partition(is_used);
+    // the law in use is drawn on top
+    for law in others {
+        figure.layers.extend(plot.layers(law, Hue::Faint));
     }
-    // more curves than colours: label the curves too
-    if laws.len() > Hue::SERIES {
-        figure.layers.extend(marks);
-    }
-    let mut note =
+    let own: Vec<Layer> = used
+        .iter()
+        .flat_map(|law| plot.layers(law, Hue::SET_UP))
+        .collect();
+    let [low, high] = values(&own).fold(COEFFICIENTS, |[low, high], value| {
+        [low.min(value), high.max(value)]
+    });
+    figure.y = figure.y.exactly(low, high);
+    figure.layers.extend(own);
+    let note = note(&figure, used.first().map(|law| law.name()), over);
+    figure.noted(note)
+}
+
+/// The finite coefficients of lines and points.
+fn values(layers: &[Layer]) -> impl Iterator<Item = f64> {
+    let points = layers.iter().flat_map(|layer| match layer {
+        Layer::Line { points, .. } | Layer::Dots { points, .. } => &points[..],
+        _ => &[],
+    });
+    points
+        .map(|[_, value]| *value)
+        .filter(|value| value.is_finite())
+}
+
+fn note(figure: &Figure, used: Option<&str>, over: Over) -> String {
+    let mut notes = vec![];
+    notes.extend(used.map(|name| format!("In colour: {name}, the law of the setup.")));
+    notes.push(
         "Solid within what a law was fitted to, dashed beyond it and where that is not known."
-            .to_owned();
-    if has_points {
-        note += &format!(
-            " Points are measured values, within {:.0} % of {}.",
+            .into(),
+    );
+    let is_dots = |layer: &Layer| matches!(layer, Layer::Dots { .. });
+    if figure.layers.iter().any(is_dots) {
+        notes.push(format!(
+            "Points are measured values, within {:.0} % of {}.",
             100.0 * NEAR,
             over.constant()
-        );
+        ));
     }
-    note += " Speeds and spins, for laws that depend on them, are those of the setup's ball in its \
-             air.";
-    figure.noted(note)
+    let [low, high] = figure.y.reach.unwrap_or(COEFFICIENTS);
+    if values(&figure.layers).any(|value| !(low..=high).contains(&value)) {
+        notes.push(format!(
+            "Values below {} and above {} are not drawn.",
+            significant(low, 3),
+            significant(high, 3)
+        ));
+    }
+    notes.push(
+        "Speeds and spins, for laws that depend on them, are those of the setup's ball in its air."
+            .into(),
+    );
+    notes.join(" ")
 }
 
 impl Over {
@@ -165,6 +191,20 @@ impl LawPlot {
         Stream::new(spin, speed, self.radius, self.per_speed)
     }
 
+    /// The curve of a law with its measured points.
+    fn layers(&self, law: &Law<f64>, hue: Hue) -> Vec<Layer> {
+        let mut layers = Curve::new(self, law).layers(self, law, hue);
+        let points = self.measured_points(law);
+        if !points.is_empty() {
+            layers.push(Layer::Dots {
+                name: format!("{} (measured)", law.name()),
+                hue,
+                points,
+            });
+        }
+        layers
+    }
+
     /// Measured points of the law's source, with the other variable near its constant value.
     fn measured_points(&self, law: &Law<f64>) -> Vec<[f64; 2]> {
         let [low, high] = self.range;
@@ -218,20 +258,8 @@ impl Curve {
         }
     }
 
-    /// The point at the fraction `part`/`parts` of the curve, within the fitted range if it is
-    /// known.
-    fn at(&self, part: usize, parts: usize) -> Option<[f64; 2]> {
-        let points = if self.within.is_empty() {
-            &self.beyond
-        } else {
-            &self.within
-        };
-        let drawn: Vec<_> = points.iter().filter(|at| at[1].is_finite()).collect();
-        drawn.get(drawn.len() * part / parts).map(|at| **at)
-    }
-
     /// The solid and the dashed line. A line without points is omitted.
-    fn layers(self, plot: &LawPlot, law: &Law<f64>, i: usize) -> Vec<Layer> {
+    fn layers(self, plot: &LawPlot, law: &Law<f64>, hue: Hue) -> Vec<Layer> {
         let fitted = law.fitted();
         let [first, last] = plot.range.map(|at| plot.stream(at));
         let range = [
@@ -247,15 +275,19 @@ impl Curve {
             format!(" ({})", fitted.continuation(fitted.exceeded_ends(range)))
         };
         let name = law.name();
-        let mut layers = vec![];
-        if !self.within.is_empty() {
-            layers.push(Layer::line(name, i, self.within));
-        }
-        if !self.beyond.is_empty() {
-            let name = format!("{name}{suffix}");
-            layers.push(Layer::dashed(name, i, self.beyond));
-        }
-        layers
+        let lines = [
+            (name.to_owned(), false, self.within),
+            (format!("{name}{suffix}"), true, self.beyond),
+        ];
+        let lines = lines.into_iter().filter(|(.., points)| !points.is_empty());
+        lines
+            .map(|(name, is_dashed, points)| Layer::Line {
+                name,
+                hue,
+                is_dashed,
+                points,
+            })
+            .collect()
     }
 }
 
@@ -318,33 +350,7 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
                 values: [Some(drag), Some(lift)],
             })
             .collect(),
-        Law::Table(law) => {
-            let has =
-                |variable: AxisVariable| law.table.axes().any(|axis| axis.variable == variable);
-            let node = |[speed, spin, drag, lift]: &[f64; 4]| {
-                let reynolds = if has(AxisVariable::Reynolds) {
-                    Some(*speed)
-                } else {
-                    has(AxisVariable::Speed).then_some(per_speed * speed)
-                };
-                // a spin determines a spin ratio only if the speed is known
-                let at_speed = reynolds.map(|reynolds| reynolds / per_speed);
-                let by_spin = at_speed
-                    .filter(|_| has(AxisVariable::Spin))
-                    .map(|speed| spin * radius / speed);
-                let spin_ratio = if has(AxisVariable::SpinRatio) {
-                    Some(*spin)
-                } else {
-                    by_spin
-                };
-                Measured {
-                    spin_ratio,
-                    reynolds,
-                    values: [Some(*drag), Some(*lift)],
-                }
-            };
-            law.table.nodes().iter().map(node).collect()
-        }
+        Law::Table(law) => tabulated(law.table, per_speed, radius),
         Law::Robinson(_)
         | Law::Linear(_)
         | Law::SmitsSmith(_)
@@ -354,6 +360,34 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
         | Law::MacdonaldHanzely(_)
         | Law::Nathan(_) => vec![],
     }
+}
+
+/// The nodes of a user's table.
+fn tabulated(table: &LawTable, per_speed: f64, radius: f64) -> Vec<Measured> {
+    let has = |variable: AxisVariable| table.axes().any(|axis| axis.variable == variable);
+    let node = |[speed, spin, drag, lift]: &[f64; 4]| {
+        let reynolds = if has(AxisVariable::Reynolds) {
+            Some(*speed)
+        } else {
+            has(AxisVariable::Speed).then_some(per_speed * speed)
+        };
+        // a spin determines a spin ratio only if the speed is known
+        let at_speed = reynolds.map(|reynolds| reynolds / per_speed);
+        let by_spin = at_speed
+            .filter(|_| has(AxisVariable::Spin))
+            .map(|speed| spin * radius / speed);
+        let spin_ratio = if has(AxisVariable::SpinRatio) {
+            Some(*spin)
+        } else {
+            by_spin
+        };
+        Measured {
+            spin_ratio,
+            reynolds,
+            values: [Some(*drag), Some(*lift)],
+        }
+    };
+    table.nodes().iter().map(node).collect()
 }
 
 /// The rows of a table of numbers without its head. Cells after the fourth are ignored.

@@ -1,6 +1,6 @@
 use super::style::field_of;
 use crate::parameters::Setup;
-use crate::report::plot::{Axis, Field, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Field, Figure, Hue, Layer, LineNames, Measure};
 use crate::report::shown;
 use crate::study::{Constraint, Map, Optimum, Region, Slope, Vary};
 use crate::units::System;
@@ -24,96 +24,103 @@ pub struct OnMap<'a> {
 /// A map with its gradients, the constraints as lines with their forbidden side hatched, the drive
 /// as set up, and the optimum with the region of little loss. Texts are in the units of `system`.
 pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
-    let Map {
-        of,
-        across,
-        up,
-        missing,
-        slopes,
-        ..
-    } = map;
+    let (across, up) = (&map.across, &map.up);
     let [x, y] = [across, up]
         .map(|vary| Axis::linear(Measure::parameter(vary.parameter)).exactly(vary.low, vary.high));
-    let measure = Measure::outcome(*of);
     let title = format!(
         "{} over {} and {}",
-        capital(&measure.label),
+        capital(&Measure::outcome(map.of).label),
         x.measure.label,
         y.measure.label
     );
-    let name = format!("map-{}", of.name());
+    let name = format!("map-{}", map.of.name());
     let mut figure = Figure::new(name, title, x, y)
         .with(Layer::Contours(field(map)))
-        .with(arrows(across, up, slopes));
+        .with(arrows(across, up, &map.slopes));
     figure.aspect = 0.85;
-    figure.names_on_lines = true;
+    figure.line_names = LineNames::OnLines;
     let best = on.best.filter(|best| best.value().is_some());
     figure.subtitle = held(on.setup, best, [across, up], system);
-    let mut notes = vec!["The edges of the map are the bounds.".to_owned()];
     for (i, (constraint, map)) in on.limits.iter().enumerate() {
-        figure
-            .layers
-            .extend(forbidden(constraint, &field(map), 2 + i, system));
+        let forbidden = forbidden(constraint, &field(map), 2 + i, system);
+        figure.layers.extend(forbidden);
     }
-    if on
-        .limits
-        .iter()
-        .any(|(constraint, _)| !constraint.is_equation())
-    {
-        notes.push("Hatched: forbidden by a constraint.".into());
-    }
-    if let Some(region) = on.region {
-        let layers = nearly_as_good(
-            region,
-            &format!("at most {} lost", shown::spread(*of, region.loss, system)),
-        );
-        let loss = measure.show_difference(region.loss, system);
-        if !layers.is_empty() {
-            notes.push(format!(
-                "Drives in the tinted region lose at most {loss} and meet every bound and \
-                 constraint; each was flown."
-            ));
-        }
-        figure.layers.extend(layers);
-    }
-    notes.push(
-        "Arrows: exact gradients, scaled by the ranges; their length grows with the square root of \
-         the slope.".into(),
-    );
-    if let Some(why) = missing {
-        notes.push(format!(
-            "Without colour: no value; the first reason: {}.",
-            why.in_units(system)
-        ));
-    }
+    let region = on.region.map_or(vec![], |region| {
+        let loss = shown::spread(map.of, region.loss, system);
+        nearly_as_good(region, &format!("at most {loss} lost"))
+    });
+    let has_region = !region.is_empty();
+    figure.layers.extend(region);
+    let marks = marks(map, on.setup, best);
+    let has_own = marks.iter().any(|layer| layer.named().0 == AS_SET_UP);
+    figure.layers.extend(marks);
+    figure.noted(note(map, on, [has_region, has_own], system))
+}
+
+/// The name of the drive as set up.
+const AS_SET_UP: &str = "as set up";
+
+/// The drive as set up and the optimum, as far as they are on the map, with an arrow from one to the
+/// other.
+fn marks(map: &Map, setup: &Setup<f64>, best: Option<&Optimum>) -> Vec<Layer> {
+    let (across, up) = (&map.across, &map.up);
     let at =
         |setup: &Setup<f64>| Some([setup.value(across.parameter)?, setup.value(up.parameter)?]);
     let is_on = |[x, y]: &[f64; 2]| {
         (across.low..=across.high).contains(x) && (up.low..=up.high).contains(y)
     };
-    let own = at(on.setup).filter(is_on);
+    let own = at(setup).filter(is_on);
     let top = best.and_then(|best| at(&best.setup)).filter(is_on);
-    if let (Some(own), Some(top)) = (own, top) {
-        figure.layers.push(Layer::Arrows {
-            name: String::new(),
-            hue: Hue::SET_UP,
-            arrows: vec![[own, top]],
-        });
-    }
-    for (place, name, hue) in [
-        (own, "as set up", Hue::SET_UP),
-        (top, "optimum", Hue::OPTIMUM),
-    ] {
-        figure.layers.extend(place.map(|at| Layer::Mark {
+    let arrow = own.zip(top).map(|(own, top)| Layer::Arrows {
+        name: String::new(),
+        hue: Hue::SET_UP,
+        arrows: vec![[own, top]],
+    });
+    let mark = |name: &str, hue: Hue, at: Option<[f64; 2]>| {
+        at.map(|at| Layer::Mark {
             name: name.into(),
             hue,
             at,
-        }));
+        })
+    };
+    let marks = [
+        mark(AS_SET_UP, Hue::SET_UP, own),
+        mark("optimum", Hue::OPTIMUM, top),
+    ];
+    arrow
+        .into_iter()
+        .chain(marks.into_iter().flatten())
+        .collect()
+}
+
+fn note(map: &Map, on: &OnMap<'_>, [has_region, has_own]: [bool; 2], system: System) -> String {
+    let mut notes = vec!["The edges of the map are the bounds.".to_owned()];
+    let mut constraints = on.limits.iter().map(|(constraint, _)| constraint);
+    if constraints.any(|constraint| !constraint.is_equation()) {
+        notes.push("Hatched: forbidden by a constraint.".into());
     }
-    if own.is_none() {
+    if let Some(region) = on.region.filter(|_| has_region) {
+        let loss = Measure::outcome(map.of).show_difference(region.loss, system);
+        notes.push(format!(
+            "Drives in the tinted region lose at most {loss} and meet every bound and constraint; \
+             each was flown."
+        ));
+    }
+    notes.push(
+        "Arrows: exact gradients, scaled by the ranges; their length grows with the square root of \
+         the slope."
+            .into(),
+    );
+    if let Some(why) = &map.missing {
+        notes.push(format!(
+            "Without colour: no value; the first reason: {}.",
+            why.in_units(system)
+        ));
+    }
+    if !has_own {
         notes.push("The drive as set up lies outside of the map.".into());
     }
-    figure.noted(notes.join(" "))
+    notes.join(" ")
 }
 
 /// The constant parameters of a map: the speed, and the varied parameters that are not axes, with
@@ -242,13 +249,11 @@ fn nearly_as_good(region: &Region, name: &str) -> Vec<Layer> {
 
 /// A map as a field of a plot.
 fn field(map: &Map) -> Field {
-    field_of(
-        Measure::outcome(map.of),
-        map.across,
-        map.up,
-        map.columns,
-        &map.values,
-    )
+    let measure = Measure::outcome(map.of);
+    Field {
+        gradients: map.gradients.clone(),
+        ..field_of(measure, map.across, map.up, map.columns, &map.values)
+    }
 }
 
 /// Gradients in units of the ranges: the arrows show the steepest ascent on the page. Their length

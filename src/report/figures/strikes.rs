@@ -1,4 +1,4 @@
-use super::face::{above, across, marks, reference, seen, tilt_arrows};
+use super::face::{above, across, marks, outline, reference, seen, tilt_arrows};
 use super::map::capital;
 use super::style::field;
 use crate::drive::Outcome;
@@ -7,7 +7,7 @@ use crate::report::shown;
 use crate::study::Face;
 use crate::units::{Quantity, System};
 
-/// Only every n-th node of a face is drawn, because values change little between adjacent nodes.
+/// Only every n-th node of a face is drawn: contours are interpolated by the gradients.
 const THINNED: usize = 5;
 
 /// Outcomes over the strike on the face: carry, lateral, ball speed and spin axis, seen from the
@@ -65,17 +65,7 @@ fn view(face: &Face, of: Outcome, field: Field) -> Figure {
     let mut figure =
         Figure::new(format!("strikes-{}", of.name()), title, x, y).with(Layer::Contours(field));
     figure.aspect = tall / wide;
-    let points = face
-        .outline()
-        .into_iter()
-        .map(|at| seen(face, at))
-        .collect();
-    figure.layers.push(Layer::Line {
-        name: String::new(),
-        hue: Hue::Faint,
-        is_dashed: false,
-        points,
-    });
+    figure.layers.push(outline(face));
     figure.layers.extend(marks(face, Hue::Ink));
     figure
 }
@@ -86,14 +76,19 @@ fn over_face(face: &Face, of: usize, outcome: Outcome) -> Field {
     let is_turned = seen(face, [1.0, 0.0])[0] < 0.0;
     let columns: Vec<usize> = (0..whole.columns).step_by(THINNED).collect();
     let column = |i: usize| columns[if is_turned { columns.len() - 1 - i } else { i }];
-    let nodes = (0..whole.rows())
-        .step_by(THINNED)
-        .flat_map(|row| (0..columns.len()).map(move |i| (row, i)));
-    let values = nodes
-        .map(|(row, i)| whole.values[row * whole.columns + column(i)])
+    let rows = (0..whole.rows()).step_by(THINNED);
+    let places = rows.flat_map(|row| (0..columns.len()).map(move |i| (row, i)));
+    let nodes: Vec<usize> = places
+        .map(|(row, i)| row * whole.columns + column(i))
         .collect();
+    let side = if is_turned { -1.0 } else { 1.0 };
+    let gradient = |node: &usize| {
+        let [across, up] = whole.gradients.get(*node).copied().flatten()?;
+        Some([side * across, up])
+    };
     Field {
-        values,
+        values: nodes.iter().map(|node| whole.values[*node]).collect(),
+        gradients: nodes.iter().map(gradient).collect(),
         columns: columns.len(),
         ..whole
     }

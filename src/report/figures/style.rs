@@ -17,10 +17,13 @@ pub(super) fn style(name: &str, place: usize) -> (Hue, bool) {
 /// An outcome over a grid as a field of a plot.
 pub(super) fn field(plane: &Plane, of: usize, measure: Measure) -> Field {
     let values = plane.values.get(of).map_or(&[][..], Vec::as_slice);
-    field_of(measure, plane.across, plane.up, plane.columns, values)
+    Field {
+        gradients: plane.gradients.get(of).cloned().unwrap_or_default(),
+        ..field_of(measure, plane.across, plane.up, plane.columns, values)
+    }
 }
 
-/// Values at the nodes of a grid as a field of a plot.
+/// Values at the nodes of a grid as a field of a plot, without gradients.
 pub(super) fn field_of(
     measure: Measure,
     across: Vary,
@@ -35,6 +38,7 @@ pub(super) fn field_of(
         y,
         columns,
         values: values.to_vec(),
+        gradients: vec![],
         nothing: "no drive",
         beside: vec![],
     }

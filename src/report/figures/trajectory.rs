@@ -163,8 +163,12 @@ fn empty(view: View, [x, y]: [[f64; 2]; 2]) -> Figure {
 fn path_lines(flown: &[NamedDrive], paths: &[Vec<[f64; 2]>]) -> Vec<Layer> {
     let line = |(i, (one, points)): (usize, (&NamedDrive, &Vec<[f64; 2]>))| {
         let (hue, is_dashed) = style(&one.name, i);
+        let name = match one.name.as_str() {
+            "" => "flight",
+            name => name,
+        };
         Layer::Line {
-            name: one.name.clone(),
+            name: name.into(),
             hue,
             is_dashed,
             points: points.clone(),
@@ -177,10 +181,10 @@ fn path_lines(flown: &[NamedDrive], paths: &[Vec<[f64; 2]>]) -> Vec<Layer> {
 fn run_lines(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>]) -> Vec<Layer> {
     let line = |(i, (one, points)): (usize, (&NamedDrive, &Vec<[f64; 2]>))| {
         let (hue, is_dashed) = style(&one.name, i);
-        let name = if one.name.is_empty() {
-            "run".into()
-        } else {
-            format!("run ({})", one.name)
+        // the legend has the run of a single drive, and each of several drives only once
+        let (name, is_dashed) = match one.name.as_str() {
+            "" => ("run".into(), true),
+            name => (format!("{name} (run)"), is_dashed),
         };
         Layer::Line {
             name,

@@ -2,10 +2,10 @@
 //! between them.
 
 use super::findings::Findings;
+use super::gain::steps;
 use super::numbers::{from_to, of_known_size, outcome};
 use crate::drive::Outcome;
 use crate::optimize::Status;
-use crate::parameters::UNSET;
 use crate::report::figures::capital;
 use crate::report::frame::both;
 use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
@@ -30,7 +30,10 @@ pub(super) fn answer(findings: &Findings<'_>) -> Markup {
             @if let Some(why) = findings.why_not_flown() { p.warning { "As set up: " (both(|system| why.in_units(system))) } }
             @if let Some(why) = &findings.why_none { p.warning { (both(|system| why.in_units(system))) } }
             @if yours.or(best.map(|(_, value)| value)).is_some() { (tiles(findings, yours, best.map(|(_, value)| value))) }
-            @if let Some((best, _)) = best { ul { @for line in lines(findings, best) { li { (line) } } } }
+            @if let Some((best, _)) = best {
+                (steps(findings, best))
+                (limits(best))
+            }
             (what_is_known(findings))
         }
     }
@@ -101,25 +104,19 @@ fn tiles(findings: &Findings<'_>, yours: Option<f64>, best: Option<f64>) -> Mark
     }
 }
 
-/// The changes from the drive as set up to the optimal drive, and the active bounds and
-/// constraints.
-fn lines(findings: &Findings<'_>, best: &Optimum) -> Vec<Markup> {
+/// The active bounds and constraints, and their prices.
+fn limits(best: &Optimum) -> Markup {
     let search = &best.search;
-    let varied = search.vary.iter().enumerate().map(|(i, vary)| {
-        let parameter = vary.parameter;
-        let from = findings.setup.value(parameter);
-        both(|system| {
-            let from = from.map_or(UNSET.into(), |value| {
-                shown::parameter(parameter, value, system)
-            });
-            let to = shown::parameter(parameter, best.solution.x[i], system);
-            let held = bound(best, i, system).map_or(String::new(), |held| format!(", {held}"));
+    let bounds = search.vary.iter().enumerate().filter_map(|(i, vary)| {
+        bound(best, i, System::default())?;
+        Some(both(|system| {
+            let to = shown::parameter(vary.parameter, best.solution.x[i], system);
+            let held = bound(best, i, system).unwrap_or_default();
             format!(
-                "{} {}{held}",
-                capital(&shown::words(parameter.name)),
-                from_to(&from, &to)
+                "{} {to}, {held}",
+                capital(&shown::words(vary.parameter.name))
             )
-        })
+        }))
     });
     let reports = constraints(best);
     let limits = search.subject_to.iter().zip(&reports).enumerate();
@@ -136,7 +133,8 @@ fn lines(findings: &Findings<'_>, best: &Optimum) -> Vec<Markup> {
             )
         })
     });
-    varied.chain(limits).collect()
+    let lines: Vec<Markup> = bounds.chain(limits).collect();
+    html! { @if !lines.is_empty() { ul { @for line in lines { li { (line) } } } } }
 }
 
 /// The note of a parameter at its bound: "your limit: each further degree adds 2.11 yd".

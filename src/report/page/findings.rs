@@ -4,7 +4,8 @@ use crate::parameters::{Preset, Setup};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::Row;
 use crate::study::{
-    Chart, Constraint, Effects, Face, Flatness, Landing, Launches, Map, NamedDrive, Optimum, Region,
+    Chart, ClubAlone, Constraint, Effects, Face, Flatness, Landing, Launches, Map, NamedDrive,
+    Optimum, Plane, Region,
 };
 use crate::units::{Message, System};
 
@@ -41,6 +42,10 @@ pub struct Findings<'a> {
     pub why_none: Option<&'a Message>,
     /// The flatness of the objective around the optimum.
     pub flatness: Option<&'a Flatness>,
+    /// The optimum of the club with the swing as set up.
+    pub club_alone: Option<&'a ClubAlone>,
+    /// Carry and total over attack angle and loft.
+    pub lofts: Option<&'a Plane>,
     /// The map around the optimum.
     pub map: Option<&'a Map>,
     /// The constraints, each with the map of its outcome.

@@ -4,6 +4,8 @@
 mod answer;
 mod asked;
 mod findings;
+mod gain;
+mod lofts;
 mod numbers;
 mod sections;
 
@@ -261,6 +263,9 @@ fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
                 summary { h2 { "Strikes all over the face" } }
                 (pictures(&plots.strikes)?)
             }
+        }
+        @if let Some(plane) = findings.lofts {
+            section { h2 { "Carry and total by loft and attack angle" } (lofts::lofts(plane)) }
         }
         @if !plots.map.is_empty() { section { h2 { "The map" } (pictures(&plots.map)?) } }
         @if !plots.chart.is_empty() { section { h2 { "The optimum as a parameter changes" } (pictures(&plots.chart)?) } }

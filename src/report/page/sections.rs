@@ -13,9 +13,9 @@ use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
 use crate::report::presets::{SourcedValue, sources};
 use crate::report::shown;
 use crate::study::certificate::Row;
-use crate::study::{Effects, Flatness, Limit, NamedDrive, Optimum};
+use crate::study::{Effects, Flatness, Limit, NamedDrive, Optimum, Vary, Window};
 use crate::units::{System, counted, significant, typeset};
-use maud::{Markup, html};
+use maud::{Markup, Render, html};
 
 /// The numbers of a launch monitor, for the drive as set up.
 pub(super) fn panel(findings: &Findings<'_>) -> Markup {
@@ -85,34 +85,50 @@ pub(super) fn outcomes(flown: &[NamedDrive]) -> Markup {
 pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     let (search, solution) = (&best.search, &best.solution);
     let of = search.outcome();
-    let window = |i: usize| flatness.map(|flatness| flatness.windows[i]);
+    let ended = ended_at(solution.status, "optimum");
     html! {
         p { (capital(search.sense.adjective())) " " (of.name().replace('_', " ")) ": " strong { (outcome(of, best.value())) } "." }
-        (scrolled("The optimum", html! { table {
+        (scrolled("The optimum", html! { table.stacked {
             thead { tr {
-                th { "varied" } th.number { (ended_at(solution.status, "optimum")) } th.number { "from" } th.number { "to" } th { "bound" }
-                @if let Some(flatness) = flatness { th { "alone, for a loss of " (loss(of, flatness.loss)) } }
+                th { "varied" } th.number { (ended) } th.number { "from" } th.number { "to" } th { "bound" }
+                @if let Some(flatness) = flatness { th { (alone(of, flatness)) } }
             } }
             tbody {
                 @for (i, vary) in search.vary.iter().enumerate() {
                     tr {
                         td { (shown::words(vary.parameter.name)) }
-                        td.number { (both(|system| shown::within(vary, solution.x[i], system))) }
-                        td.number { (both(|system| shown::ends(vary, system)[0].clone())) }
-                        td.number { (both(|system| shown::ends(vary, system)[1].clone())) }
-                        td.words { (both(|system| bound_in_words(best, i, system))) }
-                        @if let Some(window) = window(i) {
-                            td.words {
-                                (parameter(vary.parameter, window.low)) (limit(best, window.low_limit)) " \
-                                    … "
-                                (parameter(vary.parameter, window.high)) (limit(best, window.high_limit))
-                            }
+                        td.number { (label(ended)) (both(|system| shown::within(vary, solution.x[i], system))) }
+                        td.number { (label("from")) (both(|system| shown::ends(vary, system)[0].clone())) }
+                        td.number { (label("to")) (both(|system| shown::ends(vary, system)[1].clone())) }
+                        td.words { (label("bound")) (both(|system| bound_in_words(best, i, system))) }
+                        @if let Some(flatness) = flatness {
+                            td.words { (label(alone(of, flatness))) (window(best, vary, &flatness.windows[i])) }
                         }
                     }
                 }
             }
         } }))
         (limits(best))
+    }
+}
+
+/// The head of a column, repeated in each of its cells where the table is stacked.
+fn label(head: impl Render) -> Markup {
+    html! { span.label { (head) } }
+}
+
+/// The head of the windows of small loss.
+fn alone(of: Outcome, flatness: &Flatness) -> Markup {
+    html! { "alone, for a loss of " (loss(of, flatness.loss)) }
+}
+
+/// The window of a parameter with a small loss, and what ends it.
+fn window(best: &Optimum, vary: &Vary, window: &Window) -> Markup {
+    html! {
+        span {
+            (parameter(vary.parameter, window.low)) (limit(best, window.low_limit)) " … "
+            (parameter(vary.parameter, window.high)) (limit(best, window.high_limit))
+        }
     }
 }
 
@@ -135,14 +151,14 @@ fn limits(best: &Optimum) -> Markup {
         return html! {};
     }
     html! {
-        (scrolled("Constraints", html! { table {
+        (scrolled("Constraints", html! { table.stacked {
             thead { tr { th { "subject to" } th.number { "value" } th { "price" } } }
             tbody {
                 @for (j, (constraint, report)) in best.search.subject_to.iter().zip(reports).enumerate() {
                     tr {
                         td { (both(|system| shown::constraint(constraint, system))) }
-                        td.number { (both(|system| shown::goal(&constraint.goal, report.value, system))) }
-                        td.words { (both(|system| constraint_in_words(best, j, system))) }
+                        td.number { (label("value")) (both(|system| shown::goal(&constraint.goal, report.value, system))) }
+                        td.words { (label("price")) (both(|system| constraint_in_words(best, j, system))) }
                     }
                 }
             }
@@ -177,19 +193,24 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
 
 /// Each exact derivative with the best numerical derivative.
 pub(super) fn verdicts(rows: &[Row]) -> Markup {
+    const EXACT: &str = "exact, SI";
+    const NUMERICAL: &str = "numerical, extrapolated";
     html! {
-        (scrolled("Derivatives", html! { table {
+        (scrolled("Derivatives", html! { table.stacked {
             thead { tr {
-                th { "derivative" } th.number { "exact, SI" } th.number { "numerical, extrapolated" } th.number { "difference" } th { "verdict" }
+                th { "derivative" } th.number { (EXACT) } th.number { (NUMERICAL) } th.number { "difference" } th { "verdict" }
             } }
             tbody {
                 @for row in rows {
                     tr {
                         td { "d " (row.of.name()) "/d " (row.parameter.name) }
-                        td.number { (typeset(&significant(settled(row), 10))) }
-                        td.number { (row.first.best.map_or("–".into(), |best| typeset(&significant(best.value, 10)))) }
-                        td.number { (typeset(&format!("{:.1e}", row.first.error))) }
-                        td { (row.verdict().name()) }
+                        td.number { (label(EXACT)) (typeset(&significant(settled(row), 10))) }
+                        td.number {
+                            (label(NUMERICAL))
+                            (row.first.best.map_or("–".into(), |best| typeset(&significant(best.value, 10))))
+                        }
+                        td.number { (label("difference")) (typeset(&format!("{:.1e}", row.first.error))) }
+                        td { (label("verdict")) (row.verdict().name()) }
                     }
                 }
             }

@@ -1,7 +1,9 @@
 //! Contour lines, which Plotters does not have. The `contour` crate computes them with marching
-//! squares: unlike coloured cells, they are smooth at any size and in print.
+//! squares on the interpolated field: unlike coloured cells, they are smooth at any size and in
+//! print.
 
 use super::figure::Field;
+use super::interpolation::Refined;
 use crate::units::System;
 use contour::ContourBuilder;
 
@@ -23,7 +25,7 @@ impl Field {
         if self.columns < 2 || self.rows() < 2 || self.values.iter().all(Option::is_none) {
             return vec![];
         }
-        let ground = outlined(self, &continued(self), &[level]).pop();
+        let ground = outlined(self, &Refined::new(self), &[level]).pop();
         let pieces = ground.map(|ground| ground.lines).unwrap_or_default();
         pieces.join(&[f64::NAN; 2])
     }
@@ -43,8 +45,8 @@ impl Field {
         if self.columns < 2 || self.rows() < 2 || self.values.iter().all(Option::is_none) {
             return vec![];
         }
-        let values: Vec<f64> = continued(self).iter().map(|value| sign * value).collect();
-        outlined(self, &values, &[level])
+        let refined = Refined::new(self).over(sign);
+        outlined(self, &refined, &[level])
             .pop()
             .map(|ground| ground.outlines)
             .unwrap_or_default()
@@ -54,23 +56,21 @@ impl Field {
 /// The regions of a field, the lowest level first. Each contains the next one.
 pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
     let unit = field.measure.unit_size(system);
-    let known = field
-        .values
-        .iter()
-        .flatten()
-        .chain(&field.beside)
-        .map(|value| value / unit);
-    let mut known: Vec<f64> = known.filter(|value| value.is_finite()).collect();
-    known.sort_by(f64::total_cmp);
     let (columns, rows) = (field.columns, field.rows());
+    if columns < 2 || rows < 2 || field.values.iter().all(Option::is_none) {
+        return vec![];
+    }
+    let refined = Refined::new(field).over(unit);
+    let mut known: Vec<f64> = match &field.beside[..] {
+        [] => refined.known().collect(),
+        all => all.iter().map(|value| value / unit).collect(),
+    };
+    known.retain(|value| value.is_finite());
+    known.sort_by(f64::total_cmp);
     let Some(&low) = known.first() else {
         return vec![];
     };
-    if columns < 2 || rows < 2 {
-        return vec![];
-    }
     let levels = levels(&known);
-    let values: Vec<f64> = continued(field).iter().map(|value| value / unit).collect();
     // the lowest region is the whole map
     let all = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
         .map(|[x, y]: [f64; 2]| field.place(x * (columns - 1) as f64, y * (rows - 1) as f64));
@@ -81,15 +81,17 @@ pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
         lines: vec![],
     };
     std::iter::once(base)
-        .chain(outlined(field, &values, &levels))
+        .chain(outlined(field, &refined, &levels))
         .collect()
 }
 
-/// The region at and above each level, for these values at the field's nodes.
-fn outlined(field: &Field, values: &[f64], levels: &[f64]) -> Vec<Ground> {
-    let (columns, rows) = (field.columns, field.rows());
+/// The region at and above each level, for these values over the field.
+fn outlined(field: &Field, refined: &Refined, levels: &[f64]) -> Vec<Ground> {
+    let (columns, rows) = (refined.columns, refined.rows);
     let builder = ContourBuilder::new(columns, rows, true);
-    let found = builder.contours(values, levels).unwrap_or_default();
+    let found = builder
+        .contours(&refined.values, levels)
+        .unwrap_or_default();
     let above = found
         .iter()
         .zip(levels)
@@ -129,7 +131,10 @@ fn outlined(field: &Field, values: &[f64], levels: &[f64]) -> Vec<Ground> {
                 );
                 ground.outlines.push(joined.collect());
             }
-            let place = |[column, row]: &mut [f64; 2]| [*column, *row] = field.place(*column, *row);
+            let place = |at: &mut [f64; 2]| {
+                let [column, row] = at.map(|node| node / refined.times as f64);
+                *at = field.place(column, row);
+            };
             ground
                 .outlines
                 .iter_mut()
@@ -310,43 +315,6 @@ fn inner(ring: &[[f64; 2]], columns: usize, rows: usize) -> Vec<Vec<[f64; 2]>> {
     pieces
 }
 
-/// The field without gaps, by extrapolation: lines continue below the mask of missing values, and
-/// do not bend where the values end.
-fn continued(field: &Field) -> Vec<f64> {
-    let (columns, rows) = (field.columns, field.rows());
-    let mut values = field.values.clone();
-    while values.iter().any(Option::is_none) && values.iter().any(Option::is_some) {
-        let before = values.clone();
-        for i in (0..values.len()).filter(|i| before[*i].is_none()) {
-            let (column, row) = (i % columns, i / columns);
-            // extrapolate linearly from the two nearest nodes on each side, so that lines do not
-            // bend before they end
-            let reach = [column, columns - 1 - column, row, rows - 1 - row];
-            let node = |side: usize, n: usize| {
-                [
-                    i.checked_sub(n),
-                    Some(i + n),
-                    i.checked_sub(n * columns),
-                    Some(i + n * columns),
-                ][side]
-            };
-            let known = |side: usize, n: usize| {
-                (reach[side] >= n).then(|| before[node(side, n)?]).flatten()
-            };
-            let ahead = |side: usize| {
-                Some(known(side, 2).map_or(known(side, 1)?, |far| {
-                    2.0 * known(side, 1).unwrap_or(far) - far
-                }))
-            };
-            let known: Vec<f64> = (0..4).filter_map(ahead).collect();
-            if !known.is_empty() {
-                values[i] = Some(known.iter().sum::<f64>() / known.len() as f64);
-            }
-        }
-    }
-    values.into_iter().map(Option::unwrap_or_default).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::axis::Measure;
@@ -361,6 +329,7 @@ mod tests {
             columns: 13,
             values: vec![None; 13 * 9],
             nothing: "nothing",
+            gradients: vec![],
             beside: vec![],
         };
         let place = |i: usize| field.place((i % 13) as f64, (i / 13) as f64);

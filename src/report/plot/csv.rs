@@ -118,6 +118,7 @@ fn rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Row<'a>>
         Layer::Line { points, .. } => points.iter().map(|at| row("line", point(*at))).collect(),
         Layer::Dots { points, .. } => points.iter().map(|at| row("dots", point(*at))).collect(),
         Layer::Mark { at, .. } => vec![row("mark", point(*at))],
+        Layer::Text { at, .. } => vec![row("text", point(*at))],
         Layer::Band { points, .. } => points
             .iter()
             .map(|[x, low, high]| row("band", [Some(*x), Some(*low), None, Some(*high)]))

@@ -20,8 +20,8 @@ pub struct Figure {
     pub aspect: f64,
     /// The layers, from the lowest to the highest.
     pub layers: Vec<Layer>,
-    /// True if lines have their names next to them, in place of a legend.
-    pub names_on_lines: bool,
+    /// The place of the names of lines.
+    pub line_names: LineNames,
     /// Further views, drawn after this one. Views without contours show the data of this view.
     pub panels: Vec<Figure>,
     /// Number of views side by side, if the picture is wide enough.
@@ -41,7 +41,7 @@ impl Figure {
             y,
             aspect: 0.72,
             layers: vec![],
-            names_on_lines: false,
+            line_names: LineNames::Legend,
             panels: vec![],
             columns: 1,
         }
@@ -62,6 +62,17 @@ impl Figure {
             ..self
         }
     }
+}
+
+/// The place of the names of lines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LineNames {
+    /// In a legend above the plot.
+    Legend,
+    /// On the lines.
+    OnLines,
+    /// At the right ends of the lines, beside the plot.
+    AtEnds,
 }
 
 /// The colour of a layer. It is the same in all plots of a report.
@@ -148,6 +159,15 @@ pub enum Layer {
         /// The coordinates.
         at: [f64; 2],
     },
+    /// A label without a symbol.
+    Text {
+        /// The label.
+        name: String,
+        /// The colour.
+        hue: Hue,
+        /// The coordinates of its middle.
+        at: [f64; 2],
+    },
     /// Arrows.
     Arrows {
         /// The name.
@@ -219,6 +239,7 @@ impl Layer {
             | Self::Band { name, hue, .. }
             | Self::Bars { name, hue, .. }
             | Self::Mark { name, hue, .. }
+            | Self::Text { name, hue, .. }
             | Self::Arrows { name, hue, .. }
             | Self::Region { name, hue, .. }
             | Self::Frame { name, hue, .. } => (name, Some(*hue)),
@@ -251,9 +272,13 @@ pub struct Field {
     pub columns: usize,
     /// The values by rows, the lowest row first; `None` for a missing value.
     pub values: Vec<Option<f64>>,
+    /// The derivatives by x and y at each node, SI; empty if they are unknown. Contours follow the
+    /// cubic through values and derivatives. Without derivatives, a field is linear between nodes.
+    pub gradients: Vec<Option<[f64; 2]>>,
     /// The meaning of a missing value: "no flight".
     pub nothing: &'static str,
-    /// The values of other fields that share levels and colours with this one, SI.
+    /// The values of all fields that share their levels and colours, SI; empty if this one has
+    /// levels of its own.
     pub beside: Vec<f64>,
 }
 

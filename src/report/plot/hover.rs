@@ -5,8 +5,8 @@ use super::canvas::fine;
 use super::contour::Ground;
 use super::figure::{Figure, Layer};
 use super::layers::Plane;
+use super::simplify::simplified;
 use crate::units::{Quantity, System, significant, typeset};
-use std::fmt::Write;
 
 /// Maximum number of points of a line with a tooltip at each point.
 const FEW: usize = 40;
@@ -18,89 +18,98 @@ pub(super) fn titles(
     system: System,
     grounds: &[Vec<Ground>],
 ) -> String {
-    let mut svg = String::new();
-    let at = |name: &str, [x, y]: [f64; 2]| {
-        let values =
-            [(&figure.x, x), (&figure.y, y)].map(|(axis, value)| on_axis(axis, value, system));
-        [name.to_owned()]
-            .into_iter()
-            .chain(values)
-            .filter(|part| !part.is_empty())
-            .collect::<Vec<_>>()
-            .join(", ")
-    };
-    let mut point = |name: &str, place: [f64; 2]| {
-        if let Some([x, y]) = plane.pixel(place) {
-            let title = escaped(&at(name, place));
-            // writing to a string cannot fail
-            let _ = writeln!(
-                svg,
-                "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"none\" \
-                 pointer-events=\"all\"><title>{title}</title></circle>",
-                fine(x),
-                fine(y),
-                fine(7.0)
-            );
-        }
-    };
-    let mut lines: Vec<(String, &[[f64; 2]])> = vec![];
-    for (layer, grounds) in figure.layers.iter().zip(grounds) {
-        let Layer::Contours(field) = layer else {
-            continue;
-        };
-        let unit = system.unit(field.measure.unit);
-        for ground in grounds {
-            let title = format!(
-                "{} {} {unit}",
-                field.measure.label,
-                significant(ground.level, 6)
-            );
-            lines.extend(
-                ground
-                    .lines
-                    .iter()
-                    .map(|piece| (title.trim_end().to_owned(), piece.as_slice())),
-            );
-        }
-    }
-    for layer in &figure.layers {
-        match layer {
-            Layer::Line { name, points, .. } if points.len() > FEW => {
-                let pieces = points.split(|[x, y]| !(x.is_finite() && y.is_finite()));
-                lines.extend(pieces.map(|piece| (name.clone(), piece)));
-            }
-            Layer::Line { name, points, .. } | Layer::Dots { name, points, .. } => {
-                points.iter().for_each(|place| point(name, *place));
-            }
-            Layer::Mark { name, at, .. } => point(name, *at),
-            Layer::Bars { name, bars, .. } => bars
-                .iter()
-                .for_each(|bar| point(name, [bar.to, bar.place as f64])),
-            _ => {}
-        }
-    }
-    for (title, points) in lines {
-        let places: Vec<_> = points
-            .iter()
-            .filter_map(|place| plane.pixel(*place))
-            .collect();
+    let points = figure.layers.iter().flat_map(points);
+    let points = points.filter_map(|(name, place)| {
+        let [x, y] = plane.pixel(place)?;
+        Some(format!(
+            "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"none\" \
+             pointer-events=\"all\"><title>{}</title></circle>\n",
+            fine(x),
+            fine(y),
+            fine(7.0),
+            escaped(&title(figure, name, place, system))
+        ))
+    });
+    let contours = figure.layers.iter().zip(grounds);
+    let contours = contours.flat_map(|(layer, grounds)| contours_of(layer, grounds, system));
+    let lines = contours.chain(figure.layers.iter().flat_map(long_lines));
+    let lines = lines.filter_map(|(title, points)| {
+        let places = simplified(&plane.all(points));
         if title.is_empty() || places.len() < 2 {
-            continue;
+            return None;
         }
         let path: Vec<String> = places
             .iter()
             .map(|[x, y]| format!("{},{}", fine(*x), fine(*y)))
             .collect();
-        let _ = writeln!(
-            svg,
+        Some(format!(
             "<path d=\"M{}\" fill=\"none\" stroke=\"none\" stroke-width=\"{}\" \
-             pointer-events=\"stroke\"><title>{}</title></path>",
+             pointer-events=\"stroke\"><title>{}</title></path>\n",
             path.join("L"),
             fine(8.0),
             escaped(&title)
-        );
+        ))
+    });
+    points.chain(lines).collect()
+}
+
+/// The title of a point: its name and its coordinates.
+fn title(figure: &Figure, name: &str, [x, y]: [f64; 2], system: System) -> String {
+    let values = [(&figure.x, x), (&figure.y, y)];
+    let values = values.map(|(axis, value)| on_axis(axis, value, system));
+    let parts = [name.to_owned()].into_iter().chain(values);
+    parts
+        .filter(|part| !part.is_empty())
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
+/// The points of a layer that have a tooltip each, with its name.
+fn points(layer: &Layer) -> Vec<(&str, [f64; 2])> {
+    let name = layer.named().0;
+    match layer {
+        Layer::Line { points, .. } if points.len() > FEW => vec![],
+        Layer::Line { points, .. } | Layer::Dots { points, .. } => {
+            points.iter().map(|at| (name, *at)).collect()
+        }
+        Layer::Mark { at, .. } => vec![(name, *at)],
+        Layer::Bars { bars, .. } => bars
+            .iter()
+            .map(|bar| (name, [bar.to, bar.place as f64]))
+            .collect(),
+        _ => vec![],
     }
-    svg
+}
+
+/// The pieces of a line with too many points for a tooltip each, with its name.
+fn long_lines(layer: &Layer) -> Vec<(String, &[[f64; 2]])> {
+    match layer {
+        Layer::Line { name, points, .. } if points.len() > FEW => points
+            .split(|[x, y]| !(x.is_finite() && y.is_finite()))
+            .map(|piece| (name.clone(), piece))
+            .collect(),
+        _ => vec![],
+    }
+}
+
+/// The contour lines of a layer with their levels.
+fn contours_of<'a>(
+    layer: &Layer,
+    grounds: &'a [Ground],
+    system: System,
+) -> Vec<(String, &'a [[f64; 2]])> {
+    let Layer::Contours(field) = layer else {
+        return vec![];
+    };
+    let unit = system.unit(field.measure.unit);
+    let of = |ground: &'a Ground| {
+        let level = significant(ground.level, 6);
+        let title = format!("{} {level} {unit}", field.measure.label);
+        let title = title.trim_end().to_owned();
+        let lines = ground.lines.iter();
+        lines.map(move |piece| (title.clone(), piece.as_slice()))
+    };
+    grounds.iter().flat_map(of).collect()
 }
 
 /// A value with the name of its axis: "carry 279.2 yd"; for an axis of names, only the name.

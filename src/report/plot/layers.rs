@@ -5,6 +5,7 @@ use super::contour::Ground;
 use super::figure::{Field, Figure, Hue, Layer};
 use super::hatching::hatching;
 use super::palette::Palette;
+use super::simplify::simplified;
 use super::ticks::Drawn;
 use crate::error::Result;
 use crate::units::{System, significant, with_unit};
@@ -15,6 +16,10 @@ use plotters::style::{Color, RGBColor};
 /// and distance between cross bars, pixels.
 const FIRST_BARS: f64 = 0.5 * SIGN;
 const BARS_APART: f64 = 32.0;
+
+/// Widths of lines: of background elements, and of the others, pixels.
+const THIN: f64 = 1.2;
+pub(super) const WIDE: f64 = 2.0;
 
 /// Distance between hatching lines, pixels.
 const HATCHES_APART: f64 = 11.0;
@@ -69,7 +74,15 @@ impl Plane<'_> {
     }
 }
 
-/// Draws one layer; `grounds` are its contour regions. Labels are drawn later.
+/// True for layers that cover an area. They are drawn below the contour lines and the others.
+pub(super) fn is_area(layer: &Layer) -> bool {
+    matches!(
+        layer,
+        Layer::Contours(_) | Layer::Region { .. } | Layer::Band { .. }
+    )
+}
+
+/// Draws one layer; `grounds` are its contour regions, without their lines. Labels are drawn later.
 pub(super) fn draw(
     area: &Area<'_>,
     plane: &Plane<'_>,
@@ -104,7 +117,7 @@ pub(super) fn draw(
         Layer::Bars { .. } => Ok(()),
         Layer::Contours(field) => ground(area, plane, palette, field, grounds),
         // a mark is drawn with its label: neither appears alone
-        Layer::Mark { .. } => Ok(()),
+        Layer::Mark { .. } | Layer::Text { .. } => Ok(()),
         // arrows are drawn after the labels, which have precedence
         Layer::Arrows { name, .. } if !name.is_empty() => Ok(()),
         Layer::Arrows { arrows, .. } => {
@@ -114,14 +127,14 @@ pub(super) fn draw(
             is_hatched, rings, ..
         } => {
             let rings: Vec<_> = rings.iter().map(|ring| plane.all(ring)).collect();
-            region(area, &rings, color, *is_hatched)
+            region(area, &rings, palette, hue, *is_hatched)
         }
         Layer::Frame { low, high, .. } => {
             let [Some(low), Some(high)] = [plane.pixel(*low), plane.pixel(*high)] else {
                 return Ok(());
             };
             let corners = [low, [high[0], low[1]], high, [low[0], high[1]], low];
-            line(area, &corners, color, true)
+            line(area, &corners, color, WIDE, true)
         }
     }
 }
@@ -167,7 +180,7 @@ pub(super) fn label(
                 lines.sort_by_key(|line| std::cmp::Reverse(line.len()));
                 let at = lines
                     .iter()
-                    .find_map(|line| place_on(labels, plane, line, &text));
+                    .find_map(|line| place_on(labels, plane, line, &text, 0.0));
                 at.map_or(Ok(()), |at| {
                     labels.write(&text, at, labels.palette.ink, false)
                 })?;
@@ -177,13 +190,14 @@ pub(super) fn label(
     Ok(())
 }
 
-/// A free position for a label on a line, as near as possible to the middle: the ends of several
+/// A free position for a label on a line, at least `apart` pixels beside other labels, as near as possible to the middle: the ends of several
 /// lines are often close together.
 pub(super) fn place_on(
     labels: &Labels<'_, '_>,
     plane: &Plane<'_>,
     places: &[[f64; 2]],
     text: &str,
+    apart: f64,
 ) -> Option<[f64; 2]> {
     let middle = places.len() / 2;
     let outward = (0..places.len()).map(|i| {
@@ -197,7 +211,7 @@ pub(super) fn place_on(
     let has_room = |at: &&[f64; 2]| {
         let [low, high] = Labels::extent(text, **at);
         let is_inside = low[0] >= left && high[0] <= right && low[1] >= top && high[1] <= bottom;
-        is_inside && labels.is_free([low, high])
+        is_inside && labels.is_free([[low[0] - apart, low[1]], [high[0] + apart, high[1]]])
     };
     outward
         .filter_map(|i| places.get(i))
@@ -209,18 +223,37 @@ pub(super) fn place_on(
 pub(super) fn region(
     area: &Area<'_>,
     rings: &[Vec<[f64; 2]>],
-    color: RGBColor,
+    palette: &Palette,
+    hue: Hue,
     is_hatched: bool,
 ) -> Result<()> {
+    let color = palette.of(hue);
     if is_hatched {
         return hatching(rings, HATCHES_APART)
             .iter()
             .try_for_each(|ends| path(area, ends, stroke(color, 0.6)));
     }
     rings.iter().try_for_each(|ring| {
-        polygon(area, ring, color, 0.28)?;
+        polygon(area, ring, palette.tint(hue), 1.0)?;
         let closed: Vec<_> = ring.iter().chain(ring.first()).copied().collect();
         path(area, &closed, stroke(color, 1.6))
+    })
+}
+
+/// Draws the contour lines.
+pub(super) fn contour_lines(
+    area: &Area<'_>,
+    plane: &Plane<'_>,
+    palette: &Palette,
+    grounds: &[Ground],
+) -> Result<()> {
+    let lines = grounds.iter().flat_map(|ground| &ground.lines);
+    lines.into_iter().try_for_each(|line| {
+        path(
+            area,
+            &simplified(&plane.all(line)),
+            stroke(palette.faint, 0.7),
+        )
     })
 }
 
@@ -237,13 +270,9 @@ fn ground(
         palette.height(0.5 * (grounds[i].part + next))
     };
     for (i, ground) in grounds.iter().enumerate() {
-        ground
-            .outlines
-            .iter()
-            .try_for_each(|outline| polygon(area, &plane.all(outline), shade(i), 1.0))?;
-    }
-    for line in grounds.iter().flat_map(|ground| &ground.lines) {
-        path(area, &plane.all(line), stroke(palette.faint, 0.7))?;
+        ground.outlines.iter().try_for_each(|outline| {
+            polygon(area, &simplified(&plane.all(outline)), shade(i), 1.0)
+        })?;
     }
     let (columns, rows) = (field.columns, field.rows());
     // cover missing values by one rectangle for each run in a row; the rectangles overlap a little,
@@ -279,12 +308,13 @@ pub(super) fn line(
     area: &Area<'_>,
     points: &[[f64; 2]],
     color: RGBColor,
+    width: f64,
     is_dashed: bool,
 ) -> Result<()> {
     if points.len() < 2 {
         return points.iter().try_for_each(|at| dot(area, *at, color));
     }
-    let style = stroke(color, 2.0);
+    let style = stroke(color, width);
     if !is_dashed {
         return path(area, points, style);
     }
@@ -302,7 +332,8 @@ pub(super) fn series(
     is_dashed: bool,
 ) -> Result<()> {
     let color = palette.of(hue);
-    line(area, points, color, is_dashed)?;
+    let width = if hue == Hue::Faint { THIN } else { WIDE };
+    line(area, points, color, width, is_dashed)?;
     let (mut gone, mut next) = (0.0, FIRST_BARS);
     for pair in points.windows(2) {
         let [dx, dy] = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];

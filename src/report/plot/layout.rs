@@ -4,6 +4,7 @@
 use super::axis::Axis;
 use super::bars::{Rows, with_room};
 use super::canvas::{LINE, TEXT};
+use super::end_names::EndNames;
 use super::figure::{Figure, Layer};
 use super::legend::{Entry, laid_out};
 use super::text_width::{text_width, wrapped};
@@ -38,6 +39,8 @@ pub(super) struct Layout<'a> {
     pub y_title: Vec<String>,
     /// The rows of an axis of names.
     pub rows: Option<Rows>,
+    /// The names at the ends of lines.
+    pub end_names: Option<EndNames<'a>>,
     /// The frame of the axes: left, top, right and bottom, pixels.
     pub frame: [f64; 4],
     pub height: f64,
@@ -52,8 +55,6 @@ impl<'a> Layout<'a> {
             name: figure.name.clone(),
             reason,
         };
-        let nothing =
-            |axis: &str| failed(format!("it has no number that its {axis} axis can show"));
         let width = f64::from(width);
         let room = width - 2.0 * MARGIN;
         let titles = wrapped(&typeset(&figure.title), room, TITLE, true);
@@ -61,29 +62,15 @@ impl<'a> Layout<'a> {
         let (legend, legend_height) = laid_out(figure, room);
         let titled = |drawn: &Drawn| wrapped(&typeset(&drawn.title()), room, TEXT, false);
         let rows = Rows::of(figure, width);
-        let ys = || coordinates(figure).map(|point| point[1]);
-        let mut found = None;
-        // use the largest number of ticks whose texts do not overlap
-        for count in (1..=MOST).rev() {
-            let y =
-                Drawn::new(&figure.y, ys(), system, count).ok_or_else(|| nothing("vertical"))?;
-            let left = rows
-                .as_ref()
-                .map_or(15.0 + y.widest(NUMBER), |rows| rows.left);
-            let (x, left, right) =
-                across(figure, system, left, width).ok_or_else(|| nothing("horizontal"))?;
-            let tall = rows
-                .as_ref()
-                .map_or(figure.aspect * (right - left), Rows::heights);
-            let is_apart = rows.is_some() || y.is_apart(tall, |_, _| LINE - 2.0);
-            found = Some((x, y, left, right, tall));
-            if is_apart {
-                break;
-            }
-        }
-        let Some((x, y, left, right, tall)) = found else {
-            return Err(nothing("vertical"));
-        };
+        let end_names = EndNames::of(figure, width);
+        let Axes {
+            x,
+            y,
+            left,
+            right,
+            tall,
+        } = axes(figure, system, width, rows.as_ref(), end_names.as_ref())
+            .map_err(|axis| failed(format!("it has no number that its {axis} axis can show")))?;
         if right - left < LEAST {
             let least = (width + LEAST - (right - left)).ceil();
             return Err(failed(format!(
@@ -104,28 +91,82 @@ impl<'a> Layout<'a> {
             x_title,
             y_title,
             rows,
+            end_names,
             frame,
             height,
         })
     }
 }
 
+/// The axes of a figure, with the horizontal ends and the height of their frame, pixels.
+struct Axes {
+    x: Drawn,
+    y: Drawn,
+    left: f64,
+    right: f64,
+    tall: f64,
+}
+
+/// The axes with the largest number of vertical ticks whose texts do not overlap. The error is the
+/// axis that can show none of the numbers.
+fn axes(
+    figure: &Figure,
+    system: System,
+    width: f64,
+    rows: Option<&Rows>,
+    end_names: Option<&EndNames<'_>>,
+) -> std::result::Result<Axes, &'static str> {
+    let ys = || coordinates(figure).map(|point| point[1]);
+    let beside = end_names.map_or(0.0, |names| names.room);
+    let mut found = Err("vertical");
+    for count in (1..=MOST).rev() {
+        let y = Drawn::new(&figure.y, ys(), system, count).ok_or("vertical")?;
+        let left = rows.map_or(15.0 + y.widest(NUMBER), |rows| rows.left);
+        let (x, left, right) = across(figure, system, left, width, beside).ok_or("horizontal")?;
+        let tall = match (rows, end_names) {
+            (Some(rows), _) => rows.heights(),
+            (None, names) => {
+                let names = names.map_or(0.0, EndNames::height);
+                names.max(figure.aspect * (right - left))
+            }
+        };
+        let is_apart = rows.is_some() || y.is_apart(tall, |_, _| LINE - 2.0);
+        found = Ok(Axes {
+            x,
+            y,
+            left,
+            right,
+            tall,
+        });
+        if is_apart {
+            break;
+        }
+    }
+    found
+}
+
 /// The horizontal axis with the largest number of ticks whose texts do not overlap, and the left
-/// and right end of the frame.
-fn across(figure: &Figure, system: System, left: f64, width: f64) -> Option<(Drawn, f64, f64)> {
+/// and right end of the frame, which leaves the width `beside` free.
+fn across(
+    figure: &Figure,
+    system: System,
+    left: f64,
+    width: f64,
+    beside: f64,
+) -> Option<(Drawn, f64, f64)> {
     let xs = || coordinates(figure).map(|point| point[0]);
     let has_bars = figure
         .layers
         .iter()
         .any(|layer| matches!(layer, Layer::Bars { .. }));
     let mut last = None;
-    let most = ((width - left) / APART).max(4.0) as usize;
+    let most = ((width - left - beside) / APART).max(4.0) as usize;
     for count in (1..=most).rev() {
         let x = Drawn::new(&figure.x, xs(), system, count)?;
         // the text of a tick is centred below it, and needs half its width on each side at the ends
         // of the axis too
         let half = 0.5 * x.widest(NUMBER) + 4.0;
-        let (left, right) = (left.max(half), width - half.max(16.0));
+        let (left, right) = (left.max(half), width - half.max(16.0).max(beside));
         let widened: Option<Axis> = if has_bars {
             with_room(figure, system, right - left)
         } else {
@@ -160,7 +201,7 @@ fn coordinates(figure: &Figure) -> impl Iterator<Item = [f64; 2]> + '_ {
                 .flat_map(|bar| [bar.from, bar.to].map(|x| [x, bar.place as f64]))
                 .collect(),
             Layer::Contours(field) => vec![[field.x[0], field.y[0]], [field.x[1], field.y[1]]],
-            Layer::Mark { at, .. } => vec![*at],
+            Layer::Mark { at, .. } | Layer::Text { at, .. } => vec![*at],
             Layer::Region { rings, .. } => rings.concat(),
             Layer::Arrows { arrows, .. } => arrows.iter().flatten().copied().collect(),
             Layer::Frame { low, high, .. } => vec![*low, *high],

@@ -1,8 +1,8 @@
 //! The legend: names of layers, in lines above the plot.
 
 use super::canvas::{Area, LINE, SIGN, TEXT, block, font, words};
-use super::figure::{Figure, Hue, Layer};
-use super::layers::{arrow, line, point, region, series};
+use super::figure::{Figure, Hue, Layer, LineNames};
+use super::layers::{WIDE, arrow, line, point, region, series};
 use super::palette::Palette;
 use super::text_width::{text_width, wrapped};
 use crate::error::Result;
@@ -84,17 +84,20 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<Entry<'_>>, f64) {
 /// True if the legend names a layer. A mark has a label instead.
 fn is_named(figure: &Figure, layer: &Layer) -> bool {
     let (name, hue) = layer.named();
-    let is_named_where_it_is = matches!(layer, Layer::Mark { .. })
-        || (figure.names_on_lines
-            && matches!(
+    let is_named_where_it_is = matches!(layer, Layer::Mark { .. } | Layer::Text { .. })
+        || match figure.line_names {
+            LineNames::Legend => false,
+            LineNames::OnLines => matches!(
                 layer,
                 Layer::Line { .. }
                     | Layer::Region {
                         is_hatched: true,
                         ..
                     }
-            ));
-    !name.is_empty() && hue.is_some() && !is_named_where_it_is && !is_part_of_another(figure, name)
+            ),
+            LineNames::AtEnds => matches!(layer, Layer::Line { .. }),
+        };
+    !name.is_empty() && hue.is_some() && !is_named_where_it_is && whole_name(figure, name) == name
 }
 
 /// True if the legend has this name.
@@ -105,15 +108,18 @@ pub(super) fn has(figure: &Figure, name: &str) -> bool {
         .any(|layer| layer.named().0 == name && is_named(figure, layer))
 }
 
-/// True if another layer has this name without the remark: "ferguson (extrapolated)".
-fn is_part_of_another(figure: &Figure, name: &str) -> bool {
-    let whole = name.rsplit_once(" (").map(|(whole, _)| whole);
-    whole.is_some_and(|whole| {
-        figure
-            .layers
-            .iter()
-            .any(|layer| layer.named().0 == whole && !matches!(layer, Layer::Mark { .. }))
-    })
+/// The name without its remark, if another layer has that name: "ferguson" of "ferguson
+/// (extrapolated)".
+pub(super) fn whole_name<'a>(figure: &Figure, name: &'a str) -> &'a str {
+    let is_layer = |whole: &str| {
+        let layers = figure.layers.iter();
+        let mut named = layers.filter(|layer| !matches!(layer, Layer::Mark { .. }));
+        named.any(|layer| layer.named().0 == whole)
+    };
+    match name.rsplit_once(" (") {
+        Some((whole, _)) if is_layer(whole) => whole,
+        _ => name,
+    }
 }
 
 impl Entry<'_> {
@@ -132,14 +138,14 @@ impl Entry<'_> {
                     [x + SIGN, y + 6.0],
                     [x, y + 6.0],
                 ];
-                region(area, &[corners.to_vec()], color, *is_hatched)?;
+                region(area, &[corners.to_vec()], palette, hue, *is_hatched)?;
             }
-            Layer::Frame { .. } => line(area, &ends, color, true)?,
+            Layer::Frame { .. } => line(area, &ends, color, WIDE, true)?,
             Layer::Dots { .. } => point(area, [x + 0.5 * SIGN, y], palette, hue)?,
             Layer::Band { .. } => block(area, [x, y - 6.0], [x + SIGN, y + 6.0], color, 0.22)?,
             Layer::Bars { .. } => block(area, [x, y - 6.0], [x + SIGN, y + 6.0], color, 0.85)?,
             Layer::Arrows { .. } => arrow(area, ends[0], ends[1], color)?,
-            Layer::Contours(_) | Layer::Mark { .. } => {}
+            Layer::Contours(_) | Layer::Mark { .. } | Layer::Text { .. } => {}
         }
         let style = || font(SIZE, palette.ink, false);
         self.lines.iter().enumerate().try_for_each(|(i, line)| {

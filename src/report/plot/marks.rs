@@ -11,8 +11,23 @@ use plotters::style::RGBColor;
 const SIZE: f64 = 6.5;
 const GAP: f64 = 9.0;
 
+/// Distances of a label from its mark where lines run through all nearer positions, pixels, and twice
+/// the number of points of lines that a nearer label may cover instead.
+const FAR_GAPS: [f64; 2] = [36.0, 64.0];
+const FAR_COSTS: [usize; 2] = [13, 14];
+
+/// Twice the number of points of lines that a label beside its mark may cover instead of one above
+/// or below it.
+const OVER_COST: usize = 6;
+
+/// Marks nearer than this are drawn as one, pixels.
+const SAME: f64 = 4.0;
+
+/// How much farther a label is from another mark than from its own one, pixels.
+const CLEAR: f64 = 2.0;
+
 /// Distance from which a line connects a label with its mark, pixels.
-const FAR: f64 = 2.0 * LINE;
+const FAR: f64 = 1.5 * LINE;
 
 /// Draws the marks, then their labels. Marks whose label is also in the legend are drawn only if
 /// all of them have space for their labels.
@@ -22,79 +37,177 @@ pub(super) fn write_marks(
     figure: &Figure,
 ) -> Result<()> {
     let marks = figure.layers.iter().filter_map(|layer| match layer {
-        Layer::Mark { name, hue, at } => {
-            Some((name.as_str(), labels.palette.of(*hue), plane.pixel(*at)?))
-        }
+        Layer::Mark { name, hue, at } => Some(Mark {
+            name: name.clone(),
+            color: labels.palette.of(*hue),
+            at: plane.pixel(*at)?,
+        }),
         _ => None,
     });
     let (doubled, needed): (Vec<_>, Vec<_>) =
-        marks.partition(|(name, ..)| !name.is_empty() && legend::has(figure, name));
-    let around = |at: &[f64; 2]| [[at[0] - SIZE, at[1] - SIZE], [at[0] + SIZE, at[1] + SIZE]];
-    for (_, color, at) in &needed {
-        star(labels.area, labels.palette, *at, *color)?;
-        labels.taken.push(around(at));
+        marks.partition(|mark| !mark.name.is_empty() && legend::has(figure, &mark.name));
+    let needed = merged(needed);
+    for mark in &needed {
+        star(labels.area, labels.palette, mark.at, mark.color)?;
+        labels.taken.push(around(&mark.at));
     }
     let lines = lines(plane, figure);
-    for (name, color, at) in needed.iter().filter(|(name, ..)| !name.is_empty()) {
-        match beside(labels, plane, name, *at, &lines) {
-            Some(middle) => labels.write(name, middle, *color, true)?,
-            None => write_near(labels, plane, name, *at, *color)?,
+    for (i, mark) in needed.iter().enumerate() {
+        if mark.name.is_empty() {
+            continue;
+        }
+        let others = [&needed[..i], &needed[i + 1..]].concat();
+        match beside(labels, plane, mark, &others, &lines) {
+            Some(middle) => write_connected(labels, mark, middle)?,
+            None => write_near(labels, plane, &mark.name, mark.at, mark.color, FAR)?,
         }
     }
+    write_doubled(labels, plane, &doubled, &lines)
+}
+
+/// Draws marks with their labels if there is space for all labels.
+fn write_doubled(
+    labels: &mut Labels<'_, '_>,
+    plane: &Plane<'_>,
+    doubled: &[Mark],
+    lines: &[[f64; 2]],
+) -> Result<()> {
     let before = labels.taken.len();
     labels
         .taken
-        .extend(doubled.iter().map(|(.., at)| around(at)));
+        .extend(doubled.iter().map(|mark| around(&mark.at)));
     let mut middles = vec![];
-    for (name, _, at) in &doubled {
-        let Some(middle) = beside(labels, plane, name, *at, &lines) else {
+    for mark in doubled {
+        let Some(middle) = beside(labels, plane, mark, &[], lines) else {
             labels.taken.truncate(before);
             return Ok(());
         };
-        labels.taken.push(Labels::extent(name, middle));
+        labels.taken.push(Labels::extent(&mark.name, middle));
         middles.push(middle);
     }
-    for ((name, color, at), middle) in doubled.iter().zip(middles) {
-        star(labels.area, labels.palette, *at, *color)?;
-        labels.write(name, middle, *color, true)?;
+    for (mark, middle) in doubled.iter().zip(middles) {
+        star(labels.area, labels.palette, mark.at, mark.color)?;
+        write_connected(labels, mark, middle)?;
     }
     Ok(())
 }
 
-/// Writes a label as near as possible to a point. If it is far away, a line connects the two.
+/// Writes the label of a mark, with a line between the two if the label is away from the mark.
+fn write_connected(labels: &mut Labels<'_, '_>, mark: &Mark, middle: [f64; 2]) -> Result<()> {
+    let [low, high] = Labels::extent(&mark.name, middle);
+    let end = [0, 1].map(|axis| mark.at[axis].clamp(low[axis], high[axis]));
+    let [dx, dy] = [0, 1].map(|axis| end[axis] - mark.at[axis]);
+    let length = dx.hypot(dy);
+    if length > FAR {
+        let start = [
+            mark.at[0] + SIZE / length * dx,
+            mark.at[1] + SIZE / length * dy,
+        ];
+        path(labels.area, &[start, end], stroke(mark.color, 0.8))?;
+    }
+    labels.write(&mark.name, middle, mark.color, true)
+}
+
+/// A mark in pixels.
+#[derive(Clone)]
+struct Mark {
+    name: String,
+    color: RGBColor,
+    at: [f64; 2],
+}
+
+/// The square of a mark.
+fn around(at: &[f64; 2]) -> [[f64; 2]; 2] {
+    [[at[0] - SIZE, at[1] - SIZE], [at[0] + SIZE, at[1] + SIZE]]
+}
+
+/// Marks at the same place as one mark with both names and the colour of the upper one.
+fn merged(marks: Vec<Mark>) -> Vec<Mark> {
+    let mut apart: Vec<Mark> = vec![];
+    for mark in marks {
+        let same = apart.iter_mut().find(|other| {
+            let [dx, dy] = [0, 1].map(|axis| mark.at[axis] - other.at[axis]);
+            dx.hypot(dy) < SAME
+        });
+        match same {
+            Some(other) => {
+                let names = [other.name.as_str(), &mark.name];
+                let names = names.into_iter().filter(|name| !name.is_empty());
+                other.name = names.collect::<Vec<_>>().join(", ");
+                other.color = mark.color;
+            }
+            None => apart.push(mark),
+        }
+    }
+    apart
+}
+
+/// Writes the labels without a symbol, moved sideways into the frame, where they cover no other
+/// label.
+pub(super) fn write_texts(
+    labels: &mut Labels<'_, '_>,
+    plane: &Plane<'_>,
+    figure: &Figure,
+) -> Result<()> {
+    for layer in &figure.layers {
+        let Layer::Text { name, hue, at } = layer else {
+            continue;
+        };
+        let Some([x, y]) = plane.pixel(*at) else {
+            continue;
+        };
+        let [left, _, right, _] = plane.frame;
+        let half = Labels::extent(name, [0.0, 0.0])[1][0];
+        let middle = [x.min(right - half).max(left + half), y];
+        if is_free(labels, plane, name, &middle) {
+            labels.write(name, middle, labels.palette.of(*hue), false)?;
+        }
+    }
+    Ok(())
+}
+
+/// Writes a label as near as possible to a point. If it is farther than `far`, a line connects the
+/// two.
 pub(super) fn write_near(
     labels: &mut Labels<'_, '_>,
     plane: &Plane<'_>,
     name: &str,
     at: [f64; 2],
     color: RGBColor,
+    far: f64,
 ) -> Result<()> {
     let middle = nearest(labels, plane, name, at);
     let [dx, dy] = [middle[0] - at[0], middle[1] - at[1]];
     let half = Labels::extent(name, [0.0, 0.0])[1][0];
-    if (dx.abs() - half).max(0.0).hypot(dy) > FAR {
+    if (dx.abs() - half).max(0.0).hypot(dy) > far {
         path(labels.area, &[at, middle], stroke(color, 0.8))?;
     }
     labels.write(name, middle, color, true)
 }
 
-/// Points along the lines of a figure, so dense that no label fits between them, pixels.
+/// Equidistant points along the lines of a figure, so dense that no label fits between them, pixels.
 fn lines(plane: &Plane<'_>, figure: &Figure) -> Vec<[f64; 2]> {
-    const STEP: f64 = 6.0;
+    const STEP: f64 = 3.0;
     let lines = figure.layers.iter().filter_map(|layer| match layer {
         Layer::Line { points, .. } => Some(plane.pieces(points)),
         _ => None,
     });
     let mut places = vec![];
     for piece in lines.flatten() {
+        // the length since the last of these points
+        let mut gone = STEP;
         for ends in piece.windows(2) {
             let [dx, dy] = [0, 1].map(|axis| ends[1][axis] - ends[0][axis]);
-            let steps = (dx.hypot(dy) / STEP).ceil().max(1.0);
-            places.extend(
-                (0..steps as u32)
-                    .map(|i| [dx, dy].map(|d| d * f64::from(i) / steps))
-                    .map(|[x, y]| [ends[0][0] + x, ends[0][1] + y]),
-            );
+            let length = dx.hypot(dy);
+            if length == 0.0 {
+                continue;
+            }
+            gone += length;
+            while gone >= STEP {
+                gone -= STEP;
+                let part = 1.0 - gone / length;
+                places.push([ends[0][0] + part * dx, ends[0][1] + part * dy]);
+            }
         }
     }
     places
@@ -112,34 +225,52 @@ fn is_free(labels: &Labels<'_, '_>, plane: &Plane<'_>, name: &str, middle: &[f64
 }
 
 /// The middle of a label next to its mark, or above or below it, in a free position that covers the
-/// least of the lines.
+/// least of the lines and is nearer to its mark than to the others.
 fn beside(
     labels: &Labels<'_, '_>,
     plane: &Plane<'_>,
-    name: &str,
-    at: [f64; 2],
+    Mark { name, at, .. }: &Mark,
+    others: &[Mark],
     lines: &[[f64; 2]],
 ) -> Option<[f64; 2]> {
     let [left, _, right, _] = plane.frame;
     let [wide, tall] = Labels::extent(name, [0.0, 0.0])[1];
-    let sides = [wide + GAP, -wide - GAP].map(|dx| at[0] + dx);
-    let heights = [0.0, -LINE, LINE].map(|dy| at[1] + dy);
+    let beside = |gap: f64| {
+        let sides = [wide + gap, -wide - gap].map(|dx| at[0] + dx);
+        let heights = [0.0, -LINE, LINE].map(|dy| at[1] + dy);
+        sides.into_iter().flat_map(move |x| heights.map(|y| [x, y]))
+    };
     let over = at[0].min(right - wide).max(left + wide);
     let over = [-1.0, 1.0].map(|side| [over, at[1] + side * (tall + GAP)]);
-    let all = sides
-        .into_iter()
-        .flat_map(|x| heights.map(|y| [x, y]))
-        .chain(over);
+    // a label away from its mark covers less, but is less clear
+    let all = beside(GAP).map(|middle| (middle, 0));
+    let all = all.chain(over.map(|middle| (middle, OVER_COST)));
+    let all = all.chain(beside(FAR_GAPS[0]).map(|middle| (middle, FAR_COSTS[0])));
+    let all = all.chain(beside(FAR_GAPS[1]).map(|middle| (middle, FAR_COSTS[1])));
     let hidden = |middle: &[f64; 2]| {
         let [low, high] = Labels::extent(name, *middle);
         let is_under =
             |place: &&[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&place[axis]));
         lines.iter().filter(is_under).count()
     };
+    let is_clear = |middle: &[f64; 2]| {
+        let extent = Labels::extent(name, *middle);
+        let own = distance(*at, extent);
+        // a label farther away has a line to its mark
+        let least = CLEAR + if own > FAR { GAP } else { own };
+        let mut others = others.iter();
+        others.all(|other| distance(other.at, extent) > least)
+    };
     // the first of the positions that cover least
-    all.into_iter()
-        .filter(|middle| is_free(labels, plane, name, middle))
-        .min_by_key(hidden)
+    all.filter(|(middle, _)| is_free(labels, plane, name, middle) && is_clear(middle))
+        .min_by_key(|(middle, cost)| 2 * hidden(middle) + cost)
+        .map(|(middle, _)| middle)
+}
+
+/// The distance of a point from a rectangle, pixels.
+fn distance(at: [f64; 2], [low, high]: [[f64; 2]; 2]) -> f64 {
+    let [dx, dy] = [0, 1].map(|axis| (low[axis] - at[axis]).max(at[axis] - high[axis]).max(0.0));
+    dx.hypot(dy)
 }
 
 /// The nearest free middle of a label in the frame. In a full frame, the label covers something.

@@ -19,9 +19,11 @@ mod bars;
 mod canvas;
 mod contour;
 mod csv;
+mod end_names;
 mod figure;
 mod hatching;
 mod hover;
+mod interpolation;
 mod layers;
 mod layout;
 mod legend;
@@ -31,14 +33,16 @@ mod palette;
 mod panels;
 #[cfg(feature = "png")]
 mod png;
+mod simplify;
 mod svg;
 mod text_width;
 mod ticks;
 
 pub use axis::{Axis, Measure, Scale};
 pub use csv::{figure_csv, figure_csv_in};
-pub use figure::{Bar, Field, Figure, Hue, Layer};
+pub use figure::{Bar, Field, Figure, Hue, Layer, LineNames};
 pub use panels::figure_svg;
 #[cfg(feature = "png")]
 pub use png::figure_png;
 pub use svg::{Look, Shades, dark_rules};
+pub(in crate::report) use ticks::nice_step;

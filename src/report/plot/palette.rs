@@ -65,6 +65,9 @@ pub const DARK: Palette = Palette {
     ],
 };
 
+/// The share of a series' colour in the tint of its region; the rest is the background.
+const TINTED: f64 = 0.28;
+
 /// Number of colour steps of a field.
 pub(super) const STEPS: usize = 24;
 
@@ -81,21 +84,31 @@ impl Palette {
     pub(super) fn height(&self, part: f64) -> RGBColor {
         let part = (part.clamp(0.0, 1.0) * STEPS as f64).round() / STEPS as f64 * 2.0;
         let (low, high) = if part < 1.0 { (0, 1) } else { (1, 2) };
-        let (a, b, part) = (self.heights[low], self.heights[high], part - low as f64);
-        let mix =
-            |a: u8, b: u8| (f64::from(a) + part * (f64::from(b) - f64::from(a))).round() as u8;
-        RGBColor(mix(a.0, b.0), mix(a.1, b.1), mix(a.2, b.2))
+        mixed(self.heights[low], self.heights[high], part - low as f64)
+    }
+
+    /// The opaque fill of a tinted region, on a map and in the legend.
+    pub(super) fn tint(&self, hue: Hue) -> RGBColor {
+        mixed(self.ground, self.of(hue), TINTED)
     }
 
     /// All colours, in the same order for each palette.
     pub(super) fn all(&self) -> Vec<RGBColor> {
         let heights = (0..=STEPS).map(|step| self.height(step as f64 / STEPS as f64));
+        let tints = (0..Hue::SERIES).map(|i| self.tint(Hue::Series(i)));
         [self.ground, self.ink, self.faint, self.mesh, self.nothing]
             .into_iter()
             .chain(self.series)
             .chain(heights)
+            .chain(tints)
             .collect()
     }
+}
+
+/// The colour at a fraction of the way from one to another.
+fn mixed(from: RGBColor, to: RGBColor, part: f64) -> RGBColor {
+    let mix = |a: u8, b: u8| (f64::from(a) + part * (f64::from(b) - f64::from(a))).round() as u8;
+    RGBColor(mix(from.0, to.0), mix(from.1, to.1), mix(from.2, to.2))
 }
 
 #[cfg(test)]

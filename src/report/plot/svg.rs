@@ -2,10 +2,10 @@ use super::canvas::{Area, FINE, LINE, Labels, TEXT, failed, fine, font, stroke, 
 use super::contour::grounds;
 use super::figure::{Figure, Layer};
 use super::hover::titles as hover_titles;
-use super::layers::{Plane, draw, field_arrows, label};
+use super::layers::{Plane, contour_lines, draw, field_arrows, is_area, label};
 use super::layout::{Layout, MARGIN, NUMBER, TITLE};
 use super::line_names::write_line_names;
-use super::marks::write_marks;
+use super::marks::{write_marks, write_texts};
 use super::palette::{DARK, LIGHT, Palette};
 use crate::error::Result;
 use crate::units::System;
@@ -68,101 +68,9 @@ pub(super) struct Panel {
 /// [`Error::Plot`](crate::Error::Plot) if no part of the figure can be shown on its axes, or if the
 /// width is too small for them.
 pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
-    let palette = look.shades.palette();
     let layout = Layout::new(figure, look.system, look.width)?;
-    let (width, frame) = (f64::from(look.width), layout.frame);
     let mut svg = String::new();
-    let hover;
-    {
-        let size = (fine(width) as u32, fine(layout.height) as u32);
-        let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-        area.fill(&palette.ground).map_err(failed)?;
-        let lines = |lines: &[String],
-                     first: [f64; 2],
-                     side: HPos,
-                     style: &dyn Fn() -> TextStyle<'static>| {
-            let mut lines = lines.iter().enumerate();
-            lines.try_for_each(|(i, line)| {
-                words(
-                    &area,
-                    line,
-                    [first[0], first[1] + i as f64 * LINE],
-                    side,
-                    style(),
-                )
-            })
-        };
-        let faint = || font(TEXT, palette.faint, false);
-        lines(
-            &layout.titles,
-            [MARGIN, 0.5 * LINE + 3.0],
-            HPos::Left,
-            &|| font(TITLE, palette.ink, true),
-        )?;
-        let below = layout.titles.len() as f64 * LINE;
-        lines(
-            &layout.subtitles,
-            [MARGIN, below + 0.5 * LINE + 3.0],
-            HPos::Left,
-            &faint,
-        )?;
-        let legend_top = below + layout.subtitles.len() as f64 * LINE + 5.0;
-        layout
-            .legend
-            .iter()
-            .try_for_each(|entry| entry.draw(&area, palette, [MARGIN, legend_top]))?;
-        let above = frame[1] - (layout.y_title.len() as f64 - 0.5) * LINE - 8.0;
-        lines(&layout.y_title, [MARGIN, above], HPos::Left, &faint)?;
-        lines(
-            &layout.x_title,
-            [frame[2], frame[3] + 1.6 * LINE + 1.0],
-            HPos::Right,
-            &faint,
-        )?;
-
-        let plane = Plane {
-            x: &layout.x,
-            y: &layout.y,
-            frame,
-        };
-        let is_map = figure
-            .layers
-            .iter()
-            .any(|layer| matches!(layer, Layer::Contours(_)));
-        axes(&area, &plane, palette, is_map)?;
-        // computed once for drawing, labels and tooltips
-        let grounds: Vec<_> = figure
-            .layers
-            .iter()
-            .map(|layer| {
-                if let Layer::Contours(field) = layer {
-                    grounds(field, look.system)
-                } else {
-                    vec![]
-                }
-            })
-            .collect();
-        for (layer, grounds) in figure.layers.iter().zip(&grounds) {
-            draw(&area, &plane, palette, layer, grounds)?;
-        }
-        if let Some(rows) = &layout.rows {
-            rows.draw(&area, &plane, palette)?;
-            (0..figure.layers.len()).try_for_each(|layer| {
-                rows.bars(&area, &plane, palette, look.system, figure, layer)
-            })?;
-        }
-        let mut labels = Labels {
-            area: &area,
-            palette,
-            taken: vec![],
-        };
-        write_marks(&mut labels, &plane, figure)?;
-        write_line_names(&mut labels, &plane, figure)?;
-        label(&mut labels, &plane, look.system, figure, &grounds)?;
-        field_arrows(&labels, &plane, figure)?;
-        hover = hover_titles(figure, &plane, look.system, &grounds);
-        area.present().map_err(failed)?;
-    }
+    let hover = draw_all(&mut svg, figure, look, &layout)?;
     // only the elements: the picture may contain several panels
     let body = svg
         .split_once('>')
@@ -173,6 +81,86 @@ pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
         body: format!("{body}{hover}"),
         height: layout.height,
     })
+}
+
+/// Draws a figure and returns its tooltips.
+fn draw_all(svg: &mut String, figure: &Figure, look: &Look, layout: &Layout<'_>) -> Result<String> {
+    let (palette, system) = (look.shades.palette(), look.system);
+    let size = (
+        fine(f64::from(look.width)) as u32,
+        fine(layout.height) as u32,
+    );
+    let area = SVGBackend::with_string(svg, size).into_drawing_area();
+    area.fill(&palette.ground).map_err(failed)?;
+    texts(&area, palette, layout)?;
+    let plane = Plane {
+        x: &layout.x,
+        y: &layout.y,
+        frame: layout.frame,
+    };
+    let is_map = |layer: &Layer| matches!(layer, Layer::Contours(_));
+    axes(&area, &plane, palette, figure.layers.iter().any(is_map))?;
+    // computed once for drawing, labels and tooltips
+    let contours = |layer: &Layer| match layer {
+        Layer::Contours(field) => grounds(field, system),
+        _ => vec![],
+    };
+    let grounds: Vec<_> = figure.layers.iter().map(contours).collect();
+    let layers = || figure.layers.iter().zip(&grounds);
+    let (areas, others): (Vec<_>, Vec<_>) = layers().partition(|(layer, _)| is_area(layer));
+    for (layer, grounds) in areas {
+        draw(&area, &plane, palette, layer, grounds)?;
+    }
+    for grounds in &grounds {
+        contour_lines(&area, &plane, palette, grounds)?;
+    }
+    for (layer, grounds) in others {
+        draw(&area, &plane, palette, layer, grounds)?;
+    }
+    if let Some(rows) = &layout.rows {
+        rows.draw(&area, &plane, palette)?;
+        (0..figure.layers.len())
+            .try_for_each(|layer| rows.bars(&area, &plane, palette, system, figure, layer))?;
+    }
+    let mut labels = Labels {
+        area: &area,
+        palette,
+        taken: vec![],
+    };
+    write_marks(&mut labels, &plane, figure)?;
+    write_texts(&mut labels, &plane, figure)?;
+    write_line_names(&mut labels, &plane, figure)?;
+    if let Some(names) = &layout.end_names {
+        names.draw(&labels, &plane, figure)?;
+    }
+    label(&mut labels, &plane, system, figure, &grounds)?;
+    field_arrows(&labels, &plane, figure)?;
+    area.present().map_err(failed)?;
+    Ok(hover_titles(figure, &plane, system, &grounds))
+}
+
+/// Writes the title, the line below it, the legend and the titles of the axes.
+fn texts(area: &Area<'_>, palette: &Palette, layout: &Layout<'_>) -> Result<()> {
+    let frame = layout.frame;
+    let write = |lines: &[String], first: [f64; 2], side: HPos, style: &TextStyle<'static>| {
+        lines.iter().enumerate().try_for_each(|(i, line)| {
+            let at = [first[0], first[1] + i as f64 * LINE];
+            words(area, line, at, side, style.clone())
+        })
+    };
+    let bold = font(TITLE, palette.ink, true);
+    let faint = font(TEXT, palette.faint, false);
+    let top = 0.5 * LINE + 3.0;
+    write(&layout.titles, [MARGIN, top], HPos::Left, &bold)?;
+    let below = layout.titles.len() as f64 * LINE;
+    write(&layout.subtitles, [MARGIN, below + top], HPos::Left, &faint)?;
+    let legend = [MARGIN, below + layout.subtitles.len() as f64 * LINE + 5.0];
+    let mut entries = layout.legend.iter();
+    entries.try_for_each(|entry| entry.draw(area, palette, legend))?;
+    let above = frame[1] - (layout.y_title.len() as f64 - 0.5) * LINE - 8.0;
+    write(&layout.y_title, [MARGIN, above], HPos::Left, &faint)?;
+    let x_title = [frame[2], frame[3] + 1.6 * LINE + 1.0];
+    write(&layout.x_title, x_title, HPos::Right, &faint)
 }
 
 /// Draws the axes and the grid with Plotters.

@@ -197,7 +197,7 @@ impl Ranged for Drawn {
 }
 
 /// The smallest step of 1, 2 or 5 times a power of ten that is not below a step.
-pub(super) fn nice_step(step: f64) -> f64 {
+pub(in crate::report) fn nice_step(step: f64) -> f64 {
     let power = 10.0_f64.powf(step.log10().floor());
     let [one, two, five, ten] = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power);
     let enough = |nice: &f64| *nice >= step * (1.0 - 1e-9);

@@ -1,0 +1,83 @@
+//! From the drive as set up to the optimum: with the best club alone, and with another swing too.
+
+use super::findings::Findings;
+use super::numbers::outcome;
+use crate::drive::{Drive, Outcome};
+use crate::parameters::{Setup, UNSET};
+use crate::report::figures::capital;
+use crate::report::frame::both;
+use crate::report::shown;
+use crate::study::Optimum;
+use maud::{Markup, html};
+
+/// A drive in a column.
+struct Column<'a> {
+    name: &'static str,
+    setup: &'a Setup<f64>,
+    drive: Option<&'a Drive<f64>>,
+}
+
+/// Carry, total and varied parameters of the drive as set up, of the best club with the swing as set
+/// up, and of the optimum.
+pub(super) fn steps(findings: &Findings<'_>, best: &Optimum) -> Markup {
+    let columns = columns(findings, best);
+    html! {
+        table.steps {
+            thead { tr { th {} @for column in &columns { th.number { (column.name) } } } }
+            tbody {
+                @for of in outcomes(findings.of) {
+                    tr {
+                        td { (capital(&shown::words(of.name()))) }
+                        @for column in &columns {
+                            td.number { (outcome(of, column.drive.and_then(|drive| of.value(drive)))) }
+                        }
+                    }
+                }
+                @for vary in &best.search.vary {
+                    tr {
+                        td { (capital(&shown::words(vary.parameter.name))) }
+                        @for column in &columns {
+                            td.number {
+                                (both(|system| column.setup.value(vary.parameter).map_or(UNSET.into(), |value| {
+                                    shown::parameter(vary.parameter, value, system)
+                                })))
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The outcome of the report, and carry or total beside the other one.
+fn outcomes(of: Outcome) -> Vec<Outcome> {
+    match of {
+        Outcome::Carry => vec![of, Outcome::Total],
+        Outcome::Total => vec![of, Outcome::Carry],
+        _ => vec![of],
+    }
+}
+
+fn columns<'a>(findings: &Findings<'a>, best: &'a Optimum) -> Vec<Column<'a>> {
+    let yours = Column {
+        name: "yours",
+        setup: findings.setup,
+        drive: findings.flown.first().map(|flown| &flown.drive),
+    };
+    let club = findings.club_alone.map(|club| Column {
+        name: "best club alone",
+        setup: &club.optimum.setup,
+        drive: club.optimum.drive.as_ref(),
+    });
+    let best = Column {
+        name: if club.is_some() {
+            "best club and swing"
+        } else {
+            "best"
+        },
+        setup: &best.setup,
+        drive: best.drive.as_ref(),
+    };
+    std::iter::once(yours).chain(club).chain([best]).collect()
+}

@@ -1,0 +1,205 @@
+//! Names of lines at their right ends, beside the plot.
+
+use super::canvas::{LINE, Labels, TEXT, font, path, stroke, words};
+use super::figure::{Figure, Hue, Layer, LineNames};
+use super::layers::Plane;
+use super::legend::whole_name;
+use super::text_width::{text_width, wrapped};
+use crate::error::Result;
+use crate::units::typeset;
+use plotters::style::text_anchor::HPos;
+
+/// Text size, pixels.
+const SIZE: f64 = TEXT - 0.5;
+
+/// Distance of lines of a name, and additional distance between names, pixels.
+const APART: f64 = LINE - 3.0;
+const GAP: f64 = 3.0;
+
+/// Length of the connector between the plot and a name, pixels.
+const CONNECTOR: f64 = 16.0;
+
+/// Distance within which the end of a line is at a side of the plot; height of the connectors above
+/// the plot, pixels.
+const NEAR: f64 = 3.0;
+const OVER: f64 = 10.0;
+
+/// Maximum width of the names relative to the picture; wider names are wrapped.
+const WIDEST: f64 = 0.42;
+
+/// Width that names leave for the axes and the connectors, pixels.
+const FRAME: f64 = 160.0;
+
+/// The names of a figure's lines.
+pub(super) struct EndNames<'a> {
+    names: Vec<Name<'a>>,
+    /// The width beside the frame of the axes, pixels.
+    pub room: f64,
+}
+
+/// The name of a line with its parts.
+struct Name<'a> {
+    whole: &'a str,
+    hue: Hue,
+    /// The name, wrapped into lines.
+    lines: Vec<String>,
+}
+
+impl<'a> EndNames<'a> {
+    /// The names of the lines; `None` if the figure has them elsewhere.
+    pub fn of(figure: &'a Figure, width: f64) -> Option<Self> {
+        if figure.line_names != LineNames::AtEnds {
+            return None;
+        }
+        let mut names: Vec<Name<'a>> = vec![];
+        for layer in &figure.layers {
+            let Layer::Line { name, hue, .. } = layer else {
+                continue;
+            };
+            let whole = whole_name(figure, name);
+            if !whole.is_empty() && names.iter().all(|one| one.whole != whole) {
+                let room = (WIDEST * width).min(width - FRAME);
+                names.push(Name {
+                    whole,
+                    hue: *hue,
+                    lines: wrapped(&typeset(whole), room, SIZE, is_bold(*hue)),
+                });
+            }
+        }
+        let widest = names.iter().map(Name::width).fold(0.0, f64::max);
+        Some(Self {
+            names,
+            room: CONNECTOR + widest + 4.0,
+        })
+    }
+
+    /// The height of all names, pixels.
+    pub fn height(&self) -> f64 {
+        self.names.iter().map(Name::height).sum()
+    }
+
+    /// Writes each name beside the end of its line, as near as the others allow.
+    pub fn draw(&self, labels: &Labels<'_, '_>, plane: &Plane<'_>, figure: &Figure) -> Result<()> {
+        let [_, top, right, bottom] = plane.frame;
+        let placed = self.names.iter();
+        let placed = placed.filter_map(|name| Some((name, name.end(plane, figure)?)));
+        // a line that leaves at the top ends before the right side
+        let leaves = |at: [f64; 2]| at[1] < top + NEAR && at[0] < right - NEAR;
+        let (mut leaving, mut placed): (Vec<_>, Vec<_>) = placed.partition(|(_, at)| leaves(*at));
+        // their connectors run above the plot: the first to leave has the highest one
+        leaving.sort_by(|(_, a), (_, b)| a[0].total_cmp(&b[0]));
+        placed.sort_by(|(_, a), (_, b)| a[1].total_cmp(&b[1]));
+        let above = leaving.len();
+        let all = [leaving, placed].concat();
+        let wanted: Vec<f64> = all.iter().map(|(_, at)| at[1]).collect();
+        let heights: Vec<f64> = all.iter().map(|(name, _)| name.height()).collect();
+        let middles = spread(&wanted, &heights, [top, bottom]);
+        for (i, ((name, end), middle)) in all.into_iter().zip(middles).enumerate() {
+            let color = labels.palette.of(name.hue);
+            let start = [right + CONNECTOR, middle];
+            let mut connector = vec![end];
+            if i < above {
+                let up = top - OVER * (above - i) as f64 / above as f64;
+                let across = right + (CONNECTOR - 3.0) * (above - i) as f64 / (above + 1) as f64;
+                connector.extend([[end[0], up], [across, up], [across, middle]]);
+            }
+            connector.push([start[0] - 3.0, middle]);
+            path(labels.area, &connector, stroke(color, 0.7))?;
+            let first = middle - 0.5 * APART * (name.lines.len() - 1) as f64;
+            for (i, line) in name.lines.iter().enumerate() {
+                let at = [start[0], first + APART * i as f64];
+                let style = font(SIZE, color, is_bold(name.hue));
+                words(labels.area, line, at, HPos::Left, style)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// True for the names of series: those of background lines are less important.
+fn is_bold(hue: Hue) -> bool {
+    matches!(hue, Hue::Series(_))
+}
+
+impl Name<'_> {
+    fn width(&self) -> f64 {
+        let lines = self.lines.iter();
+        let widths = lines.map(|line| text_width(line, SIZE, is_bold(self.hue)));
+        widths.fold(0.0, f64::max)
+    }
+
+    fn height(&self) -> f64 {
+        APART * self.lines.len() as f64 + GAP
+    }
+
+    /// The right end of the line inside the axes, pixels.
+    fn end(&self, plane: &Plane<'_>, figure: &Figure) -> Option<[f64; 2]> {
+        let points = figure.layers.iter().filter_map(|layer| match layer {
+            Layer::Line { name, points, .. } if whole_name(figure, name) == self.whole => {
+                Some(plane.all(points))
+            }
+            _ => None,
+        });
+        points.flatten().max_by(|a, b| a[0].total_cmp(&b[0]))
+    }
+}
+
+/// The middles of stacked boxes with these heights, in this order, without overlap and with the
+/// least sum of squared distances from the wanted middles: the isotonic regression of the
+/// middles minus the heights above them.
+fn spread(wanted: &[f64], heights: &[f64], [top, bottom]: [f64; 2]) -> Vec<f64> {
+    let mut above = 0.0;
+    let offsets: Vec<f64> = heights
+        .iter()
+        .map(|height| {
+            above += height;
+            above - 0.5 * height
+        })
+        .collect();
+    // blocks of touching boxes: their number and the sum of their targets
+    let mut blocks: Vec<(usize, f64)> = vec![];
+    for (wanted, offset) in wanted.iter().zip(&offsets) {
+        let mut block = (1, wanted - offset);
+        while let Some((count, sum)) = blocks.pop() {
+            if sum / (count as f64) < block.1 / (block.0 as f64) {
+                blocks.push((count, sum));
+                break;
+            }
+            block = (block.0 + count, block.1 + sum);
+        }
+        blocks.push(block);
+    }
+    let starts = blocks.into_iter().flat_map(|(count, sum)| {
+        let start = (sum / count as f64).min(bottom - above).max(top);
+        std::iter::repeat_n(start, count)
+    });
+    starts
+        .zip(offsets)
+        .map(|(start, offset)| start + offset)
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spread;
+
+    #[test]
+    fn exact_middles_of_boxes_that_would_overlap() {
+        let heights = [10.0; 4];
+        let ends = [0.0, 100.0];
+        for (wanted, middles) in [
+            // apart: each where it is wanted
+            ([10.0, 30.0, 50.0, 90.0], [10.0, 30.0, 50.0, 90.0]),
+            // two at one place move equally
+            ([10.0, 50.0, 50.0, 90.0], [10.0, 45.0, 55.0, 90.0]),
+            // at the ends they stay inside
+            ([0.0, 0.0, 50.0, 100.0], [5.0, 15.0, 50.0, 95.0]),
+            ([98.0, 99.0, 100.0, 100.0], [65.0, 75.0, 85.0, 95.0]),
+        ] {
+            let found = spread(&wanted, &heights, ends);
+            for (found, middle) in found.iter().zip(middles) {
+                assert!((found - middle).abs() < 1e-9, "{wanted:?}: {found}");
+            }
+        }
+    }
+}
