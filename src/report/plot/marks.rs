@@ -11,10 +11,13 @@ use plotters::style::RGBColor;
 const SIZE: f64 = 6.5;
 const GAP: f64 = 9.0;
 
+/// Height of a label beside its mark that leaves a level line through the mark free, pixels.
+const HALF_LINE: f64 = 0.65 * LINE;
+
 /// Distances of a label from its mark where lines run through all nearer positions, pixels, and twice
 /// the number of points of lines that a nearer label may cover instead.
 const FAR_GAPS: [f64; 2] = [36.0, 64.0];
-const FAR_COSTS: [usize; 2] = [13, 14];
+const FAR_COSTS: [usize; 2] = [5, 6];
 
 /// Twice the number of points of lines that a label beside its mark may cover instead of one above
 /// or below it.
@@ -237,7 +240,7 @@ fn beside(
     let [wide, tall] = Labels::extent(name, [0.0, 0.0])[1];
     let beside = |gap: f64| {
         let sides = [wide + gap, -wide - gap].map(|dx| at[0] + dx);
-        let heights = [0.0, -LINE, LINE].map(|dy| at[1] + dy);
+        let heights = [0.0, -LINE, LINE, -HALF_LINE, HALF_LINE].map(|dy| at[1] + dy);
         sides.into_iter().flat_map(move |x| heights.map(|y| [x, y]))
     };
     let over = at[0].min(right - wide).max(left + wide);
@@ -257,7 +260,7 @@ fn beside(
         let extent = Labels::extent(name, *middle);
         let own = distance(*at, extent);
         // a label farther away has a line to its mark
-        let least = CLEAR + if own > FAR { GAP } else { own };
+        let least = CLEAR + if own > FAR { SIZE } else { own };
         let mut others = others.iter();
         others.all(|other| distance(other.at, extent) > least)
     };
