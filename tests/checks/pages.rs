@@ -591,6 +591,8 @@ fn all_pages_have_one_frame() {
             .collect();
         names.sort_unstable();
         names.dedup();
+        // the table of the answer fits every screen
+        let tables = tables - page.matches("<table class=\"steps\"").count();
         assert!(
             tables > 0 && names.len() == tables && !names.contains(&""),
             "{asked:?}: {names:?}"

@@ -122,8 +122,7 @@ fn same_points_in_the_data_of_a_trajectory_and_in_its_flight() {
         csv.starts_with("kind,name,downrange [m],height [m]\n"),
         "{csv}"
     );
-    // the line without a name is the path, and the ground has a name
-    let points = rows(&csv, "line,");
+    let points = rows(&csv, "line,flight");
     assert_eq!(points.len(), path.points.len());
     for (row, point) in points.iter().zip(&path.points) {
         assert_eq!(

@@ -23,7 +23,7 @@ pub(super) fn steps(findings: &Findings<'_>, best: &Optimum) -> Markup {
     let columns = columns(findings, best);
     html! {
         table.steps {
-            thead { tr { th {} @for column in &columns { th.number { (column.name) } } } }
+            thead { tr { th { "drive" } @for column in &columns { th.number { (column.name) } } } }
             tbody {
                 @for of in outcomes(findings.of) {
                     tr {
