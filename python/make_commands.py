@@ -159,11 +159,10 @@ def class_of(command: str) -> str:
 
 def replies() -> str:
     """The classes of answers with their keys as attributes."""
-    common = json.loads((SCHEMAS / "common.json").read_text(encoding="utf-8"))["$defs"]
     classes = []
     for command in REPLIES:
         schema = json.loads((SCHEMAS / f"{command}.json").read_text(encoding="utf-8"))
-        known = {**common, **schema.get("$defs", {})}
+        known = schema["$defs"]
         lines = [f"class {class_of(command)}(Reply):", f'    """The answer of ``{command}``."""', ""]
         found = properties_of(schema, known)
         if command == "fly":
@@ -184,35 +183,35 @@ def replies() -> str:
     return f"{head}\n\n" + "\n\n".join(classes)
 
 
-def properties_of(schema: dict[str, Any], common: dict[str, Any]) -> dict[str, Any]:
+def properties_of(schema: dict[str, Any], definitions: dict[str, Any]) -> dict[str, Any]:
     """The properties of an answer, in all its branches."""
-    schema = resolved(schema, common)
+    schema = resolved(schema, definitions)
     found = dict(schema.get("properties", {}))
     branches = [schema[word] for word in ("then", "else") if word in schema]
     for word in ("anyOf", "oneOf", "allOf"):
         branches += schema.get(word, [])
     for branch in branches:
-        for key, value in properties_of(branch, common).items():
+        for key, value in properties_of(branch, definitions).items():
             found.setdefault(key, value)
     return found
 
 
-def resolved(schema: dict[str, Any], common: dict[str, Any]) -> dict[str, Any]:
+def resolved(schema: dict[str, Any], definitions: dict[str, Any]) -> dict[str, Any]:
     reference = schema.get("$ref", "")
     if "#/$defs/" not in reference:
         return schema
-    inner = common.get(reference.rpartition("/")[2], {})
-    return schema if inner is schema else resolved(inner, common)
+    inner = definitions.get(reference.rpartition("/")[2], {})
+    return schema if inner is schema else resolved(inner, definitions)
 
 
-def python_type(schema: Any, common: dict[str, Any]) -> str:
+def python_type(schema: Any, definitions: dict[str, Any]) -> str:
     """The type of a JSON value in Python."""
     if not isinstance(schema, dict):
         return "Any"
-    schema = resolved(schema, common)
+    schema = resolved(schema, definitions)
     for word in ("anyOf", "oneOf"):
         if word in schema:
-            types = [python_type(branch, common) for branch in schema[word]]
+            types = [python_type(branch, definitions) for branch in schema[word]]
             return united(part for found in types for part in found.split(" | "))
     kinds = schema.get("type")
     values = schema.get("enum", [schema["const"]] if "const" in schema else [])
@@ -221,16 +220,16 @@ def python_type(schema: Any, common: dict[str, Any]) -> str:
     if kinds is None:
         return "Any"
     kinds = kinds if isinstance(kinds, list) else [kinds]
-    return united(type_of_kind(kind, schema, common) for kind in kinds)
+    return united(type_of_kind(kind, schema, definitions) for kind in kinds)
 
 
-def type_of_kind(kind: str, schema: dict[str, Any], common: dict[str, Any]) -> str:
+def type_of_kind(kind: str, schema: dict[str, Any], definitions: dict[str, Any]) -> str:
     if kind == "array":
-        return f"list[{python_type(schema.get('items'), common)}]"
+        return f"list[{python_type(schema.get('items'), definitions)}]"
     if kind == "object":
         values = schema.get("additionalProperties")
         is_uniform = isinstance(values, dict) and "properties" not in schema
-        return f"dict[str, {python_type(values, common) if is_uniform else 'Any'}]"
+        return f"dict[str, {python_type(values, definitions) if is_uniform else 'Any'}]"
     names = {"string": "str", "number": "float", "integer": "int", "boolean": "bool"}
     return names.get(kind, "None")
 

@@ -31,114 +31,141 @@ class CalibrateReply(Reply):
     """The answer of ``calibrate``."""
 
     status: str
+    """The status in a word."""
     message: str | None
+    """The status in a sentence; `None` if there is nothing to add."""
     interrupted: bool
-    """Whether the fit, or one for the held-out error, was interrupted."""
+    """True if the fit, or a fit of the cross-validation, was interrupted."""
     data: dict[str, Any]
+    """The data."""
     estimates: dict[str, dict[str, Any]]
-    """By fitted parameter."""
+    """The estimate of each fitted parameter."""
     covariance: dict[str, Any]
+    """The covariance of the estimates, in the product of the SI units of row and column."""
     correlation: dict[str, Any]
+    """The correlations of the estimates, −1 to 1."""
     undetermined: list[dict[str, float | None]]
-    """Combinations of parameters that the data do not determine: how much each changes."""
+    """Directions in parameter space that the data do not determine: the change of each parameter,
+    SI."""
     chi_square: float | None
+    """χ² of the fit."""
     degrees_of_freedom: int
+    """Number of values minus number of parameters."""
     probability: float | None
+    """The probability of a larger χ²."""
     uncertainty_scale: float | None
-    """What standard uncertainties were multiplied by: 1 where those of the data are stated, or
-    where the residuals give no scale; None where no uncertainty is known either."""
+    """√(χ²/degrees of freedom), the factor on the standard uncertainties: 1 if the data state their
+    uncertainties, or if the residuals give no scale; `None` if no uncertainty is known either."""
     iterations: int
+    """Iterations of the fit."""
     evaluations: int
+    """Evaluations of the residuals."""
     refused: dict[str, Any]
-    """Trial points that could not be computed."""
+    """The trial points that the fit rejected."""
     starts: dict[str, Any]
+    """The results of the searches from several starts."""
     residuals: list[dict[str, Any]]
-    """Each measured value."""
+    """The residual of each measured value."""
     held_out: list[dict[str, Any]]
-    """How well rows are told that were left out of the fit."""
+    """The prediction errors on held-out data."""
     setup: dict[str, Any]
+    """Every parameter of the fitted setup by its dotted name."""
     file: str | None
-    """The setup file written."""
+    """The setup file that was written; `None` without one."""
     folder: str | None
-    """The folder of the report written."""
+    """The folder of the written page; `None` without one."""
 
 
 class ChartReply(Reply):
     """The answer of ``chart``."""
 
     status: str
+    """The status in a word."""
     message: str | None
+    """The status in a sentence; `None` if there is nothing to add."""
     parameter: str
-    """The parameter that the chart runs along."""
+    """The parameter along which the chart runs."""
     objective: str
+    """The outcome that is optimized."""
     sense: str
+    """`maximize` or `minimize`."""
     points: list[dict[str, Any]]
+    """The points of the chart, in order."""
     begun: str | None
-    """Why it begins after the range does."""
+    """The reason why the chart begins inside the range; `None` if it covers the start of the
+    range."""
     ended: str | None
-    """Why it ends before the range does."""
+    """The reason why the chart ends inside the range; `None` if it covers the end of the range."""
 
 
 class CompareReply(Reply):
     """The answer of ``compare``."""
 
     status: str
+    """The status in a word."""
     message: str | None
+    """The status in a sentence; `None` if there is nothing to add."""
     a: dict[str, Any]
-    """The first drive, as it was flown."""
+    """The first drive, as computed."""
     b: dict[str, Any]
-    """The second drive."""
+    """The second drive, as computed."""
     outcomes: list[dict[str, Any]]
-    """Each outcome, in the order asked for."""
+    """The differences of the requested outcomes, in the order of the request."""
 
 
 class DeliveryReply(Reply):
     """The answer of ``delivery``."""
 
     status: str
+    """The status in a word."""
     message: str | None
+    """The status in a sentence; `None` if there is nothing to add."""
     rows: list[dict[str, Any]]
-    """Each shot; one for a launch given by options."""
+    """The delivery of each shot; one entry for a single shot."""
     spread: list[dict[str, Any]]
-    """Each parameter over the shots whose search converged."""
+    """Mean and standard deviation of each parameter over the shots."""
     population: dict[str, Any] | None
-    """The normal distribution of the swings behind the shots, without the errors of the launch
-    monitor; None of fewer than 10 shots that were found."""
+    """The normal distribution of the swings behind the shots, without the measurement errors of the
+    launch monitor; `None` for fewer than 10 shots with a delivery."""
 
 
 class FlyReply(Reply):
     """The answer of ``fly``."""
 
-    message: str | None
     status: str
-    address: str
-    """Where it listened."""
-    connections: int
-    """Connections that were accepted."""
-    flown: int
-    """Shots that were answered with a flight (Code 200)."""
-    others: int
-    """Messages without a shot (Code 201), and shots whose ball does not land (Code 200)."""
-    refused: int
-    """Messages that could not be read (Code 501)."""
+    """The status in a word."""
+    message: str | None
+    """The status in a sentence; `None` if there is nothing to add."""
     file: str | None
-    """Where the rows are; None where they are not written into a file."""
+    """The file of the rows; `None` if the rows are not written to a file."""
     source: str | None
-    """Whose export it is, where its heads tell; of JSON, what wrote the messages or lines."""
+    """The maker of the export, if its column heads identify it; for JSON, the name of the
+    format."""
     rows: int
-    """All rows."""
+    """Number of rows."""
+    flown: int
+    """Number of rows whose ball landed."""
+    refused: list[dict[str, Any]]
+    """The other rows, by kind of reason."""
     noted: int
-    """Rows with a value that is assumed or not compared."""
+    """Number of rows with assumed values, or with values that are not compared."""
     spin_not_measured: int
-    """Rows whose spin is estimated or modelled, as the export says."""
+    """Number of rows whose export states an estimated or modelled spin."""
     normalized: int
-    """Rows whose values are normalized to other conditions, as the export says."""
+    """Number of rows whose export states normalized values."""
     residuals: list[dict[str, Any]]
-    """Predicted − measured, of each outcome."""
+    """The residuals of each outcome, predicted − measured."""
     clubs: list[dict[str, Any]]
-    """The shots of each club, where the table names several."""
+    """The shots of each club, if the table names several."""
     remarks: list[str]
-    """What its reader should know of the columns."""
+    """Remarks about the columns."""
+    address: str
+    """Address and port of the listener."""
+    connections: int
+    """Number of connections."""
+    others: int
+    """Number of messages without a shot (code 201), and of shots whose ball does not land (code
+    200)."""
     shots: list[dict[str, Any]]
     """The rows, if they are not written to a file."""
 
@@ -147,162 +174,220 @@ class LawsReply(Reply):
     """The answer of ``laws``."""
 
     status: str
+    """The status in a word."""
     message: str | None
+    """The status in a sentence; `None` if there is nothing to add."""
     laws: list[dict[str, Any]]
+    """Each law with its published coefficients, then the user's table, if one is given."""
 
 
 class ParetoReply(Reply):
     """The answer of ``pareto``."""
 
     status: str
+    """The status in a word."""
     message: str | None
+    """The status in a sentence; `None` if there is nothing to add."""
     goals: list[dict[str, Any]]
+    """The two goals."""
     points: list[dict[str, Any]]
-    """From the best of the first goal to the best of the second."""
+    """The points, from the optimum of the first goal to the optimum of the second."""
     knee: int | None
-    """The place of the knee in points, from 0; None where there is none."""
+    """The index of the knee in `points`, from 0; `None` without one."""
     bend: float | None
-    """How far the front bends off the straight line between its ends, as a part of that line's
-    length, with both goals scaled from one end to the other."""
+    """The distance of the knee from the chord between the ends, relative to the length of the
+    chord. Both goals are scaled from one end to the other."""
     as_set_up: list[float | None] | None
-    """The two goals with the design as set up; None where it does not fly."""
+    """The goals before the search, SI; `None` if a swing does not fly."""
     dominated: int
-    """Points left out, since others are better in both goals."""
+    """Number of omitted points that other points dominate."""
     swings: dict[str, Any] | None
-    """The swings that the goals are about; None for one drive."""
+    """The swings; `None` for one drive."""
     file: str | None
-    """The file written."""
+    """The file that was written; `None` without one."""
 
 
 class ReportReply(Reply):
     """The answer of ``report``."""
 
     status: str
+    """The status in a word."""
     message: str | None
+    """The status in a sentence; `None` if there is nothing to add."""
     folder: str
+    """The folder."""
     files: list[str]
+    """Names of the files."""
 
 
 class ReproduceReply(Reply):
     """The answer of ``reproduce``."""
 
     status: str
+    """The status in a word."""
     message: str | None
+    """The status in a sentence; `None` if there is nothing to add."""
     study: str
+    """`mae494`."""
     slipped_optimum: dict[str, Any]
+    """The optimum of the report's regression, which evaluates its fitted polynomial with wrong
+    powers."""
     optimum: dict[str, Any]
+    """The optimum of the report's model."""
     table1: list[dict[str, Any]]
+    """The optimum at each attack angle of Table 1."""
     table2: list[dict[str, Any]]
+    """The optimum at each loft of Table 2."""
     average: dict[str, Any]
+    """The loft with the best average carry."""
     regression: dict[str, Any]
+    """The optimum of the report's regression."""
     energy: dict[str, Any]
+    """The energy of club and ball."""
     subsystems: dict[str, Any]
+    """Optima of impact and flight, separately."""
     parametric: dict[str, Any]
+    """The sensitivity of the optimum to the constants."""
     noise: dict[str, Any]
+    """The noise of the while-loop."""
     printed: dict[str, Any]
+    """The numbers that the report prints."""
     shot: dict[str, Any]
+    """The single shot."""
 
 
 class SensitivityReply(Reply):
     """The answer of ``sensitivity``."""
 
     status: str
+    """The status in a word."""
     message: str | None
+    """The status in a sentence; `None` if there is nothing to add."""
     outcomes: list[dict[str, Any]]
+    """Each outcome, in the order requested."""
     at_optimum: dict[str, Any] | None
-    """The optimum, with --at-optimum."""
+    """The optimum, if the effects belong to the optimal drive; `None` for the drive as set up."""
 
 
 class SweepReply(Reply):
     """The answer of ``sweep``."""
 
     status: str
+    """The status in a word."""
     message: str | None
+    """The status in a sentence; `None` if there is nothing to add."""
     file: str
-    """Where the rows are: FILE, or FILE.part where the sweep was stopped."""
+    """The file with the rows; `FILE.part` if the sweep was interrupted."""
     rows: int
-    """Rows of the whole sweep."""
+    """Number of rows of the whole sweep."""
     written: int
-    """Rows that are written."""
-    statuses: dict[str, int]
+    """Number of rows that are written."""
+    statuses: dict[str, Any]
+    """Number of drives by status."""
     remarks: list[str]
-    """What was not read of the table of points; empty without one."""
+    """Remarks about columns of the table of points that are not used; empty without one."""
+    left_out: list[str]
+    """Parameters of `all` that are omitted, with the reason; omitted if there are none."""
     folder: str
+    """The folder."""
     bytes: int
+    """Size, bytes."""
     sha256: str
-    """Of the whole file."""
+    """SHA-256 of the whole file, in the format of `sha256sum`."""
     part: int
+    """Number of the part, from 1."""
     parts: int
+    """Number of parts."""
     first_row: int
-    """Its first row in the whole sweep, from 0."""
+    """First row in the whole sweep, from 0."""
     question: str
-    """SHA-256 of the question, which is in the file under the key `longdrive`."""
+    """SHA-256 of the definition of the sweep, which the file contains under the key `longdrive`."""
     instructions: str
-    """Architecture and instructions of the processor: `x86_64 avx2`."""
+    """Architecture and instruction set of the processor: `x86_64 avx2`."""
     data: str
-    """SHA-256 of the bytes before the footer."""
+    """SHA-256 of the bytes before the footer: the rows."""
     beyond: list[int]
-    """Of the drives that landed: how many begin with what the law was not fitted to, how many were
-    struck beside any face, and how many landed flatter than any bounce that was measured."""
+    """Number of landed drives beyond each validity limit, in this order: launch outside the ranges
+    that the law was fitted to, strike outside the largest face that the Rules of Golf allow, and
+    landing flatter than any measured bounce."""
     moments: dict[str, dict[str, Any]]
-    """Of each outcome and derivative, by the name of its column, SI: rows with a value, their mean,
-    the sum of squared deviations from it, the least and the greatest."""
+    """Moments of each outcome and derivative, by column name."""
     histograms: list[dict[str, Any]]
+    """Requested histograms."""
     best: list[dict[str, Any]]
-    """The rows of --highest, then those of --lowest."""
+    """Requested rows with the highest and lowest values."""
     present: int
-    """Parts that are there and sound."""
+    """Number of valid parts."""
     missing: list[int]
-    """The numbers of those that are not."""
+    """Numbers of the missing parts, from 1."""
     faults: list[dict[str, Any]]
+    """Faults of files."""
     unfinished: list[str]
-    """Files of writers that are at work or were killed; they count for nothing."""
+    """Temporary files of running or killed writers; ignored."""
 
 
 class UncertaintyReply(Reply):
     """The answer of ``uncertainty``."""
 
     status: str
+    """The status in a word."""
     message: str | None
+    """The status in a sentence; `None` if there is nothing to add."""
     inputs: list[dict[str, Any]]
+    """The uncertain parameters and their distributions."""
     outcomes: list[dict[str, Any]]
+    """Each outcome."""
     ellipses: list[dict[str, Any]]
-    """Ellipses of the landings."""
+    """Ellipses of the landings; empty unless carry and lateral were requested."""
     samples: int
+    """Number of points of the base sample."""
     seed: int
+    """The seed of the sample."""
     drives: int
-    statuses: dict[str, int]
+    """Number of drives flown."""
+    statuses: dict[str, Any]
+    """Number of drives by status."""
 
 
 class ValidateReply(Reply):
     """The answer of ``validate``."""
 
     status: str
+    """The status in a word."""
     message: str | None
+    """The status in a sentence; `None` if there is nothing to add."""
     sets: list[dict[str, Any]]
+    """The sets."""
 
 
 class VerifyReply(Reply):
     """The answer of ``verify``."""
 
     status: str
+    """The status in a word."""
     message: str | None
+    """The status in a sentence; `None` if there is nothing to add."""
     passed: bool
-    """Whether nothing failed, every planted error was found and nothing was interrupted."""
+    """True if nothing failed, every injected error was detected and the command was not
+    interrupted."""
     rows: list[dict[str, Any]]
-    """Each outcome by each parameter, the worst first."""
+    """The derivative of each outcome by each parameter, the largest error first."""
     negative_control: dict[str, Any]
-    """Errors planted on purpose, and in how many rows they were found."""
+    """The detection of injected errors."""
     landing: list[dict[str, Any]]
+    """Derivatives at the landing, compared with differences at a fixed time."""
     continuity: list[dict[str, Any]]
+    """The outcomes at parameter values where the number of steps changes."""
     convergence: list[dict[str, Any]]
+    """The convergence of the outcomes with the time step."""
     step_errors: list[dict[str, Any]]
-    """What the time step leaves of an error in each outcome of the flight and its derivatives:
-    measured, and not part of the verdict."""
+    """The error of the time step in outcomes and derivatives. It has no verdict."""
     not_examined: list[dict[str, Any]]
-    """Checks that were not made of this drive."""
+    """Omitted checks, with the reasons."""
     while_loop: list[dict[str, Any]]
+    """The finite differences of carry in the while-loop of the MAE 494 report, for each parameter
+    by which the derivative of carry is certified."""
     missing: list[dict[str, Any]]
-    """Outcomes that the drive has no derivatives of."""
+    """Outcomes without derivatives at this drive, with the reasons."""
     left_out: list[str]
-    """Parameters of `all` that were left out, with the reason; absent if there are none."""
+    """Parameters of `all` that are omitted, with the reason; omitted if there are none."""
