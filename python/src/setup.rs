@@ -387,7 +387,7 @@ impl PySetup {
     /// --------
     /// >>> import longdrive
     /// >>> longdrive.Setup.from_toml("preset = 'mae494'\n[club]\nloft = '12 deg'")["club.loft"]
-    /// 0.20943951023931953
+    /// 0.20943951023931956
     #[staticmethod]
     #[pyo3(signature = (text, file = "setup.toml"))]
     fn from_toml(text: &Bound<'_, PyAny>, file: &str) -> PyResult<Self> {
