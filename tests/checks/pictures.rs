@@ -240,7 +240,7 @@ fn a_trajectory_names_its_flight_and_no_label_covers_the_landing() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.svg").display().to_string();
     for width in [340, 390, 480, 640, 800] {
-        for preset in ["tour-average", "amateur-average", "winfield-tan"] {
+        for preset in ["tour-average", "amateur-average"] {
             let svg = drawn(&["trajectory", preset], &file, width);
             let found = words(&svg);
             for name in ["flight", "run", "ground"] {
