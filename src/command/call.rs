@@ -63,8 +63,9 @@ pub enum Value {
     Joined(Vec<Value>),
 }
 
-/// A call as words.
-pub(super) struct Written {
+/// The command line of a call.
+pub(super) struct CommandLine {
+    /// The words, the name of the program first.
     pub words: Vec<OsString>,
     /// Angles without a unit, rad.
     pub bare_angles: Vec<f64>,
@@ -83,10 +84,10 @@ impl Call {
     /// # Errors
     /// [`Error::Unreadable`] for an unknown command, and an argument that it does not have.
     pub fn words(&self) -> Result<Vec<OsString>> {
-        Ok(self.written()?.words)
+        Ok(self.command_line()?.words)
     }
 
-    pub(super) fn written(&self) -> Result<Written> {
+    pub(super) fn command_line(&self) -> Result<CommandLine> {
         let unknown = |name: &str, what: String| Error::Unreadable {
             name: name.into(),
             source: what.into(),
@@ -120,7 +121,7 @@ impl Call {
                 writer.argument(arg, value, &mut words);
             }
         }
-        Ok(Written {
+        Ok(CommandLine {
             words,
             bare_angles: writer.bare_angles,
         })

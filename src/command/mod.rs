@@ -109,8 +109,8 @@ pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
 
 /// Runs a request of a program that embeds the library, as [`run`] runs a command line.
 pub fn call(call: &Call, host: Arc<dyn Host>) -> u8 {
-    match call.written() {
-        Ok(written) => run_words(written.words, host, &written.bare_angles),
+    match call.command_line() {
+        Ok(line) => run_words(line.words, host, &line.bare_angles),
         Err(error) => running::within(host, None, &[], || output::complain(&error, "", true)),
     }
 }

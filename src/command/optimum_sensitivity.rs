@@ -48,7 +48,9 @@ pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
     let warnings = best.warnings(&AtomicBool::new(false));
     warn(&warnings);
     if optima.stopped() > 0 {
-        return Ok(Analysed::without(&optima, None, warnings).answer(&request, &origin));
+        let mut interrupted = Analysed::without(&optima, None, warnings);
+        interrupted.reply.body.optimum.file = written;
+        return Ok(interrupted.answer(&request, &origin));
     }
     // each changed setup gets its own integration step, as `optimize` of that setup would
     let integrated = |mut changed: Setup<f64>| {

@@ -146,7 +146,7 @@ impl Running {
             .push(text.to_owned());
     }
 
-    /// What the answer leaves out.
+    /// The texts that [`Self::leave_out`] stored.
     pub fn left_out(&self) -> Vec<String> {
         self.left_out
             .lock()

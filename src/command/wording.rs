@@ -80,7 +80,7 @@ fn unquoted_constraint(left_over: &str) -> Option<String> {
     };
     Some(format!(
         "put a constraint in quotes, as in `subject_to \"descent_angle >= 38 deg\"`; without them \
-         the shell takes > and < for files{wrote}"
+         the shell reads > and < as redirections to files{wrote}"
     ))
 }
 

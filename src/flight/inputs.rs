@@ -77,7 +77,7 @@ impl<T: Numbers> Inputs<T> {
         }))
     }
 
-    /// The same flight by another law of drag and lift.
+    /// These inputs with another law of drag and lift.
     pub fn with_law<L>(self, law: L) -> Inputs<T, L> {
         Inputs {
             velocity: self.velocity,

@@ -14,7 +14,7 @@
 //!
 //! ```
 //! use longdrive::batch::{Axis, Batch, Grid, Run};
-//! use longdrive::parts::{Dataset, Written, check};
+//! use longdrive::parts::{Dataset, PartResult, check};
 //! use longdrive::{Outcome, Setup};
 //!
 //! let setup = Setup::default();
@@ -28,7 +28,7 @@
 //! let run = Run::default();
 //! let mut write =
 //!     |part| dataset.write(&mut points, part, folder.path(), &run, false, |_| ()).unwrap();
-//! let Written::New(second) = write(2) else { panic!() };
+//! let PartResult::New(second) = write(2) else { panic!() };
 //! assert_eq!(second.file, "part-00002.parquet");
 //! assert_eq!((second.part.first_row, second.part.rows), (1024, 1976));
 //! assert_eq!(check(folder.path(), None, false).unwrap().missing, [1]);
@@ -50,4 +50,4 @@ pub use definition::SweepDefinition;
 pub use footer::{Manifest, Part};
 
 pub use share::{file_name, most_parts, rows_of};
-pub use write::{Dataset, Written};
+pub use write::{Dataset, PartResult};

@@ -22,7 +22,7 @@ pub struct Dataset {
 
 /// Result of writing a part.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Written {
+pub enum PartResult {
     /// The part was computed and its file written.
     New(Manifest),
     /// A complete file of the part existed before.
@@ -85,7 +85,7 @@ impl Dataset {
         run: &Run<'_>,
         overwrite: bool,
         mut progress: impl FnMut(u64),
-    ) -> Result<Written> {
+    ) -> Result<PartResult> {
         let rows = self.rows_of(part)?;
         let name = file_name(part, self.question.parts);
         let path = folder.join(&name);
@@ -94,7 +94,10 @@ impl Dataset {
             reason,
         };
         if !overwrite && path.exists() {
-            return self.found(part, &path).map(Written::There).map_err(results);
+            return self
+                .found(part, &path)
+                .map(PartResult::There)
+                .map_err(results);
         }
         self.refuse_other_sweep(folder, &path)?;
         let unwritten = |error: io::Error| {
@@ -112,7 +115,7 @@ impl Dataset {
         };
         let Some(content) = self.write_rows(&mut file, points, &run, &mut progress, unwritten)?
         else {
-            return Ok(Written::Stopped);
+            return Ok(PartResult::Stopped);
         };
         let part = Part {
             part,
@@ -129,7 +132,7 @@ impl Dataset {
         let foot = self.table.foot_with(&content.groups, &[(PART, note)])?;
         file.write(&foot).map_err(unwritten)?;
         let (bytes, sha256) = file.persist(&path).map_err(unwritten)?;
-        Ok(Written::New(Manifest {
+        Ok(PartResult::New(Manifest {
             file: name,
             bytes,
             sha256,

@@ -8,7 +8,7 @@ use crate::command::interrupt;
 use crate::command::output::{Answer, Warnings, bar, system, tell, text_of};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
-use crate::parts::{self, Checked, Dataset, Manifest, SweepDefinition, Written};
+use crate::parts::{self, Checked, Dataset, Manifest, PartResult, SweepDefinition};
 use crate::report::{Reply, summary_document};
 use crate::statistics::{Bins, RankingSpec};
 use crate::units::{Message, counted};
@@ -72,9 +72,9 @@ pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
     );
     bar.finish_and_clear();
     let (manifest, is_new) = match written? {
-        Written::New(manifest) => (manifest, true),
-        Written::There(manifest) => (manifest, false),
-        Written::Stopped => return Ok(stopped(part, &request)),
+        PartResult::New(manifest) => (manifest, true),
+        PartResult::There(manifest) => (manifest, false),
+        PartResult::Stopped => return Ok(stopped(part, &request)),
     };
     warnings.add(manifest.part.summary.status_counts().beyond().warnings(
         &setup.law,

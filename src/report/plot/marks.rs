@@ -26,7 +26,8 @@ const OVER_COST: usize = 6;
 /// Marks nearer than this are drawn as one, pixels.
 const SAME: f64 = 4.0;
 
-/// How much farther a label is from another mark than from its own one, pixels.
+/// Least difference between the distances of a label from another mark and from its own mark,
+/// pixels.
 const CLEAR: f64 = 2.0;
 
 /// Distance from which a line connects a label with its mark, pixels.
@@ -243,13 +244,16 @@ fn beside(
         let heights = [0.0, -LINE, LINE, -HALF_LINE, HALF_LINE].map(|dy| at[1] + dy);
         sides.into_iter().flat_map(move |x| heights.map(|y| [x, y]))
     };
-    let over = at[0].min(right - wide).max(left + wide);
-    let over = [-1.0, 1.0].map(|side| [over, at[1] + side * (tall + GAP)]);
+    let inside = at[0].min(right - wide).max(left + wide);
+    let over = |gap: f64| [-1.0, 1.0].map(|side| [inside, at[1] + side * (tall + gap)]);
     // a label away from its mark covers less, but is less clear
     let all = beside(GAP).map(|middle| (middle, 0));
-    let all = all.chain(over.map(|middle| (middle, OVER_COST)));
-    let all = all.chain(beside(FAR_GAPS[0]).map(|middle| (middle, FAR_COSTS[0])));
-    let all = all.chain(beside(FAR_GAPS[1]).map(|middle| (middle, FAR_COSTS[1])));
+    let all = all.chain(over(GAP).map(|middle| (middle, OVER_COST)));
+    let far = FAR_GAPS.into_iter().zip(FAR_COSTS);
+    let all = all.chain(far.flat_map(|(gap, cost)| {
+        let over = over(gap).map(|middle| (middle, OVER_COST + cost));
+        beside(gap).map(move |middle| (middle, cost)).chain(over)
+    }));
     let hidden = |middle: &[f64; 2]| {
         let [low, high] = Labels::extent(name, *middle);
         let is_under =

@@ -31,7 +31,7 @@ pub(super) struct Keys {
 /// A shot, SI and radians.
 #[cfg(test)]
 #[derive(schemars::JsonSchema)]
-#[allow(dead_code)]
+#[expect(dead_code, reason = "only its schema is used")]
 pub struct FlyRow {
     /// The line of the file in which the row begins.
     #[schemars(range(min = 1))]
@@ -71,7 +71,7 @@ pub struct FlyRow {
 #[cfg(test)]
 #[derive(schemars::JsonSchema)]
 #[schemars(rename_all = "lowercase")]
-#[allow(dead_code)]
+#[expect(dead_code, reason = "only its schema is used")]
 enum RowStatus {
     /// The row is not flown.
     Refused,
@@ -83,7 +83,7 @@ enum RowStatus {
 #[cfg(test)]
 #[derive(schemars::JsonSchema)]
 #[schemars(untagged)]
-#[allow(dead_code)]
+#[expect(dead_code, reason = "only its schema is used")]
 enum OriginalRow {
     /// The cells by their column heads, or the message.
     Cells(serde_json::Map<String, serde_json::Value>),

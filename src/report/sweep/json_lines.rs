@@ -15,7 +15,7 @@ pub struct SweepJsonLines {
 /// `d_OUTCOME/d_PARAMETER`. The request chooses the keys other than `status`.
 #[cfg(test)]
 #[derive(schemars::JsonSchema)]
-#[allow(dead_code)]
+#[expect(dead_code, reason = "only its schema is used")]
 pub struct SweepRow {
     /// The status of the drive.
     status: crate::batch::Status,
