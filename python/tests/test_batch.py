@@ -14,6 +14,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -427,39 +428,53 @@ def test_same_rows_in_several_threads_at_once(table: Table) -> None:
     assert len(found) == 6 and all(bits(other) == bits(table) for other in found)
 
 
-def in_a_child(_: int) -> tuple[bytes, ...]:
-    return bits(
-        longdrive.batch("tour-average", points(3000), ["carry", "lateral", "spin"], "points")
-    )
+# the parent runs threads when its child processes start
+PROCESSES = """
+import multiprocessing, pickle, sys, threading
+import numpy as np
+import longdrive
 
+def rows(_=None):
+    draw = np.random.default_rng(1)
+    points = {
+        "club.loft": np.radians(draw.uniform(6, 16, 3000)),
+        "swing.speed": draw.uniform(36, 55, 3000),
+    }
+    table = longdrive.batch("tour-average", points, ["carry", "lateral", "spin"], "points")
+    return tuple(np.ascontiguousarray(table[name]).tobytes() for name in table.keys())
 
-@pytest.mark.parametrize(
-    "method",
-    [
-        method
-        for method in ["fork", "spawn", "forkserver"]
-        if method in multiprocessing.get_all_start_methods()
-    ],
-)
-@pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
-def test_same_rows_in_processes_of_every_kind(method: str, table: Table) -> None:
-    # threads are running when the child process starts
+if __name__ == "__main__":
     stop = threading.Event()
 
-    def busy() -> None:
+    def busy():
         while not stop.is_set():
-            longdrive.batch("tour-average", points(3000))
+            rows()
 
     thread = threading.Thread(target=busy)
     thread.start()
     try:
-        pool = multiprocessing.get_context(method).Pool(2)
+        pool = multiprocessing.get_context(sys.argv[1]).Pool(2)
     finally:
         stop.set()
         thread.join()
     with pool:
-        found = pool.map_async(in_a_child, range(4)).get(WAIT)
-    assert all(other == bits(table) for other in found)
+        found = pool.map_async(rows, range(4)).get(float(sys.argv[2]))
+    pickle.dump(found, sys.stdout.buffer)
+"""
+
+
+@pytest.mark.parametrize("method", multiprocessing.get_all_start_methods())
+def test_same_rows_in_processes_of_every_kind(method: str, table: Table, tmp_path: Path) -> None:
+    # in an interpreter of its own: a library that another test imported may warn of a fork
+    script = tmp_path / "processes.py"
+    script.write_text(PROCESSES)
+    found = subprocess.run(
+        [sys.executable, "-W", "ignore::DeprecationWarning", str(script), method, str(WAIT)],
+        capture_output=True,
+        check=False,
+    )
+    assert found.returncode == 0, found.stderr.decode()
+    assert all(other == bits(table) for other in pickle.loads(found.stdout))
 
 
 @pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="asks Linux for one processor")

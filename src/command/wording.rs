@@ -37,6 +37,19 @@ pub fn with_argument(error: Error) -> Error {
             doing,
             what: missing_argument(doing).unwrap_or(what),
         },
+        // the shell removed the comparison from the words
+        Error::Constraint {
+            expression,
+            column,
+            reason,
+        } if !expression.contains(['<', '>', '=']) => Error::Constraint {
+            reason: match running().words().iter().any(|word| word == "--subject-to") {
+                true => format!("{reason}; {}", quotes_advice()),
+                false => reason,
+            },
+            expression,
+            column,
+        },
         error => error,
     }
 }
@@ -73,15 +86,20 @@ fn unquoted_constraint(left_over: &str) -> Option<String> {
     if words[option] != "--subject-to" {
         return None;
     }
+    Some(quotes_advice())
+}
+
+/// Advice to write a constraint in quotes.
+fn quotes_advice() -> String {
     let wrote = if Path::new("=").is_file() {
         ", and has written a file named '='"
     } else {
         ""
     };
-    Some(format!(
+    format!(
         "put a constraint in quotes, as in `subject_to \"descent_angle >= 38 deg\"`; without them \
          the shell reads > and < as redirections to files{wrote}"
-    ))
+    )
 }
 
 /// Advice on a separate length after `--tolerance`, which needs '='.

@@ -77,7 +77,7 @@ impl Drive<f64> {
     }
 
     /// Warning about a landing flatter than any measured bounce.
-    fn flat_landing_warning(&self, setup: &Setup<f64>) -> Option<Message> {
+    pub(crate) fn flat_landing_warning(&self, setup: &Setup<f64>) -> Option<Message> {
         let angle = flat_landing_angle(
             [setup.ground.slope, setup.ground.side_slope],
             self.landed().ok()?,

@@ -55,6 +55,17 @@ pub struct Optimum {
 }
 
 impl Optimum {
+    /// True if carry and total of the drives before and after the search are an answer: the search
+    /// is for one of them, and the ball runs after it lands.
+    pub fn compares_totals(&self) -> bool {
+        let is_distance = [Outcome::Carry, Outcome::Total].map(Some);
+        let run = self
+            .drive
+            .as_ref()
+            .and_then(|drive| Outcome::Run.value(drive));
+        is_distance.contains(&self.search.of.outcome()) && run.is_some_and(|run| run != 0.0)
+    }
+
     /// The objective at the optimum, SI.
     pub fn value(&self) -> Option<f64> {
         Some(self.goals.as_ref()?[0])

@@ -8,8 +8,7 @@ use std::path::PathBuf;
 #[command(next_help_heading = "Options of every command")]
 pub struct OutputOptions {
     /// The units of results in texts, plots and pages [default: us; reproduce: the units of the
-    /// study]. JSON is in SI units and radians, and so is CSV
-    /// unless this option is given.
+    /// study]. JSON is in SI units and radians. Tables name the unit of each column in its head.
     #[arg(long, value_enum, global = true)]
     pub units: Option<Units>,
 

@@ -247,9 +247,8 @@ impl Request {
         let varies_loft = vary.iter().any(|vary| vary.parameter.name == "club.loft");
         let advice = if varies_loft && self.source.is_average() {
             format!(
-                "the loft is for the shaft and strike of {}: those of other golfers move it by \
-                 degrees, and the launch to aim for carries over; `delivery()` starts from your \
-                 own launch",
+                "the loft is for the shaft and strike of {}: for the same launch other golfers \
+                 need a loft some degrees higher or lower; `delivery()` starts from your own launch",
                 self.source.name()
             )
         } else {

@@ -29,9 +29,7 @@ pub(in crate::report) fn gain_lines(
         let gain = signed(gain, of.quantity().read_off(gain, unit));
         Some(format!("{name} {before} → {best}: {gain}"))
     };
-    let rolls = Outcome::Run.value(drive).is_some_and(|run| run != 0.0);
-    let is_distance = [Outcome::Carry, Outcome::Total].contains(&objective);
-    if !is_distance || !rolls {
+    if !optimum.compares_totals() {
         return line(objective).map(Line::flush).into_iter().collect();
     }
     let other = match objective {

@@ -6,6 +6,7 @@ use super::super::json::{ByName, Number, Settings, settings};
 use super::super::swings::{OverSwings, StudiesReport};
 use super::design::DesignReport;
 use super::surroundings::{ClubAloneReport, Surroundings, WindowReport};
+use crate::drive::Outcome;
 use crate::optimize::{ConstraintValue, Effort};
 #[cfg(test)]
 use crate::study::Sense;
@@ -31,6 +32,8 @@ pub struct OptimumReport {
     /// omitted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub start: Option<ByName<Number>>,
+    /// The drive before the search; `null` for swings.
+    pub as_set_up: Option<StartReport>,
     /// The gradient of the objective at the optimum by the varied parameters, SI.
     pub gradient: Option<ByName<Number>>,
     /// The multipliers of the bounds of each varied parameter, SI.
@@ -163,6 +166,35 @@ pub struct Multipliers {
     pub upper: f64,
 }
 
+/// The drive before a search over one drive, SI.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct StartReport {
+    /// The varied parameters before the search, SI; `null` for a parameter without a value.
+    pub parameters: ByName<Number>,
+    /// The carry, m; `null` if the drive does not fly.
+    pub carry: Number,
+    /// The total, m; `null` if the ball does not come to rest.
+    pub total: Number,
+}
+
+impl StartReport {
+    fn new(optimum: &Optimum) -> Option<Self> {
+        if !optimum.search.scenarios.is_one_drive() {
+            return None;
+        }
+        let vary = optimum.search.vary.iter().map(|vary| vary.parameter);
+        let parameters = vary.map(|parameter| (parameter.name, optimum.start.value(parameter)));
+        let drive = optimum.start_drive.as_ref();
+        let outcome = |of: Outcome| Number(drive.and_then(|drive| of.value(drive)));
+        Some(Self {
+            parameters: parameters.collect(),
+            carry: outcome(Outcome::Carry),
+            total: outcome(Outcome::Total),
+        })
+    }
+}
+
 impl OptimumReport {
     /// The answer of `optimize`.
     pub fn reply(optima: &Optima, over: OverSwings<'_>, warnings: Vec<Message>) -> Reply<Self> {
@@ -205,6 +237,7 @@ impl OptimumReport {
             value: optimum.value().into(),
             optimum: found.then(|| by_name(&solution.x)),
             start: (!found).then(|| by_name(&solution.x)),
+            as_set_up: StartReport::new(optimum),
             gradient: found.then(|| by_name(&optimum.gradient())),
             multipliers: found.then(|| (0..vary.len()).map(multipliers).collect()),
             constraints: constraints(optimum),

@@ -19,7 +19,7 @@ pub(super) fn lofts(plane: &Plane) -> Markup {
     html! {
         p.faint {
             "Carry, and below it the total, in " (both(unit)) "; everything else is as set up. Bold: \
-             the longest carry of the column. A total is known to 10 yards at best."
+             the longest carry of a column, if it is inside the table. A total is known to 10 yards at best."
         }
         (scrolled("Carry and total by loft and attack angle", html! { table.lofts {
             thead {
@@ -43,13 +43,15 @@ pub(super) fn lofts(plane: &Plane) -> Markup {
     }
 }
 
-/// The node of the longest carry in a column.
+/// The node of the longest carry in a column; `None` in the first and the last row, beyond which
+/// the carry may be longer.
 fn longest(plane: &Plane, rows: &[usize], column: usize) -> Option<usize> {
     let nodes = rows.iter().map(|row| row + column);
     let known = nodes.filter_map(|node| Some((node, plane.values[0][node]?)));
     known
         .max_by(|a, b| a.1.total_cmp(&b.1))
         .map(|(node, _)| node)
+        .filter(|node| (1..rows.len() - 1).contains(&(node / plane.columns)))
 }
 
 /// The attack angle (axis 0) or loft (axis 1) of a node: a whole number of degrees.

@@ -59,13 +59,23 @@ fn warnings(
 }
 
 impl Optimum {
-    /// Warnings about the setup at the optimum and about its drives. Without an optimum, the
-    /// warnings are about the setup only. Once `stop` is true, a warning says that the swings were
-    /// not checked.
+    /// Warnings about the setup at the optimum and about its drives, and about the total of the
+    /// drive at the start, if the answer compares both totals. Without an optimum, the warnings are
+    /// about the setup only. Once `stop` is true, a warning says that the swings were not checked.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
-        let of = self.search.outcomes();
+        let mut of = self.search.outcomes();
+        if self.compares_totals() {
+            of.push(Outcome::Total);
+        }
         match (&self.drive, self.solution.value) {
-            (Some(drive), _) => drive.warnings_about(&self.setup, &of),
+            (Some(drive), _) => {
+                let mut warnings = drive.warnings_about(&self.setup, &of);
+                let start = self.start_drive.as_ref().filter(|_| self.compares_totals());
+                let flat = start.and_then(|start| start.flat_landing_warning(&self.start));
+                let as_set_up = Message::from("the drive as set up: ");
+                warnings.extend(flat.map(|flat| as_set_up.message(flat)));
+                warnings
+            }
             (None, Some(_)) => warnings(&self.setup, &self.search.scenarios, &of, stop),
             (None, None) => self.setup.warnings(),
         }
