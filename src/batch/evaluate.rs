@@ -70,7 +70,7 @@ impl Batch {
         // one iteration even without derivatives
         for first in (0..self.wrt.len().max(1)).step_by(MOST_PER_LANE) {
             let wrt = &self.wrt[first..self.wrt.len().min(first + MOST_PER_LANE)];
-            scalar_rows.extend(self.level.run(LaneBatch {
+            scalar_rows.extend(self.level.run_sweep(LaneBatch {
                 batch: self,
                 block,
                 wrt,

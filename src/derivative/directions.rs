@@ -25,25 +25,12 @@ impl Directions<'_> {
     /// variables there is one pass, which computes the values.
     pub fn passes(self, level: Level) -> impl ExactSizeIterator<Item = Self> {
         let per_lane = if self.are_pairs { 2 } else { MOST_PER_LANE };
-        let most = per_lane * self.level(level).width();
+        let most = per_lane * level.width();
         let end = self.variables.len();
         (0..end.div_ceil(most).max(1)).map(move |k| Self {
             variables: &self.variables[k * most..end.min((k + 1) * most)],
             ..self
         })
-    }
-
-    /// Instruction level for these directions, at most `level`. AVX2 is chosen if its lanes suffice
-    /// with the same number type, because AVX2 is then faster.
-    pub fn level(&self, level: Level) -> Level {
-        let count = self.variables.len() / if self.are_pairs { 2 } else { 1 };
-        let lanes = Level::Avx2.width();
-        let fills_them = !self.are_pairs && count > level.width() && count <= MOST_PER_LANE * lanes;
-        if count <= lanes || fills_them {
-            level.min(Level::Avx2)
-        } else {
-            level
-        }
     }
 
     /// Variables of one lane.

@@ -84,7 +84,7 @@ impl Evaluator {
             order,
             split,
             first_row: 0,
-            level: Level::here(),
+            level: Level::here().of_one_drive(),
         })
     }
 
@@ -98,7 +98,10 @@ impl Evaluator {
 
     /// Limits evaluation to this instruction level.
     pub(crate) fn at_level(self, level: Level) -> Self {
-        Self { level, ..self }
+        Self {
+            level: level.of_one_drive(),
+            ..self
+        }
     }
 
     /// Parameters, in the order of values and derivatives.

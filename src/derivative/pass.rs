@@ -75,7 +75,7 @@ impl Point<'_> {
         let passes = directions.passes(self.level);
         let all = passes.len();
         for (done, directions) in passes.enumerate() {
-            directions.level(self.level).run(Pass {
+            self.level.run_one_drive(Pass {
                 point: self,
                 stage,
                 directions,

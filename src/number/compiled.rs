@@ -1,8 +1,8 @@
 //! The number types that impact and flight are compiled for.
 //!
 //! This file is the only place that names them, and a test compares it with docs/architecture.md.
-//! Each number type below is compiled once at each [`Level`](super::Level) of the processor: five
-//! number types at three levels on x86-64. Two more number types reach this code through public
+//! Each number type below is compiled once at each [`Level`](super::Level) of the processor: on
+//! x86-64 five number types for plain numbers and AVX2, and the four of sweeps for AVX-512. Two more number types reach this code through public
 //! generics: `f64` ([`Drive::new`](crate::Drive::new)), which the baseline level uses too, and
 //! `num_dual::Dual64` (`study::certificate`), which adds one copy.
 
