@@ -90,7 +90,7 @@ fn refuse_launch(request: &Request, setup: &Setup<f64>) -> Result<()> {
     })
 }
 
-/// Notes on the defaults that the user did not state: swings, goal and varied parameters.
+/// Notes on the defaults for what the user did not state: swings, goal and varied parameters.
 fn notes_on_defaults(args: &DesignArgs, asked: &Search) -> Vec<String> {
     let Optimize { search, swings, .. } = &args.optimize;
     let mut notes = vec![];

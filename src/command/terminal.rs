@@ -43,7 +43,7 @@ struct Now {
 /// Work that can stop and return its result so far.
 struct Work {
     stop: Arc<AtomicBool>,
-    /// The message when it is interrupted.
+    /// The message when the work is interrupted.
     stopping: &'static str,
     /// The time of the interruption.
     told: Option<Instant>,

@@ -283,7 +283,7 @@ impl State {
     }
 
     /// Second-order correction of a step whose end violates the constraints by more than their
-    /// linear model.
+    /// linear model predicts.
     fn second_order_correction(&mut self, trial: &Trial) -> Option<TrialStep> {
         let tried = trial.point.as_ref()?;
         let unpredicted_violation =

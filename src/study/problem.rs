@@ -386,7 +386,7 @@ impl SearchProblem {
         self.reported(&self.set_up, &self.own(), &self.stop)
     }
 
-    /// Exact goals at `x`, over the scenarios with other weights.
+    /// Exact goals at `x`, with `weights` for the scenarios.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).

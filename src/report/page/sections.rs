@@ -258,8 +258,8 @@ fn is_of_strike(findings: &Findings<'_>, name: &str) -> bool {
     [GOLFER, SPEED_OF].contains(&name) || parameter.is_ok_and(Parameter::is_of_strike)
 }
 
-/// The source of a value, or a remark: for an automatically chosen method or step, and for the
-/// spin values that the launch does not state.
+/// The source of a value; a remark instead for an automatically chosen method or step, and for spin
+/// values that the launch does not state.
 fn source_of(findings: &Findings<'_>, row: &SourcedValue) -> String {
     let (flown, stated) = (findings.setup, findings.stated);
     let is_chosen = match row.name {

@@ -2,14 +2,11 @@
 //! narrow picture, and with the values at the ends of the bars.
 
 use super::axis::{Axis, Scale};
-use super::canvas::{Area, TEXT, block, font, path, stroke, words};
+use super::canvas::{Anchor, Canvas, Font, Stroke, TEXT};
 use super::figure::{Bar, Figure, Layer};
 use super::layers::Plane;
-use super::palette::Palette;
 use super::text_width::{text_width, wrapped};
-use crate::error::Result;
 use crate::units::{System, leading_number, signed, typeset};
-use plotters::style::text_anchor::HPos;
 
 /// Text size of names and values, and the line height of a name, pixels.
 const NAME: f64 = TEXT - 0.5;
@@ -98,54 +95,51 @@ impl Rows {
     }
 
     /// Draws the line at 0 and the names.
-    pub fn draw(&self, area: &Area<'_>, plane: &Plane<'_>, palette: &Palette) -> Result<()> {
+    pub fn draw(&self, canvas: &mut Canvas, plane: &Plane<'_>) {
+        let palette = canvas.palette;
         let [left, top, _, bottom] = plane.frame;
         if let Some(x) = plane.pixel_across(0.0) {
-            path(area, &[[x, top], [x, bottom]], stroke(palette.faint, 1.0))?;
+            canvas.line(&[[x, top], [x, bottom]], Stroke::new(palette.faint, 1.0));
         }
-        let style = || font(NAME, palette.ink, false);
+        let font = Font::new(NAME, palette.ink);
         for (place, lines) in self.names.iter().enumerate() {
             let middle = top + self.middle(place);
             for (i, line) in lines.iter().enumerate() {
-                let below = NAME_LINE * (i as f64 - 0.5 * (lines.len() - 1) as f64);
-                let (at, side) = if self.is_above {
-                    // the last line is next to the bars
-                    let up = 0.5 * ROW + NAME_LINE * (lines.len() as f64 - i as f64 - 0.5) - 2.0;
-                    let y = middle - up;
-                    let right = left + 8.0 + text_width(line, NAME, false);
-                    block(
-                        area,
-                        [left + 2.0, y - 0.5 * NAME_LINE],
-                        [right, y + 0.5 * NAME_LINE],
-                        palette.ground,
-                        1.0,
-                    )?;
-                    ([left + 4.0, y], HPos::Left)
-                } else {
-                    ([left - 8.0, middle + below], HPos::Right)
-                };
-                words(area, line, at, side, style())?;
+                if !self.is_above {
+                    let below = NAME_LINE * (i as f64 - 0.5 * (lines.len() - 1) as f64);
+                    canvas.text(line, [left - 8.0, middle + below], Anchor::Right, font);
+                    continue;
+                }
+                // the last line is next to the bars
+                let up = 0.5 * ROW + NAME_LINE * (lines.len() as f64 - i as f64 - 0.5) - 2.0;
+                let y = middle - up;
+                let right = left + 8.0 + text_width(line, NAME, false);
+                let [low, high] = [
+                    [left + 2.0, y - 0.5 * NAME_LINE],
+                    [right, y + 0.5 * NAME_LINE],
+                ];
+                canvas.rectangle(low, high, palette.ground, 1.0);
+                canvas.text(line, [left + 4.0, y], Anchor::Left, font);
             }
         }
-        Ok(())
     }
 
     /// Draws the bars of a layer with their values.
     pub fn bars(
         &self,
-        area: &Area<'_>,
+        canvas: &mut Canvas,
         plane: &Plane<'_>,
-        palette: &Palette,
         system: System,
         figure: &Figure,
         layer: usize,
-    ) -> Result<()> {
+    ) {
         let Layer::Bars { bars, hue, .. } = &figure.layers[layer] else {
-            return Ok(());
+            return;
         };
-        bars.iter().try_for_each(|bar| {
+        let font = Font::new(VALUE, canvas.palette.ink);
+        for bar in bars {
             let [Some(from), Some(to)] = [bar.from, bar.to].map(|x| plane.pixel_across(x)) else {
-                return Ok(());
+                continue;
             };
             let (lane, lanes) = lane(figure, layer, bar);
             let half = HALF[lanes - 1];
@@ -156,27 +150,16 @@ impl Rows {
                 } else {
                     APART * (2.0 * lane as f64 - 1.0)
                 };
-            block(
-                area,
-                [from.min(to), middle - half],
-                [from.max(to), middle + half],
-                palette.of(*hue),
-                0.85,
-            )?;
-            let is_left = is_left(figure, layer, bar);
-            let (x, side) = if is_left {
-                (to - GAP, HPos::Right)
+            let [low, high] = [[from.min(to), middle - half], [from.max(to), middle + half]];
+            canvas.rectangle(low, high, canvas.palette.of(*hue), 0.85);
+            let (x, anchor) = if is_left(figure, layer, bar) {
+                (to - GAP, Anchor::Right)
             } else {
-                (to + GAP, HPos::Left)
+                (to + GAP, Anchor::Left)
             };
-            words(
-                area,
-                &value(figure, layer, bar, system),
-                [x, middle],
-                side,
-                font(VALUE, palette.ink, false),
-            )
-        })
+            let value = value(figure, layer, bar, system);
+            canvas.text(&value, [x, middle], anchor, font);
+        }
     }
 }
 

@@ -1,18 +1,9 @@
-//! The drawing area of a plot, in pixels of the picture.
+//! The canvas of a plot: SVG elements, in pixels of the picture.
 
-use super::palette::Palette;
+use super::palette::{Color, Palette};
 use super::text_width::text_width;
-use crate::error::{Error, Result};
 use crate::units::typeset;
-use plotters::backend::SVGBackend;
-use plotters::coord::Shift;
-use plotters::drawing::{DrawingArea, DrawingAreaErrorKind};
-use plotters::element::{PathElement, Rectangle, Text};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color, FontStyle, IntoFont, RGBColor, ShapeStyle, TextStyle};
-
-/// Plotters has integer coordinates. This many make a pixel, so that curves are smooth.
-pub(super) const FINE: i32 = 10;
+use maud::{Markup, html};
 
 /// Size of the text, pixels.
 pub(super) const TEXT: f64 = 13.5;
@@ -23,80 +14,157 @@ pub(super) const SIGN: f64 = 24.0;
 /// The height of a line of text, pixels.
 pub(super) const LINE: f64 = 19.0;
 
-pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+/// The side of a text, or its middle, that is at its position.
+#[derive(Clone, Copy)]
+pub(super) enum Anchor {
+    Left,
+    Middle,
+    Right,
+}
 
-/// An error of Plotters as [`Error::Plot`].
-pub(super) fn failed<E: std::error::Error + Send + Sync>(error: DrawingAreaErrorKind<E>) -> Error {
-    Error::Plot {
-        name: "SVG".into(),
-        reason: error.to_string(),
+/// The appearance of a text.
+#[derive(Clone, Copy)]
+pub(super) struct Font {
+    /// The size, pixels.
+    pub size: f64,
+    pub color: Color,
+    pub is_bold: bool,
+}
+
+impl Font {
+    /// A regular font.
+    pub fn new(size: f64, color: Color) -> Self {
+        Self {
+            size,
+            color,
+            is_bold: false,
+        }
     }
 }
 
-/// Pixels as integer coordinates of Plotters.
-pub(super) fn fine(pixels: f64) -> i32 {
-    (pixels * f64::from(FINE)).round() as i32
+/// The appearance of a line.
+#[derive(Clone, Copy)]
+pub(super) struct Stroke {
+    pub color: Color,
+    /// The width, pixels.
+    pub width: f64,
+    pub is_dashed: bool,
 }
 
-/// The style of a line with a width in pixels.
-pub(super) fn stroke(color: RGBColor, width: f64) -> ShapeStyle {
-    color.stroke_width(fine(width) as u32)
+impl Stroke {
+    /// A solid line.
+    pub fn new(color: Color, width: f64) -> Self {
+        Self {
+            color,
+            width,
+            is_dashed: false,
+        }
+    }
 }
 
-/// A font with a size in pixels. (A size of Plotters is 1.24 times the size in SVG.)
-pub(super) fn font(size: f64, color: RGBColor, is_bold: bool) -> TextStyle<'static> {
-    let style = if is_bold {
-        FontStyle::Bold
-    } else {
-        FontStyle::Normal
-    };
-    ("sans-serif", size * 1.24 * f64::from(FINE))
-        .into_font()
-        .style(style)
-        .color(&color)
+/// A picture in progress: each element covers those drawn before.
+pub(super) struct Canvas {
+    pub palette: &'static Palette,
+    /// The elements.
+    pub svg: String,
 }
 
-/// Typeset text with its vertical middle at a position, pixels.
-pub(super) fn words(
-    area: &Area<'_>,
-    text: &str,
-    at: [f64; 2],
-    align: HPos,
-    style: TextStyle<'static>,
-) -> Result<()> {
-    let style = style.pos(Pos::new(align, VPos::Center));
-    area.draw(&Text::new(typeset(text), (fine(at[0]), fine(at[1])), style))
-        .map_err(failed)
+impl Canvas {
+    pub fn new(palette: &'static Palette) -> Self {
+        Self {
+            palette,
+            svg: String::new(),
+        }
+    }
+
+    fn draw(&mut self, element: Markup) {
+        self.svg.push_str(&element.0);
+        self.svg.push('\n');
+    }
+
+    /// Typeset text with its vertical middle at a position.
+    pub fn text(&mut self, text: &str, [x, y]: [f64; 2], anchor: Anchor, font: Font) {
+        let anchor = match anchor {
+            Anchor::Left => "start",
+            Anchor::Middle => "middle",
+            Anchor::Right => "end",
+        };
+        let weight = font.is_bold.then_some("bold");
+        self.draw(html! {
+            text x=(pixels(x)) y=(pixels(y)) dy="0.5ex" text-anchor=(anchor)
+                font-family="sans-serif" font-size=(font.size) font-weight=[weight]
+                fill=(font.color) { (typeset(text)) }
+        });
+    }
+
+    /// A rectangle with an opacity.
+    pub fn rectangle(&mut self, low: [f64; 2], high: [f64; 2], color: Color, opacity: f64) {
+        let [left, top] = low.map(pixels);
+        let [width, height] = [0, 1].map(|axis| pixels(high[axis] - low[axis]));
+        self.draw(html! {
+            rect x=(left) y=(top) width=(width) height=(height) fill=(color) opacity=(opacity) {}
+        });
+    }
+
+    /// A line through points.
+    pub fn line(&mut self, points: &[[f64; 2]], stroke: Stroke) {
+        let dashes = stroke.is_dashed.then_some("6 4");
+        self.draw(html! {
+            polyline points=(list(points)) fill="none" stroke=(stroke.color)
+                stroke-width=(stroke.width) stroke-dasharray=[dashes] {}
+        });
+    }
+
+    /// A filled polygon with an opacity.
+    pub fn polygon(&mut self, points: &[[f64; 2]], color: Color, opacity: f64) {
+        self.draw(html! { polygon points=(list(points)) fill=(color) opacity=(opacity) {} });
+    }
+
+    /// A filled circle.
+    pub fn disc(&mut self, [x, y]: [f64; 2], radius: f64, color: Color) {
+        self.draw(html! { circle cx=(pixels(x)) cy=(pixels(y)) r=(radius) fill=(color) {} });
+    }
+
+    /// An invisible circle with a tooltip.
+    pub fn point_tooltip(&mut self, tooltip: &str, [x, y]: [f64; 2], radius: f64) {
+        self.draw(html! {
+            circle cx=(pixels(x)) cy=(pixels(y)) r=(radius) fill="none" pointer-events="all" {
+                title { (typeset(tooltip)) }
+            }
+        });
+    }
+
+    /// An invisible line with a tooltip.
+    pub fn line_tooltip(&mut self, tooltip: &str, points: &[[f64; 2]], width: f64) {
+        self.draw(html! {
+            path d={ "M" (list(points)) } fill="none" stroke="none" stroke-width=(width)
+                pointer-events="stroke" { title { (typeset(tooltip)) } }
+        });
+    }
 }
 
-/// A rectangle in pixels with an opacity.
-pub(super) fn block(
-    area: &Area<'_>,
-    low: [f64; 2],
-    high: [f64; 2],
-    color: RGBColor,
-    alpha: f64,
-) -> Result<()> {
-    let corners = [low, high].map(|[x, y]| (fine(x), fine(y)));
-    area.draw(&Rectangle::new(corners, color.mix(alpha).filled()))
-        .map_err(failed)
+/// Pixels with one decimal, below the resolution of the eye.
+fn pixels(pixels: f64) -> f64 {
+    (10.0 * pixels).round() / 10.0
 }
 
-/// A line in pixels.
-pub(super) fn path(area: &Area<'_>, points: &[[f64; 2]], style: ShapeStyle) -> Result<()> {
-    let points: Vec<_> = points.iter().map(|[x, y]| (fine(*x), fine(*y))).collect();
-    area.draw(&PathElement::new(points, style)).map_err(failed)
+/// Points as an attribute.
+fn list(points: &[[f64; 2]]) -> String {
+    let points: Vec<String> = points
+        .iter()
+        .map(|[x, y]| format!("{},{}", pixels(*x), pixels(*y)))
+        .collect();
+    points.join(" ")
 }
 
 /// Labels on a background that makes them readable; `taken` are the occupied rectangles.
-pub(super) struct Labels<'a, 'b> {
-    pub area: &'a Area<'b>,
-    pub palette: &'a Palette,
+pub(super) struct Labels<'a> {
+    pub canvas: &'a mut Canvas,
     pub taken: Vec<[[f64; 2]; 2]>,
 }
 
-impl Labels<'_, '_> {
-    /// The rectangle of a text around a point, pixels, large enough for bold text.
+impl Labels<'_> {
+    /// The rectangle of a text around a point, large enough for bold text.
     pub fn extent(text: &str, middle: [f64; 2]) -> [[f64; 2]; 2] {
         let half = [
             0.5 * text_width(&typeset(text), TEXT - 0.5, true) + 3.0,
@@ -117,22 +185,16 @@ impl Labels<'_, '_> {
     }
 
     /// Writes a text centred on a point.
-    pub fn write(
-        &mut self,
-        text: &str,
-        middle: [f64; 2],
-        color: RGBColor,
-        is_bold: bool,
-    ) -> Result<()> {
+    pub fn write(&mut self, text: &str, middle: [f64; 2], color: Color, is_bold: bool) {
         let extent = Self::extent(text, middle);
-        block(self.area, extent[0], extent[1], self.palette.ground, 0.72)?;
+        let ground = self.canvas.palette.ground;
+        self.canvas.rectangle(extent[0], extent[1], ground, 0.72);
         self.taken.push(extent);
-        words(
-            self.area,
-            text,
-            middle,
-            HPos::Center,
-            font(TEXT - 0.5, color, is_bold),
-        )
+        let font = Font {
+            size: TEXT - 0.5,
+            color,
+            is_bold,
+        };
+        self.canvas.text(text, middle, Anchor::Middle, font);
     }
 }

@@ -174,7 +174,7 @@ fn levels(sorted: &[f64]) -> Vec<f64> {
             .map(|ends| Interval {
                 ends: [ends[0], ends[1]],
                 share: (below(ends[1]) - below(ends[0])) as f64 / sorted.len() as f64,
-                is_last: ends[0] == low || ends[1] == high,
+                is_outermost: ends[0] == low || ends[1] == high,
             })
             .collect();
         let refined = |[from, to]: [f64; 2]| -> Vec<f64> {
@@ -205,7 +205,7 @@ struct Interval {
     /// The fraction of the map between the two levels.
     share: f64,
     /// True for the first and the last interval.
-    is_last: bool,
+    is_outermost: bool,
 }
 
 /// The intervals that need finer levels: the interval that covers most of the map, and its dense
@@ -225,7 +225,7 @@ fn dense_stretch(
     let (mut from, mut to) = (densest, densest);
     loop {
         let is_wanted =
-            |i: &usize| from == to || intervals[*i].share > LARGE || intervals[*i].is_last;
+            |i: &usize| from == to || intervals[*i].share > LARGE || intervals[*i].is_outermost;
         let sides = [
             from.checked_sub(1),
             Some(to + 1).filter(|i| *i < intervals.len()),
@@ -238,7 +238,7 @@ fn dense_stretch(
         };
         (from, to) = (from.min(side), to.max(side));
     }
-    (from < to || intervals[from].is_last).then(|| ends(from, to))
+    (from < to || intervals[from].is_outermost).then(|| ends(from, to))
 }
 
 /// Maximum number of lines before refinement, approximately.

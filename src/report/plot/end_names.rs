@@ -1,18 +1,16 @@
 //! Names of lines at their right ends, beside the plot.
 
-use super::canvas::{LINE, Labels, TEXT, font, path, stroke, words};
+use super::canvas::{Anchor, Canvas, Font, LINE, Stroke, TEXT};
 use super::figure::{Figure, Hue, Layer, LineNames};
 use super::layers::Plane;
 use super::legend::whole_name;
 use super::text_width::{text_width, wrapped};
-use crate::error::Result;
 use crate::units::typeset;
-use plotters::style::text_anchor::HPos;
 
 /// Text size, pixels.
 const SIZE: f64 = TEXT - 0.5;
 
-/// Distance of lines of a name, and additional distance between names, pixels.
+/// Distance between lines of a name, and extra distance between names, pixels.
 const APART: f64 = LINE - 3.0;
 const GAP: f64 = 3.0;
 
@@ -79,7 +77,7 @@ impl<'a> EndNames<'a> {
     }
 
     /// Writes each name beside the end of its line, as near as the others allow.
-    pub fn draw(&self, labels: &Labels<'_, '_>, plane: &Plane<'_>, figure: &Figure) -> Result<()> {
+    pub fn draw(&self, canvas: &mut Canvas, plane: &Plane<'_>, figure: &Figure) {
         let [_, top, right, bottom] = plane.frame;
         let placed = self.names.iter();
         let placed = placed.filter_map(|name| Some((name, name.end(plane, figure)?)));
@@ -95,7 +93,7 @@ impl<'a> EndNames<'a> {
         let heights: Vec<f64> = all.iter().map(|(name, _)| name.height()).collect();
         let middles = spread(&wanted, &heights, [top, bottom]);
         for (i, ((name, end), middle)) in all.into_iter().zip(middles).enumerate() {
-            let color = labels.palette.of(name.hue);
+            let color = canvas.palette.of(name.hue);
             let start = [right + CONNECTOR, middle];
             let mut connector = vec![end];
             if i < above {
@@ -104,15 +102,18 @@ impl<'a> EndNames<'a> {
                 connector.extend([[end[0], up], [across, up], [across, middle]]);
             }
             connector.push([start[0] - 3.0, middle]);
-            path(labels.area, &connector, stroke(color, 0.7))?;
+            canvas.line(&connector, Stroke::new(color, 0.7));
+            let font = Font {
+                size: SIZE,
+                color,
+                is_bold: is_bold(name.hue),
+            };
             let first = middle - 0.5 * APART * (name.lines.len() - 1) as f64;
             for (i, line) in name.lines.iter().enumerate() {
                 let at = [start[0], first + APART * i as f64];
-                let style = font(SIZE, color, is_bold(name.hue));
-                words(labels.area, line, at, HPos::Left, style)?;
+                canvas.text(line, at, Anchor::Left, font);
             }
         }
-        Ok(())
     }
 }
 

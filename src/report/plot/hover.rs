@@ -1,56 +1,37 @@
 //! Tooltips: SVG titles on invisible shapes.
 
 use super::axis::{Axis, Measure, Scale};
-use super::canvas::fine;
+use super::canvas::Canvas;
 use super::contour::Ground;
 use super::figure::{Figure, Layer};
 use super::layers::Plane;
 use super::simplify::simplified;
-use crate::units::{Quantity, System, significant, typeset};
+use crate::units::{Quantity, System, significant};
 
 /// Maximum number of points of a line with a tooltip at each point.
 const FEW: usize = 40;
 
-/// The tooltips of all values, as SVG; `grounds` are the contour regions of each layer.
-pub(super) fn titles(
+/// Writes the tooltips of all values; `grounds` are the contour regions of each layer.
+pub(super) fn write_tooltips(
+    canvas: &mut Canvas,
     figure: &Figure,
     plane: &Plane<'_>,
     system: System,
     grounds: &[Vec<Ground>],
-) -> String {
-    let points = figure.layers.iter().flat_map(points);
-    let points = points.filter_map(|(name, place)| {
-        let [x, y] = plane.pixel(place)?;
-        Some(format!(
-            "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"none\" \
-             pointer-events=\"all\"><title>{}</title></circle>\n",
-            fine(x),
-            fine(y),
-            fine(7.0),
-            escaped(&title(figure, name, place, system))
-        ))
-    });
+) {
+    for (name, place) in figure.layers.iter().flat_map(points) {
+        if let Some(at) = plane.pixel(place) {
+            canvas.point_tooltip(&title(figure, name, place, system), at, 7.0);
+        }
+    }
     let contours = figure.layers.iter().zip(grounds);
     let contours = contours.flat_map(|(layer, grounds)| contours_of(layer, grounds, system));
-    let lines = contours.chain(figure.layers.iter().flat_map(long_lines));
-    let lines = lines.filter_map(|(title, points)| {
+    for (title, points) in contours.chain(figure.layers.iter().flat_map(long_lines)) {
         let places = simplified(&plane.all(points));
-        if title.is_empty() || places.len() < 2 {
-            return None;
+        if !title.is_empty() && places.len() > 1 {
+            canvas.line_tooltip(&title, &places, 8.0);
         }
-        let path: Vec<String> = places
-            .iter()
-            .map(|[x, y]| format!("{},{}", fine(*x), fine(*y)))
-            .collect();
-        Some(format!(
-            "<path d=\"M{}\" fill=\"none\" stroke=\"none\" stroke-width=\"{}\" \
-             pointer-events=\"stroke\"><title>{}</title></path>\n",
-            path.join("L"),
-            fine(8.0),
-            escaped(&title)
-        ))
-    });
-    points.chain(lines).collect()
+    }
 }
 
 /// The title of a point: its name and its coordinates.
@@ -134,12 +115,4 @@ fn of(measure: &Measure, value: f64, system: System) -> String {
         return significant(value, 4);
     }
     measure.quantity.read_off(value, system.unit(measure.unit))
-}
-
-/// Typeset text, with XML's special characters escaped.
-pub(super) fn escaped(text: &str) -> String {
-    typeset(text)
-        .replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('"', "&quot;")
 }

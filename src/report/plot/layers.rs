@@ -1,16 +1,13 @@
 //! Draws each kind of layer, in pixels of the plot.
 
-use super::canvas::{Area, FINE, Labels, SIGN, block, failed, fine, path, stroke};
+use super::canvas::{Canvas, Labels, SIGN, Stroke};
 use super::contour::Ground;
 use super::figure::{Field, Figure, Hue, Layer};
 use super::hatching::hatching;
-use super::palette::Palette;
+use super::palette::Color;
 use super::simplify::simplified;
 use super::ticks::Drawn;
-use crate::error::Result;
 use crate::units::{System, significant, with_unit};
-use plotters::element::{Circle, DashedPathElement, PathElement, Polygon};
-use plotters::style::{Color, RGBColor};
 
 /// Distance of the first cross bar of a series along its line (the middle of the legend's symbol),
 /// and distance between cross bars, pixels.
@@ -20,6 +17,9 @@ const BARS_APART: f64 = 32.0;
 /// Widths of lines: of background elements, and of the others, pixels.
 const THIN: f64 = 1.2;
 pub(super) const WIDE: f64 = 2.0;
+
+/// Radius of a dot, pixels.
+const DOT: f64 = 3.0;
 
 /// Distance between hatching lines, pixels.
 const HATCHES_APART: f64 = 11.0;
@@ -83,77 +83,71 @@ pub(super) fn is_area(layer: &Layer) -> bool {
 }
 
 /// Draws one layer; `grounds` are its contour regions, without their lines. Labels are drawn later.
-pub(super) fn draw(
-    area: &Area<'_>,
-    plane: &Plane<'_>,
-    palette: &Palette,
-    layer: &Layer,
-    grounds: &[Ground],
-) -> Result<()> {
+pub(super) fn draw(canvas: &mut Canvas, plane: &Plane<'_>, layer: &Layer, grounds: &[Ground]) {
     let hue = layer.named().1.unwrap_or(Hue::Ink);
-    let color = palette.of(hue);
+    let color = canvas.palette.of(hue);
     match layer {
         Layer::Line {
             is_dashed, points, ..
-        } => plane
-            .pieces(points)
-            .iter()
-            .try_for_each(|piece| series(area, piece, palette, hue, *is_dashed)),
-        Layer::Dots { points, .. } => plane
-            .all(points)
-            .into_iter()
-            .try_for_each(|at| point(area, at, palette, hue)),
+        } => {
+            for piece in plane.pieces(points) {
+                series(canvas, &piece, hue, *is_dashed);
+            }
+        }
+        Layer::Dots { points, .. } => {
+            for at in plane.all(points) {
+                point(canvas, at, hue);
+            }
+        }
         Layer::Band { points, .. } => {
             let low = points.iter().map(|[x, low, _]| [*x, *low]);
             let high = points.iter().rev().map(|[x, _, high]| [*x, *high]);
-            polygon(
-                area,
-                &plane.all(&low.chain(high).collect::<Vec<_>>()),
-                color,
-                0.22,
-            )
+            let outline = plane.all(&low.chain(high).collect::<Vec<_>>());
+            canvas.polygon(&outline, color, 0.22);
         }
-        // bars are drawn with the names of the rows
-        Layer::Bars { .. } => Ok(()),
-        Layer::Contours(field) => ground(area, plane, palette, field, grounds),
-        // a mark is drawn with its label: neither appears alone
-        Layer::Mark { .. } | Layer::Text { .. } => Ok(()),
+        Layer::Contours(field) => ground(canvas, plane, field, grounds),
+        // bars are drawn with the names of the rows, a mark with its label: neither appears alone
+        Layer::Bars { .. } | Layer::Mark { .. } | Layer::Text { .. } => {}
         // arrows are drawn after the labels, which have precedence
-        Layer::Arrows { name, .. } if !name.is_empty() => Ok(()),
+        Layer::Arrows { name, .. } if !name.is_empty() => {}
         Layer::Arrows { arrows, .. } => {
-            pixels(plane, arrows).try_for_each(|[from, to]| arrow(area, from, to, color))
+            for [from, to] in pixels(plane, arrows) {
+                arrow(canvas, from, to, color);
+            }
         }
         Layer::Region {
             is_hatched, rings, ..
         } => {
             let rings: Vec<_> = rings.iter().map(|ring| plane.all(ring)).collect();
-            region(area, &rings, palette, hue, *is_hatched)
+            region(canvas, &rings, hue, *is_hatched);
         }
         Layer::Frame { low, high, .. } => {
             let [Some(low), Some(high)] = [plane.pixel(*low), plane.pixel(*high)] else {
-                return Ok(());
+                return;
             };
             let corners = [low, [high[0], low[1]], high, [low[0], high[1]], low];
-            line(area, &corners, color, WIDE, true)
+            line(canvas, &corners, color, WIDE, true);
         }
     }
 }
 
 /// The arrows of a field, except those that a label or mark would partly cover.
-pub(super) fn field_arrows(
-    labels: &Labels<'_, '_>,
-    plane: &Plane<'_>,
-    figure: &Figure,
-) -> Result<()> {
-    figure.layers.iter().try_for_each(|layer| match layer {
-        Layer::Arrows { name, hue, arrows } if !name.is_empty() => pixels(plane, arrows)
-            .filter(|[from, to]| {
-                let end = |pick: fn(f64, f64) -> f64| [pick(from[0], to[0]), pick(from[1], to[1])];
-                labels.is_free([end(f64::min), end(f64::max)])
-            })
-            .try_for_each(|[from, to]| arrow(labels.area, from, to, labels.palette.of(*hue))),
-        _ => Ok(()),
-    })
+pub(super) fn field_arrows(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &Figure) {
+    for layer in &figure.layers {
+        let Layer::Arrows { name, hue, arrows } = layer else {
+            continue;
+        };
+        if name.is_empty() {
+            continue;
+        }
+        let color = labels.canvas.palette.of(*hue);
+        for [from, to] in pixels(plane, arrows) {
+            let end = |pick: fn(f64, f64) -> f64| [pick(from[0], to[0]), pick(from[1], to[1])];
+            if labels.is_free([end(f64::min), end(f64::max)]) {
+                arrow(labels.canvas, from, to, color);
+            }
+        }
+    }
 }
 
 /// The arrows with both ends inside the axes, in pixels.
@@ -165,35 +159,36 @@ fn pixels(plane: &Plane<'_>, arrows: &[[[f64; 2]; 2]]) -> impl Iterator<Item = [
 
 /// Writes the levels of contours where there is space.
 pub(super) fn label(
-    labels: &mut Labels<'_, '_>,
+    labels: &mut Labels<'_>,
     plane: &Plane<'_>,
     system: System,
     figure: &Figure,
     grounds: &[Vec<Ground>],
-) -> Result<()> {
+) {
+    let ink = labels.canvas.palette.ink;
     for (layer, grounds) in figure.layers.iter().zip(grounds) {
-        if let Layer::Contours(field) = layer {
-            let unit = system.unit(field.measure.unit);
-            for ground in grounds {
-                let text = with_unit(&significant(ground.level, 6), unit);
-                let mut lines: Vec<_> = ground.lines.iter().map(|line| plane.all(line)).collect();
-                lines.sort_by_key(|line| std::cmp::Reverse(line.len()));
-                let at = lines
-                    .iter()
-                    .find_map(|line| place_on(labels, plane, line, &text, 0.0));
-                at.map_or(Ok(()), |at| {
-                    labels.write(&text, at, labels.palette.ink, false)
-                })?;
+        let Layer::Contours(field) = layer else {
+            continue;
+        };
+        let unit = system.unit(field.measure.unit);
+        for ground in grounds {
+            let text = with_unit(&significant(ground.level, 6), unit);
+            let mut lines: Vec<_> = ground.lines.iter().map(|line| plane.all(line)).collect();
+            lines.sort_by_key(|line| std::cmp::Reverse(line.len()));
+            let at = lines
+                .iter()
+                .find_map(|line| place_on(labels, plane, line, &text, 0.0));
+            if let Some(at) = at {
+                labels.write(&text, at, ink, false);
             }
         }
     }
-    Ok(())
 }
 
-/// A free position for a label on a line, at least `apart` pixels beside other labels, as near as possible to the middle: the ends of several
-/// lines are often close together.
+/// A free position for a label on a line, at least `apart` pixels beside other labels, as near as
+/// possible to the middle: the ends of several lines are often close together.
 pub(super) fn place_on(
-    labels: &Labels<'_, '_>,
+    labels: &Labels<'_>,
     plane: &Plane<'_>,
     places: &[[f64; 2]],
     text: &str,
@@ -220,59 +215,40 @@ pub(super) fn place_on(
 }
 
 /// Draws a region: hatched, or tinted with an outline.
-pub(super) fn region(
-    area: &Area<'_>,
-    rings: &[Vec<[f64; 2]>],
-    palette: &Palette,
-    hue: Hue,
-    is_hatched: bool,
-) -> Result<()> {
-    let color = palette.of(hue);
+pub(super) fn region(canvas: &mut Canvas, rings: &[Vec<[f64; 2]>], hue: Hue, is_hatched: bool) {
+    let color = canvas.palette.of(hue);
     if is_hatched {
-        return hatching(rings, HATCHES_APART)
-            .iter()
-            .try_for_each(|ends| path(area, ends, stroke(color, 0.6)));
+        for ends in hatching(rings, HATCHES_APART) {
+            canvas.line(&ends, Stroke::new(color, 0.6));
+        }
+        return;
     }
-    rings.iter().try_for_each(|ring| {
-        polygon(area, ring, palette.tint(hue), 1.0)?;
+    for ring in rings {
+        canvas.polygon(ring, canvas.palette.tint(hue), 1.0);
         let closed: Vec<_> = ring.iter().chain(ring.first()).copied().collect();
-        path(area, &closed, stroke(color, 1.6))
-    })
+        canvas.line(&closed, Stroke::new(color, 1.6));
+    }
 }
 
 /// Draws the contour lines.
-pub(super) fn contour_lines(
-    area: &Area<'_>,
-    plane: &Plane<'_>,
-    palette: &Palette,
-    grounds: &[Ground],
-) -> Result<()> {
-    let lines = grounds.iter().flat_map(|ground| &ground.lines);
-    lines.into_iter().try_for_each(|line| {
-        path(
-            area,
-            &simplified(&plane.all(line)),
-            stroke(palette.faint, 0.7),
-        )
-    })
+pub(super) fn contour_lines(canvas: &mut Canvas, plane: &Plane<'_>, grounds: &[Ground]) {
+    let stroke = Stroke::new(canvas.palette.faint, 0.7);
+    for line in grounds.iter().flat_map(|ground| &ground.lines) {
+        canvas.line(&simplified(&plane.all(line)), stroke);
+    }
 }
 
-fn ground(
-    area: &Area<'_>,
-    plane: &Plane<'_>,
-    palette: &Palette,
-    field: &Field,
-    grounds: &[Ground],
-) -> Result<()> {
+fn ground(canvas: &mut Canvas, plane: &Plane<'_>, field: &Field, grounds: &[Ground]) {
+    let palette = canvas.palette;
     let shade = |i: usize| {
         // the shade of the middle between this level and the next
         let next = grounds.get(i + 1).map_or(1.0, |next| next.part);
         palette.height(0.5 * (grounds[i].part + next))
     };
     for (i, ground) in grounds.iter().enumerate() {
-        ground.outlines.iter().try_for_each(|outline| {
-            polygon(area, &simplified(&plane.all(outline)), shade(i), 1.0)
-        })?;
+        for outline in &ground.outlines {
+            canvas.polygon(&simplified(&plane.all(outline)), shade(i), 1.0);
+        }
     }
     let (columns, rows) = (field.columns, field.rows());
     // cover missing values by one rectangle for each run in a row; the rectangles overlap a little,
@@ -291,123 +267,82 @@ fn ground(
                 corner(to, row as f64 + 0.52),
             ];
             if let (true, [Some(low), Some(high)]) = (run[0].is_none(), corners) {
-                block(
-                    area,
-                    [low[0], high[1]],
-                    [high[0], low[1]],
-                    palette.nothing,
-                    1.0,
-                )?;
+                let [top_left, bottom_right] = [[low[0], high[1]], [high[0], low[1]]];
+                canvas.rectangle(top_left, bottom_right, palette.nothing, 1.0);
             }
         }
     }
-    Ok(())
 }
 
+/// Draws a line; a single point is a dot.
 pub(super) fn line(
-    area: &Area<'_>,
+    canvas: &mut Canvas,
     points: &[[f64; 2]],
-    color: RGBColor,
+    color: Color,
     width: f64,
     is_dashed: bool,
-) -> Result<()> {
-    if points.len() < 2 {
-        return points.iter().try_for_each(|at| dot(area, *at, color));
+) {
+    match points {
+        [] => {}
+        [at] => canvas.disc(*at, DOT, color),
+        _ => canvas.line(
+            points,
+            Stroke {
+                color,
+                width,
+                is_dashed,
+            },
+        ),
     }
-    let style = stroke(color, width);
-    if !is_dashed {
-        return path(area, points, style);
-    }
-    let points: Vec<_> = points.iter().map(|[x, y]| (fine(*x), fine(*y))).collect();
-    area.draw(&DashedPathElement::new(points, 6 * FINE, 4 * FINE, style))
-        .map_err(failed)
 }
 
 /// Draws a line of a series, with cross bars at regular distances.
-pub(super) fn series(
-    area: &Area<'_>,
-    points: &[[f64; 2]],
-    palette: &Palette,
-    hue: Hue,
-    is_dashed: bool,
-) -> Result<()> {
-    let color = palette.of(hue);
+pub(super) fn series(canvas: &mut Canvas, points: &[[f64; 2]], hue: Hue, is_dashed: bool) {
+    let color = canvas.palette.of(hue);
     let width = if hue == Hue::Faint { THIN } else { WIDE };
-    line(area, points, color, width, is_dashed)?;
+    line(canvas, points, color, width, is_dashed);
     let (mut gone, mut next) = (0.0, FIRST_BARS);
     for pair in points.windows(2) {
         let [dx, dy] = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
         let length = dx.hypot(dy);
         while length > 0.0 && gone + length >= next {
             let part = (next - gone) / length;
-            bars(
-                area,
-                [pair[0][0] + part * dx, pair[0][1] + part * dy],
-                [dx / length, dy / length],
-                color,
-                hue.bars(),
-            )?;
+            let at = [pair[0][0] + part * dx, pair[0][1] + part * dy];
+            bars(canvas, at, [dx / length, dy / length], color, hue.bars());
             next += BARS_APART;
         }
         gone += length;
     }
-    Ok(())
 }
 
 /// Draws a point of a series with oblique cross bars: vertical bars would look like error bars.
-pub(super) fn point(area: &Area<'_>, at: [f64; 2], palette: &Palette, hue: Hue) -> Result<()> {
-    dot(area, at, palette.of(hue))?;
-    bars(area, at, [0.5_f64.sqrt(); 2], palette.of(hue), hue.bars())
+pub(super) fn point(canvas: &mut Canvas, at: [f64; 2], hue: Hue) {
+    let color = canvas.palette.of(hue);
+    canvas.disc(at, DOT, color);
+    bars(canvas, at, [0.5_f64.sqrt(); 2], color, hue.bars());
 }
 
 /// Draws short parallel bars across a direction, centred on a point.
-fn bars(
-    area: &Area<'_>,
-    [x, y]: [f64; 2],
-    [dx, dy]: [f64; 2],
-    color: RGBColor,
-    count: usize,
-) -> Result<()> {
-    (0..count).try_for_each(|i| {
+fn bars(canvas: &mut Canvas, [x, y]: [f64; 2], [dx, dy]: [f64; 2], color: Color, count: usize) {
+    for i in 0..count {
         let along = 3.5 * (i as f64 - 0.5 * (count - 1) as f64);
         let end = |side: f64| [x + along * dx - side * dy, y + along * dy + side * dx];
-        path(area, &[end(-5.5), end(5.5)], stroke(color, 1.5))
-    })
-}
-
-fn dot(area: &Area<'_>, [x, y]: [f64; 2], color: RGBColor) -> Result<()> {
-    area.draw(&Circle::new((fine(x), fine(y)), 3 * FINE, color.filled()))
-        .map_err(failed)
-}
-
-pub(super) fn star(
-    area: &Area<'_>,
-    palette: &Palette,
-    [x, y]: [f64; 2],
-    color: RGBColor,
-) -> Result<()> {
-    for (radius, color) in [(6.5, palette.ground), (5.0, color), (2.0, palette.ground)] {
-        area.draw(&Circle::new(
-            (fine(x), fine(y)),
-            fine(radius),
-            color.filled(),
-        ))
-        .map_err(failed)?;
+        canvas.line(&[end(-5.5), end(5.5)], Stroke::new(color, 1.5));
     }
-    Ok(())
 }
 
-fn polygon(area: &Area<'_>, points: &[[f64; 2]], color: RGBColor, alpha: f64) -> Result<()> {
-    let points: Vec<_> = points.iter().map(|[x, y]| (fine(*x), fine(*y))).collect();
-    area.draw(&Polygon::new(points, color.mix(alpha).filled()))
-        .map_err(failed)
+pub(super) fn star(canvas: &mut Canvas, at: [f64; 2], color: Color) {
+    let ground = canvas.palette.ground;
+    for (radius, color) in [(6.5, ground), (5.0, color), (2.0, ground)] {
+        canvas.disc(at, radius, color);
+    }
 }
 
-pub(super) fn arrow(area: &Area<'_>, from: [f64; 2], to: [f64; 2], color: RGBColor) -> Result<()> {
+pub(super) fn arrow(canvas: &mut Canvas, from: [f64; 2], to: [f64; 2], color: Color) {
     let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
     let length = dx.hypot(dy);
     if length < 1.0 {
-        return Ok(());
+        return;
     }
     let [dx, dy] = [dx / length, dy / length];
     let head = 6.0_f64.min(0.6 * length);
@@ -417,13 +352,9 @@ pub(super) fn arrow(area: &Area<'_>, from: [f64; 2], to: [f64; 2], color: RGBCol
             to[1] - head * (dy + side * 0.5 * dx),
         ]
     };
-    path(area, &[from, to], stroke(color, 1.3))?;
-    let points: Vec<_> = [wing(1.0), to, wing(-1.0)]
-        .iter()
-        .map(|[x, y]| (fine(*x), fine(*y)))
-        .collect();
-    area.draw(&PathElement::new(points.clone(), stroke(color, 1.3)))
-        .map_err(failed)?;
-    area.draw(&Polygon::new(points, color.filled()))
-        .map_err(failed)
+    let stroke = Stroke::new(color, 1.3);
+    canvas.line(&[from, to], stroke);
+    let tip = [wing(1.0), to, wing(-1.0)];
+    canvas.line(&tip, stroke);
+    canvas.polygon(&tip, color, 1.0);
 }

@@ -1,13 +1,10 @@
 //! The legend: names of layers, in lines above the plot.
 
-use super::canvas::{Area, LINE, SIGN, TEXT, block, font, words};
+use super::canvas::{Anchor, Canvas, Font, LINE, SIGN, TEXT};
 use super::figure::{Figure, Hue, Layer, LineNames};
 use super::layers::{WIDE, arrow, line, point, region, series};
-use super::palette::Palette;
 use super::text_width::{text_width, wrapped};
-use crate::error::Result;
 use crate::units::typeset;
-use plotters::style::text_anchor::HPos;
 
 /// Text size, pixels.
 const SIZE: f64 = TEXT - 0.5;
@@ -124,38 +121,29 @@ pub(super) fn whole_name<'a>(figure: &Figure, name: &'a str) -> &'a str {
 
 impl Entry<'_> {
     /// Draws the symbol and the name of a layer; `left` and `top` are the corner of the legend.
-    pub fn draw(&self, area: &Area<'_>, palette: &Palette, [left, top]: [f64; 2]) -> Result<()> {
+    pub fn draw(&self, canvas: &mut Canvas, [left, top]: [f64; 2]) {
         let hue = self.layer.named().1.unwrap_or(Hue::Ink);
-        let color = palette.of(hue);
+        let color = canvas.palette.of(hue);
         let [x, y] = [left + self.at[0], top + self.at[1]];
         let ends = [[x, y], [x + SIGN, y]];
+        let [low, high] = [[x, y - 6.0], [x + SIGN, y + 6.0]];
         match self.layer {
-            Layer::Line { is_dashed, .. } => series(area, &ends, palette, hue, *is_dashed)?,
+            Layer::Line { is_dashed, .. } => series(canvas, &ends, hue, *is_dashed),
             Layer::Region { is_hatched, .. } => {
-                let corners = [
-                    [x, y - 6.0],
-                    [x + SIGN, y - 6.0],
-                    [x + SIGN, y + 6.0],
-                    [x, y + 6.0],
-                ];
-                region(area, &[corners.to_vec()], palette, hue, *is_hatched)?;
+                let corners = vec![low, [high[0], low[1]], high, [low[0], high[1]]];
+                region(canvas, &[corners], hue, *is_hatched);
             }
-            Layer::Frame { .. } => line(area, &ends, color, WIDE, true)?,
-            Layer::Dots { .. } => point(area, [x + 0.5 * SIGN, y], palette, hue)?,
-            Layer::Band { .. } => block(area, [x, y - 6.0], [x + SIGN, y + 6.0], color, 0.22)?,
-            Layer::Bars { .. } => block(area, [x, y - 6.0], [x + SIGN, y + 6.0], color, 0.85)?,
-            Layer::Arrows { .. } => arrow(area, ends[0], ends[1], color)?,
+            Layer::Frame { .. } => line(canvas, &ends, color, WIDE, true),
+            Layer::Dots { .. } => point(canvas, [x + 0.5 * SIGN, y], hue),
+            Layer::Band { .. } => canvas.rectangle(low, high, color, 0.22),
+            Layer::Bars { .. } => canvas.rectangle(low, high, color, 0.85),
+            Layer::Arrows { .. } => arrow(canvas, ends[0], ends[1], color),
             Layer::Contours(_) | Layer::Mark { .. } | Layer::Text { .. } => {}
         }
-        let style = || font(SIZE, palette.ink, false);
-        self.lines.iter().enumerate().try_for_each(|(i, line)| {
-            words(
-                area,
-                line,
-                [x + SIGN + GAPS[0], y + i as f64 * LINE],
-                HPos::Left,
-                style(),
-            )
-        })
+        let font = Font::new(SIZE, canvas.palette.ink);
+        for (i, line) in self.lines.iter().enumerate() {
+            let at = [x + SIGN + GAPS[0], y + i as f64 * LINE];
+            canvas.text(line, at, Anchor::Left, font);
+        }
     }
 }

@@ -1,11 +1,10 @@
 //! Marks with labels in free positions.
 
-use super::canvas::{LINE, Labels, path, stroke};
+use super::canvas::{LINE, Labels, Stroke};
 use super::figure::{Figure, Layer};
 use super::layers::{Plane, star};
 use super::legend;
-use crate::error::Result;
-use plotters::style::RGBColor;
+use super::palette::Color;
 
 /// Half the size of a mark, and the distance between a mark and its label, pixels.
 const SIZE: f64 = 6.5;
@@ -35,15 +34,11 @@ const FAR: f64 = 1.5 * LINE;
 
 /// Draws the marks, then their labels. Marks whose label is also in the legend are drawn only if
 /// all of them have space for their labels.
-pub(super) fn write_marks(
-    labels: &mut Labels<'_, '_>,
-    plane: &Plane<'_>,
-    figure: &Figure,
-) -> Result<()> {
+pub(super) fn write_marks(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &Figure) {
     let marks = figure.layers.iter().filter_map(|layer| match layer {
         Layer::Mark { name, hue, at } => Some(Mark {
             name: name.clone(),
-            color: labels.palette.of(*hue),
+            color: labels.canvas.palette.of(*hue),
             at: plane.pixel(*at)?,
         }),
         _ => None,
@@ -52,7 +47,7 @@ pub(super) fn write_marks(
         marks.partition(|mark| !mark.name.is_empty() && legend::has(figure, &mark.name));
     let needed = merged(needed);
     for mark in &needed {
-        star(labels.area, labels.palette, mark.at, mark.color)?;
+        star(labels.canvas, mark.at, mark.color);
         labels.taken.push(around(&mark.at));
     }
     let lines = lines(plane, figure);
@@ -62,20 +57,15 @@ pub(super) fn write_marks(
         }
         let others = [&needed[..i], &needed[i + 1..]].concat();
         match beside(labels, plane, mark, &others, &lines) {
-            Some(middle) => write_connected(labels, mark, middle)?,
-            None => write_near(labels, plane, &mark.name, mark.at, mark.color, FAR)?,
+            Some(middle) => write_connected(labels, mark, middle),
+            None => write_near(labels, plane, &mark.name, mark.at, mark.color, FAR),
         }
     }
-    write_doubled(labels, plane, &doubled, &lines)
+    write_doubled(labels, plane, &doubled, &lines);
 }
 
 /// Draws marks with their labels if there is space for all labels.
-fn write_doubled(
-    labels: &mut Labels<'_, '_>,
-    plane: &Plane<'_>,
-    doubled: &[Mark],
-    lines: &[[f64; 2]],
-) -> Result<()> {
+fn write_doubled(labels: &mut Labels<'_>, plane: &Plane<'_>, doubled: &[Mark], lines: &[[f64; 2]]) {
     let before = labels.taken.len();
     labels
         .taken
@@ -84,20 +74,19 @@ fn write_doubled(
     for mark in doubled {
         let Some(middle) = beside(labels, plane, mark, &[], lines) else {
             labels.taken.truncate(before);
-            return Ok(());
+            return;
         };
         labels.taken.push(Labels::extent(&mark.name, middle));
         middles.push(middle);
     }
     for (mark, middle) in doubled.iter().zip(middles) {
-        star(labels.area, labels.palette, mark.at, mark.color)?;
-        write_connected(labels, mark, middle)?;
+        star(labels.canvas, mark.at, mark.color);
+        write_connected(labels, mark, middle);
     }
-    Ok(())
 }
 
 /// Writes the label of a mark, with a line between the two if the label is away from the mark.
-fn write_connected(labels: &mut Labels<'_, '_>, mark: &Mark, middle: [f64; 2]) -> Result<()> {
+fn write_connected(labels: &mut Labels<'_>, mark: &Mark, middle: [f64; 2]) {
     let [low, high] = Labels::extent(&mark.name, middle);
     let end = [0, 1].map(|axis| mark.at[axis].clamp(low[axis], high[axis]));
     let [dx, dy] = [0, 1].map(|axis| end[axis] - mark.at[axis]);
@@ -107,16 +96,18 @@ fn write_connected(labels: &mut Labels<'_, '_>, mark: &Mark, middle: [f64; 2]) -
             mark.at[0] + SIZE / length * dx,
             mark.at[1] + SIZE / length * dy,
         ];
-        path(labels.area, &[start, end], stroke(mark.color, 0.8))?;
+        labels
+            .canvas
+            .line(&[start, end], Stroke::new(mark.color, 0.8));
     }
-    labels.write(&mark.name, middle, mark.color, true)
+    labels.write(&mark.name, middle, mark.color, true);
 }
 
 /// A mark in pixels.
 #[derive(Clone)]
 struct Mark {
     name: String,
-    color: RGBColor,
+    color: Color,
     at: [f64; 2],
 }
 
@@ -148,11 +139,7 @@ fn merged(marks: Vec<Mark>) -> Vec<Mark> {
 
 /// Writes the labels without a symbol, moved sideways into the frame, where they cover no other
 /// label.
-pub(super) fn write_texts(
-    labels: &mut Labels<'_, '_>,
-    plane: &Plane<'_>,
-    figure: &Figure,
-) -> Result<()> {
+pub(super) fn write_texts(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &Figure) {
     for layer in &figure.layers {
         let Layer::Text { name, hue, at } = layer else {
             continue;
@@ -164,29 +151,28 @@ pub(super) fn write_texts(
         let half = Labels::extent(name, [0.0, 0.0])[1][0];
         let middle = [x.min(right - half).max(left + half), y];
         if is_free(labels, plane, name, &middle) {
-            labels.write(name, middle, labels.palette.of(*hue), false)?;
+            labels.write(name, middle, labels.canvas.palette.of(*hue), false);
         }
     }
-    Ok(())
 }
 
 /// Writes a label as near as possible to a point. If it is farther than `far`, a line connects the
 /// two.
 pub(super) fn write_near(
-    labels: &mut Labels<'_, '_>,
+    labels: &mut Labels<'_>,
     plane: &Plane<'_>,
     name: &str,
     at: [f64; 2],
-    color: RGBColor,
+    color: Color,
     far: f64,
-) -> Result<()> {
+) {
     let middle = nearest(labels, plane, name, at);
     let [dx, dy] = [middle[0] - at[0], middle[1] - at[1]];
     let half = Labels::extent(name, [0.0, 0.0])[1][0];
     if (dx.abs() - half).max(0.0).hypot(dy) > far {
-        path(labels.area, &[at, middle], stroke(color, 0.8))?;
+        labels.canvas.line(&[at, middle], Stroke::new(color, 0.8));
     }
-    labels.write(name, middle, color, true)
+    labels.write(name, middle, color, true);
 }
 
 /// Equidistant points along the lines of a figure, so dense that no label fits between them, pixels.
@@ -218,7 +204,7 @@ fn lines(plane: &Plane<'_>, figure: &Figure) -> Vec<[f64; 2]> {
 }
 
 /// True if a label centred on a point is inside the frame and covers nothing.
-fn is_free(labels: &Labels<'_, '_>, plane: &Plane<'_>, name: &str, middle: &[f64; 2]) -> bool {
+fn is_free(labels: &Labels<'_>, plane: &Plane<'_>, name: &str, middle: &[f64; 2]) -> bool {
     let [left, top, right, bottom] = plane.frame;
     let [low, high] = Labels::extent(name, *middle);
     low[0] >= left
@@ -231,7 +217,7 @@ fn is_free(labels: &Labels<'_, '_>, plane: &Plane<'_>, name: &str, middle: &[f64
 /// The middle of a label next to its mark, or above or below it, in a free position that covers the
 /// least of the lines and is nearer to its mark than to the others.
 fn beside(
-    labels: &Labels<'_, '_>,
+    labels: &Labels<'_>,
     plane: &Plane<'_>,
     Mark { name, at, .. }: &Mark,
     others: &[Mark],
@@ -281,7 +267,7 @@ fn distance(at: [f64; 2], [low, high]: [[f64; 2]; 2]) -> f64 {
 }
 
 /// The nearest free middle of a label in the frame. In a full frame, the label covers something.
-fn nearest(labels: &Labels<'_, '_>, plane: &Plane<'_>, name: &str, at: [f64; 2]) -> [f64; 2] {
+fn nearest(labels: &Labels<'_>, plane: &Plane<'_>, name: &str, at: [f64; 2]) -> [f64; 2] {
     const STEP: f64 = 8.0;
     let [left, top, right, bottom] = plane.frame;
     let [wide, tall] = Labels::extent(name, [0.0, 0.0])[1];

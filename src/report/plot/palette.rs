@@ -1,5 +1,15 @@
 use super::figure::Hue;
-use plotters::style::RGBColor;
+use std::fmt;
+
+/// A colour: red, green and blue, sRGB.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Color(pub u8, pub u8, pub u8);
+
+impl fmt::Display for Color {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "#{:02X}{:02X}{:02X}", self.0, self.1, self.2)
+    }
+}
 
 /// The colours of a picture. The hues of series remain distinguishable with colour blindness (after
 /// Okabe & Ito, 2008, darkened or lightened to a contrast of 3 : 1 with the background and with the
@@ -7,62 +17,58 @@ use plotters::style::RGBColor;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Palette {
     /// The background.
-    pub ground: RGBColor,
+    pub ground: Color,
     /// Text and axes.
-    pub ink: RGBColor,
+    pub ink: Color,
     /// Background elements.
-    pub faint: RGBColor,
+    pub faint: Color,
     /// Grid lines.
-    pub mesh: RGBColor,
+    pub mesh: Color,
     /// Missing values of a field.
-    pub nothing: RGBColor,
-    series: [RGBColor; Hue::SERIES],
+    pub nothing: Color,
+    series: [Color; Hue::SERIES],
     /// The colours of the lowest, middle and highest region of a field.
-    heights: [RGBColor; 3],
+    heights: [Color; 3],
 }
 
 /// The colours for a bright page and for print.
 pub const LIGHT: Palette = Palette {
-    ground: RGBColor(255, 255, 255),
-    ink: RGBColor(28, 33, 40),
-    faint: RGBColor(94, 103, 115),
-    mesh: RGBColor(222, 226, 231),
-    nothing: RGBColor(214, 209, 203),
+    ground: Color(255, 255, 255),
+    ink: Color(28, 33, 40),
+    faint: Color(94, 103, 115),
+    mesh: Color(222, 226, 231),
+    nothing: Color(214, 209, 203),
     series: [
-        RGBColor(0, 101, 166),
-        RGBColor(192, 76, 0),
-        RGBColor(0, 122, 90),
-        RGBColor(160, 70, 128),
-        RGBColor(134, 104, 0),
-        RGBColor(0, 123, 146),
+        Color(0, 101, 166),
+        Color(192, 76, 0),
+        Color(0, 122, 90),
+        Color(160, 70, 128),
+        Color(134, 104, 0),
+        Color(0, 123, 146),
     ],
     heights: [
-        RGBColor(246, 249, 237),
-        RGBColor(202, 231, 215),
-        RGBColor(156, 216, 210),
+        Color(246, 249, 237),
+        Color(202, 231, 215),
+        Color(156, 216, 210),
     ],
 };
 
 /// The colours for a dark page.
 pub const DARK: Palette = Palette {
-    ground: RGBColor(20, 24, 29),
-    ink: RGBColor(232, 236, 240),
-    faint: RGBColor(152, 162, 174),
-    mesh: RGBColor(52, 59, 68),
-    nothing: RGBColor(62, 56, 50),
+    ground: Color(20, 24, 29),
+    ink: Color(232, 236, 240),
+    faint: Color(152, 162, 174),
+    mesh: Color(52, 59, 68),
+    nothing: Color(62, 56, 50),
     series: [
-        RGBColor(98, 180, 240),
-        RGBColor(255, 158, 82),
-        RGBColor(64, 200, 160),
-        RGBColor(228, 152, 202),
-        RGBColor(226, 200, 84),
-        RGBColor(130, 225, 236),
+        Color(98, 180, 240),
+        Color(255, 158, 82),
+        Color(64, 200, 160),
+        Color(228, 152, 202),
+        Color(226, 200, 84),
+        Color(130, 225, 236),
     ],
-    heights: [
-        RGBColor(26, 33, 42),
-        RGBColor(28, 62, 70),
-        RGBColor(30, 90, 92),
-    ],
+    heights: [Color(26, 33, 42), Color(28, 62, 70), Color(30, 90, 92)],
 };
 
 /// The share of a series' colour in the tint of its region; the rest is the background.
@@ -72,7 +78,7 @@ const TINTED: f64 = 0.28;
 pub(super) const STEPS: usize = 24;
 
 impl Palette {
-    pub(super) fn of(&self, hue: Hue) -> RGBColor {
+    pub(super) fn of(&self, hue: Hue) -> Color {
         match hue {
             Hue::Ink => self.ink,
             Hue::Faint => self.faint,
@@ -81,19 +87,19 @@ impl Palette {
     }
 
     /// The colour of a field's region at a fraction of the range, 0 to 1.
-    pub(super) fn height(&self, part: f64) -> RGBColor {
+    pub(super) fn height(&self, part: f64) -> Color {
         let part = (part.clamp(0.0, 1.0) * STEPS as f64).round() / STEPS as f64 * 2.0;
         let (low, high) = if part < 1.0 { (0, 1) } else { (1, 2) };
         mixed(self.heights[low], self.heights[high], part - low as f64)
     }
 
     /// The opaque fill of a tinted region, on a map and in the legend.
-    pub(super) fn tint(&self, hue: Hue) -> RGBColor {
+    pub(super) fn tint(&self, hue: Hue) -> Color {
         mixed(self.ground, self.of(hue), TINTED)
     }
 
     /// All colours, in the same order for each palette.
-    pub(super) fn all(&self) -> Vec<RGBColor> {
+    pub(super) fn all(&self) -> Vec<Color> {
         let heights = (0..=STEPS).map(|step| self.height(step as f64 / STEPS as f64));
         let tints = (0..Hue::SERIES).map(|i| self.tint(Hue::Series(i)));
         [self.ground, self.ink, self.faint, self.mesh, self.nothing]
@@ -106,17 +112,17 @@ impl Palette {
 }
 
 /// The colour at a fraction of the way from one to another.
-fn mixed(from: RGBColor, to: RGBColor, part: f64) -> RGBColor {
+fn mixed(from: Color, to: Color, part: f64) -> Color {
     let mix = |a: u8, b: u8| (f64::from(a) + part * (f64::from(b) - f64::from(a))).round() as u8;
-    RGBColor(mix(from.0, to.0), mix(from.1, to.1), mix(from.2, to.2))
+    Color(mix(from.0, to.0), mix(from.1, to.1), mix(from.2, to.2))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{DARK, LIGHT, RGBColor, STEPS};
+    use super::{Color, DARK, LIGHT, STEPS};
 
     /// The contrast ratio of two colours, 1 to 21 (WCAG 2.1, relative luminance).
-    fn contrast(a: RGBColor, b: RGBColor) -> f64 {
+    fn contrast(a: Color, b: Color) -> f64 {
         let linear = |part: u8| {
             let part = f64::from(part) / 255.0;
             if part <= 0.04045 {
@@ -126,7 +132,7 @@ mod tests {
             }
         };
         let luminance =
-            |c: RGBColor| 0.2126 * linear(c.0) + 0.7152 * linear(c.1) + 0.0722 * linear(c.2);
+            |c: Color| 0.2126 * linear(c.0) + 0.7152 * linear(c.1) + 0.0722 * linear(c.2);
         let (a, b) = (luminance(a) + 0.05, luminance(b) + 0.05);
         a.max(b) / a.min(b)
     }
@@ -138,9 +144,9 @@ mod tests {
             let mix = |over: u8, under: u8| {
                 (0.22 * f64::from(over) + 0.78 * f64::from(under)).round() as u8
             };
-            let band = |c: RGBColor| {
+            let band = |c: Color| {
                 let ground = palette.ground;
-                RGBColor(mix(c.0, ground.0), mix(c.1, ground.1), mix(c.2, ground.2))
+                Color(mix(c.0, ground.0), mix(c.1, ground.1), mix(c.2, ground.2))
             };
             let heights = (0..=STEPS).map(|step| palette.height(step as f64 / STEPS as f64));
             let fills = heights

@@ -1,11 +1,10 @@
 //! The picture of a figure, with its further views below.
 
-use super::canvas::fine;
 use super::figure::Figure;
-use super::hover::escaped;
 use super::svg::{Look, Panel, panel};
 use crate::error::Result;
-use std::fmt::Write;
+use crate::units::typeset;
+use maud::{PreEscaped, html};
 
 /// Minimum width of a view in a row with other views, pixels.
 const LEAST_BESIDE: u32 = 280;
@@ -33,32 +32,26 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
         .chunks(columns)
         .map(|row| row.iter().map(|panel| panel.height).fold(0.0, f64::max));
     let (width, height) = (f64::from(look.width), heights.clone().sum::<f64>());
-    let mut svg = format!(
-        "<svg width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {} {}\" role=\"img\" \
-         aria-label=\"{}\" xmlns=\"http://www.w3.org/2000/svg\">\n<desc>{}</desc>",
-        fine(width),
-        fine(height),
-        escaped(&figure.title),
-        escaped(&figure.note),
-    );
     let mut top = 0.0;
+    let mut views = vec![];
     for (row, height) in panels.chunks(columns).zip(heights) {
-        for (i, Panel { body, .. }) in row.iter().enumerate() {
+        for (i, panel) in row.iter().enumerate() {
             let left = i as f64 * f64::from(each.width);
-            // writing to a string cannot fail
-            let _ = if top == 0.0 && left == 0.0 {
-                write!(svg, "{body}")
+            let body = PreEscaped(&panel.body);
+            views.push(if top == 0.0 && left == 0.0 {
+                html! { (body) }
             } else {
-                write!(
-                    svg,
-                    "<g transform=\"translate({} {})\">{body}</g>",
-                    fine(left),
-                    fine(top)
-                )
-            };
+                html! { g transform={ "translate(" (left) " " (top) ")" } { (body) } }
+            });
         }
         top += height;
     }
-    svg.push_str("</svg>\n");
-    Ok(svg)
+    let svg = html! {
+        svg width=(width) height=(height) viewBox={ "0 0 " (width) " " (height) } role="img"
+            aria-label=(typeset(&figure.title)) xmlns="http://www.w3.org/2000/svg" {
+            "\n" desc { (typeset(&figure.note)) } "\n"
+            @for view in views { (view) }
+        }
+    };
+    Ok(svg.0 + "\n")
 }

@@ -1,20 +1,19 @@
-use super::canvas::{Area, FINE, LINE, Labels, TEXT, failed, fine, font, stroke, words};
+use super::canvas::{Anchor, Canvas, Font, LINE, Labels, Stroke, TEXT};
 use super::contour::grounds;
 use super::figure::{Figure, Layer};
-use super::hover::titles as hover_titles;
+use super::hover::write_tooltips;
 use super::layers::{Plane, contour_lines, draw, field_arrows, is_area, label};
 use super::layout::{Layout, MARGIN, NUMBER, TITLE};
 use super::line_names::write_line_names;
 use super::marks::{write_marks, write_texts};
 use super::palette::{DARK, LIGHT, Palette};
+use super::ticks::Drawn;
 use crate::error::Result;
 use crate::units::System;
-use plotters::backend::SVGBackend;
-use plotters::chart::ChartBuilder;
-use plotters::drawing::IntoDrawingArea;
-use plotters::style::text_anchor::HPos;
-use plotters::style::{Color, TRANSPARENT, TextStyle};
 use std::fmt::Write;
+
+/// Length of a tick, pixels.
+const TICK: f64 = 4.0;
 
 /// The appearance of a plot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,37 +68,25 @@ pub(super) struct Panel {
 /// width is too small for them.
 pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
     let layout = Layout::new(figure, look.system, look.width)?;
-    let mut svg = String::new();
-    let hover = draw_all(&mut svg, figure, look, &layout)?;
-    // only the elements: the picture may contain several panels
-    let body = svg
-        .split_once('>')
-        .map_or("", |(_, body)| body)
-        .trim_end()
-        .trim_end_matches("</svg>");
+    let mut canvas = Canvas::new(look.shades.palette());
+    let size = [f64::from(look.width), layout.height];
+    canvas.rectangle([0.0, 0.0], size, canvas.palette.ground, 1.0);
+    write_texts_around(&mut canvas, &layout);
+    draw_inside(&mut canvas, figure, look.system, &layout);
     Ok(Panel {
-        body: format!("{body}{hover}"),
+        body: canvas.svg,
         height: layout.height,
     })
 }
 
-/// Draws a figure and returns its tooltips.
-fn draw_all(svg: &mut String, figure: &Figure, look: &Look, layout: &Layout<'_>) -> Result<String> {
-    let (palette, system) = (look.shades.palette(), look.system);
-    let size = (
-        fine(f64::from(look.width)) as u32,
-        fine(layout.height) as u32,
-    );
-    let area = SVGBackend::with_string(svg, size).into_drawing_area();
-    area.fill(&palette.ground).map_err(failed)?;
-    texts(&area, palette, layout)?;
+/// Draws the axes, the layers and their labels.
+fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &Layout<'_>) {
     let plane = Plane {
         x: &layout.x,
         y: &layout.y,
         frame: layout.frame,
     };
-    let is_map = |layer: &Layer| matches!(layer, Layer::Contours(_));
-    axes(&area, &plane, palette, figure.layers.iter().any(is_map))?;
+    draw_axes(canvas, &plane, figure);
     // computed once for drawing, labels and tooltips
     let contours = |layer: &Layer| match layer {
         Layer::Contours(field) => grounds(field, system),
@@ -109,97 +96,103 @@ fn draw_all(svg: &mut String, figure: &Figure, look: &Look, layout: &Layout<'_>)
     let layers = || figure.layers.iter().zip(&grounds);
     let (areas, others): (Vec<_>, Vec<_>) = layers().partition(|(layer, _)| is_area(layer));
     for (layer, grounds) in areas {
-        draw(&area, &plane, palette, layer, grounds)?;
+        draw(canvas, &plane, layer, grounds);
     }
     for grounds in &grounds {
-        contour_lines(&area, &plane, palette, grounds)?;
+        contour_lines(canvas, &plane, grounds);
     }
     for (layer, grounds) in others {
-        draw(&area, &plane, palette, layer, grounds)?;
+        draw(canvas, &plane, layer, grounds);
     }
     if let Some(rows) = &layout.rows {
-        rows.draw(&area, &plane, palette)?;
-        (0..figure.layers.len())
-            .try_for_each(|layer| rows.bars(&area, &plane, palette, system, figure, layer))?;
+        rows.draw(canvas, &plane);
+        for layer in 0..figure.layers.len() {
+            rows.bars(canvas, &plane, system, figure, layer);
+        }
     }
     let mut labels = Labels {
-        area: &area,
-        palette,
+        canvas,
         taken: vec![],
     };
-    write_marks(&mut labels, &plane, figure)?;
-    write_texts(&mut labels, &plane, figure)?;
-    write_line_names(&mut labels, &plane, figure)?;
+    write_marks(&mut labels, &plane, figure);
+    write_texts(&mut labels, &plane, figure);
+    write_line_names(&mut labels, &plane, figure);
     if let Some(names) = &layout.end_names {
-        names.draw(&labels, &plane, figure)?;
+        names.draw(labels.canvas, &plane, figure);
     }
-    label(&mut labels, &plane, system, figure, &grounds)?;
-    field_arrows(&labels, &plane, figure)?;
-    area.present().map_err(failed)?;
-    Ok(hover_titles(figure, &plane, system, &grounds))
+    label(&mut labels, &plane, system, figure, &grounds);
+    field_arrows(&mut labels, &plane, figure);
+    write_tooltips(canvas, figure, &plane, system, &grounds);
 }
 
 /// Writes the title, the line below it, the legend and the titles of the axes.
-fn texts(area: &Area<'_>, palette: &Palette, layout: &Layout<'_>) -> Result<()> {
-    let frame = layout.frame;
-    let write = |lines: &[String], first: [f64; 2], side: HPos, style: &TextStyle<'static>| {
-        lines.iter().enumerate().try_for_each(|(i, line)| {
-            let at = [first[0], first[1] + i as f64 * LINE];
-            words(area, line, at, side, style.clone())
-        })
+fn write_texts_around(canvas: &mut Canvas, layout: &Layout<'_>) {
+    let [_, upper, right, bottom] = layout.frame;
+    let bold = Font {
+        size: TITLE,
+        color: canvas.palette.ink,
+        is_bold: true,
     };
-    let bold = font(TITLE, palette.ink, true);
-    let faint = font(TEXT, palette.faint, false);
+    let faint = Font::new(TEXT, canvas.palette.faint);
+    let mut write = |lines: &[String], first: [f64; 2], anchor: Anchor, font: Font| {
+        for (i, line) in lines.iter().enumerate() {
+            canvas.text(line, [first[0], first[1] + i as f64 * LINE], anchor, font);
+        }
+    };
     let top = 0.5 * LINE + 3.0;
-    write(&layout.titles, [MARGIN, top], HPos::Left, &bold)?;
+    write(&layout.titles, [MARGIN, top], Anchor::Left, bold);
     let below = layout.titles.len() as f64 * LINE;
-    write(&layout.subtitles, [MARGIN, below + top], HPos::Left, &faint)?;
+    let second = [MARGIN, below + top];
+    write(&layout.subtitles, second, Anchor::Left, faint);
+    let above = upper - (layout.y_title.len() as f64 - 0.5) * LINE - 8.0;
+    write(&layout.y_title, [MARGIN, above], Anchor::Left, faint);
+    let x_title = [right, bottom + 1.6 * LINE + 1.0];
+    write(&layout.x_title, x_title, Anchor::Right, faint);
     let legend = [MARGIN, below + layout.subtitles.len() as f64 * LINE + 5.0];
-    let mut entries = layout.legend.iter();
-    entries.try_for_each(|entry| entry.draw(area, palette, legend))?;
-    let above = frame[1] - (layout.y_title.len() as f64 - 0.5) * LINE - 8.0;
-    write(&layout.y_title, [MARGIN, above], HPos::Left, &faint)?;
-    let x_title = [frame[2], frame[3] + 1.6 * LINE + 1.0];
-    write(&layout.x_title, x_title, HPos::Right, &faint)
+    for entry in &layout.legend {
+        entry.draw(canvas, legend);
+    }
 }
 
-/// Draws the axes and the grid with Plotters.
-fn axes(area: &Area<'_>, plane: &Plane<'_>, palette: &Palette, is_map: bool) -> Result<()> {
-    let Plane { x, y, frame } = plane;
-    let (wide, tall) = area.dim_in_pixel();
-    let label_height = fine(1.2 * LINE);
-    let mut chart = ChartBuilder::on(area)
-        .margin_top(fine(frame[1]))
-        .margin_right(wide as i32 - fine(frame[2]))
-        .margin_bottom(tall as i32 - fine(frame[3]) - label_height)
-        .x_label_area_size(label_height)
-        .y_label_area_size(fine(frame[0]))
-        .build_cartesian_2d((*x).clone(), (*y).clone())
-        .map_err(failed)?;
-    let mut mesh = chart.configure_mesh();
-    if is_map {
-        mesh.disable_mesh();
+/// Draws the axes with their ticks, and the grid except under a map.
+fn draw_axes(canvas: &mut Canvas, plane: &Plane<'_>, figure: &Figure) {
+    let [left, top, right, bottom] = plane.frame;
+    let palette = canvas.palette;
+    let mesh = Stroke::new(palette.mesh, 0.8);
+    let axis = Stroke::new(palette.faint, 1.0);
+    let font = Font::new(NUMBER, palette.ink);
+    let is_map = |layer: &Layer| matches!(layer, Layer::Contours(_));
+    let has_grid = !figure.layers.iter().any(is_map);
+    let part = |drawn: &Drawn, tick: f64| (tick - drawn.low) / (drawn.high - drawn.low);
+    let x_of = |tick: &f64| left + part(plane.x, *tick) * (right - left);
+    let y_of = |tick: &f64| bottom - part(plane.y, *tick) * (bottom - top);
+    if has_grid {
+        for x in plane.x.ticks.iter().map(x_of) {
+            canvas.line(&[[x, top], [x, bottom]], mesh);
+        }
+        for y in plane.y.ticks.iter().map(y_of) {
+            canvas.line(&[[left, y], [right, y]], mesh);
+        }
     }
-    mesh.light_line_style(TRANSPARENT)
-        .bold_line_style(stroke(palette.mesh, 0.8))
-        .axis_style(stroke(palette.faint, 1.0))
-        .label_style(font(NUMBER, palette.ink, false))
-        .set_all_tick_mark_size(4 * FINE)
-        .x_label_formatter(&|at| x.text(*at))
-        .y_label_formatter(&|at| y.text(*at))
-        .draw()
-        .map_err(failed)
+    canvas.line(&[[left, top], [left, bottom], [right, bottom]], axis);
+    for tick in &plane.x.ticks {
+        let x = x_of(tick);
+        canvas.line(&[[x, bottom], [x, bottom + TICK]], axis);
+        let at = [x, bottom + 2.0 * TICK + 0.4 * NUMBER];
+        canvas.text(&plane.x.text(*tick), at, Anchor::Middle, font);
+    }
+    for tick in &plane.y.ticks {
+        let y = y_of(tick);
+        canvas.line(&[[left - TICK, y], [left, y]], axis);
+        let at = [left - 2.0 * TICK, y];
+        canvas.text(&plane.y.text(*tick), at, Anchor::Right, font);
+    }
 }
 
 /// CSS rules that give dark colours to the light pictures inside `inside`.
 pub fn dark_rules(inside: &str) -> String {
     let mut rules = String::new();
     for (light, dark) in LIGHT.all().into_iter().zip(DARK.all()) {
-        let hex = |color: plotters::style::RGBColor| {
-            let (r, g, b) = color.rgb();
-            format!("#{r:02X}{g:02X}{b:02X}")
-        };
-        let (light, dark) = (hex(light), hex(dark));
         // writing to a string cannot fail
         let _ = writeln!(
             rules,

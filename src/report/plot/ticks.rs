@@ -3,8 +3,6 @@
 use super::axis::{Axis, Scale};
 use super::text_width::text_width;
 use crate::units::{System, significant};
-use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
-use std::ops::Range;
 
 /// An axis with its ends and ticks, in the unit of a system; for a logarithmic axis, their
 /// logarithms.
@@ -169,30 +167,6 @@ impl Drawn {
             (place(pair[1]) - place(pair[0])).abs()
                 >= least(&self.text(pair[0]), &self.text(pair[1]))
         })
-    }
-}
-
-/// For Plotters an axis is a coordinate with ticks.
-impl Ranged for Drawn {
-    type FormatOption = DefaultFormatting;
-    type ValueType = f64;
-
-    fn range(&self) -> Range<f64> {
-        self.low..self.high
-    }
-
-    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
-        let part = (value - self.low) / (self.high - self.low);
-        limit.0 + (part * f64::from(limit.1 - limit.0)).round() as i32
-    }
-
-    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
-        // all ticks are bold points for Plotters
-        if hint.weight().allow_light_points() {
-            vec![]
-        } else {
-            self.ticks.clone()
-        }
     }
 }
 

@@ -49,9 +49,9 @@ pub struct Energy {
 pub struct Subsystems {
     /// Launch at the optimum of the whole system.
     pub whole: Launched,
-    /// Best launch of the flight alone at the ball speed of [`whole`](Self::whole).
+    /// Launch that flies farthest at the ball speed of [`whole`](Self::whole).
     pub flight: Launched,
-    /// Best delivery of the impact alone (maximum ball speed) at the attack angle of the optimum,
+    /// Delivery with the largest ball speed at the attack angle of the optimum,
     /// with its carry.
     pub impact: Delivery,
     /// Derivatives of carry by ball speed, launch angle and backspin at the optimum: m per m/s, per

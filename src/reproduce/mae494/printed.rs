@@ -30,7 +30,7 @@ pub const TABLE_2: [[f64; 3]; 9] = [
     [15.0, 7.2053, 243.43],
 ];
 
-/// Recommended optimum: loft and swing elevation, deg, one from each table, and the longest
+/// Recommended optimum: the loft of Table 1, deg, a swing elevation of Table 2, deg, and the longest
 /// distance of Table 1, m.
 pub const OPTIMUM: [f64; 3] = [17.68, 7.3, 248.48];
 

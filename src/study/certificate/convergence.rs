@@ -145,7 +145,7 @@ struct Flown {
     taylors: Vec<Taylor>,
 }
 
-/// Flights with several time steps, and the reference flights.
+/// The same flight at several time steps, and the reference flights.
 struct Comparison<'a> {
     setup: &'a Setup<f64>,
     drive: &'a Drive<f64>,

@@ -234,9 +234,9 @@ fn integrated_alike(mut setups: [Setup<f64>; 2]) -> [Setup<f64>; 2] {
     setups
 }
 
-/// Setups that give the launches of two drives: by spin and spin axis if the axis turns by less
-/// than a right angle; otherwise by backspin and sidespin, which vary linearly even through zero
-/// spin.
+/// Setups that give the launches of two drives. They state spin and spin axis if the axes of the
+/// drives differ by less than a right angle; otherwise backspin and sidespin, which vary linearly
+/// even through zero spin.
 fn as_launched(drives: [(&Setup<f64>, &Drive<f64>); 2]) -> [Setup<f64>; 2] {
     let [from, to] = drives.map(|(_, drive)| drive.launch.spin_axis());
     let has_axis = (from - to).abs() < FRAC_PI_2;

@@ -262,7 +262,7 @@ struct Sample<'a> {
     distributions: Vec<Distribution>,
     design: Design,
     at_means: Vec<Option<Taylor>>,
-    /// Results of each set of points.
+    /// Results of each set of points, in blocks.
     blocks: Vec<Vec<Block>>,
 }
 
