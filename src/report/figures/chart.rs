@@ -1,4 +1,5 @@
 use super::map::capital;
+use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::shown;
 use crate::study::{Chart, ChartPoint, Optimum, Vary};
@@ -26,111 +27,138 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
         return found;
     };
     let search = &first.best.search;
-    let along = Measure::parameter(chart.along.parameter);
-    let tag = chart.along.parameter.name.replace('.', "-");
-    let x = || Axis::linear(along.clone());
-    let of = Measure::outcome(search.outcome());
-    let own = own.and_then(|best| Some((best.setup.value(chart.along.parameter)?, best)));
-    let own = own.filter(|(at, _)| (chart.along.low..=chart.along.high).contains(at));
-    let yours = |y: Option<f64>, told: &dyn Fn(f64) -> String| {
-        let (at, y) = own.map(|(at, _)| at).zip(y)?;
-        let name = format!(
-            "{}: {}",
-            shown::stated(chart.along.parameter, at, system),
-            told(y)
-        );
-        Some(Layer::Mark {
-            name,
-            hue: Hue::SET_UP,
-            at: [at, y],
-        })
-    };
-    let line = |points: Vec<[f64; 2]>| Layer::Line {
-        name: "optimum".into(),
-        hue: Hue::OPTIMUM,
-        is_dashed: true,
-        points,
-    };
-    let value = chart
-        .points
-        .iter()
-        .filter_map(|point| Some([point.at, point.best.value()?]))
-        .collect();
-    let name = format!("chart-{}-by-{tag}", search.outcome().name());
-    let title = format!("Best {} against {}", of.label, along.label);
-    let mut best = Figure::new(name, title, x(), Axis::linear(of)).with(line(value));
-    let own_value = own.and_then(|(_, best)| best.value());
-    best.layers.extend(yours(own_value, &|value| {
-        shown::outcome(search.outcome(), value, system)
-    }));
-    best = marked(best, chart, system, |point| point.best.value());
-
+    let drawing = Drawing::new(chart, own, system);
     for (i, vary) in search.vary.iter().enumerate() {
-        if let Some(end) = held(chart, i, vary) {
-            let measure = Measure::parameter(vary.parameter);
-            let at = shown::stated(
-                vary.parameter,
-                if end == "lower" { vary.low } else { vary.high },
-                system,
-            );
-            let why = if vary.low == vary.high {
-                "the only value it may have".into()
-            } else {
-                format!("its {end} bound")
-            };
-            found.held.push((
-                *vary,
-                format!(
-                    "{}: {at}, {why}, in every optimum.",
-                    capital(&measure.label)
-                ),
-            ));
-            continue;
+        match held(chart, i, vary) {
+            Some(end) => found.held.push((*vary, held_sentence(vary, end, system))),
+            None => found.drawn.push(drawing.parameter(i, vary)),
         }
+    }
+    let mut best = drawing.value(search.outcome());
+    let notes = found.held.iter().map(|(_, why)| why.as_str());
+    let notes = std::iter::once(best.note.as_str()).chain(notes);
+    let notes: Vec<&str> = notes.filter(|note| !note.is_empty()).collect();
+    best.note = notes.join(" ");
+    found.drawn.insert(0, best);
+    found
+}
+
+/// What the plots of a chart share.
+struct Drawing<'a> {
+    chart: &'a Chart,
+    /// The optimum of the drive as set up, with its value of the chart's parameter.
+    own: Option<(f64, &'a Optimum)>,
+    system: System,
+    along: Measure,
+}
+
+impl<'a> Drawing<'a> {
+    fn new(chart: &'a Chart, own: Option<&'a Optimum>, system: System) -> Self {
+        let own = own.and_then(|best| Some((best.setup.value(chart.along.parameter)?, best)));
+        Self {
+            chart,
+            own: own.filter(|(at, _)| (chart.along.low..=chart.along.high).contains(at)),
+            system,
+            along: Measure::parameter(chart.along.parameter),
+        }
+    }
+
+    /// The plot of the optimal value.
+    fn value(&self, of: Outcome) -> Figure {
+        let measure = Measure::outcome(of);
+        let points = self.chart.points.iter();
+        let line = points.filter_map(|point| Some([point.at, point.best.value()?]));
+        let title = format!("Best {} against {}", measure.label, self.along.label);
+        let mut figure = self
+            .figure(of.name(), title, measure)
+            .with(optimum_line(line));
+        if let Some((at, best)) = self.own {
+            let mark = |value| self.own_mark(at, value, &shown::outcome(of, value, self.system));
+            figure.layers.extend(best.value().map(mark));
+        }
+        marked(figure, self.chart, self.system, |point| point.best.value())
+    }
+
+    /// The plot of the optimal value of the varied parameter `i`, with the bounds of its range.
+    fn parameter(&self, i: usize, vary: &Vary) -> Figure {
         let measure = Measure::parameter(vary.parameter);
         let title = format!(
             "{} of the best drive against {}",
             capital(&measure.label),
-            along.label
+            self.along.label
         );
-        let name = format!("chart-{}-by-{tag}", vary.parameter.name.replace('.', "-"));
-        let path = chart
-            .points
-            .iter()
-            .map(|point| [point.at, point.best.solution.x[i]])
-            .collect();
-        let bound = |name: &str, at: f64| {
-            let points = vec![[chart.along.low, at], [chart.along.high, at]];
-            Layer::Line {
-                name: name.into(),
-                hue: Hue::Faint,
-                is_dashed: true,
-                points,
-            }
-        };
-        let mut figure = Figure::new(name, title, x(), Axis::linear(measure))
-            .with(bound("bounds", vary.low))
-            .with(bound("", vary.high))
-            .with(line(path));
-        let told = |value: f64| shown::parameter(vary.parameter, value, system);
-        figure.layers.extend(yours(
-            own.and_then(|(_, best)| best.solution.x.get(i).copied()),
-            &told,
-        ));
-        found
-            .drawn
-            .push(marked(figure, chart, system, move |point| {
-                Some(point.best.solution.x[i])
-            }));
+        let points = self.chart.points.iter();
+        let line = points.map(|point| [point.at, point.best.solution.x[i]]);
+        let name = vary.parameter.name.replace('.', "-");
+        let mut figure = self
+            .figure(&name, title, measure)
+            .with(self.bound_line("bounds", vary.low))
+            .with(self.bound_line("", vary.high))
+            .with(optimum_line(line));
+        if let Some((at, best)) = self.own {
+            let told = |value| shown::parameter(vary.parameter, value, self.system);
+            let mark = |value: &f64| self.own_mark(at, *value, &told(*value));
+            figure.layers.extend(best.solution.x.get(i).map(mark));
+        }
+        marked(figure, self.chart, self.system, |point| {
+            Some(point.best.solution.x[i])
+        })
     }
-    let notes =
-        std::iter::once(best.note.clone()).chain(found.held.iter().map(|(_, why)| why.clone()));
-    best.note = notes
-        .filter(|note| !note.is_empty())
-        .collect::<Vec<_>>()
-        .join(" ");
-    found.drawn.insert(0, best);
-    found
+
+    fn figure(&self, of: &str, title: String, measure: Measure) -> Figure {
+        let tag = self.chart.along.parameter.name.replace('.', "-");
+        let name = format!("chart-{of}-by-{tag}");
+        Figure::new(
+            name,
+            title,
+            Axis::linear(self.along.clone()),
+            Axis::linear(measure),
+        )
+    }
+
+    fn bound_line(&self, name: &str, bound: f64) -> Layer {
+        Layer::Line {
+            name: name.into(),
+            hue: Hue::Faint,
+            is_dashed: true,
+            points: vec![
+                [self.chart.along.low, bound],
+                [self.chart.along.high, bound],
+            ],
+        }
+    }
+
+    /// The mark of the drive as set up, with its value in words.
+    fn own_mark(&self, at: f64, value: f64, told: &str) -> Layer {
+        let place = shown::stated(self.chart.along.parameter, at, self.system);
+        Layer::Mark {
+            name: format!("{place}: {told}"),
+            hue: Hue::SET_UP,
+            at: [at, value],
+        }
+    }
+}
+
+fn optimum_line(points: impl Iterator<Item = [f64; 2]>) -> Layer {
+    Layer::Line {
+        name: "optimum".into(),
+        hue: Hue::OPTIMUM,
+        is_dashed: true,
+        points: points.collect(),
+    }
+}
+
+/// The sentence that stands in place of the plot of a parameter at a bound.
+fn held_sentence(vary: &Vary, end: &str, system: System) -> String {
+    let bound = if end == "lower" { vary.low } else { vary.high };
+    let at = shown::stated(vary.parameter, bound, system);
+    let why = if vary.low == vary.high {
+        "the only value it may have".into()
+    } else {
+        format!("its {end} bound")
+    };
+    let label = capital(&Measure::parameter(vary.parameter).label);
+    format!("{label}: {at}, {why}, in every optimum.")
 }
 
 /// The bound at which a varied parameter is in every optimum, if there is one.

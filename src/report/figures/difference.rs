@@ -12,31 +12,10 @@ const MOST: usize = 12;
 pub fn difference_figure(difference: &Difference, system: System) -> Figure {
     let of = difference.of;
     let measure = Measure::outcome(of);
-    let mut names: Vec<String> = vec![];
-    let mut left_out = 0;
-    let mut bars = |split: &Shares| -> Vec<Bar> {
-        let is_rounding =
-            |share: &&Share| shown::is_rounding(of, difference.values[0], share.amount);
-        let mut shares: Vec<&Share> = split
-            .shares
-            .iter()
-            .filter(|share| !is_rounding(share))
-            .collect();
-        shares.sort_by(|a, b| b.amount.abs().total_cmp(&a.amount.abs()));
-        left_out += shares.len().saturating_sub(MOST);
-        shares.truncate(MOST);
-        let bar = |share: &Share| {
-            names.push(words(share.cause.name()));
-            Bar {
-                place: names.len() - 1,
-                from: 0.0,
-                to: share.amount,
-            }
-        };
-        shares.into_iter().map(bar).collect()
-    };
-    let by_parameter = bars(&difference.by_parameter);
-    let by_launch = difference.by_launch.as_ref().map(bars);
+    let mut rows = Rows::default();
+    let by_parameter = rows.bars(difference, &difference.by_parameter);
+    let by_launch = difference.by_launch.as_ref();
+    let by_launch = by_launch.map(|split| rows.bars(difference, split));
     let layer = |name: &str, hue: usize, bars: Vec<Bar>| Layer::Bars {
         name: name.into(),
         hue: Hue::Series(hue),
@@ -51,7 +30,7 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
         format!("difference-{}", of.name()),
         title,
         x,
-        Axis::names(names),
+        Axis::names(rows.names),
     )
     .with(layer("by parameter", 2, by_parameter));
     if let Some(bars) = by_launch {
@@ -66,8 +45,40 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
         measure.show(a, system),
         measure.show(b, system),
     );
-    if left_out > 0 {
-        note += &format!(" Not shown: {}.", counted(left_out as u64, "smaller share"));
+    if rows.left_out > 0 {
+        let left_out = counted(rows.left_out as u64, "smaller share");
+        note += &format!(" Not shown: {left_out}.");
     }
     figure.noted(note)
+}
+
+/// The rows of the axis of names.
+#[derive(Default)]
+struct Rows {
+    names: Vec<String>,
+    /// Number of shares without a row.
+    left_out: usize,
+}
+
+impl Rows {
+    /// The bars of the largest shares of a split, in rows below the present ones.
+    fn bars(&mut self, difference: &Difference, split: &Shares) -> Vec<Bar> {
+        let is_rounding =
+            |share: &&Share| shown::is_rounding(difference.of, difference.values[0], share.amount);
+        let mut shares: Vec<&Share> = split.shares.iter().collect();
+        shares.retain(|share| !is_rounding(share));
+        shares.sort_by(|a, b| b.amount.abs().total_cmp(&a.amount.abs()));
+        self.left_out += shares.len().saturating_sub(MOST);
+        shares.truncate(MOST);
+        let mut bars = vec![];
+        for share in shares {
+            bars.push(Bar {
+                place: self.names.len(),
+                from: 0.0,
+                to: share.amount,
+            });
+            self.names.push(words(share.cause.name()));
+        }
+        bars
+    }
 }

@@ -12,40 +12,10 @@ const REACH: f64 = 0.2;
 /// The Pareto front of two goals: the first goal over the second, with the ends, the knee, the
 /// slope at the knee, and the design before the search. Texts are in the units of `system`.
 pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
-    let [first, second] = found.search.goals.each_ref().map(|(goal, _)| goal);
-    let measure =
-        |goal: &Goal| Measure::new(shown::words(&goal.expression), goal.quantity, goal.unit);
-    let (x, y) = (measure(second), measure(first));
-    let place = |point: &ParetoPoint| [point.goals[1], point.goals[0]];
-    let points: Vec<[f64; 2]> = found.points.iter().map(place).collect();
-    let slope_of = |point: &ParetoPoint| {
-        let slope = point.slope?;
-        Some(shown::ratio(
-            (first.quantity, first.unit),
-            (second.quantity, second.unit),
-            slope,
-            system,
-            3,
-        ))
-    };
+    let [y, x] = found.search.goals.each_ref().map(|(goal, _)| measure(goal));
     let title = format!("{} against {}", capital(&y.label), x.label);
     let mut figure = Figure::new("pareto", title, Axis::linear(x), Axis::linear(y));
-    let knee = found.knee.and_then(|knee| found.points.get(knee));
-    if let Some((knee, slope)) = knee.and_then(|knee| Some((knee, knee.slope?))) {
-        let across =
-            |end: fn(f64, f64) -> f64, from: f64| points.iter().map(|[x, _]| *x).fold(from, end);
-        let reach = REACH * (across(f64::max, f64::NEG_INFINITY) - across(f64::min, f64::INFINITY));
-        let [x, y] = place(knee);
-        let line = [-reach, reach].map(|by| [x + by, y + slope * by]).to_vec();
-        let name =
-            slope_of(knee).map_or(String::new(), |slope| format!("slope at the knee: {slope}"));
-        figure.layers.push(Layer::Line {
-            name,
-            hue: Hue::Faint,
-            is_dashed: true,
-            points: line,
-        });
-    }
+    figure.layers.extend(tangent(found, system));
     // the line is interrupted where no designs connect two points
     let gap = |point: &ParetoPoint| point.is_apart.then_some([f64::NAN; 2]);
     let line = found
@@ -63,7 +33,7 @@ pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
         .with(Layer::Dots {
             name: String::new(),
             hue: Hue::OPTIMUM,
-            points,
+            points: found.points.iter().map(place).collect(),
         });
     for (i, point) in found.points.iter().enumerate() {
         if let Some(name) = role(found, i).map(|role| shown::words(&role)) {
@@ -81,29 +51,76 @@ pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
             at: [against, own],
         });
     }
-    let beside = |i: usize, goal: &Goal| {
-        let slope = found.points.get(i).and_then(slope_of)?;
-        Some(format!(
-            "{slope} beside the best {}",
-            shown::words(&goal.expression)
-        ))
+    figure.noted(note(found, system))
+}
+
+fn measure(goal: &Goal) -> Measure {
+    Measure::new(shown::words(&goal.expression), goal.quantity, goal.unit)
+}
+
+/// The coordinates of a point: the second goal, then the first.
+fn place(point: &ParetoPoint) -> [f64; 2] {
+    [point.goals[1], point.goals[0]]
+}
+
+fn knee(found: &Pareto) -> Option<&ParetoPoint> {
+    found.points.get(found.knee?)
+}
+
+/// The slope of the front at a point, with its unit.
+fn slope(found: &Pareto, point: &ParetoPoint, system: System) -> Option<String> {
+    let [first, second] = found
+        .search
+        .goals
+        .each_ref()
+        .map(|(goal, _)| (goal.quantity, goal.unit));
+    Some(shown::ratio(first, second, point.slope?, system, 3))
+}
+
+/// The tangent at the knee.
+fn tangent(found: &Pareto, system: System) -> Option<Layer> {
+    let knee = knee(found)?;
+    let steepness = knee.slope?;
+    let slope = slope(found, knee, system)?;
+    let xs = || found.points.iter().map(|point| place(point)[0]);
+    let width = xs().fold(f64::NEG_INFINITY, f64::max) - xs().fold(f64::INFINITY, f64::min);
+    let [x, y] = place(knee);
+    let end = |by: f64| [x + by, y + steepness * by];
+    Some(Layer::Line {
+        name: format!("slope at the knee: {slope}"),
+        hue: Hue::Faint,
+        is_dashed: true,
+        points: vec![end(-REACH * width), end(REACH * width)],
+    })
+}
+
+/// The slopes beside the ends and at the knee; the reason if there is no knee; the reason if the
+/// front is not complete.
+fn note(found: &Pareto, system: System) -> String {
+    let [first, second] = found
+        .search
+        .goals
+        .each_ref()
+        .map(|(goal, _)| shown::words(&goal.expression));
+    let beside = |i: usize, goal: &str| {
+        let slope = slope(found, found.points.get(i)?, system)?;
+        Some(format!("{slope} beside the best {goal}"))
     };
-    let near_ends = match found.points.len() {
-        all @ 4.. => [beside(1, first), beside(all - 2, second)],
+    let [begins, ends] = match found.points.len() {
+        all @ 4.. => [beside(1, &first), beside(all - 2, &second)],
         _ => [None, None],
     };
-    let at_knee = knee
-        .and_then(slope_of)
-        .map(|slope| format!("{slope} at the knee"));
-    let [begins, ends] = near_ends;
+    let at_knee = knee(found).and_then(|knee| slope(found, knee, system));
+    let at_knee = at_knee.map(|slope| format!("{slope} at the knee"));
     let slopes: Vec<String> = [begins, at_knee, ends].into_iter().flatten().collect();
     let mut notes = vec![];
     if !slopes.is_empty() {
-        let [first, second] = [first, second].map(|goal| shown::words(&goal.expression));
-        let what = format!("Change of {first} for each unit of {second}");
-        notes.push(format!("{what}, along the front: {}.", slopes.join(", ")));
+        let slopes = slopes.join(", ");
+        notes.push(format!(
+            "Change of {first} for each unit of {second}, along the front: {slopes}."
+        ));
     }
     notes.extend(found.no_knee().map(|why| format!("{}.", capital(&why))));
     notes.extend(found.ended.as_ref().map(|why| format!("{}.", capital(why))));
-    figure.noted(notes.join(" "))
+    notes.join(" ")
 }

@@ -25,46 +25,20 @@ pub fn vcurve_figure<'a>(
     );
     let mut exact = 0;
     let mut looped = vec![];
-    for (
-        i,
-        Row {
-            of,
-            parameter,
-            ladder,
-            first,
-            ..
-        },
-    ) in rows.into_iter().enumerate()
-    {
-        let unit = if first.exact == 0.0 {
-            ladder.size / ladder.scale
-        } else {
-            first.exact.abs()
-        };
-        let of_curve = |curve: &[Point]| -> Vec<[f64; 2]> {
-            curve
-                .iter()
-                .map(|point| [point.step / ladder.scale, point.error / unit])
-                .collect()
-        };
-        let points = of_curve(&first.curve);
-        if let Some(row) = loops
-            .iter()
-            .find(|row| *of == Outcome::Carry && row.parameter == *parameter)
-        {
-            looped.push((
-                format!("a while-loop, by {}", parameter.name),
-                of_curve(&row.check.curve),
-            ));
-        }
+    for (i, row) in rows.into_iter().enumerate() {
+        let points = curve(row, &row.first.curve);
         exact += points.iter().filter(|[_, error]| *error <= 0.0).count();
-        let name = format!("d {}/d {}", of.name(), parameter.name);
         figure.layers.push(Layer::Line {
-            name,
+            name: format!("d {}/d {}", row.of.name(), row.parameter.name),
             hue: Hue::Series(i),
             is_dashed: i % 2 == 1,
             points,
         });
+        let same = |other: &&LoopRow| row.of == Outcome::Carry && other.parameter == row.parameter;
+        if let Some(other) = loops.iter().find(same) {
+            let name = format!("a while-loop, by {}", row.parameter.name);
+            looped.push((name, curve(row, &other.check.curve)));
+        }
     }
     let first_loop = figure.layers.len();
     for (i, (name, points)) in looped.into_iter().enumerate() {
@@ -75,13 +49,30 @@ pub fn vcurve_figure<'a>(
             points,
         });
     }
-    let mut note =
-        "To the right of its lowest point the error of a difference grows with the square of the \
-         step (truncation), to the \
-                    left with the inverse of the step (rounding). The exact derivative has neither \
-         error."
-            .to_owned();
-    if figure.layers.len() > first_loop {
+    let has_loops = figure.layers.len() > first_loop;
+    figure.noted(note(has_loops, exact))
+}
+
+/// Relative errors over relative steps, with the scales of a row.
+fn curve(row: &Row, points: &[Point]) -> Vec<[f64; 2]> {
+    let unit = if row.first.exact == 0.0 {
+        row.ladder.size / row.ladder.scale
+    } else {
+        row.first.exact.abs()
+    };
+    points
+        .iter()
+        .map(|point| [point.step / row.ladder.scale, point.error / unit])
+        .collect()
+}
+
+/// The meaning of the curves; `exact` is the number of differences without an error.
+fn note(has_loops: bool, exact: usize) -> String {
+    let mut note = "To the right of its lowest point the error of a difference grows with the \
+                    square of the step (truncation), to the left with the inverse of the step \
+                    (rounding). The exact derivative has neither error."
+        .to_owned();
+    if has_loops {
         note += " The carry of a while-loop that stops at the first step below the ground is not \
                  smooth, and small steps do not see its slope.";
     }
@@ -92,5 +83,5 @@ pub fn vcurve_figure<'a>(
             counted(exact as u64, "difference")
         );
     }
-    figure.noted(note)
+    note
 }

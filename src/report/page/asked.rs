@@ -7,6 +7,7 @@ use crate::parameters::{Parameter, Vary};
 use crate::report::frame::both;
 use crate::report::presets::{Change, changes};
 use crate::report::shown;
+use crate::study::Search;
 use crate::units::{System, counted};
 use maud::{Markup, html};
 
@@ -115,25 +116,7 @@ pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
                 dt { "Launch" } dd { (values(&launch)) }
             }
             dt { "Wind" } dd { (both(|system| wind(findings, system))) }
-            @if let Some(search) = search {
-                dt { "Wanted" } dd {
-                    "the " (search.sense.adjective()) " " (shown::words(search.outcome().name())) " by "
-                    (both(|system| {
-                        let range = |vary: &Vary| {
-                            let [low, high] = [vary.low, vary.high].map(|value| shown::told(vary.parameter, value, system));
-                            format!("{} {}", shown::words(vary.parameter.name), to(&low, &high))
-                        };
-                        search.vary.iter().map(range).collect::<Vec<_>>().join(", ")
-                    }))
-                }
-                @if !search.subject_to.is_empty() {
-                    dt { "Limits" } dd {
-                        (both(|system| {
-                            search.subject_to.iter().map(|of| shown::constraint(of, system)).collect::<Vec<_>>().join("; ")
-                        }))
-                    }
-                }
-            }
+            @if let Some(search) = search { (wanted(search)) }
             @if launch.is_empty() {
                 dt { "Preset" } dd {
                     (findings.preset.name)
@@ -147,6 +130,33 @@ pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
             }
         }
     })
+}
+
+/// The objective with the varied parameters and their ranges, and the constraints.
+fn wanted(search: &Search) -> Markup {
+    let varied = |system: System| {
+        let range = |vary: &Vary| {
+            let [low, high] =
+                [vary.low, vary.high].map(|value| shown::told(vary.parameter, value, system));
+            let name = shown::words(vary.parameter.name);
+            format!("{name} {}", to(&low, &high))
+        };
+        search.vary.iter().map(range).collect::<Vec<_>>().join(", ")
+    };
+    let limits = |system: System| {
+        let limits = search.subject_to.iter();
+        let limits = limits.map(|limit| shown::constraint(limit, system));
+        limits.collect::<Vec<_>>().join("; ")
+    };
+    html! {
+        dt { "Wanted" } dd {
+            "the " (search.sense.adjective()) " " (shown::words(search.outcome().name())) " by "
+            (both(varied))
+        }
+        @if !search.subject_to.is_empty() {
+            dt { "Limits" } dd { (both(limits)) }
+        }
+    }
 }
 
 /// The ends of a range: "4 to 20 deg".

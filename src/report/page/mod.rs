@@ -39,6 +39,29 @@ pub struct Document {
 /// # Errors
 /// The errors of [`figure_svg`], [`figure_csv`](super::plot::figure_csv) and [`setup_toml`].
 pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
+    let plots = plots(findings);
+    let setup = match findings.best {
+        Some(best) => best_toml(best, None, None, findings.preset)?,
+        None => setup_toml(
+            findings.setup,
+            findings.preset,
+            &[format!("{}, as set up", findings.name)],
+            &[],
+        )?,
+    };
+    let mut files = vec![
+        ("index.html".to_owned(), page(findings, &plots)?),
+        (SETUP_FILE.to_owned(), setup),
+    ];
+    files.extend(picture_files(plots.all(), System::default())?);
+    Ok(files
+        .into_iter()
+        .map(|(name, text)| Document { name, text })
+        .collect())
+}
+
+/// The plots of the page.
+fn plots(findings: &Findings<'_>) -> Plots {
     let (mut drive, left_out) = trajectories(findings.flown);
     if !findings.landings.is_empty() {
         // insert the landings after the view from the side
@@ -53,7 +76,7 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
     let face = findings
         .face
         .map(|face| in_each(|system| face_figure(face, system)));
-    let plots = Plots {
+    Plots {
         drive,
         strike: launches.into_iter().chain(face).collect(),
         strikes: strikes(findings),
@@ -80,25 +103,7 @@ pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
             .map(|figure| alike(&figure))
             .into_iter()
             .collect(),
-    };
-    let setup = match findings.best {
-        Some(best) => best_toml(best, None, None, findings.preset)?,
-        None => setup_toml(
-            findings.setup,
-            findings.preset,
-            &[format!("{}, as set up", findings.name)],
-            &[],
-        )?,
-    };
-    let mut files = vec![
-        ("index.html".to_owned(), page(findings, &plots)?),
-        (SETUP_FILE.to_owned(), setup),
-    ];
-    files.extend(picture_files(plots.all(), System::default())?);
-    Ok(files
-        .into_iter()
-        .map(|(name, text)| Document { name, text })
-        .collect())
+    }
 }
 
 /// The faces of the drive as set up and of the optimum.

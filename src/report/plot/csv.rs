@@ -1,15 +1,17 @@
-use super::axis::Scale;
+use super::axis::{Axis, Scale};
 use super::figure::{Bar, Field, Figure, Layer};
 use crate::error::{Error, Result};
 use crate::units::TableUnits;
 
-/// A row: kind, name, x, y, end x, end y, and a value with the head of its column.
-type Row<'a> = (
-    &'static str,
-    String,
-    [Option<f64>; 4],
-    Option<(&'a Field, f64)>,
-);
+/// A row of the data.
+struct Row<'a> {
+    kind: &'static str,
+    name: String,
+    /// x, y, and x and y of the other end.
+    numbers: [Option<f64>; 4],
+    /// A value, in the column of its field.
+    value: Option<(&'a Field, f64)>,
+}
 
 /// The data of a plot as CSV, in SI and radians: a row for each point, bar, arrow or node, with the
 /// kind and the name of its layer. Each quantity shown as contours has its own column. Empty
@@ -48,56 +50,13 @@ pub fn figure_csv_in(figure: &Figure, units: TableUnits) -> Result<String> {
             .flat_map(|layer| rows(view, layer, &of_view(view)))
     });
     let rows: Vec<Row<'_>> = of_views.collect();
-    let [x, y] = [&figure.x, &figure.y].map(|axis| axis.measure.head(units));
-    let [x, y] = [(x, "x"), (y, "y")].map(|(title, letter)| {
-        if title.is_empty() {
-            letter.into()
-        } else {
-            title
-        }
-    });
-    let heads = [x.clone(), y.clone(), format!("to {x}"), format!("to {y}")];
-    let is_filled = |column: &usize| {
-        rows.iter()
-            .any(|(_, _, numbers, _)| numbers[*column].is_some())
-    };
-    let columns: Vec<usize> = (0..heads.len()).filter(is_filled).collect();
-    let mut measured: Vec<String> = vec![];
-    for (.., value) in &rows {
-        let head = value.map(|(field, _)| field.measure.head(units));
-        measured.extend(head.filter(|head| !measured.contains(head)));
-    }
-
+    let columns = Columns::of(figure, &rows, units);
     let failed = |error: csv::Error| Error::Output(error.into());
     let mut writer = csv::Writer::from_writer(vec![]);
-    let head = columns
-        .iter()
-        .map(|column| heads[*column].as_str())
-        .chain(measured.iter().map(String::as_str));
-    writer
-        .write_record(["kind", "name"].into_iter().chain(head))
-        .map_err(failed)?;
-    let text = |number: Option<f64>| {
-        number
-            .filter(|number| number.is_finite())
-            .map_or(String::new(), |number| format!("{number:?}"))
-    };
-    for (kind, name, numbers, value) in &rows {
-        let cells = columns.iter().map(|column| {
-            let axis = [&figure.x, &figure.y][column % 2];
-            text(numbers[*column].map(|value| axis.measure.number(value, units)))
-        });
-        let is_of = |head: &String| value.filter(|(field, _)| field.measure.head(units) == *head);
-        let values = measured
-            .iter()
-            .map(|head| text(is_of(head).map(|(field, value)| field.measure.number(value, units))));
+    writer.write_record(columns.heads()).map_err(failed)?;
+    for row in &rows {
         writer
-            .write_record(
-                [(*kind).to_owned(), name.clone()]
-                    .into_iter()
-                    .chain(cells)
-                    .chain(values),
-            )
+            .write_record(columns.cells(figure, row))
             .map_err(failed)?;
     }
     let bytes = writer
@@ -106,13 +65,76 @@ pub fn figure_csv_in(figure: &Figure, units: TableUnits) -> Result<String> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
+/// The columns after kind and name.
+struct Columns {
+    units: TableUnits,
+    /// The filled columns of [`Row::numbers`], with their heads.
+    numbers: Vec<(usize, String)>,
+    /// The heads of the values.
+    values: Vec<String>,
+}
+
+impl Columns {
+    fn of(figure: &Figure, rows: &[Row<'_>], units: TableUnits) -> Self {
+        let head = |axis: &Axis, letter: &str| {
+            let head = axis.measure.head(units);
+            if head.is_empty() { letter.into() } else { head }
+        };
+        let [x, y] = [head(&figure.x, "x"), head(&figure.y, "y")];
+        let heads = [x.clone(), y.clone(), format!("to {x}"), format!("to {y}")];
+        let is_filled = |column: usize| rows.iter().any(|row| row.numbers[column].is_some());
+        let mut values: Vec<String> = vec![];
+        for row in rows {
+            let head = row.value.map(|(field, _)| field.measure.head(units));
+            values.extend(head.filter(|head| !values.contains(head)));
+        }
+        Self {
+            units,
+            numbers: (0..).zip(heads).filter(|(i, _)| is_filled(*i)).collect(),
+            values,
+        }
+    }
+
+    fn heads(&self) -> impl Iterator<Item = &str> {
+        let numbers = self.numbers.iter().map(|(_, head)| head.as_str());
+        let values = self.values.iter().map(String::as_str);
+        ["kind", "name"].into_iter().chain(numbers).chain(values)
+    }
+
+    fn cells(&self, figure: &Figure, row: &Row<'_>) -> Vec<String> {
+        let text = |number: Option<f64>| {
+            number
+                .filter(|number| number.is_finite())
+                .map_or(String::new(), |number| format!("{number:?}"))
+        };
+        let number = |(column, _): &(usize, String)| {
+            let axis = [&figure.x, &figure.y][column % 2];
+            text(row.numbers[*column].map(|value| axis.measure.number(value, self.units)))
+        };
+        let value = |head: &String| {
+            let (field, value) = row.value?;
+            (field.measure.head(self.units) == *head)
+                .then(|| field.measure.number(value, self.units))
+        };
+        let mut cells = vec![row.kind.to_owned(), row.name.clone()];
+        cells.extend(self.numbers.iter().map(number));
+        cells.extend(self.values.iter().map(|head| text(value(head))));
+        cells
+    }
+}
+
 /// The rows of a layer. With several views, `of_view` is the end of their names.
 fn rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Row<'a>> {
     let point = |[x, y]: [f64; 2]| [Some(x), Some(y), None, None];
     let between =
         |[x, y]: [f64; 2], [to_x, to_y]: [f64; 2]| [Some(x), Some(y), Some(to_x), Some(to_y)];
     let row = |kind: &'static str, numbers: [Option<f64>; 4]| -> Row<'a> {
-        (kind, format!("{}{of_view}", layer.named().0), numbers, None)
+        Row {
+            kind,
+            name: format!("{}{of_view}", layer.named().0),
+            numbers,
+            value: None,
+        }
     };
     match layer {
         Layer::Line { points, .. } => points.iter().map(|at| row("line", point(*at))).collect(),
@@ -128,13 +150,11 @@ fn rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Row<'a>>
                 Scale::Names(names) => names.get(place).map_or(name.as_str(), String::as_str),
                 _ => name,
             };
-            let one = |bar: &Bar| {
-                (
-                    "bar",
-                    place(bar.place).to_owned(),
-                    [Some(bar.from), None, Some(bar.to), None],
-                    None,
-                )
+            let one = |bar: &Bar| Row {
+                kind: "bar",
+                name: place(bar.place).to_owned(),
+                numbers: [Some(bar.from), None, Some(bar.to), None],
+                value: None,
             };
             bars.iter().map(one).collect()
         }
@@ -154,13 +174,10 @@ fn rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Row<'a>>
         Layer::Contours(field) => {
             let one = |(i, value): (usize, &Option<f64>)| {
                 let at = field.place((i % field.columns) as f64, (i / field.columns) as f64);
-                let (kind, name, numbers, _) = row("field", point(at));
-                (
-                    kind,
-                    name,
-                    numbers,
-                    Some((field, value.unwrap_or(f64::NAN))),
-                )
+                Row {
+                    value: Some((field, value.unwrap_or(f64::NAN))),
+                    ..row("field", point(at))
+                }
             };
             field.values.iter().enumerate().map(one).collect()
         }
