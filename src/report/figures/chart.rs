@@ -43,7 +43,7 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
     found
 }
 
-/// What the plots of a chart share.
+/// A chart, with the optimum and the measure that all its plots show.
 struct Drawing<'a> {
     chart: &'a Chart,
     /// The optimum of the drive as set up, with its value of the chart's parameter.
@@ -148,7 +148,7 @@ fn optimum_line(points: impl Iterator<Item = [f64; 2]>) -> Layer {
     }
 }
 
-/// The sentence that stands in place of the plot of a parameter at a bound.
+/// A sentence about a parameter at a bound, which has no plot.
 fn held_sentence(vary: &Vary, end: &str, system: System) -> String {
     let bound = if end == "lower" { vary.low } else { vary.high };
     let at = shown::stated(vary.parameter, bound, system);

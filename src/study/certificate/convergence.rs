@@ -145,7 +145,7 @@ struct Flown {
     taylors: Vec<Taylor>,
 }
 
-/// The same flight at several time steps, and the reference flights.
+/// A flight at several time steps, and the reference flights.
 struct Comparison<'a> {
     setup: &'a Setup<f64>,
     drive: &'a Drive<f64>,
