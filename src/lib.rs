@@ -35,7 +35,7 @@
 //!
 //! | | |
 //! |---|---|
-//! | the commands of the program (feature `cli`) | `command` |
+//! | the commands of the program (feature `commands`) | `command` |
 //! | the parts of a sweep that is divided among processes and machines (feature `parquet`) | `parts` |
 //! | results to bytes (feature `reports`) | `report` |
 //! | published studies, computed anew (feature `reports`) | `reproduce` |
@@ -60,7 +60,7 @@ pub mod aerodynamics;
 pub mod atmosphere;
 mod atomic_file;
 pub mod batch;
-#[cfg(feature = "cli")]
+#[cfg(feature = "commands")]
 pub mod command;
 mod csv_dialect;
 pub mod derivative;

@@ -94,7 +94,7 @@ pub(crate) fn is_reset(name: &str, text: &str) -> bool {
 }
 
 /// True if `other`, once set, determines the parameter `name`.
-#[cfg(feature = "cli")]
+#[cfg(feature = "commands")]
 pub(crate) fn follows_from(name: &str, other: &str) -> bool {
     WAYS.iter()
         .any(|ways| ways.replaced.contains(&name) && ways.by.contains(&other))
