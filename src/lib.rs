@@ -50,8 +50,8 @@
 //! | numbers, quantity strings, errors | [`number`], [`units`], [`error`] |
 
 #![warn(clippy::missing_errors_doc, missing_docs)]
-// items used only by the reports
-#![cfg_attr(not(feature = "reports"), allow(dead_code, unused_imports))]
+// items used only by reports and commands
+#![cfg_attr(not(feature = "commands"), allow(dead_code, unused_imports))]
 
 #[macro_use]
 mod schema;

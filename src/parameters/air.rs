@@ -175,8 +175,8 @@ impl Setup<f64> {
 
     /// True if an optional parameter is set.
     pub(super) fn is_set(&self, name: &str) -> bool {
-        self.parameter(name)
-            .is_ok_and(|parameter| self.value(parameter).is_some())
+        self.find(name)
+            .is_some_and(|parameter| self.value(parameter).is_some())
     }
 
     /// Warnings about weather outside the validated range of the equation of the density

@@ -1,9 +1,8 @@
 //! Commands of the program, with files in memory.
 
-use crate::ShowProgress;
 use crate::message;
 use crate::refusal::Refusal;
-use crate::request::page_words;
+use crate::words::page_words;
 use longdrive::command::{Host, Kind, MemoryFiles, Mention, Progress, SharedProgress, Work, run};
 use serde::{Deserialize, Serialize};
 use std::ffi::OsString;
@@ -17,6 +16,9 @@ const PROGRAM: &str = "longdrive";
 
 /// The width of answers as text, columns.
 const WIDTH: usize = 80;
+
+/// Receives the completed and all parts of long work.
+pub type ShowProgress = fn(done: f64, of: f64);
 
 /// The largest answer, bytes.
 const MOST_BYTES: usize = 64 << 20;

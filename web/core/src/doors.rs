@@ -71,6 +71,11 @@ extern "C" fn while_loop() -> usize {
     answer(Door::Loop)
 }
 
+#[unsafe(no_mangle)]
+extern "C" fn step() -> usize {
+    answer(Door::Step)
+}
+
 /// Answers the request, and returns the bytes of the answer.
 fn answer(door: Door) -> usize {
     let request = REQUEST.take();

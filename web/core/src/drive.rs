@@ -162,7 +162,11 @@ fn append(path: &Trajectory, numbers: &mut Vec<f64>) {
         numbers.push(point.time);
         numbers.extend(coordinates(&point.position));
     }
-    numbers.extend(path.run.iter().flat_map(coordinates));
+    // the run begins at the landing, the last point of the flight
+    if let Some(landing) = path.points.last() {
+        let run = path.run.iter().map(|way| landing.position + *way);
+        numbers.extend(run.flat_map(|position| coordinates(&position)));
+    }
 }
 
 /// Height, right of the target line, downrange.

@@ -1,4 +1,4 @@
-//! The core of the explorer: longdrive for WebAssembly, behind five functions.
+//! The core of the explorer: longdrive for WebAssembly, behind six functions.
 //!
 //! `README.md` has their requests and answers. A function reads a [`message`], calls the library,
 //! and writes a message; nothing is kept between two calls.
@@ -12,8 +12,11 @@ pub mod map;
 pub mod message;
 pub mod refusal;
 pub mod request;
+pub mod step;
 pub mod while_loop;
+pub mod words;
 
+use ask::ShowProgress;
 use message::Message;
 use refusal::Refusal;
 use serde::de::DeserializeOwned;
@@ -31,10 +34,9 @@ pub enum Door {
     Aim,
     /// The while-loop of the MAE 494 report.
     Loop,
+    /// The step of the integration.
+    Step,
 }
-
-/// Receives the completed and all parts of long work.
-pub type ShowProgress = fn(done: f64, of: f64);
 
 /// Answers a request. A request that cannot be answered has an answer with the reason.
 pub fn answered(door: Door, request: &[u8], show: ShowProgress) -> Vec<u8> {
@@ -44,6 +46,7 @@ pub fn answered(door: Door, request: &[u8], show: ShowProgress) -> Vec<u8> {
         Door::Map => map::answer(&head(&request)?),
         Door::Aim => aim::answer(&head(&request)?),
         Door::Loop => while_loop::answer(&head(&request)?),
+        Door::Step => step::answer(&head(&request)?),
     });
     answer.unwrap_or_else(|refusal| message::written(&refusal, &[]))
 }

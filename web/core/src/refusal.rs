@@ -1,6 +1,6 @@
 //! Answers without numbers: the status and the message of the program.
 
-use crate::request::in_page_words;
+use crate::words::in_page_words;
 use longdrive::units::System;
 use longdrive::{Error, Setup};
 use serde::Serialize;

@@ -1,7 +1,7 @@
 //! What the requests have in common: a setup, ranges of parameters, and units.
 
 use crate::refusal::Refusal;
-use longdrive::command::{Argument, Mention, with_mentions};
+use crate::words::in_page_words;
 use longdrive::parameters::{DEFAULT_PRESET, Parameter, SetupFile, UNSET, Vary};
 use longdrive::units::{Message, System};
 use longdrive::{Error, Outcome, Setup};
@@ -186,26 +186,5 @@ impl Asked<'_> {
             Vary::new(parameter, low, high)
         };
         read().map_err(|error: Error| self.refused(&error))
-    }
-}
-
-/// A message whose arguments are those of the page: fields, without hyphens.
-pub fn in_page_words(message: &str) -> String {
-    with_mentions(message, page_words)
-}
-
-/// An argument or a command in the words of the page.
-pub fn page_words(mention: Mention<'_>) -> String {
-    match mention {
-        Mention::Command(name) => format!("\"{name}\""),
-        Mention::Argument(Argument {
-            name: "set",
-            value: Some(setting),
-            ..
-        }) => setting.replacen('=', " = ", 1),
-        Mention::Argument(Argument { name, value, .. }) => {
-            let name = name.replace('_', " ");
-            value.map_or(name.clone(), |value| format!("{name} {value}"))
-        }
     }
 }
