@@ -1,6 +1,7 @@
 //! Two parameters for a landing point, by Newton's method with exact first and second derivatives:
 //! each step goes to the point where the quadratic model of the landing comes nearest to the
-//! target, within the ranges. The curvature matters, since carry has a maximum over loft.
+//! target, within the ranges. The curvature matters, since carry has a maximum over loft. A search
+//! far from the target begins where a grid of drives is near to it.
 
 use crate::message;
 use crate::refusal::Refusal;
@@ -9,18 +10,31 @@ use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::optimize::Domain;
 use longdrive::optimize::least_squares::{Fit, Options, Rows, fit};
 use longdrive::parameters::Vary;
+use longdrive::study::Plane;
 use longdrive::units::{Digits, Message, Quantity};
-use longdrive::{Error, Outcome};
+use longdrive::{Error, Outcome, Setup};
 use serde::{Deserialize, Serialize};
+use std::cell::Cell;
 
 /// A landing this near to the target has reached it, m.
 const REACHED: f64 = 1e-3;
 
+/// A landing this near to the target is within the reach of a few steps, m.
+const NEAR: f64 = 10.0;
+
 /// A step below this part of each range ends the search.
 const SHORTEST: f64 = 1e-7;
 
-/// The largest number of drives of a target.
-const MOST_DRIVES: u64 = 40;
+/// The largest number of drives of a search, and of a search from one of several starts: few are
+/// enough, unless the target lies on the other side of a maximum.
+const MOST_DRIVES: u64 = 20;
+const FIRST_DRIVES: u64 = 3;
+
+/// The largest number of halvings of a step.
+const MOST_HALVINGS: usize = 3;
+
+/// The nodes of the grid along both parameters.
+const NODES: [usize; 2] = [13, 9];
 
 /// The coordinates of the landing.
 const LANDING: [Outcome; 2] = [Outcome::Carry, Outcome::Lateral];
@@ -56,35 +70,34 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
     let [first, second] = &request.vary;
     let vary = [asked.range(first)?, asked.range(second)?];
     let target = [request.carry, request.lateral];
-    let aim = Aim::new(&asked, vary, target).map_err(|error| asked.refused(&error))?;
-    let found = aim.search().map_err(|error| asked.refused(&error))?;
-    let distance = found.best.distance();
+    let best = Aim::new(&asked, vary, target).and_then(|aim| {
+        let best = aim.best()?;
+        Ok((best, aim.drives.get()))
+    });
+    let (best, drives) = best.map_err(|error| asked.refused(&error))?;
+    let distance = best.distance();
     let is_reached = distance <= REACHED;
     let head = Head {
         status: if is_reached { "reached" } else { "nearest" },
         message: (!is_reached).then(|| unreached(&asked, &vary, distance)),
-        drives: found.drives,
+        drives,
         parameters: vary.map(|range| range.parameter.name),
     };
-    let [first, second] = found.best.x;
-    let [carry, lateral] = [0, 1].map(|axis| found.best.landing[axis].value);
+    let [first, second] = best.x;
+    let [carry, lateral] = [0, 1].map(|axis| best.landing[axis].value);
     let numbers = [first, second, carry, lateral, distance];
     Ok(message::with_numbers(&head, &numbers))
 }
 
 /// The search for a target.
 struct Aim {
+    setup: Setup<f64>,
     evaluator: Evaluator,
     domain: Domain,
     vary: [Vary; 2],
-    start: [f64; 2],
     target: [f64; 2],
-}
-
-/// The end of a search.
-struct Found {
-    best: Point,
-    drives: u64,
+    /// Number of drives with derivatives so far.
+    drives: Cell<u64>,
 }
 
 /// A drive of the search.
@@ -98,41 +111,108 @@ impl Aim {
     fn new(asked: &Asked<'_>, vary: [Vary; 2], target: [f64; 2]) -> Result<Self, Error> {
         let wrt = vary.map(|range| range.parameter);
         let ends = |end: fn(&Vary) -> f64| vary.iter().map(end).collect();
-        let start = vary.map(|range| range.start(&asked.setup).clamp(range.low, range.high));
         Ok(Self {
+            setup: asked.setup,
             evaluator: Evaluator::new(&asked.setup, &LANDING, &wrt, Order::Second)?,
             domain: Domain::new(ends(|range| range.low), ends(|range| range.high))?,
             vary,
-            start,
             target,
+            drives: Cell::new(0),
         })
     }
 
-    fn search(&self) -> Result<Found, Error> {
-        let mut best = self.fly(self.start)?;
-        let mut drives = 1;
-        while best.distance() > 0.5 * REACHED {
-            let mut to = self.nearest(&best)?;
-            // a drive that does not land, or lands farther away, halves the step
-            let next = loop {
-                if drives == MOST_DRIVES || self.is_short(best.x, to) {
-                    break None;
-                }
-                drives += 1;
-                match self.fly(to) {
-                    Ok(next) if next.distance() < best.distance() => break Some(next),
-                    _ => to = [0, 1].map(|k| 0.5 * (best.x[k] + to[k])),
-                }
+    /// The drive that lands nearest to the target.
+    fn best(&self) -> Result<Point, Error> {
+        let setup = self.setup;
+        let start = self
+            .vary
+            .map(|range| range.start(&setup).clamp(range.low, range.high));
+        let mut best = self.fly(start)?;
+        if best.distance() <= NEAR {
+            best = self.search(best, FIRST_DRIVES)?;
+        }
+        if best.distance() <= REACHED {
+            return Ok(best);
+        }
+        for start in self.starts(start)? {
+            let other = self.search(self.fly(start)?, FIRST_DRIVES)?;
+            if other.distance() < best.distance() {
+                best = other;
+            }
+            if best.distance() <= REACHED {
+                break;
+            }
+        }
+        self.search(best, MOST_DRIVES)
+    }
+
+    /// The points where the landing, linear in the triangles of a grid, is at the target; last the
+    /// node that lands nearest to it.
+    fn starts(&self, from: [f64; 2]) -> Result<Vec<[f64; 2]>, Error> {
+        let [across, up] = self.vary;
+        let plane = Plane::fly(&self.setup, &LANDING, across, up, NODES)?;
+        let misses = plane.values[0].iter().zip(&plane.values[1]);
+        // NaN for a drive that does not land
+        let misses: Vec<[f64; 2]> = misses
+            .map(|(along, right)| {
+                let miss = |value: &Option<f64>, axis: usize| {
+                    value.map_or(f64::NAN, |value| value - self.target[axis])
+                };
+                [miss(along, 0), miss(right, 1)]
+            })
+            .collect();
+        let mut starts = vec![];
+        for [corner, side, above] in triangles() {
+            let Some(zero) = Zero::of([misses[corner], misses[side], misses[above]]) else {
+                continue;
             };
-            match next {
+            let [corner, side, above] = [corner, side, above].map(|node| plane.node(node));
+            let [s, t] = zero.parts.map(|part| part.clamp(0.0, 1.0));
+            let x = corner[0] + s * (side[0] - corner[0]);
+            let y = corner[1] + t * (above[1] - corner[1]);
+            starts.push((zero.is_outside, self.way(from, [x, y]), [x, y]));
+        }
+        // a drive like that of the setup first
+        starts.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        let mut starts: Vec<_> = starts.into_iter().map(|(.., start)| start).collect();
+        let distance = |node: &usize| misses[*node][0].hypot(misses[*node][1]);
+        let nearest = (0..misses.len())
+            .filter(|node| !distance(node).is_nan())
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        starts.extend(nearest.map(|node| plane.node(node)));
+        Ok(starts)
+    }
+
+    /// Continues a search until the landing comes no nearer, or for this number of drives.
+    fn search(&self, mut best: Point, drives: u64) -> Result<Point, Error> {
+        let last = self.drives.get() + drives;
+        while best.distance() > 0.5 * REACHED && self.drives.get() < last {
+            match self.step(&best)? {
                 Some(next) => best = next,
                 None => break,
             }
         }
-        Ok(Found { best, drives })
+        Ok(best)
+    }
+
+    /// The drive after a step, if it lands nearer to the target. A step to a drive that does not
+    /// is halved.
+    fn step(&self, best: &Point) -> Result<Option<Point>, Error> {
+        let mut to = self.nearest(best)?;
+        for _ in 0..=MOST_HALVINGS {
+            if self.way(best.x, to) <= SHORTEST {
+                break;
+            }
+            match self.fly(to) {
+                Ok(next) if next.distance() < best.distance() => return Ok(Some(next)),
+                _ => to = [0, 1].map(|k| 0.5 * (best.x[k] + to[k])),
+            }
+        }
+        Ok(None)
     }
 
     fn fly(&self, x: [f64; 2]) -> Result<Point, Error> {
+        self.drives.set(self.drives.get() + 1);
         Ok(Point {
             x,
             landing: self.evaluator.at(&x)?,
@@ -175,10 +255,13 @@ impl Aim {
         Ok(best.map_or(here.x, |best| [best.x[0], best.x[1]]))
     }
 
-    fn is_short(&self, from: [f64; 2], to: [f64; 2]) -> bool {
-        let part = |k: usize| (to[k] - from[k]).abs() / (self.vary[k].high - self.vary[k].low);
-        // NaN for a range of one value, in which there is no step
-        [0, 1].iter().all(|k| !(part(*k) > SHORTEST))
+    /// The largest change between two points, in parts of the ranges.
+    fn way(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
+        let parts = [0, 1].map(|k| (to[k] - from[k]) / (self.vary[k].high - self.vary[k].low));
+        // NaN in a range of one value, where nothing changes
+        parts
+            .into_iter()
+            .fold(0.0, |most, part| most.max(part.abs()))
     }
 }
 
@@ -206,6 +289,41 @@ impl Point {
                 .push(vec![gradient[0] + bend[0], gradient[1] + bend[1]]);
         }
         rows
+    }
+}
+
+/// The triangles of the grid, two to a cell: the corner at its right angle, the node beside it and
+/// the one above or below it.
+fn triangles() -> impl Iterator<Item = [usize; 3]> {
+    let [columns, rows] = NODES;
+    let cells = (0..rows - 1).flat_map(move |row| (0..columns - 1).map(move |k| row * columns + k));
+    cells.flat_map(move |low| {
+        let high = low + columns + 1;
+        [[low, low + 1, high - 1], [high, high - 1, low + 1]]
+    })
+}
+
+/// The place where a function that is linear in a triangle vanishes.
+struct Zero {
+    /// The parts of the two sides from the corner.
+    parts: [f64; 2],
+    /// True if it is outside of the triangle.
+    is_outside: bool,
+}
+
+impl Zero {
+    /// The zero in a triangle or slightly outside of it, since the landing is curved.
+    fn of([corner, side, above]: [[f64; 2]; 3]) -> Option<Self> {
+        const SLACK: f64 = 0.1;
+        let [a, b] = [side, above].map(|end| [end[0] - corner[0], end[1] - corner[1]]);
+        let area = a[0] * b[1] - a[1] * b[0];
+        let s = (b[0] * corner[1] - b[1] * corner[0]) / area;
+        let t = (a[1] * corner[0] - a[0] * corner[1]) / area;
+        let outside = (-s).max(-t).max(s + t - 1.0).max(0.0);
+        (s.is_finite() && outside <= SLACK).then_some(Self {
+            parts: [s, t],
+            is_outside: outside > 0.0,
+        })
     }
 }
 

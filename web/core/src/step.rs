@@ -4,6 +4,8 @@
 use crate::message;
 use crate::refusal::Refusal;
 use crate::request::{RangeText, SetupText, Units};
+use longdrive::Outcome;
+use longdrive::drive::OutcomeGroup;
 use longdrive::study::accuracy;
 use serde::{Deserialize, Serialize};
 
@@ -37,7 +39,10 @@ struct Head {
 /// The message of the program, if no step meets the tolerance.
 pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
     let asked = request.setup.read(request.units)?;
-    let of = asked.outcomes(&request.of)?;
+    let of = match request.of.as_slice() {
+        [] => of_the_flight(),
+        names => asked.outcomes(names)?,
+    };
     let ranges = request.ranges.iter().map(|range| asked.range(range));
     let ranges = ranges.collect::<Result<Vec<_>, _>>()?;
     let found = accuracy(&asked.setup, &ranges, &of, request.tolerance);
@@ -49,4 +54,10 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         error: found.error,
     };
     Ok(message::written(&head, &[]))
+}
+
+fn of_the_flight() -> Vec<Outcome> {
+    let all = Outcome::ALL.iter().copied();
+    all.filter(|of| of.group() == OutcomeGroup::Flight)
+        .collect()
 }

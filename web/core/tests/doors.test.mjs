@@ -101,11 +101,13 @@ test('1000 reachable landing points are reached within 1 mm in at most 8 drives'
   const ranges = [range('club.loft', 4 * DEG, 20 * DEG), range('swing.face_angle', -6 * DEG, 6 * DEG)];
   const presets = ['tour-average', 'modern-driver', 'lpga-average', 'amateur-average', 'winfield-tan'];
   const integration = { 'flight.method': 'dp8', 'flight.step': '0.4 s' };
-  for (let k = 0; k < 1000; k += 1) {
-    const preset = presets[k % presets.length];
+  for (let met = 0; met < 1000;) {
+    const preset = presets[met % presets.length];
     const set = { ...integration, 'wind.right': 8 * next() - 4, 'swing.attack_angle': (8 * next() - 4) * DEG };
     const there = Object.fromEntries(ranges.map(({ name, low, high }) => [name, low + next() * (high - low)]));
     const { outcomes: { carry, lateral } } = drive({ setup: { preset, set: { ...set, ...there } } });
+    if (Number.isNaN(carry)) continue;
+    met += 1;
     const { head, block } = core.aim({ setup: { preset, set }, vary: ranges, carry, lateral });
     const about = JSON.stringify([preset, set, there, head, ...block]);
     assert.equal(head.status, 'reached', about);
@@ -163,7 +165,7 @@ test('the loop ends at its first step below the ground, the exact drive on it', 
 test('the step of a session keeps to its tolerance, as that of the program', () => {
   const ranges = [range('club.loft', 4 * DEG, 20 * DEG), range('swing.attack_angle', -5 * DEG, 5 * DEG)];
   const preset = 'tour-average';
-  const found = core.step({ setup: { preset }, of: ['carry'], ranges, tolerance: 1e-6 });
+  const found = core.step({ setup: { preset }, ranges, tolerance: 1e-6 });
   const { setup } = JSON.parse(run(['optimize', preset, '--json']).stdout);
   assert.deepEqual([found.status, found.method, found.step], ['done', setup['flight.method'], setup['flight.step']]);
   const next = random(5);
