@@ -5,7 +5,7 @@
 
 use crate::message;
 use crate::refusal::Refusal;
-use crate::request::{Asked, RangeText, SetupText, Units};
+use crate::request::{CheckedSetup, RangeRequest, SetupRequest, Units};
 use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::optimize::Domain;
 use longdrive::optimize::least_squares::{Fit, Options, Rows, fit};
@@ -44,10 +44,10 @@ const LANDING: [Outcome; 2] = [Outcome::Carry, Outcome::Lateral];
 #[serde(deny_unknown_fields)]
 pub struct Request {
     #[serde(default)]
-    setup: SetupText,
+    setup: SetupRequest,
     #[serde(default)]
     units: Units,
-    vary: [RangeText; 2],
+    vary: [RangeRequest; 2],
     carry: f64,
     lateral: f64,
 }
@@ -66,20 +66,20 @@ struct Head {
 /// # Errors
 /// The message of the program, if the ball does not land at the start.
 pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
-    let asked = request.setup.read(request.units)?;
+    let checked = request.setup.read(request.units)?;
     let [first, second] = &request.vary;
-    let vary = [asked.range(first)?, asked.range(second)?];
+    let vary = [checked.range(first)?, checked.range(second)?];
     let target = [request.carry, request.lateral];
-    let best = Aim::new(&asked, vary, target).and_then(|aim| {
+    let best = Aim::new(&checked, vary, target).and_then(|aim| {
         let best = aim.best()?;
         Ok((best, aim.drives.get()))
     });
-    let (best, drives) = best.map_err(|error| asked.refused(&error))?;
+    let (best, drives) = best.map_err(|error| checked.refused(&error))?;
     let distance = best.distance();
     let is_reached = distance <= REACHED;
     let head = Head {
         status: if is_reached { "reached" } else { "nearest" },
-        message: (!is_reached).then(|| unreached(&asked, &vary, distance)),
+        message: (!is_reached).then(|| unreached(&checked, &vary, distance)),
         drives,
         parameters: vary.map(|range| range.parameter.name),
     };
@@ -108,12 +108,12 @@ struct Point {
 }
 
 impl Aim {
-    fn new(asked: &Asked<'_>, vary: [Vary; 2], target: [f64; 2]) -> Result<Self, Error> {
+    fn new(checked: &CheckedSetup<'_>, vary: [Vary; 2], target: [f64; 2]) -> Result<Self, Error> {
         let wrt = vary.map(|range| range.parameter);
         let ends = |end: fn(&Vary) -> f64| vary.iter().map(end).collect();
         Ok(Self {
-            setup: asked.setup,
-            evaluator: Evaluator::new(&asked.setup, &LANDING, &wrt, Order::Second)?,
+            setup: checked.setup,
+            evaluator: Evaluator::new(&checked.setup, &LANDING, &wrt, Order::Second)?,
             domain: Domain::new(ends(|range| range.low), ends(|range| range.high))?,
             vary,
             target,
@@ -135,7 +135,10 @@ impl Aim {
             return Ok(best);
         }
         for start in self.starts(start)? {
-            let other = self.search(self.fly(start)?, FIRST_DRIVES)?;
+            let Ok(first) = self.fly(start) else {
+                continue;
+            };
+            let other = self.search(first, FIRST_DRIVES)?;
             if other.distance() < best.distance() {
                 best = other;
             }
@@ -170,7 +173,7 @@ impl Aim {
             let [s, t] = zero.parts.map(|part| part.clamp(0.0, 1.0));
             let x = corner[0] + s * (side[0] - corner[0]);
             let y = corner[1] + t * (above[1] - corner[1]);
-            starts.push((zero.is_outside, self.way(from, [x, y]), [x, y]));
+            starts.push((zero.is_outside, self.change(from, [x, y]), [x, y]));
         }
         // a drive like that of the setup first
         starts.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
@@ -200,7 +203,7 @@ impl Aim {
     fn step(&self, best: &Point) -> Result<Option<Point>, Error> {
         let mut to = self.nearest(best)?;
         for _ in 0..=MOST_HALVINGS {
-            if self.way(best.x, to) <= SHORTEST {
+            if self.change(best.x, to) <= SHORTEST {
                 break;
             }
             match self.fly(to) {
@@ -256,7 +259,7 @@ impl Aim {
     }
 
     /// The largest change between two points, in parts of the ranges.
-    fn way(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
+    fn change(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
         let parts = [0, 1].map(|k| (to[k] - from[k]) / (self.vary[k].high - self.vary[k].low));
         // NaN in a range of one value, where nothing changes
         parts
@@ -328,7 +331,7 @@ impl Zero {
 }
 
 /// The message of a target that the ranges do not reach.
-fn unreached(asked: &Asked<'_>, vary: &[Vary; 2], distance: f64) -> String {
+fn unreached(checked: &CheckedSetup<'_>, vary: &[Vary; 2], distance: f64) -> String {
     let [first, second] = vary.map(|range| {
         let [low, high] = [range.low, range.high].map(|end| range.parameter.show(Some(end)));
         format!("{} {low} to {high}", range.parameter.name)
@@ -338,5 +341,5 @@ fn unreached(asked: &Asked<'_>, vary: &[Vary; 2], distance: f64) -> String {
     ))
     .quantity(Quantity::LENGTH, "yd", distance, Digits::Significant(3))
     .words(" away");
-    asked.text(&message)
+    checked.text(&message)
 }

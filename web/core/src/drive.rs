@@ -2,7 +2,7 @@
 
 use crate::message;
 use crate::refusal::Refusal;
-use crate::request::{Asked, SetupText, Units};
+use crate::request::{CheckedSetup, SetupRequest, Units};
 use longdrive::derivative::{Order, Taylor, evaluate};
 use longdrive::flight::{Flight, Trajectory, trajectory};
 use longdrive::number::Vector;
@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 #[serde(deny_unknown_fields)]
 pub struct Request {
     #[serde(default)]
-    setup: SetupText,
+    setup: SetupRequest,
     #[serde(default)]
     units: Units,
     #[serde(default)]
@@ -55,19 +55,19 @@ struct Missing {
 /// # Errors
 /// The message of the program, if there is no drive.
 pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
-    let asked = request.setup.read(request.units)?;
-    let of = asked.outcomes(&request.of)?;
-    let wrt = asked.variables(&request.wrt)?;
+    let checked = request.setup.read(request.units)?;
+    let of = checked.outcomes(&request.of)?;
+    let wrt = checked.variables(&request.wrt)?;
     let order = order(request)?;
-    let setup = &asked.setup;
-    let drive = Drive::new(setup).map_err(|error| asked.refused(&error))?;
+    let setup = &checked.setup;
+    let drive = Drive::new(setup).map_err(|error| checked.refused(&error))?;
     let mut warnings = drive.warnings_about(setup, Outcome::ALL);
     warnings.extend(setup.wind_profile_warning());
     let mut numbers: Vec<f64> = Outcome::ALL
         .iter()
         .map(|outcome| outcome.of(&drive).unwrap_or(f64::NAN))
         .collect();
-    let missing = differentiate(&asked, &of, &wrt, order, &mut numbers)?;
+    let missing = differentiate(&checked, &of, &wrt, order, &mut numbers)?;
     let mut head = Head {
         status: "landed",
         message: None,
@@ -78,14 +78,14 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         path: 0,
         run: 0,
         missing,
-        warnings: warnings.iter().map(|text| asked.text(text)).collect(),
+        warnings: warnings.iter().map(|text| checked.text(text)).collect(),
     };
     if let Flight::None(why) = &drive.flight {
         head.status = why.status();
-        head.message = Some(asked.text(&why.message()));
+        head.message = Some(checked.text(&why.message()));
     }
     if request.path {
-        let path = trajectory(setup, &drive.launch).map_err(|error| asked.refused(&error))?;
+        let path = trajectory(setup, &drive.launch).map_err(|error| checked.refused(&error))?;
         (head.path, head.run) = (path.points.len(), path.run.len());
         append(&path, &mut numbers);
     }
@@ -106,7 +106,7 @@ fn order(request: &Request) -> Result<Order, Refusal> {
 
 /// Appends gradients and Hessians, NaN where they do not exist. Returns the outcomes without them.
 fn differentiate(
-    asked: &Asked<'_>,
+    checked: &CheckedSetup<'_>,
     of: &[Outcome],
     wrt: &[&'static Parameter],
     order: Order,
@@ -115,8 +115,8 @@ fn differentiate(
     if of.is_empty() || wrt.is_empty() || order == Order::Value {
         return Ok(vec![]);
     }
-    let evaluated = |of: &[Outcome]| evaluate(&asked.setup, of, wrt, order);
-    let refused = |error| asked.refused(&error);
+    let evaluated = |of: &[Outcome]| evaluate(&checked.setup, of, wrt, order);
+    let refused = |error| checked.refused(&error);
     let each: Vec<_> = match evaluated(of) {
         // an outcome without a value does not prevent the others
         Err(error) if error.is_an_outcome() => of.iter().map(|of| evaluated(&[*of])).collect(),
@@ -129,7 +129,7 @@ fn differentiate(
     let mut missing = vec![];
     for (of, taylors) in of.iter().zip(each) {
         let taylors = taylors.unwrap_or_else(|error| {
-            let message = asked.refused(&error).message;
+            let message = checked.refused(&error).message;
             missing.push(Missing {
                 of: of.name(),
                 message,
@@ -164,7 +164,10 @@ fn append(path: &Trajectory, numbers: &mut Vec<f64>) {
     }
     // the run begins at the landing, the last point of the flight
     if let Some(landing) = path.points.last() {
-        let run = path.run.iter().map(|way| landing.position + *way);
+        let run = path
+            .run
+            .iter()
+            .map(|from_landing| landing.position + *from_landing);
         numbers.extend(run.flat_map(|position| coordinates(&position)));
     }
 }

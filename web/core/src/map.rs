@@ -2,7 +2,7 @@
 
 use crate::message;
 use crate::refusal::Refusal;
-use crate::request::{RangeText, SetupText, Units};
+use crate::request::{RangeRequest, SetupRequest, Units};
 use longdrive::study::Plane;
 use serde::{Deserialize, Serialize};
 
@@ -14,12 +14,12 @@ const MOST_NODES: usize = 250_000;
 #[serde(deny_unknown_fields)]
 pub struct Request {
     #[serde(default)]
-    setup: SetupText,
+    setup: SetupRequest,
     #[serde(default)]
     units: Units,
     of: Vec<String>,
-    across: RangeText,
-    up: RangeText,
+    across: RangeRequest,
+    up: RangeRequest,
     nodes: [usize; 2],
     #[serde(default)]
     gradients: bool,
@@ -40,10 +40,10 @@ struct Head<'a> {
 /// # Errors
 /// The message of the program, if there is no map.
 pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
-    let asked = request.setup.read(request.units)?;
-    let of = asked.outcomes(&request.of)?;
-    let across = asked.range(&request.across)?;
-    let up = asked.range(&request.up)?;
+    let checked = request.setup.read(request.units)?;
+    let of = checked.outcomes(&request.of)?;
+    let across = checked.range(&request.across)?;
+    let up = checked.range(&request.up)?;
     let nodes @ [columns, rows] = request.nodes;
     let is_small = columns
         .checked_mul(rows)
@@ -59,8 +59,8 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         true => Plane::fly_with_gradients,
         false => Plane::fly,
     };
-    let plane = fly(&asked.setup, &of, across, up, nodes);
-    let plane = plane.map_err(|error| asked.refused(&error))?;
+    let plane = fly(&checked.setup, &of, across, up, nodes);
+    let plane = plane.map_err(|error| checked.refused(&error))?;
     let mut numbers = Vec::with_capacity(columns * rows * of.len());
     for (of, values) in plane.values.iter().enumerate() {
         numbers.extend(values.iter().map(|value| value.unwrap_or(f64::NAN)));

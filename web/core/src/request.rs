@@ -14,7 +14,7 @@ const SETUP_FILE: &str = "setup";
 /// A setup: a preset or a setup file, and changes.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
-pub struct SetupText {
+pub struct SetupRequest {
     preset: Option<String>,
     toml: Option<String>,
     name: Option<String>,
@@ -24,7 +24,7 @@ pub struct SetupText {
 /// A parameter and its range.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RangeText {
+pub struct RangeRequest {
     name: String,
     low: Value,
     high: Value,
@@ -52,37 +52,42 @@ impl From<Units> for System {
 
 /// A setup with the units of its messages.
 #[derive(Clone, Debug)]
-pub struct Asked<'a> {
+pub struct CheckedSetup<'a> {
     /// The checked setup.
     pub setup: Setup<f64>,
     /// The units of messages.
     pub system: System,
     /// The text of the setup.
-    text: &'a SetupText,
+    text: &'a SetupRequest,
 }
 
-impl SetupText {
+impl SetupRequest {
     /// The checked setup.
     ///
     /// # Errors
     /// The message of the program for an unknown name, and for a value that it does not accept.
-    pub fn read(&self, units: Units) -> Result<Asked<'_>, Refusal> {
+    pub fn read(&self, units: Units) -> Result<CheckedSetup<'_>, Refusal> {
         let system = units.into();
-        let mut asked = Asked {
+        let mut checked = CheckedSetup {
             setup: Setup::default(),
             system,
             text: self,
         };
-        asked.setup = self.source().map_err(|error| asked.refused(&error))?;
+        if self.preset.is_some() && self.toml.is_some() {
+            return Err(Refusal::of_request(
+                "preset and toml are both given; keep one",
+            ));
+        }
+        checked.setup = self.source().map_err(|error| checked.refused(&error))?;
         let settings = self.settings()?;
         let settings: Vec<_> = settings
             .iter()
             .map(|setting| (setting.name, setting.text.as_str(), setting.is_bare))
             .collect();
-        let mut setup = asked.setup;
-        let checked = setup.set_each(&settings).and_then(|()| setup.validate());
-        checked.map_err(|error| asked.refused(&error))?;
-        Ok(Asked { setup, ..asked })
+        let mut setup = checked.setup;
+        let applied = setup.set_each(&settings).and_then(|()| setup.validate());
+        applied.map_err(|error| checked.refused(&error))?;
+        Ok(CheckedSetup { setup, ..checked })
     }
 
     fn source(&self) -> Result<Setup<f64>, Error> {
@@ -133,7 +138,7 @@ impl<'a> Setting<'a> {
     }
 }
 
-impl Asked<'_> {
+impl CheckedSetup<'_> {
     /// The refusal with the message of an error, and the parameters that it names.
     pub fn refused(&self, error: &Error) -> Refusal {
         let stated = self.text.set.keys().map(String::as_str);
@@ -170,7 +175,7 @@ impl Asked<'_> {
     ///
     /// # Errors
     /// For an unknown name, a value that is no number of the parameter, and a reversed range.
-    pub fn range(&self, range: &RangeText) -> Result<Vary, Refusal> {
+    pub fn range(&self, range: &RangeRequest) -> Result<Vary, Refusal> {
         let read = || {
             let parameter = self.setup.variable(&range.name)?;
             let end = |value: &Value| {

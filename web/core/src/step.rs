@@ -3,7 +3,7 @@
 
 use crate::message;
 use crate::refusal::Refusal;
-use crate::request::{RangeText, SetupText, Units};
+use crate::request::{RangeRequest, SetupRequest, Units};
 use longdrive::Outcome;
 use longdrive::drive::OutcomeGroup;
 use longdrive::study::accuracy;
@@ -14,13 +14,13 @@ use serde::{Deserialize, Serialize};
 #[serde(deny_unknown_fields)]
 pub struct Request {
     #[serde(default)]
-    setup: SetupText,
+    setup: SetupRequest,
     #[serde(default)]
     units: Units,
     #[serde(default)]
     of: Vec<String>,
     #[serde(default)]
-    ranges: Vec<RangeText>,
+    ranges: Vec<RangeRequest>,
     tolerance: f64,
 }
 
@@ -38,15 +38,15 @@ struct Head {
 /// # Errors
 /// The message of the program, if no step meets the tolerance.
 pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
-    let asked = request.setup.read(request.units)?;
+    let checked = request.setup.read(request.units)?;
     let of = match request.of.as_slice() {
         [] => of_the_flight(),
-        names => asked.outcomes(names)?,
+        names => checked.outcomes(names)?,
     };
-    let ranges = request.ranges.iter().map(|range| asked.range(range));
+    let ranges = request.ranges.iter().map(|range| checked.range(range));
     let ranges = ranges.collect::<Result<Vec<_>, _>>()?;
-    let found = accuracy(&asked.setup, &ranges, &of, request.tolerance);
-    let found = found.map_err(|error| asked.refused(&error))?;
+    let found = accuracy(&checked.setup, &ranges, &of, request.tolerance);
+    let found = found.map_err(|error| checked.refused(&error))?;
     let head = Head {
         status: "done",
         method: found.method.name(),

@@ -2,7 +2,7 @@
 
 use crate::message;
 use crate::refusal::Refusal;
-use crate::request::{RangeText, SetupText, Units};
+use crate::request::{RangeRequest, SetupRequest, Units};
 use longdrive::batch::Batch;
 use longdrive::parameters::Parameter;
 use longdrive::reproduce::{LoopLanding, loop_landing};
@@ -17,10 +17,10 @@ const MOST_NODES: usize = 10_000;
 #[serde(deny_unknown_fields)]
 pub struct Request {
     #[serde(default)]
-    setup: SetupText,
+    setup: SetupRequest,
     #[serde(default)]
     units: Units,
-    along: RangeText,
+    along: RangeRequest,
     nodes: usize,
     step: f64,
     difference: f64,
@@ -39,8 +39,8 @@ struct Head {
 /// # Errors
 /// The message of the program, if the loop does not model the setup.
 pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
-    let asked = request.setup.read(request.units)?;
-    let along = asked.range(&request.along)?;
+    let checked = request.setup.read(request.units)?;
+    let along = checked.range(&request.along)?;
     let Request {
         nodes,
         step,
@@ -49,24 +49,30 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
     } = *request;
     if !(2..=MOST_NODES).contains(&nodes) || difference == 0.0 || !difference.is_finite() {
         let why = format!(
-            "{nodes} nodes and differences over {difference}; expected 2 to {MOST_NODES} nodes, and \
-             a difference other than 0"
+            "{nodes} nodes and differences over {difference}; expected 2 to {MOST_NODES} nodes, \
+             and a difference other than 0"
         );
         return Err(Refusal::of_request(&why));
     }
-    let refused = |error: Error| asked.refused(&error);
-    loop_landing(&asked.setup, step).map_err(refused)?;
+    let refused = |error: Error| checked.refused(&error);
+    loop_landing(&checked.setup, step).map_err(refused)?;
     let part = |node: usize| node as f64 / (nodes - 1) as f64;
     let at = |node: usize| along.low + part(node) * (along.high - along.low);
     let values: Vec<f64> = (0..nodes).map(at).collect();
     let parameter = along.parameter;
     let landings = values.iter().map(|x| {
-        let [here, there] = [*x, x + difference].map(|x| landed(&asked.setup, parameter, x, step));
+        let [here, there] =
+            [*x, x + difference].map(|x| landed(&checked.setup, parameter, x, step));
         let slope = (there.overshot - here.overshot) / difference;
         [here.overshot, here.interpolated, slope]
     });
     let landings: Vec<[f64; 3]> = landings.collect();
-    let batch = Batch::new(&asked.setup, &[parameter], &[Outcome::Carry], &[parameter]);
+    let batch = Batch::new(
+        &checked.setup,
+        &[parameter],
+        &[Outcome::Carry],
+        &[parameter],
+    );
     let exact = batch.map_err(refused)?.evaluate(0, values.clone());
     let mut numbers = values;
     for column in 0..3 {
