@@ -35,7 +35,7 @@
 //!
 //! | | |
 //! |---|---|
-//! | the commands of the program (feature `cli`) | `command` |
+//! | the commands of the program (feature `commands`) | `command` |
 //! | the parts of a sweep that is divided among processes and machines (feature `parquet`) | `parts` |
 //! | results to bytes (feature `reports`) | `report` |
 //! | published studies, computed anew (feature `reports`) | `reproduce` |
@@ -50,8 +50,8 @@
 //! | numbers, quantity strings, errors | [`number`], [`units`], [`error`] |
 
 #![warn(clippy::missing_errors_doc, missing_docs)]
-// items used only by the reports
-#![cfg_attr(not(feature = "reports"), allow(dead_code, unused_imports))]
+// items used only by reports and commands
+#![cfg_attr(not(feature = "commands"), allow(dead_code, unused_imports))]
 
 #[macro_use]
 mod schema;
@@ -60,7 +60,7 @@ pub mod aerodynamics;
 pub mod atmosphere;
 mod atomic_file;
 pub mod batch;
-#[cfg(feature = "cli")]
+#[cfg(feature = "commands")]
 pub mod command;
 mod csv_dialect;
 pub mod derivative;

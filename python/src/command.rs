@@ -5,9 +5,9 @@ use crate::json::to_python;
 use crate::pool::{self, Ended};
 use crate::request::arguments_of;
 use crate::wording;
-use indicatif::{ProgressBar, ProgressDrawTarget};
 use longdrive::command::{
-    Call, Hold, Host, Kind, MemoryFiles, Mention, call, mark_options, run_in_terminal,
+    Call, Hold, Host, Kind, MemoryFiles, Mention, Progress, SharedProgress, Work, call,
+    mark_options, run_in_terminal,
 };
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -18,7 +18,7 @@ use std::ffi::OsString;
 use std::io;
 use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
@@ -46,8 +46,54 @@ struct Now {
     stop: Option<Arc<AtomicBool>>,
     /// True after interruptible work: the rest of the command only makes the answer.
     has_found: bool,
-    /// The last progress bar that the command showed.
-    bar: Option<ProgressBar>,
+    /// The last progress that the command showed.
+    bar: Option<Arc<Bar>>,
+}
+
+/// The progress of long work.
+#[derive(Default)]
+struct Bar {
+    /// Number of completed parts.
+    position: AtomicU64,
+    /// Number of all parts, 0 if it is unknown.
+    length: AtomicU64,
+    message: Mutex<String>,
+}
+
+impl Bar {
+    fn position(&self) -> u64 {
+        self.position.load(Ordering::Relaxed)
+    }
+
+    fn length(&self) -> u64 {
+        self.length.load(Ordering::Relaxed)
+    }
+
+    fn message(&self) -> MutexGuard<'_, String> {
+        self.message.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Progress for Bar {
+    fn set_length(&self, parts: u64) {
+        self.length.store(parts, Ordering::Relaxed);
+    }
+
+    fn set_position(&self, parts: u64) {
+        self.position.store(parts, Ordering::Relaxed);
+    }
+
+    fn inc(&self, parts: u64) {
+        self.position.fetch_add(parts, Ordering::Relaxed);
+    }
+
+    fn set_message(&self, message: String) {
+        *self.message() = message;
+    }
+
+    fn finish(&self) {
+        self.set_position(self.length());
+    }
 }
 
 /// The files of a command; locked while a file is written.
@@ -75,24 +121,14 @@ impl Caller {
     /// Says the position of the progress bar, with the best value so far.
     fn tell_of_bar(&self) {
         let mut now = self.now();
-        let Some(bar) = now
-            .bar
-            .clone()
-            .filter(|bar| bar.length().is_some_and(|of| of > 0))
-        else {
+        let Some(bar) = now.bar.clone().filter(|bar| bar.length() > 0) else {
             return;
         };
-        let best = bar.message();
-        let best = if best.is_empty() {
-            best
-        } else {
-            format!(", best {best}")
+        let best = match bar.message().as_str() {
+            "" => String::new(),
+            best => format!(", best {best}"),
         };
-        let told = format!(
-            "{} of {} done{best}",
-            bar.position(),
-            bar.length().unwrap_or(0)
-        );
+        let told = format!("{} of {} done{best}", bar.position(), bar.length());
         now.said.push(("note", told));
     }
 
@@ -173,8 +209,11 @@ impl Host for Caller {
         Box::new(Writing(files))
     }
 
-    fn shows(&self, bar: ProgressBar) -> ProgressBar {
-        bar.set_draw_target(ProgressDrawTarget::hidden());
+    fn shows(&self, work: Work<'_>) -> SharedProgress {
+        let bar = Arc::new(Bar::default());
+        if let Work::Searches(all) = work {
+            bar.set_length(all);
+        }
         self.now().bar = Some(bar.clone());
         bar
     }
@@ -313,7 +352,7 @@ fn shown(caller: &Caller, progress: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
     };
     let bar = caller.now().bar.clone();
     if let Some(bar) = bar {
-        progress.call1((bar.position(), bar.length().unwrap_or(0)))?;
+        progress.call1((bar.position(), bar.length()))?;
     }
     Ok(())
 }

@@ -12,7 +12,8 @@ const UNDER_WAY: u64 = 4;
 const MOST_THREADS: usize = 256;
 
 /// WebAssembly has threads only if compiled with atomics.
-const HAS_THREADS: bool = cfg!(any(not(target_family = "wasm"), target_feature = "atomics"));
+pub(crate) const HAS_THREADS: bool =
+    cfg!(any(not(target_family = "wasm"), target_feature = "atomics"));
 
 /// Processes each chunk from `next` in parallel and passes the results to `sink` in order. A
 /// bounded number of chunks is in flight. `threads`: 0 for one per processor, at most 256. Without

@@ -43,7 +43,7 @@ mod sequence;
 pub use block::{Block, Status, StatusCounts};
 pub use definition::Batch;
 pub use grid::{Axis, Grid};
-pub(crate) use in_order::in_order;
+pub(crate) use in_order::{HAS_THREADS, in_order};
 pub use points::Points;
 pub(crate) use points::refuse_repeated;
 pub use run::{CHUNK, Run, gradient_batch, simulate_batch};

@@ -3,11 +3,11 @@ use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{
     Answer, Warnings, spinner, stated_system, system, tell, tell_detail, tell_error,
 };
+use crate::command::progress::SharedProgress;
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
 use crate::study::{Chart, ChartObserver, Search, Vary, chart_at};
 use crate::{Error, Result, Setup};
-use indicatif::ProgressBar;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -97,7 +97,7 @@ fn follow(
             if last.replace(place.clone()) != place {
                 let doing = format!("searching for an optimum at {place}");
                 spinner.set_message(doing.clone());
-                spinner.suspend(|| tell_detail(&doing));
+                spinner.suspend(&mut || tell_detail(&doing));
             }
         }
     };
@@ -114,23 +114,23 @@ fn follow(
                 .value()
                 .map_or("–".into(), |value| outcome_text(of, value, system()));
             let place = place_text(point.at);
-            spinner.suspend(|| tell_detail(&format!("{place}: {} {value}", of.name())));
+            spinner.suspend(&mut || tell_detail(&format!("{place}: {} {value}", of.name())));
         }
         true
     });
-    spinner.finish_and_clear();
+    spinner.finish();
     chart
 }
 
 /// Shows an iteration only after one second without a new line: most searches of a chart are
 /// shorter.
-fn progress(search: &Search, spinner: &ProgressBar) -> impl Fn(&Iteration) + use<> {
+fn progress(search: &Search, spinner: &SharedProgress) -> impl Fn(&Iteration) + use<> {
     const SILENCE: Duration = Duration::from_secs(1);
     let (search, spinner, told) = (search.clone(), spinner.clone(), Cell::new(Instant::now()));
     move |iteration| {
         if told.get().elapsed() >= SILENCE {
             told.set(Instant::now());
-            spinner.suspend(|| tell_detail(&iteration_line(&search, iteration, system())));
+            spinner.suspend(&mut || tell_detail(&iteration_line(&search, iteration, system())));
         }
     }
 }

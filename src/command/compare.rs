@@ -15,7 +15,7 @@ pub fn run(args: &Compare) -> Result<Answer> {
     warn(&warnings);
     let spinner = spinner("splitting the difference");
     let found = comparison.of_each(&of);
-    spinner.finish_and_clear();
+    spinner.finish();
     let (mut each, mut is_complete) = (vec![], true);
     for (of, difference) in of.into_iter().zip(found) {
         match difference {

@@ -160,6 +160,13 @@ impl Rule {
     /// existing file in it that the rule protects.
     pub fn folder(&self, path: &Path, names: &[&str]) -> Result<Folder> {
         refuse_standard_output(path, "folder")?;
+        let folder = Folder {
+            path: path.into(),
+            rule: self.clone(),
+        };
+        if folder.is_in_memory() {
+            return Ok(folder);
+        }
         if fs::metadata(path).is_ok_and(|found| !found.is_dir()) {
             return Err(refused(
                 path,
@@ -177,10 +184,6 @@ impl Rule {
             }
             fs::create_dir(path).map_err(|error| unwritable(path, &error))?;
         }
-        let folder = Folder {
-            path: path.into(),
-            rule: self.clone(),
-        };
         for name in names {
             self.place(&path.join(name))?;
         }
@@ -372,6 +375,9 @@ impl Folder {
     /// # Errors
     /// The errors of [`Rule::file`] and [`Destination::write`].
     pub fn write<'a>(&self, files: impl IntoIterator<Item = (&'a str, &'a [u8])>) -> Result<usize> {
+        if self.is_in_memory() {
+            return Ok(self.keep(files));
+        }
         let ancestors = self.path.ancestors();
         let created: Vec<_> = ancestors.take_while(|folder| !folder.exists()).collect();
         let written = self.write_files(files);
@@ -411,6 +417,18 @@ impl Folder {
             }
             Ok(files.len())
         })
+    }
+
+    /// Gives the files to the host, which keeps them in memory.
+    fn keep<'a>(&self, files: impl IntoIterator<Item = (&'a str, &'a [u8])>) -> usize {
+        let host = &running().host;
+        let keep = |(name, bytes): (&str, &[u8])| host.keep(&self.path.join(name), bytes.to_vec());
+        files.into_iter().map(keep).count()
+    }
+
+    /// Returns true for a folder that the caller of the command keeps in memory.
+    fn is_in_memory(&self) -> bool {
+        running().host.keeps(&self.path)
     }
 
     /// The path of the folder.

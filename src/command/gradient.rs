@@ -27,7 +27,7 @@ pub fn run(args: &Gradient) -> Result<Answer> {
     let evaluated = evaluate_with(&setup, &of, &wrt, order, |done, passes| {
         show(&bar, done, passes)
     });
-    bar.finish_and_clear();
+    bar.finish();
     let each: Vec<Result<Taylor>> = match evaluated {
         // an outcome without a value (no landing, no direction) does not prevent the others
         Err(error) if error.is_an_outcome() => {

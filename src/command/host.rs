@@ -1,8 +1,8 @@
 use super::mention::Mention;
+use super::progress::{SharedProgress, Work};
 use super::width;
 use crate::input_file::MemoryFiles;
-use indicatif::ProgressBar;
-use std::io;
+use std::io::{self, Write};
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -28,6 +28,15 @@ pub trait Host: Send + Sync {
     /// # Errors
     /// If the answer cannot be written.
     fn print(&self, text: &str) -> io::Result<()>;
+
+    /// Receives rows of a table for standard output.
+    ///
+    /// # Errors
+    /// If the rows cannot be written.
+    fn write(&self, rows: &[u8]) -> io::Result<()> {
+        let mut out = io::stdout();
+        out.write_all(rows).and_then(|()| out.flush())
+    }
 
     /// Receives a message other than the answer.
     fn say(&self, kind: Kind, text: &str);
@@ -69,7 +78,7 @@ pub trait Host: Send + Sync {
         MemoryFiles::new()
     }
 
-    /// True if the host keeps the output file of this name in memory.
+    /// True if the host keeps the output file, or the files of the folder, of this name in memory.
     fn keeps(&self, _name: &Path) -> bool {
         false
     }
@@ -89,10 +98,9 @@ pub trait Host: Send + Sync {
         Box::new(())
     }
 
-    /// Shows a progress bar, or the elapsed time of work without countable steps. The command draws
-    /// `bar` on standard error if that is a terminal.
-    fn shows(&self, bar: ProgressBar) -> ProgressBar {
-        bar
+    /// Announces long work, and returns what receives its progress. `--quiet` suppresses it.
+    fn shows(&self, _work: Work<'_>) -> SharedProgress {
+        Arc::new(())
     }
 }
 

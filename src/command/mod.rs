@@ -30,8 +30,10 @@ mod args;
 mod calibrate;
 mod call;
 mod chart;
+#[cfg(feature = "cli")]
 mod colour;
 mod compare;
+#[cfg(feature = "cli")]
 mod completions;
 mod date;
 mod delivery;
@@ -43,6 +45,7 @@ mod gradient;
 mod host;
 mod interrupt;
 mod laws;
+#[cfg(feature = "cli")]
 mod man;
 mod mention;
 mod names;
@@ -55,6 +58,7 @@ mod picture;
 mod plot;
 mod plot_drive;
 mod presets;
+mod progress;
 mod ranges;
 mod report;
 mod reproduce;
@@ -68,7 +72,9 @@ mod sensitivity;
 mod simulate;
 mod sweep;
 mod swings;
+#[cfg(feature = "cli")]
 mod terminal;
+mod threads;
 mod uncertainty;
 mod validate;
 mod verify;
@@ -80,22 +86,27 @@ pub use call::{Call, Value, quantity_of, quantity_of_goal, with_degrees};
 pub use described::described;
 pub use host::{Hold, Host, Kind};
 pub use mention::{Argument, Mention, mark_options, with_mentions};
+pub use progress::{Progress, SharedProgress, Work};
 
 use crate::{Error, Result};
 use args::{Args, Command};
 use output::Answer;
 use std::ffi::OsString;
 use std::io::ErrorKind;
+#[cfg(feature = "cli")]
 use std::process::ExitCode;
 use std::sync::Arc;
+#[cfg(feature = "cli")]
 use terminal::Terminal;
 
 /// The program: runs the command line of the process in a terminal.
+#[cfg(feature = "cli")]
 pub fn main() -> ExitCode {
     ExitCode::from(run_in_terminal(std::env::args_os().collect()))
 }
 
 /// Runs the program for these arguments, its name first; returns the exit status.
+#[cfg(feature = "cli")]
 pub fn run_in_terminal(words: Vec<OsString>) -> u8 {
     run(words, Arc::new(Terminal::default()))
 }
@@ -169,7 +180,9 @@ fn answer(command: &Command) -> Result<Answer> {
         Command::Parameters(args) => parameters::run(args),
         Command::Presets(args) => presets::run(args),
         Command::Laws(args) => laws::run(args),
+        #[cfg(feature = "cli")]
         Command::Completions(args) => completions::run(args),
+        #[cfg(feature = "cli")]
         Command::Man(args) => man::run(args),
     }
 }

@@ -186,7 +186,7 @@ fn analyse(
         .collect();
     let bar = bar("parameters");
     let sensitivities = sensitivities(best, &wrt, &mut |done, of| show(&bar, done, of));
-    bar.finish_and_clear();
+    bar.finish();
     if let (None, Some((_, said))) = (asked.loss, short_drive(best)) {
         tell(said);
     }
@@ -198,7 +198,7 @@ fn analyse(
         .map(|stated| change(best, *stated, integrated))
         .collect::<Result<Vec<_>>>()?;
     let flatness = flatness(best, loss)?;
-    spinner.finish_and_clear();
+    spinner.finish();
     Ok(Analyses {
         sensitivities: sensitivities?,
         flatness,

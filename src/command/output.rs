@@ -1,16 +1,17 @@
 use super::host::Kind;
 use super::mention::commands_with;
+use super::progress::{SharedProgress, Work};
 use super::running::running;
 use super::wording::{advice_on, in_words_of_the_host, name_in_words_of_the_host};
 use crate::report::{Document, Empty, Origin, Reply, Report};
 use crate::units::{Message, System};
 use crate::{Error, Result};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use serde_json::Value;
 use std::ffi::OsString;
 use std::io;
+use std::sync::Arc;
 
 /// The units of `--units`, if it is stated.
 pub fn stated_system() -> Option<System> {
@@ -348,39 +349,27 @@ fn say(reply: &Reply<Empty>) {
     let _ = running().host.print(&answer.text);
 }
 
-/// A progress bar for long work; hidden with `--quiet`.
-pub fn bar(of: &str) -> ProgressBar {
-    bar_of(0, &format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left"))
+/// The progress of parts of this name.
+pub fn bar(of: &str) -> SharedProgress {
+    shown(Work::Parts(of))
 }
 
-/// A progress bar with this number of steps and this template.
-pub fn bar_of(parts: u64, template: &str) -> ProgressBar {
+/// The progress of work without countable parts.
+pub fn spinner(doing: &str) -> SharedProgress {
+    shown(Work::Uncounted(doing))
+}
+
+/// The progress of this work; hidden with `--quiet`.
+pub fn shown(work: Work<'_>) -> SharedProgress {
     let running = running();
-    if running.is_quiet() {
-        return ProgressBar::hidden();
+    match running.is_quiet() {
+        true => Arc::new(()),
+        false => running.host.shows(work),
     }
-    let style =
-        ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
-    running
-        .host
-        .shows(ProgressBar::new(parts).with_style(style))
 }
 
-/// Shows the number of completed steps and of all steps.
-pub fn show(bar: &ProgressBar, done: usize, all: usize) {
+/// Shows the number of completed parts and of all parts.
+pub fn show(bar: &SharedProgress, done: usize, all: usize) {
     bar.set_length(all as u64);
     bar.set_position(done as u64);
-}
-
-/// A spinner with the elapsed time, for work without countable steps.
-pub fn spinner(doing: &'static str) -> ProgressBar {
-    let running = running();
-    if running.is_quiet() {
-        return ProgressBar::hidden();
-    }
-    let spinner = running
-        .host
-        .shows(ProgressBar::new_spinner().with_message(doing));
-    spinner.enable_steady_tick(std::time::Duration::from_millis(200));
-    spinner
 }

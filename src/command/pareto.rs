@@ -100,7 +100,7 @@ fn followed(request: &Request, asked: &ParetoAsked) -> Result<Followed> {
             let doing = format!("following the front: {} searches so far", number + 1);
             shown.set_message(doing.clone());
             if running.is_verbose() {
-                shown.suspend(|| running.tell(&doing));
+                shown.suspend(&mut || running.tell(&doing));
             }
         }
     });
@@ -111,7 +111,7 @@ fn followed(request: &Request, asked: &ParetoAsked) -> Result<Followed> {
         ..Observers::default()
     };
     let found = pareto(&setup, search, scenarios, &follow);
-    spinner.finish_and_clear();
+    spinner.finish();
     let found = found?;
     let warnings = setup
         .warnings()

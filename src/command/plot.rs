@@ -91,7 +91,7 @@ fn contour(args: &PlotContour) -> Result<Answer> {
         .map(|best| Region::around(best, map.across, map.up, usual_loss(best)))
         .transpose()?
         .flatten();
-    spinner.finish_and_clear();
+    spinner.finish();
     if best.is_some() && region.is_none() {
         tell(
             "no region around the optimum is drawn: no other drive of the map loses little and \
@@ -171,7 +171,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
         bar.inc(1);
         true
     });
-    bar.finish_and_clear();
+    bar.finish();
     let chart = chart?;
     for note in chart.begun.iter().chain(&chart.ended) {
         tell(&note.in_units(system()));
@@ -252,7 +252,7 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
         &with_defaults(&setup, &given, &[of])?,
         &mut |done, all| show(&bar, done, all),
     );
-    bar.finish_and_clear();
+    bar.finish();
     let found = found?;
     let causes = match args.show {
         Moved::Control => Causes::Control,
@@ -308,7 +308,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
         show(&bar, done, all);
         true
     });
-    bar.finish_and_clear();
+    bar.finish();
     let certificate = certificate?;
     tell_left_out(&certificate);
     // in the requested order, without additional rows

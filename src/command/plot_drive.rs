@@ -54,7 +54,7 @@ pub fn launches(args: &PlotLaunch) -> Result<Answer> {
         .collect();
     let spinner = spinner("computing the map");
     let map = Launches::around(&drives)?;
-    spinner.finish_and_clear();
+    spinner.finish();
     let figure = launches_figure(&map, system());
     target.written(
         &request,
@@ -72,7 +72,7 @@ pub fn face(args: &PlotFace) -> Result<Answer> {
     refuse_launch(&setup, &args.drawing)?;
     let spinner = spinner("computing strikes");
     let face = Face::of(&setup)?;
-    spinner.finish_and_clear();
+    spinner.finish();
     target.written(
         &request,
         &setup,
@@ -128,7 +128,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
         .chain(other.iter().map(|(_, other)| other))
         .map(Face::of);
     let faces = faces.collect::<Result<Vec<_>>>()?;
-    spinner.finish_and_clear();
+    spinner.finish();
     let designs: Vec<_> = names.into_iter().zip(&faces).collect();
     let figure = strikes_figure(&designs, system()).ok_or(Error::Nothing {
         doing: "draw",

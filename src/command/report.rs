@@ -4,6 +4,7 @@ use crate::command::files::Rule;
 use crate::command::names::usual;
 use crate::command::output::{Answer, bar, command_line, system, tell, warn};
 use crate::command::plot::limits;
+use crate::command::progress::SharedProgress;
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::wording::in_words_of_the_host;
@@ -20,7 +21,6 @@ use crate::study::{
 };
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
-use indicatif::ProgressBar;
 use serde::Serialize;
 use std::path::Path;
 
@@ -55,7 +55,7 @@ pub fn run(args: &Report) -> Result<Answer> {
             .iter()
             .map(|Document { name, text }| (name.as_str(), text.as_bytes())),
     )?;
-    bar.finish_and_clear();
+    bar.finish();
     remarks.extend(why_none);
     warn(&remarks);
     tell(&format!(
@@ -134,7 +134,7 @@ struct Results {
 }
 
 impl Results {
-    fn new(inputs: &Inputs, bar: &ProgressBar) -> Result<Self> {
+    fn new(inputs: &Inputs, bar: &SharedProgress) -> Result<Self> {
         let Inputs {
             setup,
             of,
@@ -274,7 +274,7 @@ impl Drives {
     fn new(
         setup: &Setup<f64>,
         search: Option<&Search>,
-        bar: &ProgressBar,
+        bar: &SharedProgress,
         remarks: &mut Vec<Message>,
     ) -> Result<Self> {
         let mut flown = vec![NamedDrive::new("as set up", setup)?];
@@ -371,7 +371,7 @@ fn chart_of(
     setup: &Setup<f64>,
     search: &Search,
     along: Vary,
-    bar: &ProgressBar,
+    bar: &SharedProgress,
     remarks: &mut Vec<Message>,
 ) -> Result<Option<Chart>> {
     let mut varied = search.vary.iter();
@@ -402,7 +402,7 @@ impl Slopes {
         search: Option<&Search>,
         best: Option<&Optimum>,
         sigmas: &[Sigma],
-        bar: &ProgressBar,
+        bar: &SharedProgress,
         remarks: &mut Vec<Message>,
     ) -> Result<Self> {
         let shown = if of == Outcome::Lateral {

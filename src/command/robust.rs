@@ -42,7 +42,7 @@ pub fn run(args: &RobustArgs) -> Result<Answer> {
         ..Observers::default()
     };
     let found = robust(models, search, args.starts as usize, &follow);
-    spinner.finish_and_clear();
+    spinner.finish();
     let found = found?;
     let is_found = found.is_found();
     let mut warnings = found.warnings(&interrupt);

@@ -3,6 +3,7 @@
 use super::args::OutputOptions;
 use super::host::{Host, Kind};
 use super::mention::with_mentions;
+#[cfg(feature = "cli")]
 use super::terminal::Terminal;
 use crate::report::TextOptions;
 use crate::units::{Message, System};
@@ -52,12 +53,35 @@ pub fn within<T>(
     work()
 }
 
-/// The innermost command of this thread, or a command in a terminal if this thread has no command.
+/// The host of a thread without a command.
+#[cfg(feature = "cli")]
+fn default_host() -> Arc<dyn Host> {
+    Arc::new(Terminal::default())
+}
+
+/// The host of a thread without a command.
+#[cfg(not(feature = "cli"))]
+fn default_host() -> Arc<dyn Host> {
+    /// A host that discards what it receives.
+    struct Nobody;
+
+    impl Host for Nobody {
+        fn print(&self, _: &str) -> std::io::Result<()> {
+            Ok(())
+        }
+
+        fn say(&self, _: Kind, _: &str) {}
+    }
+
+    Arc::new(Nobody)
+}
+
+/// The innermost command of this thread, or one of the default host if this thread has no command.
 /// Threads that a command starts must get its `Running` explicitly.
 pub fn running() -> Arc<Running> {
     RUNNING
         .with_borrow(|all| all.last().cloned())
-        .unwrap_or_else(|| Arc::new(Running::of(Arc::new(Terminal::default()), None, vec![])))
+        .unwrap_or_else(|| Arc::new(Running::of(default_host(), None, vec![])))
 }
 
 impl Running {

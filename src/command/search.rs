@@ -4,7 +4,8 @@ use crate::command::args::{SearchArgs, WorkArgs};
 use crate::command::files::Destination;
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::tell_of_the_run;
-use crate::command::output::{bar_of, system, tell, warn};
+use crate::command::output::{shown, system, tell, warn};
+use crate::command::progress::{SharedProgress, Work};
 use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::running::running;
@@ -15,7 +16,6 @@ use crate::study::swings::{Scenarios, Swings};
 use crate::study::{Constraint, Optima, Search, Sense, Vary, optima};
 use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
-use indicatif::ProgressBar;
 use std::sync::{Arc, Mutex, PoisonError};
 
 impl SearchArgs {
@@ -151,10 +151,10 @@ impl WorkArgs {
         &self,
         setup: &Setup<f64>,
         search: &Search,
-        (follow, bar): &(Observers, ProgressBar),
+        (follow, bar): &(Observers, SharedProgress),
     ) -> Result<Optima> {
         let found = optima(setup, search, self.starts as usize, follow);
-        bar.finish_and_clear();
+        bar.finish();
         if let Ok(optima) = &found
             && let Some(interrupted) = optima.interrupted()
         {
@@ -165,7 +165,11 @@ impl WorkArgs {
 
     /// The progress of a search: its last iteration, or a bar for several searches. The
     /// observers also write the checkpoint, and stop the search on Ctrl-C.
-    pub fn follow(&self, setup: &Setup<f64>, search: &Search) -> Result<(Observers, ProgressBar)> {
+    pub fn follow(
+        &self,
+        setup: &Setup<f64>,
+        search: &Search,
+    ) -> Result<(Observers, SharedProgress)> {
         let checkpoint = match &self.checkpoint {
             Some(path) => Some(Arc::new(Checkpoint::open(
                 path,
@@ -186,15 +190,12 @@ impl WorkArgs {
     }
 
     /// A bar with the number of completed searches and the best value so far.
-    fn many(&self, search: &Search, follow: &mut Observers) -> ProgressBar {
+    fn many(&self, search: &Search, follow: &mut Observers) -> SharedProgress {
         let (of, sign, system) = (search.of.clone(), search.sense.sign(), system());
         let show = move |value: f64| goal_text(&of, sign * value, system);
-        let bar = bar_of(
-            u64::from(self.starts),
-            "{bar:40} {pos}/{len} searches, {eta} left, best {msg}",
-        );
+        let bar = shown(Work::Searches(u64::from(self.starts)));
         let best: Mutex<Option<f64>> = Mutex::new(None);
-        let shown = bar.clone();
+        let told = bar.clone();
         follow.end = Some(Arc::new(move |_, solution| {
             let mut best = best.lock().unwrap_or_else(PoisonError::into_inner);
             let is_feasible = solution.residual.feasibility <= 1e-6;
@@ -202,8 +203,8 @@ impl WorkArgs {
                 .into_iter()
                 .flatten()
                 .reduce(f64::min);
-            shown.set_message(best.map_or("–".into(), &show));
-            shown.inc(1);
+            told.set_message(best.map_or("–".into(), &show));
+            told.inc(1);
         }));
         bar
     }
@@ -266,15 +267,15 @@ fn question(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
 }
 
 /// The last iteration in one line; with `--verbose`, a line for each iteration.
-fn one(search: &Search, follow: &mut Observers) -> ProgressBar {
-    let (shown, running) = (search.clone(), running());
+fn one(search: &Search, follow: &mut Observers) -> SharedProgress {
+    let (followed, running) = (search.clone(), running());
     let bar = match running.is_verbose() {
-        true => ProgressBar::hidden(),
-        false => bar_of(0, "{msg}"),
+        true => Arc::new(()),
+        false => shown(Work::Iterations),
     };
     let last = bar.clone();
     let line = move |_, iteration: &Iteration| {
-        let line = iteration_line(&shown, iteration, running.system());
+        let line = iteration_line(&followed, iteration, running.system());
         if running.is_verbose() {
             running.tell(&line);
         } else {

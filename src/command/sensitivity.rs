@@ -35,7 +35,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
     warnings.add(drive.warnings_about(&setup, &of));
     let bar = bar("uncertainties");
     let found = effects(&setup, &of, &sigmas, &mut |done, all| show(&bar, done, all));
-    bar.finish_and_clear();
+    bar.finish();
     let found = found?;
     // the reasons for missing values in the table
     let unflown = found.first().map(|effects| unflown(&setup, &of, effects));

@@ -6,8 +6,10 @@
 //! - A second Ctrl-C ends the program at once.
 
 use super::host::{Hold, Host, Kind};
+use super::progress::{Progress, SharedProgress, Work};
 use super::{colour, width};
 use crate::report::{Reply, remark};
+use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{self, IsTerminal, Read, Write};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -33,7 +35,7 @@ struct Now {
     command: &'static str,
     is_json: bool,
     /// The current work, if it can be interrupted.
-    work: Option<Work>,
+    work: Option<Interruptible>,
     /// True while the answer is printed.
     is_printed: bool,
     /// Completed files.
@@ -41,7 +43,7 @@ struct Now {
 }
 
 /// Work that can stop and return its result so far.
-struct Work {
+struct Interruptible {
     stop: Arc<AtomicBool>,
     /// The message when the work is interrupted.
     stopping: &'static str,
@@ -65,14 +67,14 @@ impl Terminal {
                     (now.command, now.is_json, now.written.join(", "));
                 self.end(command, is_json, &written);
             }
-            Some(Work {
+            Some(Interruptible {
                 told: Some(told), ..
             }) => {
                 if told.elapsed() > ONE_PRESS {
                     std::process::exit(AT_ONCE);
                 }
             }
-            Some(Work {
+            Some(Interruptible {
                 stop,
                 stopping,
                 told,
@@ -151,7 +153,7 @@ impl Host for Terminal {
     }
 
     fn can_stop(&self, stopping: &'static str, stop: &Arc<AtomicBool>) {
-        self.now().work = Some(Work {
+        self.now().work = Some(Interruptible {
             stop: stop.clone(),
             stopping,
             told: None,
@@ -164,6 +166,65 @@ impl Host for Terminal {
 
     fn hold(&self) -> Box<dyn Hold + '_> {
         Box::new(self.now())
+    }
+
+    fn shows(&self, work: Work<'_>) -> SharedProgress {
+        Arc::new(Bar::of(work))
+    }
+}
+
+/// A progress bar on standard error, if that is a terminal.
+struct Bar(ProgressBar);
+
+impl Bar {
+    fn of(work: Work<'_>) -> Self {
+        let bar = |parts, template: &str| {
+            let style = ProgressStyle::with_template(template);
+            let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+            ProgressBar::new(parts).with_style(style)
+        };
+        Self(match work {
+            Work::Parts(of) => bar(0, &format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left")),
+            Work::Searches(all) => {
+                bar(all, "{bar:40} {pos}/{len} searches, {eta} left, best {msg}")
+            }
+            Work::Iterations => bar(0, "{msg}"),
+            Work::Uncounted(doing) => {
+                let spinner = ProgressBar::new_spinner().with_message(doing.to_owned());
+                spinner.enable_steady_tick(Duration::from_millis(200));
+                spinner
+            }
+        })
+    }
+}
+
+impl Progress for Bar {
+    fn set_length(&self, parts: u64) {
+        self.0.set_length(parts);
+    }
+
+    fn set_position(&self, parts: u64) {
+        self.0.set_position(parts);
+    }
+
+    fn inc(&self, parts: u64) {
+        self.0.inc(parts);
+    }
+
+    fn set_message(&self, message: String) {
+        self.0.set_message(message);
+    }
+
+    fn reset_eta(&self) {
+        self.0.reset_eta();
+    }
+
+    fn suspend(&self, work: &mut dyn FnMut()) {
+        self.0.suspend(work);
+    }
+
+    fn finish(&self) {
+        self.0.finish_and_clear();
     }
 }
 

@@ -33,7 +33,7 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
     let found = uncertainty(&setup, &of, &inputs, plan, &|done, all| {
         show(&bar, done, all)
     });
-    bar.finish_and_clear();
+    bar.finish();
     let found = found?;
     let of_sample = found.warnings();
     warn(&of_sample);

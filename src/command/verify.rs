@@ -30,7 +30,7 @@ pub fn run(args: &Verify) -> Result<Answer> {
         show(&bar, done, all);
         !stop.load(Ordering::Relaxed)
     });
-    bar.finish_and_clear();
+    bar.finish();
     let certificate = certificate?;
     let of_step = certificate
         .step

@@ -1,7 +1,9 @@
 //! The width of the terminal: that of `COLUMNS` if it is set, else that of the stream.
 
+#[cfg(feature = "cli")]
 use std::io;
-use terminal_size::{Height, Width, terminal_size_of};
+#[cfg(feature = "cli")]
+use terminal_size::{Width, terminal_size_of};
 
 /// Width of text if no terminal is known, columns.
 pub const UNKNOWN: usize = 80;
@@ -11,18 +13,24 @@ const WIDTHS: [usize; 2] = [40, 120];
 
 /// Width of answers and help on standard output, columns.
 pub fn of_answers() -> usize {
-    width(terminal_size_of(io::stdout()))
+    #[cfg(feature = "cli")]
+    let columns = terminal_size_of(io::stdout()).map(|(Width(columns), _)| columns);
+    #[cfg(not(feature = "cli"))]
+    let columns = None;
+    width(columns)
 }
 
 /// Width of messages on standard error, columns.
+#[cfg(feature = "cli")]
 pub fn of_messages() -> usize {
-    width(terminal_size_of(io::stderr()))
+    width(terminal_size_of(io::stderr()).map(|(Width(columns), _)| columns))
 }
 
-fn width(size: Option<(Width, Height)>) -> usize {
+/// The width of a terminal with this number of columns.
+fn width(columns: Option<u16>) -> usize {
     let stated = std::env::var("COLUMNS").ok();
     let stated = stated.and_then(|columns| columns.parse().ok());
-    let of_terminal = size.map(|(Width(columns), _)| usize::from(columns));
+    let of_terminal = columns.map(usize::from);
     let [least, most] = WIDTHS;
     stated
         .filter(|columns| *columns > 0)

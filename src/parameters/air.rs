@@ -94,7 +94,7 @@ pub(crate) fn is_reset(name: &str, text: &str) -> bool {
 }
 
 /// True if `other`, once set, determines the parameter `name`.
-#[cfg(feature = "cli")]
+#[cfg(feature = "commands")]
 pub(crate) fn follows_from(name: &str, other: &str) -> bool {
     WAYS.iter()
         .any(|ways| ways.replaced.contains(&name) && ways.by.contains(&other))
@@ -175,8 +175,8 @@ impl Setup<f64> {
 
     /// True if an optional parameter is set.
     pub(super) fn is_set(&self, name: &str) -> bool {
-        self.parameter(name)
-            .is_ok_and(|parameter| self.value(parameter).is_some())
+        self.find(name)
+            .is_some_and(|parameter| self.value(parameter).is_some())
     }
 
     /// Warnings about weather outside the validated range of the equation of the density

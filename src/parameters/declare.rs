@@ -333,8 +333,13 @@ macro_rules! parameter_groups {
             /// The parameters of this setup in the order of the parameter table: all groups, then
             /// the coefficients of its law.
             pub fn parameters(&self) -> Vec<&'static Parameter> {
+                self.rows().collect()
+            }
+
+            /// The parameters of this setup, as in [`parameters`](Self::parameters).
+            pub(super) fn rows(&self) -> impl Iterator<Item = &'static Parameter> {
                 let groups = [$( $Group::rows().as_slice(), )+ self.law.rows()];
-                groups.into_iter().flatten().collect()
+                groups.into_iter().flatten()
             }
 
             /// The value of a parameter; `None` for a coefficient of another law.

@@ -22,10 +22,10 @@ pub use air::Ways;
 pub(crate) use air::{
     DEFAULT_TEMPERATURE, LAPSE_RATE, SEA_LEVEL_TEMPERATURE, given_otherwise, refuse_replaced,
 };
-#[cfg(feature = "cli")]
+#[cfg(feature = "commands")]
 pub(crate) use air::{follows_from, is_reset};
 pub use choices::{GOLFER, Golfer, METHOD, Method, SPEED_OF, SpeedOf};
-#[cfg(feature = "cli")]
+#[cfg(feature = "commands")]
 pub(crate) use declare::is_unset;
 pub use declare::{Kind, Parameter, UNSET};
 pub use file::SetupFile;

@@ -224,10 +224,10 @@ impl Setup<f64> {
     /// [`Error::Unknown`] with the nearest name, or [`Error::OtherLaw`] for a coefficient of
     /// another law.
     pub fn parameter(&self, name: &str) -> Result<&'static Parameter> {
-        let rows = self.parameters();
-        if let Some(row) = rows.iter().find(|row| row.name == name) {
+        if let Some(row) = self.find(name) {
             return Ok(row);
         }
+        let rows = self.rows();
         let owners: Vec<_> = Law::all_rows()
             .filter(|row| row.name == name)
             .filter_map(|row| row.law)
@@ -242,11 +242,15 @@ impl Setup<f64> {
         Err(Error::unknown(
             "parameter",
             name,
-            rows.iter()
-                .map(|row| row.name)
+            rows.map(|row| row.name)
                 .chain([LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF]),
             LISTING,
         ))
+    }
+
+    /// The parameter of this name, if this setup has it.
+    pub(super) fn find(&self, name: &str) -> Option<&'static Parameter> {
+        self.rows().find(|row| row.name == name)
     }
 
     /// The value of a parameter; `None` if it is unset or belongs to another law.

@@ -89,7 +89,7 @@ pub use sensitivity::{
     ResolvedOptimum, SensitivityOf, SensitivityReport, StatedChangeReport,
 };
 pub use setup_file::{preset_toml, setup_toml, setup_toml_without_step};
-#[cfg(feature = "cli")]
+#[cfg(feature = "commands")]
 pub(crate) use setup_file::{with_step_of, without_step};
 #[cfg(test)]
 pub(crate) use shots::FlyRow;

@@ -58,7 +58,7 @@ pub(crate) fn without_step(toml: &str) -> String {
 }
 
 /// A setup file of this program with the method and step lines of another setup file.
-#[cfg(feature = "cli")]
+#[cfg(feature = "commands")]
 pub(crate) fn with_step_of(other: &str, toml: &str) -> String {
     let taken = |line| {
         let key = OF_STEP.into_iter().find(|key| str::starts_with(line, *key));

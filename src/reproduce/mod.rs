@@ -8,10 +8,11 @@ mod overlay;
 mod winfield_tan;
 
 pub use mae494::{
-    Average, Constant, Delivery, End, Energy, Landing, Landings, Launched, Mae494, Method, Noise,
-    Parametric, Peak, Regression, Row, Sawtooth, Searches, Slopes, Subsystems, mae494,
+    Average, Constant, Delivery, End, Energy, Landing, Landings, Launched, LoopLanding, Mae494,
+    Method, Noise, Parametric, Peak, Regression, Row, Sawtooth, Searches, Slopes, Subsystems,
+    mae494,
 };
-pub use overlay::{LoopRow, while_loop};
+pub use overlay::{LoopRow, loop_landing, while_loop};
 pub use winfield_tan::{
     Best, Decay, Fitted, MISPRINTS, Mean, Point, ShotComparison, SingleShot, WinfieldTan,
     winfield_tan,

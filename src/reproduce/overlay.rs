@@ -1,7 +1,8 @@
-use super::mae494::fly_past_the_ground;
+use super::mae494::{LoopLanding, fly_past_the_ground};
 use crate::atmosphere::in_effect;
 use crate::derivative::check::{Check, Demand, Ladder, STEPS};
 use crate::drive::Outcome;
+use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::study::certificate::Row;
 
@@ -36,12 +37,56 @@ impl LoopRow {
     }
 }
 
+/// Steps of the loop, s: a shorter one takes too long, a longer one has too few steps.
+const LOOP_STEPS: [f64; 2] = [1e-4, 1.0];
+
+/// True for a setup that the report's loop models: no wind, no spin damping, and a ground at the
+/// height of the tee.
+fn is_modelled(setup: &Setup<f64>) -> bool {
+    let wind = in_effect(setup).wind;
+    let is_calm = [wind.up, wind.right, wind.downrange] == [0.0; 3];
+    is_calm && setup.aero.spin_damping.is_none() && setup.ground.height == 0.0
+}
+
+/// The landing of the report's loop in steps of `step` s.
+///
+/// ```
+/// use longdrive::{Setup, reproduce::loop_landing};
+/// let landing = loop_landing(&Setup::preset("mae494").unwrap(), 0.01).unwrap();
+/// // the exact carry is 114.313 m; the loop ends at the first step below the ground
+/// assert!(landing.overshot > landing.interpolated && landing.overshot < 116.0);
+/// ```
+///
+/// # Errors
+/// [`Error::OutOfRange`] for a step outside 0.0001 s to 1 s; [`Error::Undefined`] for a setup that
+/// the loop does not model: a given launch, wind, spin damping, or a ground that is not level with
+/// the tee; the errors of [`strike`](crate::impact::strike); [`Error::NoFlight`] without a landing.
+pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
+    let [least, most] = LOOP_STEPS;
+    if !(least..=most).contains(&step) {
+        return Err(Error::OutOfRange {
+            name: "the step of the loop".into(),
+            value: format!("{step} s"),
+            range: format!("{least} s .. {most} s"),
+            advice: "the report's step is 0.01 s".into(),
+        });
+    }
+    if setup.launch.is_given() || !is_modelled(setup) {
+        return Err(Error::Undefined {
+            what: "the while-loop".into(),
+            reason: "it has a swing, and neither wind, spin damping nor a ground below the tee; \
+                     reset wind.*, aero.spin_damping and ground.height"
+                .into(),
+        });
+    }
+    setup.validate()?;
+    fly_past_the_ground(setup, step)
+}
+
 /// Differences of the report's loop for each carry row of a certificate. Empty for setups that the
 /// loop does not model: wind, spin damping, or a ground below the tee.
 pub fn while_loop(setup: &Setup<f64>, rows: &[Row]) -> Vec<LoopRow> {
-    let wind = in_effect(setup).wind;
-    let is_calm = [wind.up, wind.right, wind.downrange] == [0.0; 3];
-    if !is_calm || setup.aero.spin_damping.is_some() || setup.ground.height != 0.0 {
+    if !is_modelled(setup) {
         return vec![];
     }
     let known = |row: &&Row| {

@@ -1,7 +1,6 @@
 //! Decodes texts in UTF-8, UTF-16 or Windows-1252, with or without byte-order marks.
 
 use crate::external_errors::NOT_UTF_8;
-use encoding_rs::WINDOWS_1252;
 use std::io::{self, Read};
 
 /// Byte-order mark of UTF-8.
@@ -42,10 +41,7 @@ impl Encoding {
         match String::from_utf8(bytes) {
             Ok(text) => Ok(text),
             Err(_) if self == Self::Utf8 => Err(NOT_UTF_8),
-            Err(error) => Ok(WINDOWS_1252
-                .decode_without_bom_handling(error.as_bytes())
-                .0
-                .into_owned()),
+            Err(error) => Ok(of_windows_1252(error.as_bytes())),
         }
     }
 
@@ -53,12 +49,25 @@ impl Encoding {
     pub fn lossy(self, bytes: &[u8]) -> String {
         match self {
             Self::Utf8 => String::from_utf8_lossy(bytes).into_owned(),
-            Self::Windows1252 => WINDOWS_1252
-                .decode_without_bom_handling(bytes)
-                .0
-                .into_owned(),
+            Self::Windows1252 => of_windows_1252(bytes),
         }
     }
+}
+
+/// The characters of Windows-1252 from 0x80 to 0x9f (encoding.spec.whatwg.org); the others have the
+/// numbers of their bytes.
+const WINDOWS_1252: [char; 32] = [
+    '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}',
+    '\u{90}', '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
+];
+
+/// Decodes Windows-1252. A library for all encodings would bring 0.2 MB of tables.
+fn of_windows_1252(bytes: &[u8]) -> String {
+    let character = |byte: &u8| match byte {
+        0x80..=0x9f => WINDOWS_1252[usize::from(byte - 0x80)],
+        other => char::from(*other),
+    };
+    bytes.iter().map(character).collect()
 }
 
 /// A UTF-8 stream without byte-order marks.
@@ -177,7 +186,7 @@ impl<R: Read> Read for Decoded<R> {
 
 #[cfg(test)]
 mod tests {
-    use super::decoded;
+    use super::{Encoding, decoded};
     use std::io::{self, Read};
 
     fn read(source: impl Read) -> io::Result<String> {
@@ -196,6 +205,13 @@ mod tests {
             self.0 = &self.0[count..];
             Ok(count)
         }
+    }
+
+    #[test]
+    fn independent_characters_of_windows_1252() {
+        let bytes: Vec<u8> = (0..=255).collect();
+        let (text, ..) = encoding_rs::WINDOWS_1252.decode(&bytes);
+        assert_eq!(Encoding::Windows1252.lossy(&bytes), text);
     }
 
     #[test]

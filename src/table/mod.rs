@@ -27,7 +27,7 @@ pub(crate) use conditions::{
     Fault, Stated, conditions, contradiction, is_sideways, is_straight_by_assumption,
 };
 pub(crate) use decimal_mark::{DecimalMark, DecimalMarkCheck};
-#[cfg(feature = "cli")]
+#[cfg(feature = "commands")]
 pub(crate) use export_columns::ASSUMED_UNITS;
 pub(crate) use export_columns::{ClubColumns, assume_units, given_air, in_degrees, near_known};
 pub(crate) use head::{Head, TableOptions};

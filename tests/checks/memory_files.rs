@@ -1,6 +1,6 @@
 //! Files in memory: inputs that a host gives to a command, and outputs that it keeps.
 
-use longdrive::command::{Call, Host, Kind, MemoryFiles, Value, call};
+use longdrive::command::{Call, Host, Kind, MemoryFiles, Value, call, run};
 use serde_json::Value as Json;
 use std::collections::HashMap;
 use std::io;
@@ -16,6 +16,7 @@ struct InMemory {
     inputs: MemoryFiles,
     outputs: Mutex<HashMap<PathBuf, Vec<u8>>>,
     answer: Mutex<String>,
+    rows: Mutex<Vec<u8>>,
 }
 
 impl InMemory {
@@ -27,7 +28,7 @@ impl InMemory {
         Arc::new(Self {
             inputs: inputs.collect(),
             outputs: Mutex::new(outputs.collect()),
-            answer: Mutex::default(),
+            ..Self::default()
         })
     }
 
@@ -39,6 +40,11 @@ impl InMemory {
 impl Host for InMemory {
     fn print(&self, text: &str) -> io::Result<()> {
         self.answer.lock().unwrap().push_str(text);
+        Ok(())
+    }
+
+    fn write(&self, rows: &[u8]) -> io::Result<()> {
+        self.rows.lock().unwrap().extend(rows);
         Ok(())
     }
 
@@ -94,6 +100,39 @@ fn same_fit_of_shots_in_memory_and_on_disk() {
     let found = fit("shots", &in_memory);
     assert!(found["aero.cd0"]["value"].is_f64());
     assert_eq!(found, fit(file.to_str().unwrap(), &on_disk));
+}
+
+#[test]
+fn same_folder_in_memory_and_on_disk() {
+    let folder = tempfile::tempdir().unwrap();
+    let on_disk = folder.path().join("pages");
+    let host = InMemory::new(&[], &["pages"]);
+    for output in [Path::new("pages"), &on_disk] {
+        let words = ["longdrive", "man", "-o", output.to_str().unwrap()];
+        assert_eq!(run(words.map(Into::into).to_vec(), host.clone()), 0);
+    }
+    let mut kept = host.outputs.lock().unwrap();
+    kept.remove(Path::new("pages"));
+    assert_eq!(kept.len(), std::fs::read_dir(&on_disk).unwrap().count());
+    for (name, content) in kept.iter() {
+        let page = folder.path().join(name);
+        assert_eq!(&std::fs::read(page).unwrap(), content, "{}", name.display());
+    }
+    assert!(!Path::new("pages").exists());
+}
+
+#[test]
+fn same_rows_for_a_host_and_in_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("rows.csv");
+    let host = InMemory::new(&[("shots", SHOTS.as_bytes())], &[]);
+    for output in ["-", file.to_str().unwrap()] {
+        let words = ["longdrive", "fly", "shots", "-o", output];
+        assert_eq!(run(words.map(Into::into).to_vec(), host.clone()), 0);
+    }
+    let rows = host.rows.lock().unwrap();
+    assert_eq!(*rows, std::fs::read(file).unwrap());
+    assert_eq!(String::from_utf8_lossy(&rows).lines().count(), 4);
 }
 
 /// A Parquet table with one column.

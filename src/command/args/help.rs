@@ -51,10 +51,13 @@ pub fn template(program: &clap::Command, width: usize) -> String {
     let mut text = "{about}\n\n{usage-heading} {usage}\n".to_owned();
     for (heading, names) in GROUPS {
         text += &format!("\n{heading}:\n");
-        for name in names {
-            let about = program
-                .find_subcommand(name)
-                .and_then(clap::Command::get_about)
+        // without a terminal there are no completions and no manual
+        let there = names
+            .iter()
+            .filter_map(|name| Some((name, program.find_subcommand(name)?)));
+        for (name, command) in there {
+            let about = command
+                .get_about()
                 .map(ToString::to_string)
                 .unwrap_or_default();
             text += &wrapped(&format!("  {name:<19}  {about}"), [0, PURPOSE], width);

@@ -30,7 +30,9 @@ pub use picture::{
     PlotFairway, PlotKind, PlotLaunch, PlotLaws, PlotPareto, PlotStrike, PlotTornado,
     PlotTrajectory, PlotVcurve, Report, Seen,
 };
-pub use program::{Completions, Man, OutputOptions};
+pub use program::OutputOptions;
+#[cfg(feature = "cli")]
+pub use program::{Completions, Man};
 pub use robust::RobustArgs;
 pub use search::{
     ChartArgs, DesignArgs, Optimize, OptimumSensitivity, SearchArgs, SwingsArgs, WorkArgs,
@@ -145,8 +147,10 @@ pub enum Command {
     /// Authors, formula, ball, source, and fitted range of each law.
     Laws(Laws),
     /// Print a script for completion in a shell.
+    #[cfg(feature = "cli")]
     Completions(Completions),
     /// Print a manual page, or write all of them.
+    #[cfg(feature = "cli")]
     Man(Man),
 }
 
@@ -231,7 +235,9 @@ impl Command {
             Self::Parameters(args) => ("parameters", args.setup_args.json),
             Self::Presets(args) => ("presets", args.json),
             Self::Laws(args) => ("laws", args.json),
+            #[cfg(feature = "cli")]
             Self::Completions(_) => ("completions", false),
+            #[cfg(feature = "cli")]
             Self::Man(_) => ("man", false),
         }
     }

@@ -1,6 +1,7 @@
 //! Options of every command, and the commands about the program itself.
 
 use crate::units::System;
+#[cfg(feature = "cli")]
 use std::path::PathBuf;
 
 /// Options of every command about its output.
@@ -44,6 +45,7 @@ impl From<Units> for System {
     }
 }
 
+#[cfg(feature = "cli")]
 #[derive(clap::Args)]
 pub struct Completions {
     /// The shell.
@@ -51,6 +53,7 @@ pub struct Completions {
     pub shell: clap_complete::Shell,
 }
 
+#[cfg(feature = "cli")]
 #[derive(clap::Args)]
 pub struct Man {
     /// The command whose page is printed, e.g. "optimize" or "plot contour"; without it, the page

@@ -9,6 +9,7 @@ use crate::command::args::Fly;
 use crate::command::interrupt;
 use crate::command::output::{Answer, Warnings, system, tell, text_of};
 use crate::command::request::Request;
+use crate::command::threads::refuse_threads;
 use crate::drive::CheckScope;
 use crate::input_file;
 use crate::parameters::{Law, Preset};
@@ -35,6 +36,7 @@ fn fly(args: &Fly) -> Result<Answer> {
         return listen::run(args, 0);
     };
     refuse_preset(file)?;
+    refuse_threads(args.threads)?;
     let request = args.setup_args.request()?;
     let setup = setup(&request, &format!("the rows of {}", file.display()))?;
     let target = Target::new(args, file, &request)?;

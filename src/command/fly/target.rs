@@ -4,7 +4,6 @@ use crate::command::request::Request;
 use crate::command::running::running;
 use crate::report::ShotFormat;
 use crate::{Error, Result};
-use std::io::{self, Write};
 use std::path::Path;
 
 /// Format of the rows.
@@ -100,7 +99,7 @@ impl Target {
         let mut output = match &self.destination {
             Some(destination) => Output::File(destination.begin()?),
             None if self.is_silent => Output::Nowhere,
-            None => Output::Standard(io::stdout()),
+            None => Output::Standard,
         };
         output.write(head)?;
         Ok(output)
@@ -110,7 +109,7 @@ impl Target {
 /// The open destination of the rows.
 pub enum Output {
     File(Pieces),
-    Standard(io::Stdout),
+    Standard,
     Nowhere,
 }
 
@@ -118,10 +117,7 @@ impl Output {
     pub fn write(&mut self, bytes: &[u8]) -> Result<()> {
         match self {
             Self::File(file) => file.write(bytes),
-            Self::Standard(out) => out
-                .write_all(bytes)
-                .and_then(|()| out.flush())
-                .map_err(Error::Output),
+            Self::Standard => running().host.write(bytes).map_err(Error::Output),
             Self::Nowhere => Ok(()),
         }
     }
@@ -130,7 +126,7 @@ impl Output {
     pub fn finish(self) -> Result<()> {
         match self {
             Self::File(file) => file.finish(),
-            Self::Standard(_) | Self::Nowhere => Ok(()),
+            Self::Standard | Self::Nowhere => Ok(()),
         }
     }
 }

@@ -4,9 +4,9 @@ use super::rows::{Content, Writer};
 use super::target::Target;
 use crate::batch::{Batch, Points};
 use crate::command::args::Sweep;
+use crate::units::counted;
 use crate::{Error, Result};
 use bytesize::ByteSize;
-use indicatif::HumanDuration;
 use std::fmt::Display;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -77,9 +77,20 @@ fn free(path: &Path) -> Option<(f64, String)> {
         .unwrap_or(Path::new("."));
     let there = std::fs::metadata(path).map_or(0, |found| found.len());
     Some((
-        (fs4::available_space(folder).ok()? + there) as f64,
+        (available_space(folder)? + there) as f64,
         folder.display().to_string(),
     ))
+}
+
+#[cfg(feature = "cli")]
+fn available_space(folder: &Path) -> Option<u64> {
+    fs4::available_space(folder).ok()
+}
+
+/// A host without a terminal says itself how much it keeps.
+#[cfg(not(feature = "cli"))]
+fn available_space(_: &Path) -> Option<u64> {
+    None
 }
 
 fn read_size(text: &str) -> Result<f64> {
@@ -98,7 +109,45 @@ fn size(bytes: f64) -> impl Display {
     ByteSize(bytes as u64).display().si()
 }
 
-/// A duration with a unit.
-fn duration(seconds: f64) -> impl Display {
-    HumanDuration(Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX))
+/// Units of durations, s.
+const UNITS: [(f64, &str); 6] = [
+    (365.0 * 86_400.0, "year"),
+    (7.0 * 86_400.0, "week"),
+    (86_400.0, "day"),
+    (3600.0, "hour"),
+    (60.0, "minute"),
+    (1.0, "second"),
+];
+
+/// A duration in the largest unit of which it has about one and a half or more.
+fn duration(seconds: f64) -> String {
+    let most = Duration::MAX.as_secs_f64();
+    let seconds = if (0.0..=most).contains(&seconds) {
+        seconds
+    } else {
+        most
+    };
+    let is_long = |pair: &[(f64, &str)]| seconds + pair[1].0 / 2.0 >= 1.5 * pair[0].0;
+    match UNITS.windows(2).find(|pair| is_long(pair)) {
+        Some(pair) => counted((seconds / pair[0].0).round().max(2.0) as u64, pair[0].1),
+        None => counted(seconds.round() as u64, "second"),
+    }
+}
+
+#[cfg(all(test, feature = "cli"))]
+mod tests {
+    use super::duration;
+    use indicatif::HumanDuration;
+    use std::time::Duration;
+
+    #[test]
+    fn independent_durations_are_those_of_progress_bars() {
+        for k in 0..4000 {
+            let seconds = 0.2 * 1.006_f64.powi(k);
+            let of_bars = HumanDuration(Duration::from_secs_f64(seconds)).to_string();
+            assert_eq!(duration(seconds), of_bars);
+        }
+        let longest = HumanDuration(Duration::MAX).to_string();
+        assert_eq!(duration(f64::INFINITY), longest);
+    }
 }

@@ -14,6 +14,7 @@ use crate::batch::{Batch, Points, Run, Status, StatusCounts};
 use crate::command::args::Sweep;
 use crate::command::interrupt;
 use crate::command::output::{Answer, Warnings, bar, say_error, tell};
+use crate::command::threads::refuse_threads;
 use crate::drive::CheckScope;
 use crate::report::Reply;
 use crate::units::{Message, counted};
@@ -31,6 +32,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
         return of_parts(args, folder);
     }
     refuse_options_of_parts(args)?;
+    refuse_threads(args.threads)?;
     // interruptible from here on: reading a long table takes time before the first drive
     let stop = interrupt::stops("stopping after the drives under way");
     let request = args.setup_args.request()?;
@@ -157,7 +159,7 @@ fn write_rows(
             output.take(rows)
         },
     );
-    bar.finish_and_clear();
+    bar.finish();
     let is_complete = done.as_ref().is_ok_and(|done| *done == total);
     // an error on closing the file has precedence over an error of the rows
     output.close(is_complete)?;

@@ -70,7 +70,7 @@ pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
         args.overwrite,
         progress,
     );
-    bar.finish_and_clear();
+    bar.finish();
     let (manifest, is_new) = match written? {
         PartResult::New(manifest) => (manifest, true),
         PartResult::There(manifest) => (manifest, false),

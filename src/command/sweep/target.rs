@@ -4,6 +4,7 @@ use crate::batch::StatusCounts;
 use crate::command::args::{Format, Sweep};
 use crate::command::files::{Rule, refused, unwritable};
 use crate::command::request::Request;
+use crate::command::running::running;
 use crate::units::counted;
 use crate::{Error, Result};
 use std::fs::{File, OpenOptions};
@@ -62,6 +63,12 @@ impl Target {
         let inputs = request.inputs().chain(args.points.clone());
         // the code below checks if there is a sweep to resume
         let destination = Rule::new(inputs, args.overwrite || args.resume).file(&target.path)?;
+        if destination.is_in_memory() {
+            return refuse(
+                "there is no disk here; write the rows to standard output, with `format csv` or \
+                 jsonl",
+            );
+        }
         let files = destination.is_file().then(|| Files::of(destination.path()));
         if let Some(files) = &files {
             files.check(args.resume, args.overwrite)?;
@@ -135,7 +142,7 @@ impl Target {
         }
         let mut stream = if self.is_standard_output() {
             Stream {
-                to: To::Standard(io::stdout()),
+                to: To::Standard,
                 status_counts: StatusCounts::default(),
             }
         } else {
@@ -163,32 +170,30 @@ pub struct Stream {
 }
 
 enum To {
-    Standard(io::Stdout),
+    Standard,
     Device(File),
 }
 
 impl Stream {
     fn write(&mut self, bytes: &[u8]) -> Result<()> {
-        let to: &mut dyn Write = match &mut self.to {
-            To::Standard(out) => out,
-            To::Device(file) => file,
+        let written = match &mut self.to {
+            To::Standard => running().host.write(bytes),
+            To::Device(file) => file.write_all(bytes).and_then(|()| file.flush()),
         };
-        to.write_all(bytes)
-            .and_then(|()| to.flush())
-            .map_err(|error| {
-                if error.kind() == io::ErrorKind::BrokenPipe {
-                    return Error::Output(error);
-                }
-                let rows: u64 = self.status_counts.counts().map(|(_, count)| count).sum();
-                Error::Output(io::Error::new(
-                    error.kind(),
-                    format!(
-                        "{}; written before: {}",
-                        Error::why_unwritten(&error),
-                        counted(rows, "row")
-                    ),
-                ))
-            })
+        written.map_err(|error| {
+            if error.kind() == io::ErrorKind::BrokenPipe {
+                return Error::Output(error);
+            }
+            let rows: u64 = self.status_counts.counts().map(|(_, count)| count).sum();
+            Error::Output(io::Error::new(
+                error.kind(),
+                format!(
+                    "{}; written before: {}",
+                    Error::why_unwritten(&error),
+                    counted(rows, "row")
+                ),
+            ))
+        })
     }
 }
 

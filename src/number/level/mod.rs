@@ -17,7 +17,7 @@ use std::fmt;
 /// system they are identical to the last bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
-    /// Baseline instructions of the architecture.
+    /// Baseline instructions of the architecture. WebAssembly has this level or `Simd128`, not both.
     Baseline,
     /// NEON (every aarch64 processor): two numbers in a register.
     Neon,
@@ -81,8 +81,11 @@ impl Level {
 
     /// True if this processor has the level.
     pub fn is_here(self) -> bool {
-        let here = Self::here();
-        self == Self::Baseline || self == here || (self, here) == (Self::Avx2, Self::Avx512)
+        match (self, Self::here()) {
+            (Self::Baseline, here) => here != Self::Simd128,
+            (Self::Avx2, Self::Avx512) => true,
+            (level, here) => level == here,
+        }
     }
 
     /// Number of lanes.
@@ -117,8 +120,10 @@ impl Level {
             },
             #[cfg(target_arch = "aarch64")]
             Self::Neon => task.run::<registers::Pack2>(),
+            // a module with these vectors runs only where they exist, so it needs no other copy
             #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-            Self::Simd128 => task.run::<registers::Pack2>(),
+            _ => task.run::<registers::Pack2>(),
+            #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
             _ => task.run::<f64>(),
         }
     }

@@ -1,6 +1,6 @@
 use super::delivery::{Delivery, LOFT};
 use super::tables;
-use super::while_loop::{Stop, fly_past_the_ground};
+use super::while_loop::{LoopLanding, fly_past_the_ground};
 use crate::derivative;
 use crate::drive::Outcome;
 use crate::error::Result;
@@ -122,7 +122,7 @@ impl Noise {
 impl Landings {
     fn at(setup: &Setup<f64>, loft: f64) -> Result<Self> {
         let level = level(setup, loft);
-        let Stop {
+        let LoopLanding {
             overshot,
             interpolated,
         } = fly_past_the_ground(&level, setup.flight.step)?;

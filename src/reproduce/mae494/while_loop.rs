@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 
 /// Landing point of the report's flight loop.
 #[derive(Clone, Copy, Debug)]
-pub(in super::super) struct Stop {
+pub struct LoopLanding {
     /// Downrange position at the first step below the ground, m: the report's distance.
     pub overshot: f64,
     /// Downrange position interpolated linearly between the last two steps, m.
@@ -24,7 +24,7 @@ pub(in super::super) struct Stop {
 ///
 /// # Errors
 /// The errors of [`strike`]; [`Error::NoFlight`] if the ball is airborne at the time limit.
-pub(in super::super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Result<Stop> {
+pub(in super::super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
     let launch = strike(setup)?.launch;
     let air = AirState::of(&setup.air);
     let area = PI * setup.ball.radius * setup.ball.radius;
@@ -58,7 +58,7 @@ pub(in super::super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Re
         steps += 1;
     }
     let part = before.x / (before.x - here.x);
-    Ok(Stop {
+    Ok(LoopLanding {
         overshot: here.z,
         interpolated: before.z + part * (here.z - before.z),
     })

@@ -1,0 +1,345 @@
+//! Two parameters for a landing point, by Newton's method with exact first and second derivatives:
+//! each step goes to the point where the quadratic model of the landing comes nearest to the
+//! target, within the ranges. The curvature matters, since carry has a maximum over loft. A search
+//! far from the target begins where a grid of drives is near to it.
+
+use crate::message;
+use crate::refusal::Refusal;
+use crate::request::{CheckedSetup, RangeRequest, SetupRequest, Units};
+use longdrive::derivative::{Evaluator, Order, Taylor};
+use longdrive::optimize::Domain;
+use longdrive::optimize::least_squares::{Fit, Options, Rows, fit};
+use longdrive::parameters::Vary;
+use longdrive::study::Plane;
+use longdrive::units::{Digits, Message, Quantity};
+use longdrive::{Error, Outcome, Setup};
+use serde::{Deserialize, Serialize};
+use std::cell::Cell;
+
+/// A landing this near to the target has reached it, m.
+const REACHED: f64 = 1e-3;
+
+/// A landing this near to the target is within the reach of a few steps, m.
+const NEAR: f64 = 10.0;
+
+/// A step below this part of each range ends the search.
+const SHORTEST: f64 = 1e-7;
+
+/// The largest number of drives of a search, and of a search from one of several starts: few are
+/// enough, unless the target lies on the other side of a maximum.
+const MOST_DRIVES: u64 = 20;
+const FIRST_DRIVES: u64 = 3;
+
+/// The largest number of halvings of a step.
+const MOST_HALVINGS: usize = 3;
+
+/// The nodes of the grid along both parameters.
+const NODES: [usize; 2] = [13, 9];
+
+/// The coordinates of the landing.
+const LANDING: [Outcome; 2] = [Outcome::Carry, Outcome::Lateral];
+
+/// The request.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Request {
+    #[serde(default)]
+    setup: SetupRequest,
+    #[serde(default)]
+    units: Units,
+    vary: [RangeRequest; 2],
+    carry: f64,
+    lateral: f64,
+}
+
+/// The head of the answer.
+#[derive(Serialize)]
+struct Head {
+    status: &'static str,
+    message: Option<String>,
+    drives: u64,
+    parameters: [&'static str; 2],
+}
+
+/// The answer.
+///
+/// # Errors
+/// The message of the program, if the ball does not land at the start.
+pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
+    let checked = request.setup.read(request.units)?;
+    let [first, second] = &request.vary;
+    let vary = [checked.range(first)?, checked.range(second)?];
+    let target = [request.carry, request.lateral];
+    let best = Aim::new(&checked, vary, target).and_then(|aim| {
+        let best = aim.best()?;
+        Ok((best, aim.drives.get()))
+    });
+    let (best, drives) = best.map_err(|error| checked.refused(&error))?;
+    let distance = best.distance();
+    let is_reached = distance <= REACHED;
+    let head = Head {
+        status: if is_reached { "reached" } else { "nearest" },
+        message: (!is_reached).then(|| unreached(&checked, &vary, distance)),
+        drives,
+        parameters: vary.map(|range| range.parameter.name),
+    };
+    let [first, second] = best.x;
+    let [carry, lateral] = [0, 1].map(|axis| best.landing[axis].value);
+    let numbers = [first, second, carry, lateral, distance];
+    Ok(message::with_numbers(&head, &numbers))
+}
+
+/// The search for a target.
+struct Aim {
+    setup: Setup<f64>,
+    evaluator: Evaluator,
+    domain: Domain,
+    vary: [Vary; 2],
+    target: [f64; 2],
+    /// Number of drives with derivatives so far.
+    drives: Cell<u64>,
+}
+
+/// A drive of the search.
+struct Point {
+    x: [f64; 2],
+    landing: Vec<Taylor>,
+    target: [f64; 2],
+}
+
+impl Aim {
+    fn new(checked: &CheckedSetup<'_>, vary: [Vary; 2], target: [f64; 2]) -> Result<Self, Error> {
+        let wrt = vary.map(|range| range.parameter);
+        let ends = |end: fn(&Vary) -> f64| vary.iter().map(end).collect();
+        Ok(Self {
+            setup: checked.setup,
+            evaluator: Evaluator::new(&checked.setup, &LANDING, &wrt, Order::Second)?,
+            domain: Domain::new(ends(|range| range.low), ends(|range| range.high))?,
+            vary,
+            target,
+            drives: Cell::new(0),
+        })
+    }
+
+    /// The drive that lands nearest to the target.
+    fn best(&self) -> Result<Point, Error> {
+        let setup = self.setup;
+        let start = self
+            .vary
+            .map(|range| range.start(&setup).clamp(range.low, range.high));
+        let mut best = self.fly(start)?;
+        if best.distance() <= NEAR {
+            best = self.search(best, FIRST_DRIVES)?;
+        }
+        if best.distance() <= REACHED {
+            return Ok(best);
+        }
+        for start in self.starts(start)? {
+            let Ok(first) = self.fly(start) else {
+                continue;
+            };
+            let other = self.search(first, FIRST_DRIVES)?;
+            if other.distance() < best.distance() {
+                best = other;
+            }
+            if best.distance() <= REACHED {
+                break;
+            }
+        }
+        self.search(best, MOST_DRIVES)
+    }
+
+    /// The points where the landing, linear in the triangles of a grid, is at the target; last the
+    /// node that lands nearest to it.
+    fn starts(&self, from: [f64; 2]) -> Result<Vec<[f64; 2]>, Error> {
+        let [across, up] = self.vary;
+        let plane = Plane::fly(&self.setup, &LANDING, across, up, NODES)?;
+        let misses = plane.values[0].iter().zip(&plane.values[1]);
+        // NaN for a drive that does not land
+        let misses: Vec<[f64; 2]> = misses
+            .map(|(along, right)| {
+                let miss = |value: &Option<f64>, axis: usize| {
+                    value.map_or(f64::NAN, |value| value - self.target[axis])
+                };
+                [miss(along, 0), miss(right, 1)]
+            })
+            .collect();
+        let mut starts = vec![];
+        for [corner, side, above] in triangles() {
+            let Some(zero) = Zero::of([misses[corner], misses[side], misses[above]]) else {
+                continue;
+            };
+            let [corner, side, above] = [corner, side, above].map(|node| plane.node(node));
+            let [s, t] = zero.parts.map(|part| part.clamp(0.0, 1.0));
+            let x = corner[0] + s * (side[0] - corner[0]);
+            let y = corner[1] + t * (above[1] - corner[1]);
+            starts.push((zero.is_outside, self.change(from, [x, y]), [x, y]));
+        }
+        // a drive like that of the setup first
+        starts.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        let mut starts: Vec<_> = starts.into_iter().map(|(.., start)| start).collect();
+        let distance = |node: &usize| misses[*node][0].hypot(misses[*node][1]);
+        let nearest = (0..misses.len())
+            .filter(|node| !distance(node).is_nan())
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        starts.extend(nearest.map(|node| plane.node(node)));
+        Ok(starts)
+    }
+
+    /// Continues a search until the landing comes no nearer, or for this number of drives.
+    fn search(&self, mut best: Point, drives: u64) -> Result<Point, Error> {
+        let last = self.drives.get() + drives;
+        while best.distance() > 0.5 * REACHED && self.drives.get() < last {
+            match self.step(&best)? {
+                Some(next) => best = next,
+                None => break,
+            }
+        }
+        Ok(best)
+    }
+
+    /// The drive after a step, if it lands nearer to the target. A step to a drive that does not
+    /// is halved.
+    fn step(&self, best: &Point) -> Result<Option<Point>, Error> {
+        let mut to = self.nearest(best)?;
+        for _ in 0..=MOST_HALVINGS {
+            if self.change(best.x, to) <= SHORTEST {
+                break;
+            }
+            match self.fly(to) {
+                Ok(next) if next.distance() < best.distance() => return Ok(Some(next)),
+                _ => to = [0, 1].map(|k| 0.5 * (best.x[k] + to[k])),
+            }
+        }
+        Ok(None)
+    }
+
+    fn fly(&self, x: [f64; 2]) -> Result<Point, Error> {
+        self.drives.set(self.drives.get() + 1);
+        Ok(Point {
+            x,
+            landing: self.evaluator.at(&x)?,
+            target: self.target,
+        })
+    }
+
+    /// The point in the ranges where the model of the landing at `here` is nearest to the target.
+    /// The model may have several such points: the search for it begins at `here`, in the middle
+    /// and at the corners of the ranges.
+    fn nearest(&self, here: &Point) -> Result<[f64; 2], Error> {
+        let options = Options {
+            rounding: 1e-3 * REACHED,
+            tolerance: 1e-8,
+            ..Options::default()
+        };
+        let [a, b] = self.vary;
+        let middle = [a, b].map(|range| 0.5 * (range.low + range.high));
+        let corners = [
+            [a.low, b.low],
+            [a.high, b.high],
+            [a.low, b.high],
+            [a.high, b.low],
+        ];
+        let starts = [here.x, middle].into_iter().chain(corners);
+        let model = |x: &[f64]| Ok(here.model(x));
+        let mut best: Option<Fit> = None;
+        for start in starts {
+            let found = fit(&model, &self.domain, &start, &options)?;
+            if best.as_ref().is_none_or(|best| found.cost < best.cost) {
+                best = Some(found);
+            }
+            if best
+                .as_ref()
+                .is_some_and(|best| best.cost <= REACHED * REACHED)
+            {
+                break;
+            }
+        }
+        Ok(best.map_or(here.x, |best| [best.x[0], best.x[1]]))
+    }
+
+    /// The largest change between two points, in parts of the ranges.
+    fn change(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
+        let parts = [0, 1].map(|k| (to[k] - from[k]) / (self.vary[k].high - self.vary[k].low));
+        // NaN in a range of one value, where nothing changes
+        parts
+            .into_iter()
+            .fold(0.0, |most, part| most.max(part.abs()))
+    }
+}
+
+impl Point {
+    /// The distance of the landing from the target, m.
+    fn distance(&self) -> f64 {
+        let [along, across] = [0, 1].map(|axis| self.landing[axis].value - self.target[axis]);
+        along.hypot(across)
+    }
+
+    /// The misses of the quadratic model of the landing at `x`, with their derivatives.
+    fn model(&self, x: &[f64]) -> Rows {
+        let d = [x[0] - self.x[0], x[1] - self.x[1]];
+        let mut rows = Rows::default();
+        for (taylor, target) in self.landing.iter().zip(self.target) {
+            let Taylor {
+                value,
+                gradient,
+                hessian,
+            } = taylor;
+            let bend = [0, 1].map(|k| hessian[k][0] * d[0] + hessian[k][1] * d[1]);
+            let change = |k: usize| (gradient[k] + 0.5 * bend[k]) * d[k];
+            rows.residuals.push(value - target + change(0) + change(1));
+            rows.jacobian
+                .push(vec![gradient[0] + bend[0], gradient[1] + bend[1]]);
+        }
+        rows
+    }
+}
+
+/// The triangles of the grid, two to a cell: the corner at its right angle, the node beside it and
+/// the one above or below it.
+fn triangles() -> impl Iterator<Item = [usize; 3]> {
+    let [columns, rows] = NODES;
+    let cells = (0..rows - 1).flat_map(move |row| (0..columns - 1).map(move |k| row * columns + k));
+    cells.flat_map(move |low| {
+        let high = low + columns + 1;
+        [[low, low + 1, high - 1], [high, high - 1, low + 1]]
+    })
+}
+
+/// The place where a function that is linear in a triangle vanishes.
+struct Zero {
+    /// The parts of the two sides from the corner.
+    parts: [f64; 2],
+    /// True if it is outside of the triangle.
+    is_outside: bool,
+}
+
+impl Zero {
+    /// The zero in a triangle or slightly outside of it, since the landing is curved.
+    fn of([corner, side, above]: [[f64; 2]; 3]) -> Option<Self> {
+        const SLACK: f64 = 0.1;
+        let [a, b] = [side, above].map(|end| [end[0] - corner[0], end[1] - corner[1]]);
+        let area = a[0] * b[1] - a[1] * b[0];
+        let s = (b[0] * corner[1] - b[1] * corner[0]) / area;
+        let t = (a[1] * corner[0] - a[0] * corner[1]) / area;
+        let outside = (-s).max(-t).max(s + t - 1.0).max(0.0);
+        (s.is_finite() && outside <= SLACK).then_some(Self {
+            parts: [s, t],
+            is_outside: outside > 0.0,
+        })
+    }
+}
+
+/// The message of a target that the ranges do not reach.
+fn unreached(checked: &CheckedSetup<'_>, vary: &[Vary; 2], distance: f64) -> String {
+    let [first, second] = vary.map(|range| {
+        let [low, high] = [range.low, range.high].map(|end| range.parameter.show(Some(end)));
+        format!("{} {low} to {high}", range.parameter.name)
+    });
+    let message = Message::from(format!(
+        "no ball lands there with {first} and {second}: the nearest landing is "
+    ))
+    .quantity(Quantity::LENGTH, "yd", distance, Digits::Significant(3))
+    .words(" away");
+    checked.text(&message)
+}

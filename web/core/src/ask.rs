@@ -1,0 +1,260 @@
+//! Commands of the program, with files in memory.
+
+use crate::message;
+use crate::refusal::Refusal;
+use crate::words::page_words;
+use longdrive::command::{Host, Kind, MemoryFiles, Mention, Progress, SharedProgress, Work, run};
+use serde::{Deserialize, Serialize};
+use std::ffi::OsString;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// The name of the program, the first word of a command line.
+const PROGRAM: &str = "longdrive";
+
+/// The width of answers as text, columns.
+const WIDTH: usize = 80;
+
+/// Receives the completed and all parts of long work.
+pub type ShowProgress = fn(done: f64, of: f64);
+
+/// The largest answer, bytes.
+const MOST_BYTES: usize = 64 << 20;
+
+/// The request.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Request {
+    words: Vec<String>,
+    #[serde(default)]
+    input: Option<String>,
+    #[serde(default)]
+    files: Vec<FileOfBlock>,
+    #[serde(default)]
+    width: Option<usize>,
+    #[serde(default)]
+    mentions: Mentions,
+}
+
+/// A file whose content is in the block.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct FileOfBlock {
+    name: String,
+    bytes: usize,
+}
+
+/// The syntax of arguments in messages.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Mentions {
+    /// Options, as on the command line.
+    #[default]
+    Program,
+    /// Fields.
+    Page,
+}
+
+/// The head of the answer.
+#[derive(Serialize)]
+struct Head {
+    status: &'static str,
+    exit: u8,
+    answer: String,
+    said: Vec<Said>,
+    files: Vec<FileOfBlock>,
+}
+
+/// A message beside the answer.
+#[derive(Serialize)]
+struct Said {
+    kind: &'static str,
+    text: String,
+}
+
+/// The answer.
+///
+/// # Errors
+/// If the block does not have the contents of the files.
+pub fn answer(request: &Request, block: &[u8], show: ShowProgress) -> Result<Vec<u8>, Refusal> {
+    let page = Arc::new(Page {
+        inputs: inputs(&request.files, block)?,
+        setup: request.input.clone(),
+        width: request.width.unwrap_or(WIDTH),
+        mentions: request.mentions,
+        show,
+        now: Mutex::default(),
+    });
+    let words = [PROGRAM]
+        .into_iter()
+        .chain(request.words.iter().map(String::as_str));
+    let exit = run(words.map(OsString::from).collect(), page.clone());
+    let Now {
+        answer,
+        said,
+        outputs,
+    } = std::mem::take(&mut *page.now());
+    let files = outputs.iter().map(|(name, content)| FileOfBlock {
+        name: name.display().to_string(),
+        bytes: content.len(),
+    });
+    let head = Head {
+        status: match exit {
+            0 => "done",
+            1 => "no-answer",
+            _ => "error",
+        },
+        exit,
+        answer: String::from_utf8_lossy(&answer).into_owned(),
+        said,
+        files: files.collect(),
+    };
+    let contents: Vec<_> = outputs.into_iter().map(|(_, content)| content).collect();
+    Ok(message::written(&head, &contents.concat()))
+}
+
+/// The input files with their contents from the block.
+fn inputs(files: &[FileOfBlock], mut block: &[u8]) -> Result<MemoryFiles, Refusal> {
+    let mut inputs = MemoryFiles::new();
+    for file in files {
+        let Some((content, rest)) = block.split_at_checked(file.bytes) else {
+            let why = format!("the block ends within the file '{}'", file.name);
+            return Err(Refusal::of_request(&why));
+        };
+        inputs.insert(PathBuf::from(&file.name), content.into());
+        block = rest;
+    }
+    Ok(inputs)
+}
+
+/// The page, which is the host of its commands.
+struct Page {
+    inputs: MemoryFiles,
+    /// The text of the setup `-`.
+    setup: Option<String>,
+    width: usize,
+    mentions: Mentions,
+    show: ShowProgress,
+    now: Mutex<Now>,
+}
+
+/// What a command has given to the page so far.
+#[derive(Default)]
+struct Now {
+    answer: Vec<u8>,
+    said: Vec<Said>,
+    outputs: Vec<(PathBuf, Vec<u8>)>,
+}
+
+impl Page {
+    fn now(&self) -> MutexGuard<'_, Now> {
+        self.now.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// A text without colours.
+fn plain(text: &str) -> String {
+    anstream::adapter::strip_str(text).to_string()
+}
+
+impl Host for Page {
+    fn print(&self, text: &str) -> io::Result<()> {
+        self.write(plain(text).as_bytes())
+    }
+
+    fn write(&self, rows: &[u8]) -> io::Result<()> {
+        let answer = &mut self.now().answer;
+        if answer.len() + rows.len() > MOST_BYTES {
+            let why = "it is larger than 64 MB, the most that a page keeps";
+            return Err(io::Error::other(why));
+        }
+        answer.extend_from_slice(rows);
+        Ok(())
+    }
+
+    fn say(&self, kind: Kind, text: &str) {
+        let kind = match kind {
+            Kind::Note => "note",
+            Kind::Warning => "warning",
+            Kind::Error => "error",
+            Kind::Usage => "usage",
+        };
+        let text = plain(text);
+        self.now().said.push(Said { kind, text });
+    }
+
+    fn width(&self) -> usize {
+        self.width
+    }
+
+    fn mention(&self, mention: Mention<'_>) -> String {
+        match self.mentions {
+            Mentions::Program => mention.in_words_of_the_program(),
+            Mentions::Page => page_words(mention),
+        }
+    }
+
+    fn input(&self) -> io::Result<String> {
+        let text = self.setup.clone();
+        text.ok_or_else(|| io::Error::other("no text was given"))
+    }
+
+    fn files(&self) -> MemoryFiles {
+        self.inputs.clone()
+    }
+
+    fn keeps(&self, _: &Path) -> bool {
+        true
+    }
+
+    fn keep(&self, name: &Path, content: Vec<u8>) {
+        self.now().outputs.push((name.into(), content));
+    }
+
+    fn shows(&self, work: Work<'_>) -> SharedProgress {
+        let length = match work {
+            Work::Searches(all) => all,
+            _ => 0,
+        };
+        Arc::new(Bar {
+            show: self.show,
+            position: AtomicU64::new(0),
+            length: AtomicU64::new(length),
+        })
+    }
+}
+
+/// Progress that the page shows while the command runs.
+struct Bar {
+    show: ShowProgress,
+    position: AtomicU64,
+    length: AtomicU64,
+}
+
+impl Bar {
+    fn changed(&self) {
+        let [position, length] =
+            [&self.position, &self.length].map(|of| of.load(Ordering::Relaxed) as f64);
+        if length > 0.0 {
+            (self.show)(position, length);
+        }
+    }
+}
+
+impl Progress for Bar {
+    fn set_length(&self, parts: u64) {
+        self.length.store(parts, Ordering::Relaxed);
+    }
+
+    fn set_position(&self, parts: u64) {
+        self.position.store(parts, Ordering::Relaxed);
+        self.changed();
+    }
+
+    fn inc(&self, parts: u64) {
+        self.position.fetch_add(parts, Ordering::Relaxed);
+        self.changed();
+    }
+}

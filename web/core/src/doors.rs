@@ -1,0 +1,86 @@
+//! The exported functions. A request lies in memory of this module, and so does an answer.
+
+#![allow(
+    unsafe_code,
+    reason = "exported names, and the functions of the linker and of the page"
+)]
+
+use crate::{Door, answered};
+use std::cell::RefCell;
+
+thread_local! {
+    static REQUEST: RefCell<Vec<u8>> = const { RefCell::new(vec![]) };
+    static ANSWER: RefCell<Vec<u8>> = const { RefCell::new(vec![]) };
+}
+
+// SAFETY: the linker makes the first function, and the page gives the second one; neither touches
+// memory of this module that Rust uses at that time
+unsafe extern "C" {
+    safe fn __wasm_call_ctors();
+}
+
+#[link(wasm_import_module = "page")]
+unsafe extern "C" {
+    safe fn progress(done: f64, of: f64);
+}
+
+/// Called once, before all others. Without it, the linker would call the constructors of the C
+/// library with each function.
+#[unsafe(no_mangle)]
+extern "C" fn _initialize() {
+    __wasm_call_ctors();
+}
+
+/// Room for a request of this many bytes.
+#[unsafe(no_mangle)]
+extern "C" fn input(bytes: usize) -> *mut u8 {
+    REQUEST.with_borrow_mut(|request| {
+        request.resize(bytes, 0);
+        request.as_mut_ptr()
+    })
+}
+
+/// The answer.
+#[unsafe(no_mangle)]
+extern "C" fn output() -> *const u8 {
+    ANSWER.with_borrow(Vec::as_ptr)
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn ask() -> usize {
+    answer(Door::Ask)
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn drive() -> usize {
+    answer(Door::Drive)
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn map() -> usize {
+    answer(Door::Map)
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn aim() -> usize {
+    answer(Door::Aim)
+}
+
+#[unsafe(export_name = "loop")]
+extern "C" fn while_loop() -> usize {
+    answer(Door::Loop)
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn step() -> usize {
+    answer(Door::Step)
+}
+
+/// Answers the request, and returns the bytes of the answer.
+fn answer(door: Door) -> usize {
+    let request = REQUEST.take();
+    let answer = answered(door, &request, |done, of| progress(done, of));
+    let bytes = answer.len();
+    ANSWER.set(answer);
+    bytes
+}

@@ -1,0 +1,56 @@
+//! The core of the explorer: longdrive for WebAssembly, behind six functions.
+//!
+//! `README.md` has their requests and answers. A function reads a [`message`], calls the library,
+//! and writes a message; nothing is kept between two calls.
+
+pub mod aim;
+pub mod ask;
+#[cfg(target_family = "wasm")]
+mod doors;
+pub mod drive;
+pub mod map;
+pub mod message;
+pub mod refusal;
+pub mod request;
+pub mod step;
+pub mod while_loop;
+pub mod words;
+
+use ask::ShowProgress;
+use message::Message;
+use refusal::Refusal;
+use serde::de::DeserializeOwned;
+
+/// The functions of the core.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Door {
+    /// A command of the program.
+    Ask,
+    /// A drive with derivatives and path.
+    Drive,
+    /// Outcomes over two parameters.
+    Map,
+    /// Two parameters for a landing point.
+    Aim,
+    /// The while-loop of the MAE 494 report.
+    Loop,
+    /// The step of the integration.
+    Step,
+}
+
+/// Answers a request. A request that cannot be answered has an answer with the reason.
+pub fn answered(door: Door, request: &[u8], show: ShowProgress) -> Vec<u8> {
+    let answer = Message::read(request).and_then(|request| match door {
+        Door::Ask => ask::answer(&head(&request)?, request.block, show),
+        Door::Drive => drive::answer(&head(&request)?),
+        Door::Map => map::answer(&head(&request)?),
+        Door::Aim => aim::answer(&head(&request)?),
+        Door::Loop => while_loop::answer(&head(&request)?),
+        Door::Step => step::answer(&head(&request)?),
+    });
+    answer.unwrap_or_else(|refusal| message::written(&refusal, &[]))
+}
+
+fn head<T: DeserializeOwned>(request: &Message<'_>) -> Result<T, Refusal> {
+    serde_json::from_slice(request.head).map_err(|error| Refusal::of_request(&error.to_string()))
+}

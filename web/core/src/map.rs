@@ -1,0 +1,80 @@
+//! Outcomes at the nodes of a grid over two parameters.
+
+use crate::message;
+use crate::refusal::Refusal;
+use crate::request::{RangeRequest, SetupRequest, Units};
+use longdrive::study::Plane;
+use serde::{Deserialize, Serialize};
+
+/// The largest number of nodes.
+const MOST_NODES: usize = 250_000;
+
+/// The request.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Request {
+    #[serde(default)]
+    setup: SetupRequest,
+    #[serde(default)]
+    units: Units,
+    of: Vec<String>,
+    across: RangeRequest,
+    up: RangeRequest,
+    nodes: [usize; 2],
+    #[serde(default)]
+    gradients: bool,
+}
+
+/// The head of the answer.
+#[derive(Serialize)]
+struct Head<'a> {
+    status: &'static str,
+    columns: usize,
+    rows: usize,
+    of: &'a [String],
+    gradients: bool,
+}
+
+/// The answer.
+///
+/// # Errors
+/// The message of the program, if there is no map.
+pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
+    let checked = request.setup.read(request.units)?;
+    let of = checked.outcomes(&request.of)?;
+    let across = checked.range(&request.across)?;
+    let up = checked.range(&request.up)?;
+    let nodes @ [columns, rows] = request.nodes;
+    let is_small = columns
+        .checked_mul(rows)
+        .is_some_and(|all| all <= MOST_NODES);
+    if columns < 2 || rows < 2 || !is_small {
+        let why = format!(
+            "a map of {columns} x {rows} nodes; expected 2 or more to each side, and at most \
+             {MOST_NODES}"
+        );
+        return Err(Refusal::of_request(&why));
+    }
+    let fly = match request.gradients {
+        true => Plane::fly_with_gradients,
+        false => Plane::fly,
+    };
+    let plane = fly(&checked.setup, &of, across, up, nodes);
+    let plane = plane.map_err(|error| checked.refused(&error))?;
+    let mut numbers = Vec::with_capacity(columns * rows * of.len());
+    for (of, values) in plane.values.iter().enumerate() {
+        numbers.extend(values.iter().map(|value| value.unwrap_or(f64::NAN)));
+        for axis in 0..if request.gradients { 2 } else { 0 } {
+            let gradients = plane.gradients[of].iter();
+            numbers.extend(gradients.map(|found| found.map_or(f64::NAN, |found| found[axis])));
+        }
+    }
+    let head = Head {
+        status: "done",
+        columns,
+        rows,
+        of: &request.of,
+        gradients: request.gradients,
+    };
+    Ok(message::with_numbers(&head, &numbers))
+}

@@ -1,0 +1,69 @@
+//! Answers without numbers: the status and the message of the program.
+
+use crate::words::in_page_words;
+use longdrive::units::System;
+use longdrive::{Error, Setup};
+use serde::Serialize;
+
+/// Why a request has no answer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Refusal {
+    /// `error` for bad input, else the status of the drive: `no-flight`.
+    pub status: &'static str,
+    /// The message of the program.
+    pub message: String,
+    /// The parameters that the message names, the cause first.
+    pub parameters: Vec<String>,
+}
+
+impl Refusal {
+    /// The refusal of a request that the page made wrongly.
+    pub fn of_request(why: &str) -> Self {
+        Self {
+            status: "error",
+            message: format!("the request: {why}"),
+            parameters: vec![],
+        }
+    }
+
+    /// The refusal with the message of an error.
+    pub fn of(error: &Error, system: System) -> Self {
+        Self {
+            status: error.status(),
+            message: in_page_words(&error.in_units(system)),
+            parameters: vec![],
+        }
+    }
+
+    /// Adds the parameters of the setup, and the names `stated` of the request, that the message
+    /// mentions.
+    #[must_use]
+    pub fn with_parameters<'a>(
+        self,
+        setup: &Setup<f64>,
+        stated: impl Iterator<Item = &'a str>,
+    ) -> Self {
+        let known = setup.parameters().into_iter().map(|row| row.name);
+        let mut named: Vec<(usize, &str)> = stated
+            .chain(known)
+            .filter_map(|name| Some((place(&self.message, name)?, name)))
+            .collect();
+        named.sort_unstable();
+        named.dedup();
+        let parameters = named.into_iter().map(|(_, name)| name.to_owned()).collect();
+        Self { parameters, ..self }
+    }
+}
+
+/// The place of a parameter in a message. A launch condition may be without its group.
+fn place(message: &str, name: &str) -> Option<usize> {
+    let is_of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
+    let whole = |name: &str| {
+        message.match_indices(name).find_map(|(at, _)| {
+            let after = message[at + name.len()..].trim_start_matches('.');
+            let is_whole = !message[..at].ends_with(is_of_name) && !after.starts_with(is_of_name);
+            is_whole.then_some(at)
+        })
+    };
+    whole(name).or_else(|| whole(name.strip_prefix("launch.")?))
+}

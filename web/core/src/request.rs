@@ -1,0 +1,195 @@
+//! What the requests have in common: a setup, ranges of parameters, and units.
+
+use crate::refusal::Refusal;
+use crate::words::in_page_words;
+use longdrive::parameters::{DEFAULT_PRESET, Parameter, SetupFile, UNSET, Vary};
+use longdrive::units::{Message, System};
+use longdrive::{Error, Outcome, Setup};
+use serde::Deserialize;
+use serde_json::{Map, Value};
+
+/// The name of a setup file without one, in messages.
+const SETUP_FILE: &str = "setup";
+
+/// A setup: a preset or a setup file, and changes.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct SetupRequest {
+    preset: Option<String>,
+    toml: Option<String>,
+    name: Option<String>,
+    set: Map<String, Value>,
+}
+
+/// A parameter and its range.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RangeRequest {
+    name: String,
+    low: Value,
+    high: Value,
+}
+
+/// The units of messages.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Units {
+    /// Yards and miles per hour.
+    #[default]
+    Us,
+    /// Metres and metres per second.
+    Metric,
+}
+
+impl From<Units> for System {
+    fn from(units: Units) -> Self {
+        match units {
+            Units::Us => Self::Us,
+            Units::Metric => Self::Metric,
+        }
+    }
+}
+
+/// A setup with the units of its messages.
+#[derive(Clone, Debug)]
+pub struct CheckedSetup<'a> {
+    /// The checked setup.
+    pub setup: Setup<f64>,
+    /// The units of messages.
+    pub system: System,
+    /// The text of the setup.
+    text: &'a SetupRequest,
+}
+
+impl SetupRequest {
+    /// The checked setup.
+    ///
+    /// # Errors
+    /// The message of the program for an unknown name, and for a value that it does not accept.
+    pub fn read(&self, units: Units) -> Result<CheckedSetup<'_>, Refusal> {
+        let system = units.into();
+        let mut checked = CheckedSetup {
+            setup: Setup::default(),
+            system,
+            text: self,
+        };
+        if self.preset.is_some() && self.toml.is_some() {
+            return Err(Refusal::of_request(
+                "preset and toml are both given; keep one",
+            ));
+        }
+        checked.setup = self.source().map_err(|error| checked.refused(&error))?;
+        let settings = self.settings()?;
+        let settings: Vec<_> = settings
+            .iter()
+            .map(|setting| (setting.name, setting.text.as_str(), setting.is_bare))
+            .collect();
+        let mut setup = checked.setup;
+        let applied = setup.set_each(&settings).and_then(|()| setup.validate());
+        applied.map_err(|error| checked.refused(&error))?;
+        Ok(CheckedSetup { setup, ..checked })
+    }
+
+    fn source(&self) -> Result<Setup<f64>, Error> {
+        match (&self.toml, &self.preset) {
+            (Some(text), _) => {
+                let file = self.name.as_deref().unwrap_or(SETUP_FILE);
+                SetupFile::read(text, file).map(|file| file.setup)
+            }
+            (None, Some(preset)) => Setup::preset(preset),
+            (None, None) => Setup::preset(DEFAULT_PRESET),
+        }
+    }
+
+    fn settings(&self) -> Result<Vec<Setting<'_>>, Refusal> {
+        self.set
+            .iter()
+            .map(|(name, value)| Setting::read(name, value))
+            .collect()
+    }
+}
+
+/// The value of a parameter as a text.
+struct Setting<'a> {
+    name: &'a str,
+    text: String,
+    /// True for a number in SI, without a unit.
+    is_bare: bool,
+}
+
+impl<'a> Setting<'a> {
+    fn read(name: &'a str, value: &Value) -> Result<Self, Refusal> {
+        let (text, is_bare) = match value {
+            Value::Null => (UNSET.to_owned(), false),
+            Value::String(text) => (text.clone(), false),
+            Value::Number(number) => (format!("{:?}", number.as_f64().unwrap_or(f64::NAN)), true),
+            other => {
+                let why = format!(
+                    "{name} is {other}; expected a number in SI, a text with a unit, or null"
+                );
+                return Err(Refusal::of_request(&why));
+            }
+        };
+        Ok(Self {
+            name,
+            text,
+            is_bare,
+        })
+    }
+}
+
+impl CheckedSetup<'_> {
+    /// The refusal with the message of an error, and the parameters that it names.
+    pub fn refused(&self, error: &Error) -> Refusal {
+        let stated = self.text.set.keys().map(String::as_str);
+        Refusal::of(error, self.system).with_parameters(&self.setup, stated)
+    }
+
+    /// A message in the units of the request.
+    pub fn text(&self, message: &Message) -> String {
+        in_page_words(&message.in_units(self.system))
+    }
+
+    /// The outcomes of these names.
+    ///
+    /// # Errors
+    /// For an unknown name.
+    pub fn outcomes(&self, names: &[String]) -> Result<Vec<Outcome>, Refusal> {
+        let named = |name: &String| Outcome::named(name).map_err(|error| self.refused(&error));
+        names.iter().map(named).collect()
+    }
+
+    /// The parameters of these names, by which outcomes can be differentiated.
+    ///
+    /// # Errors
+    /// For an unknown name, and a parameter without a value.
+    pub fn variables(&self, names: &[String]) -> Result<Vec<&'static Parameter>, Refusal> {
+        let named = |name: &String| {
+            let found = self.setup.variable(name);
+            found.map_err(|error| self.refused(&error))
+        };
+        names.iter().map(named).collect()
+    }
+
+    /// The range of a parameter.
+    ///
+    /// # Errors
+    /// For an unknown name, a value that is no number of the parameter, and a reversed range.
+    pub fn range(&self, range: &RangeRequest) -> Result<Vary, Refusal> {
+        let read = || {
+            let parameter = self.setup.variable(&range.name)?;
+            let end = |value: &Value| {
+                let setting = Setting::read(&range.name, value).ok();
+                setting.map_or(Ok(None), |end| parameter.read(&end.text, end.is_bare))
+            };
+            let missing = || Error::SearchRange {
+                name: range.name.clone(),
+                reason: "give it two ends, low and high".into(),
+            };
+            let low = end(&range.low)?.ok_or_else(missing)?;
+            let high = end(&range.high)?.ok_or_else(missing)?;
+            Vary::new(parameter, low, high)
+        };
+        read().map_err(|error: Error| self.refused(&error))
+    }
+}

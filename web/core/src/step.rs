@@ -1,0 +1,63 @@
+//! The integration of a session: the longest step with which the drives of some ranges are
+//! accurate.
+
+use crate::message;
+use crate::refusal::Refusal;
+use crate::request::{RangeRequest, SetupRequest, Units};
+use longdrive::Outcome;
+use longdrive::drive::OutcomeGroup;
+use longdrive::study::accuracy;
+use serde::{Deserialize, Serialize};
+
+/// The request.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Request {
+    #[serde(default)]
+    setup: SetupRequest,
+    #[serde(default)]
+    units: Units,
+    #[serde(default)]
+    of: Vec<String>,
+    #[serde(default)]
+    ranges: Vec<RangeRequest>,
+    tolerance: f64,
+}
+
+/// The head of the answer.
+#[derive(Serialize)]
+struct Head {
+    status: &'static str,
+    method: &'static str,
+    step: f64,
+    error: f64,
+}
+
+/// The answer.
+///
+/// # Errors
+/// The message of the program, if no step meets the tolerance.
+pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
+    let checked = request.setup.read(request.units)?;
+    let of = match request.of.as_slice() {
+        [] => of_the_flight(),
+        names => checked.outcomes(names)?,
+    };
+    let ranges = request.ranges.iter().map(|range| checked.range(range));
+    let ranges = ranges.collect::<Result<Vec<_>, _>>()?;
+    let found = accuracy(&checked.setup, &ranges, &of, request.tolerance);
+    let found = found.map_err(|error| checked.refused(&error))?;
+    let head = Head {
+        status: "done",
+        method: found.method.name(),
+        step: found.step,
+        error: found.error,
+    };
+    Ok(message::written(&head, &[]))
+}
+
+fn of_the_flight() -> Vec<Outcome> {
+    let all = Outcome::ALL.iter().copied();
+    all.filter(|of| of.group() == OutcomeGroup::Flight)
+        .collect()
+}

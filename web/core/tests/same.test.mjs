@@ -1,0 +1,113 @@
+// The core beside the program: the same numbers, statuses and messages.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { random, randomSetup, run, start, wordsOf } from './common.mjs';
+
+const core = await start();
+const next = random(56);
+const setups = Array.from({ length: 100 }, () => randomSetup(next));
+
+/** The largest difference, in parts of the size of the outcome. */
+const ROUNDING = 1e-12;
+
+/** The same of second derivatives of the total, where each bounce enlarges the rounding of the one before. */
+const ROUNDING_OF_BOUNCES = 1e-11;
+
+/** The optimizer's tolerance: a gradient that vanishes at an optimum is known to it. */
+const KKT = 1e-10;
+
+/** Words in a row, as standard error has them between line breaks. */
+const inLine = text => text.replace(/\s+/g, ' ').trim();
+
+/** A text without the digits of a KKT residual, which is a rounding error at an optimum. */
+const steady = text => (typeof text === 'string' ? text.replace(/(KKT residual) [\d.e-]+/, '$1') : text);
+
+/** Both answers to a command about a setup, after a comparison of status and messages. */
+function both(command, setup, ...more) {
+  const words = [command, ...wordsOf(setup), ...more, '--json'];
+  const theirs = run(words);
+  const ours = core.ask({ words }).head;
+  const about = words.join(' ');
+  assert.equal(ours.exit, theirs.status, about);
+  const said = ours.said.map(({ kind, text }) => (kind === 'note' || kind === 'usage' ? text : `${kind}: ${text}`));
+  assert.equal(inLine(said.join('\n')), inLine(theirs.stderr), about);
+  return { ours: JSON.parse(ours.answer), theirs: JSON.parse(theirs.stdout), about };
+}
+
+/** Compares all parts of two answers; `size` gives the size of the outcome at a place. */
+function compare(ours, theirs, size, about, place = []) {
+  const where = `${about}: ${place.join('.')}`;
+  if (typeof ours === 'number' && typeof theirs === 'number') {
+    const most = size(place, Math.max(Math.abs(ours), Math.abs(theirs)));
+    assert.ok(Math.abs(ours - theirs) <= most, `${where}: ${ours} and ${theirs}`);
+    return;
+  }
+  if (ours === null || theirs === null || typeof ours !== 'object') {
+    assert.equal(steady(ours), steady(theirs), where);
+    return;
+  }
+  assert.deepEqual(Object.keys(ours), Object.keys(theirs), where);
+  for (const key of Object.keys(ours)) compare(ours[key], theirs[key], size, about, [...place, key]);
+}
+
+test('same drives as the program', () => {
+  for (const setup of setups) {
+    const { ours, theirs, about } = both('simulate', setup);
+    compare(ours, theirs, (_, number) => ROUNDING * number, about);
+  }
+});
+
+test('same gradients and Hessians as the program', () => {
+  for (const setup of setups) {
+    const { ours, theirs, about } = both('gradient', setup, '--hessian', '--of', 'carry,lateral,total,apex_height,spin');
+    // derivatives of one outcome add numbers of the size of the largest of them
+    const sizes = theirs.outcomes.map(({ value, gradient, hessian }) =>
+      Math.max(...[value, ...Object.values(gradient ?? {}), ...(hessian?.values.flat() ?? [])].map(Math.abs)));
+    const size = ([, k, order], number) => {
+      const bounces = order === 'hessian' && theirs.outcomes[k].of === 'total';
+      return (bounces ? ROUNDING_OF_BOUNCES : ROUNDING) * Math.max(sizes[k] ?? 0, number);
+    };
+    compare(ours, theirs, size, about);
+  }
+});
+
+test('same optima as the program', () => {
+  for (const setup of setups) {
+    const { ours, theirs, about } = both('optimize', setup);
+    const carry = Math.abs(theirs.value);
+    const size = ([key], number) => (key === 'kkt_residual' ? KKT : (key === 'gradient' ? KKT : ROUNDING) * Math.max(carry, number));
+    compare(ours, theirs, size, about);
+  }
+});
+
+test('same messages as the program for bad input', () => {
+  const lines = [
+    ['simulate', 'tour'],
+    ['simulate', 'nothing.toml'],
+    ['simulate', '--set', 'club.lofft=10deg'],
+    ['simulate', '--set', 'club.loft=10'],
+    ['simulate', '--set', 'club.loft=95deg'],
+    ['simulate', '--set', 'club.loft=10 degg', '--json'],
+    ['simulate', '--set', 'strike.toe=200mm', '--json'],
+    ['simulate', '--set', 'club.loft=-60deg', '--json'],
+    ['simulate', '--launch', 'ball_speed=160mph'],
+    ['simulate', '--speeed', '95mph', '--json'],
+    ['gradient', '--of', 'cary', '--json'],
+    ['optimize', '--vary', 'club.loft=20deg..4deg'],
+    ['optimize', '--subject-to', 'apex_height < 3 s'],
+    ['optimize', '--maximize', 'carry', '--minimize', 'spin', '--json'],
+    ['optimize', '--vary', 'club.loft=4deg..20deg', '--subject-to', 'carry > 500 m', '--json'],
+    ['plot', 'contour', '--json'],
+    ['fly', 'tour-average'],
+    ['nonsense'],
+  ];
+  for (const words of lines) {
+    const theirs = run(words);
+    const { exit, said, answer } = core.ask({ words }).head;
+    const about = words.join(' ');
+    assert.equal(exit, theirs.status, about);
+    const text = said.map(({ kind, text: words }) => (kind === 'note' || kind === 'usage' ? words : `${kind}: ${words}`));
+    assert.equal(inLine(text.join('\n')), inLine(theirs.stderr), about);
+    assert.equal(answer, theirs.stdout, about);
+  }
+});
