@@ -220,6 +220,9 @@ pub enum Error {
         /// Unusual conditions, and advice.
         advice: String,
     },
+    /// A drive whose caller set the interrupt flag.
+    #[error("stopped before the ball landed")]
+    Stopped,
     /// A drive without a landing (docs/model.md, Landing).
     #[error("{reason}")]
     NoFlight {
@@ -401,13 +404,14 @@ impl Error {
         self.status() != "error"
     }
 
-    /// Status in JSON: `no-flight`, `diverged`, `undefined`, the status of a search (`infeasible`,
+    /// Status in JSON: `no-flight`, `diverged`, `interrupted`, `undefined`, the status of a search (`infeasible`,
     /// …), `no-answer` for rows of a calibration with different statuses, or `error` for invalid
     /// input.
     pub fn status(&self) -> &'static str {
         match self {
             Self::NoFlight { .. } => "no-flight",
             Self::Diverged { .. } => "diverged",
+            Self::Stopped => "interrupted",
             Self::Undefined { .. } => "undefined",
             Self::OfDrive { source, .. } => source.status(),
             Self::NotConverged { status, .. } | Self::NoFit { status, .. } => status,

@@ -1,4 +1,4 @@
-"""What the package costs beside the program: one gradient, a million drives, a batch of JAX.
+"""What the package costs: its import, one drive, one gradient, a million drives, a batch of JAX.
 
 Run on a quiet machine, with both built in release: LONGDRIVE_PROGRAM=target/release/longdrive python benches/measure.py
 """
@@ -6,10 +6,10 @@ Run on a quiet machine, with both built in release: LONGDRIVE_PROGRAM=target/rel
 from __future__ import annotations
 
 import os
+import pickle
 import subprocess
 import sys
 import tempfile
-import time
 import timeit
 from collections.abc import Callable
 from pathlib import Path
@@ -29,9 +29,9 @@ def best(work: Callable[[], object], rounds: int = 5) -> float:
 
 def of_a_call() -> None:
     """One gradient, and what is left of its time where the point is known: all that is not the
-    drive."""
+    `Evaluator` of Rust."""
     calls = 20_000
-    carry = longdrive.objective("mae494", "carry", NAMES)
+    carry = longdrive.objective("tour-average", "carry", NAMES)
     points = [carry.x0 + 1e-9 * k for k in range(calls)]
     asked = carry.fun_and_jac
 
@@ -45,8 +45,29 @@ def of_a_call() -> None:
 
     known, new = best(same) / calls, best(others) / calls
     print(
-        f"value and gradient by two: {1e6 * new:.2f} us, of which the binding {1e6 * known:.2f} us"
+        f"objective, value and gradient by two: {1e6 * new:.2f} us, of which the binding "
+        f"{1e6 * known:.2f} us: {new / (new - known):.2f} times Rust's Evaluator"
     )
+
+
+def of_a_drive() -> None:
+    """One drive and its gradient, for a setup whose step is known; setups and their pickles."""
+    setup = longdrive.Setup({"club.loft": "10 deg", "swing.speed": "110 mph"})
+    state = pickle.dumps(setup)
+    work: dict[str, Callable[[], object]] = {
+        'gradient(of="carry")': lambda: longdrive.gradient(setup, of="carry", wrt=NAMES),
+        'simulate(of="carry")': lambda: longdrive.simulate(setup, of="carry"),
+        "simulate()": lambda: longdrive.simulate(setup),
+        "simulate().report": lambda: longdrive.simulate(setup).report,
+        "gradient of a new setup": lambda: longdrive.gradient(setup.replace({"club.loft": 0.2})),
+        'Setup("mae494")': lambda: longdrive.Setup("mae494"),
+        "pickle.dumps(setup)": lambda: pickle.dumps(setup),
+        "pickle.loads(state)": lambda: pickle.loads(state),
+    }
+    for name, call in work.items():
+        call()
+        took = min(timeit.repeat(call, number=200, repeat=7)) / 200
+        print(f"{name}: {1e6 * took:.1f} us")
 
 
 def of_rows() -> None:
@@ -56,8 +77,8 @@ def of_rows() -> None:
         "club.loft": np.radians(draw.uniform(5, 15, ROWS)),
         "swing.speed": draw.uniform(36, 58, ROWS),
     }
-    took = best(lambda: longdrive.batch("tour-average", points, "carry", "points"), 3)
-    print(f"batch: {ROWS / took / 1e6:.3f} million drives with gradients a second")
+    of_batch = best(lambda: longdrive.batch("tour-average", points, "carry", "points"), 3)
+    print(f"batch: {ROWS / of_batch / 1e6:.3f} million drives with gradients a second")
     program = os.environ.get("LONGDRIVE_PROGRAM")
     if program:
         with tempfile.TemporaryDirectory() as folder:
@@ -75,31 +96,35 @@ def of_rows() -> None:
             command += ["--gradient", "--overwrite", "-o", str(Path(folder) / "rows.parquet")]
             took = best(lambda: subprocess.run(command, check=True, capture_output=True), 3)
         print(f"program: {ROWS / took / 1e6:.3f} million, with the writing of a Parquet file")
-    own = {name: values[:200_000] for name, values in points.items()}
-    setup = longdrive.Setup(
-        {"preset": "tour-average", "flight.method": "dp8", "flight.step": "0.3 s"}
-    )
-    took = best(lambda: longdrive.batch(setup, own, "carry", "points", own_step=True), 3)
-    print(f"batch with dp8 in steps of 0.3 s: {0.2 / took:.3f} million")
     try:
         import jax
-
-        from longdrive.jax import outcome
     except ImportError:
         return
     jax.config.update("jax_enable_x64", True)
-    both = jax.jit(jax.vmap(jax.value_and_grad(outcome(setup, "carry", list(own)))))
-    x = jax.block_until_ready(jax.numpy.asarray(np.stack(list(own.values()), axis=1)))
+    carry = longdrive.jax.outcome("tour-average", "carry", list(points))
+    both = jax.jit(jax.vmap(jax.value_and_grad(carry)))
+    x = jax.block_until_ready(jax.numpy.asarray(np.stack(list(points.values()), axis=1)))
     jax.block_until_ready(both(x))
-    took = best(lambda: jax.block_until_ready(both(x)), 3)
-    print(f"JAX vmap of value and gradient, the same drives: {0.2 / took:.3f} million")
+    of_jax = best(lambda: jax.block_until_ready(both(x)), 3)
+    print(
+        f"JAX vmap of value and gradient, the same drives: {ROWS / of_jax / 1e6:.3f} million, "
+        f"{1e6 * of_jax / ROWS:.2f} us a row, {of_jax / of_batch:.2f} times the time of batch"
+    )
+
+
+def of_import() -> None:
+    """The import in a new process, beside NumPy's."""
+
+    def importing(name: str) -> float:
+        command = [sys.executable, "-c", f"import {name}"]
+        return best(lambda: subprocess.run(command, check=True), 10)
+
+    alone, whole = importing("numpy"), importing("longdrive")
+    print(f"import: {1e3 * whole:.0f} ms, NumPy alone {1e3 * alone:.0f} ms, with Python's start")
 
 
 if __name__ == "__main__":
-    began = time.perf_counter()
-    subprocess.run([sys.executable, "-c", "import longdrive"], check=True)
-    print(
-        f"import in a new process: {1e3 * (time.perf_counter() - began):.0f} ms, with Python's own start"
-    )
+    of_import()
+    of_a_drive()
     of_a_call()
     of_rows()

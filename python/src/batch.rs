@@ -6,7 +6,7 @@ use crate::hessians::Hessians;
 use crate::names::{listed, outcomes_named, variables};
 use crate::pool;
 use crate::setup::PySetup;
-use crate::step::Asked;
+use crate::step::{PyIntegration, step_choice};
 use longdrive::batch::{Batch, Block, CHUNK, Points, Run, Status, StatusCounts};
 use longdrive::drive::CheckScope;
 use longdrive::parameters::Parameter;
@@ -173,7 +173,7 @@ type Found<'py> = (
 /// The drives at the points of arrays; see :func:`longdrive.batch`.
 #[pyfunction]
 #[pyo3(
-    signature = (setup, points, of, wrt, tolerance, own_step, threads, progress, first_row, hessians, ranges = None),
+    signature = (setup, points, of, wrt, tolerance, own_step, threads, progress, first_row, hessians, ranges = None, function = None),
 )]
 #[expect(
     clippy::too_many_arguments,
@@ -192,6 +192,7 @@ pub fn batch<'py>(
     first_row: usize,
     hessians: bool,
     ranges: Option<Vec<(String, f64, f64)>>,
+    function: Option<&PyIntegration>,
 ) -> PyResult<Found<'py>> {
     answer(|| {
         let setup = PySetup::of(setup)?;
@@ -220,7 +221,8 @@ pub fn batch<'py>(
         } else {
             0
         };
-        let asked = Asked::of(tolerance, own_step)?;
+        let choice = step_choice(tolerance, own_step)?;
+        let chosen = function.map(|function| Arc::clone(&function.0));
         let shared = Arc::new(Shared {
             results: Mutex::new(Some(Results::new(rows, width, of_hessians)?)),
             done: AtomicU64::new(0),
@@ -240,15 +242,18 @@ pub fn batch<'py>(
         );
         let parameters = arrays.parameters().to_vec();
         let (to, sought) = (Arc::clone(&shared), of.clone());
+        let flown = function.map_or(setup.setup, |function| function.0.setup);
+        let is_known = function.is_some() || choice.is_own(&flown);
+        let is_short = rows <= CHUNK && !hessians && !pool::is_long(&flown, rows);
+        let own = setup.setup;
         let work = move |stop: &AtomicBool| -> longdrive::Result<Vec<String>> {
-            let (found, told) = asked.found(&setup, &ranges, &sought)?;
-            let integrated = found.map_or(setup.setup, |found| found.applied_to(&setup.setup));
-            let mut batch = Batch::new(&integrated, arrays.parameters(), &sought, &wrt)?;
-            if let Some(found) = found {
-                batch = batch.with_largest_defect(found.largest_defect)?;
-            }
+            let integration = match chosen {
+                Some(chosen) => chosen,
+                None => Arc::new(choice.for_ranges(&setup.setup, &ranges, &sought, stop)?),
+            };
+            let batch = integration.batch(arrays.parameters(), &sought, &wrt)?;
             let seconds = hessians
-                .then(|| Hessians::new(&integrated, arrays.parameters(), &sought, &wrt))
+                .then(|| Hessians::new(&integration, arrays.parameters(), &sought, &wrt))
                 .transpose()?;
             compute(
                 &batch,
@@ -263,8 +268,8 @@ pub fn batch<'py>(
                 .setup
                 .warnings()
                 .iter()
+                .chain(&integration.warning)
                 .map(|message| message.in_units(System::default()))
-                .chain(told)
                 .collect())
         };
         let total = rows;
@@ -275,7 +280,7 @@ pub fn batch<'py>(
             None => Ok(()),
         };
         // compute a few drives without threads: they take less time than a check for Ctrl-C
-        let ended = if rows <= CHUNK && !hessians && asked.is_known(&setup) {
+        let ended = if is_short && is_known {
             py.detach(|| work(&AtomicBool::new(false)))
                 .map_err(Failure::from)
         } else {
@@ -295,7 +300,7 @@ pub fn batch<'py>(
             .ok_or_else(|| Failure::Panic("a batch without results".into()))?;
         let done = results.done;
         let beyond = results.status_counts.beyond().warnings(
-            &setup.setup.law,
+            &own.law,
             ["drive that landed", "drives that landed"],
             CheckScope::Launch,
         );
@@ -306,7 +311,7 @@ pub fn batch<'py>(
         );
         let is_whole = raised.is_none();
         if is_whole && first_row == 0 && !results.status_counts.has_any(&of) {
-            warnings.push(none(&setup.setup, &parameters, &results, &of));
+            warnings.push(none(&own, &parameters, &results, &of));
         }
         warnings.extend(in_degrees);
         let (of_names, wrt, given) = names;
@@ -467,7 +472,9 @@ fn compute(
     let mut values = vec![];
     match arrays.read(CHUNK, &mut values)? {
         0 => Ok(()),
-        _ => sink(piece(batch.evaluate(run.first_row, values))),
+        _ => batch
+            .evaluate_until(run.first_row, values, stop)
+            .map_or(Ok(()), |block| sink(piece(block))),
     }
 }
 

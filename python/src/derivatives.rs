@@ -2,9 +2,12 @@
 
 use crate::boundary::{Answer, Failure, answer};
 use crate::names::{listed, outcomes_named, variables};
+use crate::pool;
 use crate::setup::PySetup;
-use longdrive::derivative::{Order, Taylor, evaluate};
+use crate::step::step_choice;
+use longdrive::derivative::{Order, Taylor};
 use longdrive::parameters::Parameter;
+use longdrive::study::StepChoice;
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::prelude::*;
@@ -36,13 +39,23 @@ fn asked(
     setup: &Bound<'_, PyAny>,
     of: &[String],
     wrt: Option<&Bound<'_, PyAny>>,
+    choice: StepChoice,
     order: Order,
 ) -> Answer<Asked> {
-    let setup = PySetup::of(setup)?.setup;
+    let (py, setup) = (setup.py(), PySetup::of(setup)?);
     let of = outcomes_named(of)?;
-    let wrt = variables(&setup, wrt)?;
+    let wrt = variables(&setup.setup, wrt)?;
+    let integration = setup.integration(py, choice)?;
+    let drives = match order {
+        Order::Second => wrt.len() * wrt.len(),
+        _ => wrt.len(),
+    };
+    let (is_long, by) = (pool::is_long(&integration.setup, drives), wrt.clone());
+    let taylors = pool::run_drive(py, is_long, move |stop| {
+        integration.evaluate_until(&of, &by, order, stop)
+    });
     Ok(Asked {
-        taylors: evaluate(&setup, &of, &wrt, order)?,
+        taylors: taylors??,
         wrt,
     })
 }
@@ -63,30 +76,36 @@ type Hessian<'py> = (f64, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
 
 /// Value of an outcome and its gradient, shape (parameters,).
 #[pyfunction]
-#[pyo3(signature = (setup, of = "carry", wrt = None))]
+#[pyo3(signature = (setup, of, wrt, tolerance, own_step))]
 pub fn gradient<'py>(
     py: Python<'py>,
     setup: &Bound<'py, PyAny>,
     of: &str,
     wrt: Option<&Bound<'py, PyAny>>,
+    tolerance: Option<&Bound<'py, PyAny>>,
+    own_step: bool,
 ) -> PyResult<Gradient<'py>> {
     answer(|| {
-        let taylor = one(asked(setup, &[of.to_owned()], wrt, Order::First)?)?;
+        let choice = step_choice(tolerance, own_step)?;
+        let taylor = one(asked(setup, &[of.to_owned()], wrt, choice, Order::First)?)?;
         Ok((taylor.value, vector(py, taylor.gradient)))
     })
 }
 
 /// Values of outcomes, shape (outcomes,), and their Jacobian, shape (outcomes, parameters).
 #[pyfunction]
-#[pyo3(signature = (setup, of, wrt = None))]
+#[pyo3(signature = (setup, of, wrt, tolerance, own_step))]
 pub fn jacobian<'py>(
     py: Python<'py>,
     setup: &Bound<'py, PyAny>,
     of: &Bound<'py, PyAny>,
     wrt: Option<&Bound<'py, PyAny>>,
+    tolerance: Option<&Bound<'py, PyAny>>,
+    own_step: bool,
 ) -> PyResult<Jacobian<'py>> {
     answer(|| {
-        let asked = asked(setup, &listed("of", of)?, wrt, Order::First)?;
+        let choice = step_choice(tolerance, own_step)?;
+        let asked = asked(setup, &listed("of", of)?, wrt, choice, Order::First)?;
         let values = asked.taylors.iter().map(|taylor| taylor.value).collect();
         let rows: Vec<_> = asked
             .taylors
@@ -100,15 +119,18 @@ pub fn jacobian<'py>(
 /// Value of an outcome, its gradient, shape (parameters,), and its Hessian, shape (parameters,
 /// parameters).
 #[pyfunction]
-#[pyo3(signature = (setup, of = "carry", wrt = None))]
+#[pyo3(signature = (setup, of, wrt, tolerance, own_step))]
 pub fn hessian<'py>(
     py: Python<'py>,
     setup: &Bound<'py, PyAny>,
     of: &str,
     wrt: Option<&Bound<'py, PyAny>>,
+    tolerance: Option<&Bound<'py, PyAny>>,
+    own_step: bool,
 ) -> PyResult<Hessian<'py>> {
     answer(|| {
-        let taylor = one(asked(setup, &[of.to_owned()], wrt, Order::Second)?)?;
+        let choice = step_choice(tolerance, own_step)?;
+        let taylor = one(asked(setup, &[of.to_owned()], wrt, choice, Order::Second)?)?;
         let columns = taylor.gradient.len();
         Ok((
             taylor.value,

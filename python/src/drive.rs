@@ -1,17 +1,21 @@
 //! One drive.
 
-use crate::boundary::{Answer, answer};
+use crate::boundary::answer;
 use crate::json::to_python;
 use crate::names::{listed, outcomes_named};
+use crate::pool;
 use crate::setup::PySetup;
-use longdrive::flight::{TrajectoryPoint, trajectory};
+use crate::step::step_choice;
+use longdrive::flight::{Trajectory, TrajectoryPoint, trajectory_until};
 use longdrive::number::Vector;
 use longdrive::report::{DriveReport, Reply};
+use longdrive::units::{Message, System};
 use longdrive::{Drive, Error, Outcome, Setup};
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::sync::atomic::AtomicBool;
 
 /// A trajectory as arrays: time, position, velocity, spin.
 type Path<'py> = (
@@ -21,50 +25,110 @@ type Path<'py> = (
     Bound<'py, PyArray2<f64>>,
 );
 
-/// A drive: its outcomes by name, SI (None for an outcome without a value); the answer of
-/// ``longdrive simulate --json``; and its path, if it was requested and the ball flies.
-type Simulated<'py> = (Bound<'py, PyDict>, Bound<'py, PyAny>, Option<Path<'py>>);
+/// One drive; see :func:`longdrive.simulate`. Its report is made when it is asked for: it takes
+/// longer than the drive.
+#[pyclass(name = "Simulated", module = "longdrive._longdrive", frozen)]
+pub struct PySimulated {
+    setup: Setup<f64>,
+    drive: Drive<f64>,
+    of: Vec<Outcome>,
+    warnings: Vec<Message>,
+    trajectory: Option<Trajectory>,
+}
+
+#[pymethods]
+impl PySimulated {
+    /// The outcomes by name, SI; None for an outcome without a value.
+    #[getter]
+    fn outcomes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let outcomes = PyDict::new(py);
+        for outcome in &self.of {
+            outcomes.set_item(outcome.name(), outcome.value(&self.drive))?;
+        }
+        Ok(outcomes)
+    }
+
+    /// The warnings, a list of sentences.
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        let in_units = |message: &Message| message.in_units(System::default());
+        self.warnings.iter().map(in_units).collect()
+    }
+
+    /// The answer of ``longdrive simulate --json``.
+    fn report<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        answer(|| {
+            let report = DriveReport::new(&self.setup, &self.drive);
+            to_python(py, &Reply::of(report, self.warnings.clone()))
+        })
+    }
+
+    /// The path of the ball, if it was requested and the ball flies.
+    #[getter]
+    fn path<'py>(&self, py: Python<'py>) -> Option<Path<'py>> {
+        self.trajectory
+            .as_ref()
+            .map(|trajectory| path(py, trajectory))
+    }
+}
 
 /// One drive; see :func:`longdrive.simulate`.
 #[pyfunction]
-#[pyo3(signature = (setup, of, is_traced))]
+#[pyo3(signature = (setup, of, is_traced, tolerance, own_step))]
 pub fn simulate<'py>(
     py: Python<'py>,
     setup: Option<&Bound<'py, PyAny>>,
     of: Option<&Bound<'py, PyAny>>,
     is_traced: bool,
-) -> PyResult<Simulated<'py>> {
+    tolerance: Option<&Bound<'py, PyAny>>,
+    own_step: bool,
+) -> PyResult<PySimulated> {
     answer(|| {
         let of = of.map_or_else(
             || Ok(Outcome::ALL.to_vec()),
             |of| outcomes_named(&listed("of", of)?),
         )?;
-        let setup = PySetup::of_any(setup)?.setup;
-        setup.validate()?;
-        let drive = Drive::new(&setup)?;
-        let outcomes = PyDict::new(py);
-        for outcome in &of {
-            outcomes.set_item(outcome.name(), outcome.value(&drive))?;
-        }
-        let warnings = drive.warnings_about(&setup, &of);
-        let report = to_python(py, &Reply::of(DriveReport::new(&setup, &drive), warnings))?;
-        let path = match is_traced {
-            true => path(py, &setup, &drive)?,
-            false => None,
-        };
-        Ok((outcomes, report, path))
+        let choice = step_choice(tolerance, own_step)?;
+        let setup = PySetup::of_any(setup)?;
+        let integration = setup.integration(py, choice)?;
+        let is_long = pool::is_long(&integration.setup, 1);
+        let found = pool::run_drive(py, is_long, move |stop| {
+            let drive = integration.drive_until(stop)?;
+            let warnings = integration.warnings_until(&drive, &of, stop);
+            let warnings = integration.warning.iter().cloned().chain(warnings);
+            let trajectory = match is_traced {
+                true => traced(&integration.setup, &drive, stop)?,
+                false => None,
+            };
+            Ok::<_, Error>(PySimulated {
+                setup: integration.setup,
+                drive,
+                warnings: warnings.collect(),
+                of,
+                trajectory,
+            })
+        });
+        Ok(found??)
     })
 }
 
 /// The path of the ball; `None` for a ball that does not fly.
-fn path<'py>(py: Python<'py>, setup: &Setup<f64>, drive: &Drive<f64>) -> Answer<Option<Path<'py>>> {
-    let points = match trajectory(setup, &drive.launch) {
+fn traced(
+    setup: &Setup<f64>,
+    drive: &Drive<f64>,
+    stop: &AtomicBool,
+) -> longdrive::Result<Option<Trajectory>> {
+    match trajectory_until(setup, &drive.launch, stop) {
         // the ball leaves the face downwards
-        Ok(trajectory) if trajectory.points.len() < 2 => return Ok(None),
-        Ok(trajectory) => trajectory.points,
-        Err(Error::NoFlight { .. }) => return Ok(None),
-        Err(error) => return Err(error.into()),
-    };
+        Ok(trajectory) if trajectory.points.len() < 2 => Ok(None),
+        Ok(trajectory) => Ok(Some(trajectory)),
+        Err(Error::NoFlight { .. }) => Ok(None),
+        Err(error) => Err(error),
+    }
+}
+
+fn path<'py>(py: Python<'py>, trajectory: &Trajectory) -> Path<'py> {
+    let points = &trajectory.points;
     let vectors = |of: fn(&TrajectoryPoint) -> Vector<f64>| {
         Array2::from_shape_fn((points.len(), 3), |(row, axis)| {
             let vector = of(&points[row]);
@@ -73,10 +137,10 @@ fn path<'py>(py: Python<'py>, setup: &Setup<f64>, drive: &Drive<f64>) -> Answer<
         .into_pyarray(py)
     };
     let time: Vec<f64> = points.iter().map(|point| point.time).collect();
-    Ok(Some((
+    (
         time.into_pyarray(py),
         vectors(|point| point.position),
         vectors(|point| point.velocity),
         vectors(|point| point.spin),
-    )))
+    )
 }

@@ -1,13 +1,15 @@
 //! Hessians of the rows of a batch.
 
+use longdrive::Outcome;
 use longdrive::batch::{Block, Status};
-use longdrive::derivative::{Evaluator, Order, Taylor, evaluate};
+use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::parameters::Parameter;
-use longdrive::{Outcome, Setup};
+use longdrive::study::Integration;
+use std::sync::atomic::AtomicBool;
 
 /// Second derivatives of outcomes at the points of a batch.
 pub struct Hessians {
-    setup: Setup<f64>,
+    integration: Integration,
     points: Vec<&'static Parameter>,
     of: Vec<Outcome>,
     wrt: Vec<&'static Parameter>,
@@ -19,18 +21,20 @@ impl Hessians {
     /// # Errors
     /// The errors of [`Evaluator::new`].
     pub fn new(
-        setup: &Setup<f64>,
+        integration: &Integration,
         points: &[&'static Parameter],
         of: &[Outcome],
         wrt: &[&'static Parameter],
     ) -> longdrive::Result<Self> {
         let is_once = points.iter().all(|row| wrt.contains(row))
-            && wrt.iter().all(|row| setup.variable(row.name).is_ok());
+            && wrt
+                .iter()
+                .all(|row| integration.setup.variable(row.name).is_ok());
         let once = is_once
-            .then(|| Evaluator::new(setup, of, wrt, Order::Second))
+            .then(|| integration.evaluator(of, wrt, Order::Second))
             .transpose()?;
         Ok(Self {
-            setup: *setup,
+            integration: integration.clone(),
             points: points.to_vec(),
             of: of.to_vec(),
             wrt: wrt.to_vec(),
@@ -65,15 +69,16 @@ impl Hessians {
             let given = |row: &&'static Parameter| {
                 let at = self.points.iter().position(|point| point == row);
                 at.map(|at| point[at])
-                    .or_else(|| self.setup.value(row))
+                    .or_else(|| self.integration.setup.value(row))
                     .unwrap_or(f64::NAN)
             };
             return evaluator.at(&self.wrt.iter().map(given).collect::<Vec<_>>());
         }
-        let mut setup = self.setup;
+        let mut moved = self.integration.clone();
         for (row, value) in self.points.iter().zip(point) {
-            setup.set_value(row, Some(*value))?;
+            moved.setup.set_value(row, Some(*value))?;
         }
-        evaluate(&setup, &self.of, &self.wrt, Order::Second)
+        let never = AtomicBool::new(false);
+        moved.evaluate_until(&self.of, &self.wrt, Order::Second, &never)
     }
 }

@@ -38,7 +38,7 @@ mod _longdrive {
     #[pymodule_export]
     use crate::derivatives::{gradient, hessian, jacobian};
     #[pymodule_export]
-    use crate::drive::simulate;
+    use crate::drive::{PySimulated, simulate};
     #[pymodule_export]
     use crate::names::{
         asked, is_out_of_range, outcomes, parameters, presets, unit_of, unit_of_goal, unknown_key,
@@ -53,6 +53,8 @@ mod _longdrive {
     use crate::request::{text_of, words_of};
     #[pymodule_export]
     use crate::setup::PySetup;
+    #[pymodule_export]
+    use crate::step::PyIntegration;
     #[pymodule_export]
     use crate::wording::in_python;
 

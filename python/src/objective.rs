@@ -7,11 +7,12 @@ use crate::derivatives::{matrix, vector};
 use crate::names::{outcomes_named, variables};
 use crate::pool;
 use crate::setup::PySetup;
+use crate::step::{for_function, step_choice};
 use longdrive::derivative::{Evaluator, Order, Taylor};
-use longdrive::parameters::{Parameter, Range};
-use longdrive::study::Goal;
+use longdrive::parameters::Parameter;
 use longdrive::study::swings::{Correlation, GoalFunction, Rule, Scenarios, Strokes, Swings};
 use longdrive::study::uncertainty::Uncertain;
+use longdrive::study::{Goal, StepChoice};
 use longdrive::{Error, Outcome};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -31,7 +32,11 @@ struct Point {
 /// The function to evaluate.
 enum Function {
     /// An outcome of one drive, by an evaluator for each order of derivatives.
-    Drive(Box<[Evaluator; 3]>),
+    Drive {
+        evaluators: Arc<[Evaluator; 3]>,
+        /// True if Python has to check for Ctrl-C meanwhile.
+        is_long: bool,
+    },
     /// A goal over swings.
     Swings(Arc<GoalFunction>),
 }
@@ -46,9 +51,16 @@ impl Function {
         order: Order,
     ) -> Answer<longdrive::Result<Option<Taylor>>> {
         match self {
-            Self::Drive(evaluators) => Ok(evaluators[order as usize]
-                .at(x)
-                .map(|mut taylors| taylors.pop())),
+            Self::Drive {
+                evaluators,
+                is_long,
+            } => {
+                let (evaluators, x) = (Arc::clone(evaluators), x.to_vec());
+                pool::run_drive(py, *is_long, move |stop| {
+                    let taylors = evaluators[order as usize].at_until(&x, stop);
+                    taylors.map(|mut taylors| taylors.pop())
+                })
+            }
             Self::Swings(goal) => {
                 let (goal, x) = (Arc::clone(goal), x.to_vec());
                 pool::run(
@@ -62,7 +74,7 @@ impl Function {
 
     fn parameters(&self) -> &[&'static Parameter] {
         match self {
-            Self::Drive(evaluators) => evaluators[0].parameters(),
+            Self::Drive { evaluators, .. } => evaluators[0].parameters(),
             Self::Swings(goal) => goal.parameters(),
         }
     }
@@ -168,6 +180,7 @@ impl Over {
 pub struct PyObjective {
     setup: PySetup,
     of: String,
+    choice: StepChoice,
     function: Function,
     over: Over,
     /// The argument `sense`, and the factor that turns a maximum into a minimum.
@@ -179,21 +192,6 @@ pub struct PyObjective {
 }
 
 const ORDERS: [Order; 3] = [Order::Value, Order::First, Order::Second];
-
-/// The smallest and largest number in a range; an open end is excluded.
-fn ends(range: Range) -> (f64, f64) {
-    let low = if range.low_included || range.low.is_infinite() {
-        range.low
-    } else {
-        range.low.next_up()
-    };
-    let high = if range.high_included || range.high.is_infinite() {
-        range.high
-    } else {
-        range.high.next_down()
-    };
-    (low, high)
-}
 
 impl PyObjective {
     /// The derivatives at a point, up to `order`. Optimizers request value, gradient and Hessian of
@@ -324,7 +322,7 @@ fn value(found: Option<&Taylor>) -> f64 {
 impl PyObjective {
     #[new]
     #[pyo3(
-        signature = (setup, of = "carry", wrt = None, sense = None, invalid = "raise", swings = None, distribution = vec![], correlation = vec![], scenarios = None, seed = None, strokes = None),
+        signature = (setup, of = "carry", wrt = None, sense = None, invalid = "raise", swings = None, distribution = vec![], correlation = vec![], scenarios = None, seed = None, strokes = None, tolerance = None, own_step = false),
     )]
     #[expect(clippy::too_many_arguments, reason = "each is one that Python names")]
     fn new(
@@ -339,9 +337,12 @@ impl PyObjective {
         scenarios: Option<usize>,
         seed: Option<u32>,
         strokes: Option<PathBuf>,
+        tolerance: Option<&Bound<'_, PyAny>>,
+        own_step: bool,
     ) -> PyResult<Self> {
         answer(|| {
-            let setup = PySetup::of(setup)?;
+            let choice = step_choice(tolerance, own_step)?;
+            let (py, setup) = (setup.py(), PySetup::of(setup)?);
             let over = Over {
                 swings,
                 distribution,
@@ -359,12 +360,13 @@ impl PyObjective {
             };
             let function = if over.is_given() {
                 let scenarios = over.taken(&setup.setup)?;
-                Function::Swings(Arc::new(GoalFunction::new(
-                    &setup.setup,
-                    &over.goal(of)?,
-                    &wrt,
-                    scenarios,
-                )?))
+                let goal = over.goal(of)?;
+                let (own, by, swings) = (setup.setup, wrt.clone(), scenarios.clone());
+                let is_long = !choice.is_own(&own);
+                let integration = pool::run_drive(py, is_long, move |stop| {
+                    choice.for_swings(&own, &by, &swings, stop)
+                })??;
+                Function::Swings(Arc::new(integration.goal_function(&goal, &wrt, scenarios)?))
             } else {
                 over.refuse_stray()?;
                 if of.contains('(') && Outcome::named(of).is_err() {
@@ -379,10 +381,14 @@ impl PyObjective {
                         "of = 'all': an objective is one outcome; name it".into(),
                     ));
                 }
-                let evaluators =
-                    ORDERS.map(|order| Evaluator::new(&setup.setup, &named, &wrt, order));
+                let integration =
+                    for_function(py, choice, &setup.setup, named.clone(), wrt.clone())?;
+                let evaluators = ORDERS.map(|order| integration.evaluator(&named, &wrt, order));
                 let [values, gradients, hessians] = evaluators;
-                Function::Drive(Box::new([values?, gradients?, hessians?]))
+                Function::Drive {
+                    evaluators: Arc::new([values?, gradients?, hessians?]),
+                    is_long: pool::is_long(&integration.setup, wrt.len() * wrt.len()),
+                }
             };
             let sign = match sense.as_deref() {
                 None | Some("min") => 1.0,
@@ -404,6 +410,7 @@ impl PyObjective {
             Ok(Self {
                 setup,
                 of: of.to_owned(),
+                choice,
                 function,
                 over,
                 sense,
@@ -480,7 +487,7 @@ impl PyObjective {
     /// The setup, whose parameters x changes.
     #[getter]
     fn setup(&self) -> PySetup {
-        self.setup
+        self.setup.clone()
     }
 
     /// The setup's own values of the parameters, shape (parameters,), SI.
@@ -497,7 +504,10 @@ impl PyObjective {
     /// club maker can do.
     #[getter]
     fn bounds(&self) -> Vec<(f64, f64)> {
-        self.wrt().iter().map(|row| ends(row.range)).collect()
+        self.wrt()
+            .iter()
+            .map(|row| row.range.ends().into())
+            .collect()
     }
 
     fn __repr__(&self) -> PyResult<String> {
@@ -532,8 +542,13 @@ impl PyObjective {
         } = self.over.clone();
         let of_swings =
             (swings, distribution, correlation, scenarios, seed, strokes).into_pyobject(py)?;
+        let tolerance = match self.choice {
+            StepChoice::Within(tolerance) => Some(tolerance),
+            _ => None,
+        };
+        let of_step = (tolerance, self.choice == StepChoice::Own).into_pyobject(py)?;
         let own = (
-            self.setup,
+            self.setup.clone(),
             &self.of,
             self.names(),
             self.sense.as_deref(),
@@ -544,6 +559,7 @@ impl PyObjective {
             py.get_type::<Self>().into_any(),
             own.as_sequence()
                 .concat(of_swings.as_sequence())?
+                .concat(of_step.as_sequence())?
                 .to_tuple()?,
         ))
     }

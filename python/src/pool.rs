@@ -1,6 +1,7 @@
 //! Long work on threads of this process, while the thread of Python waits and checks for Ctrl-C.
 
 use crate::boundary::{Answer, unpanicked};
+use longdrive::Setup;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::Arc;
@@ -78,6 +79,29 @@ pub fn run<R: Send + 'static>(
         Ended::Done(done, _) => Ok(done),
         Ended::Left(raised) => Err(raised.into()),
     }
+}
+
+/// Number of time steps, in all lanes of the processor, that take tenths of a second.
+const LONG: f64 = 3e5;
+
+/// True if these drives may take so long that Python has to check for Ctrl-C meanwhile.
+pub fn is_long(setup: &Setup<f64>, drives: usize) -> bool {
+    const LANES: f64 = 8.0;
+    let flight = &setup.flight;
+    flight.time_limit / flight.step * (drives as f64 / LANES).max(1.0) > LONG
+}
+
+/// Runs the work of one drive. Long work runs on another thread, which [`run`] explains; short work
+/// runs here, while other threads of Python run.
+pub fn run_drive<R: Send + 'static>(
+    py: Python<'_>,
+    is_long: bool,
+    work: impl FnOnce(&AtomicBool) -> R + Send + 'static,
+) -> Answer<R> {
+    if is_long {
+        return run(py, work, || Ok(()));
+    }
+    unpanicked(|| py.detach(|| work(&AtomicBool::new(false))))
 }
 
 /// Like `run`, for work with an answer after an interruption. `patience` stops the work and returns

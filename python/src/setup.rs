@@ -2,17 +2,24 @@
 
 use crate::boundary::{Answer, Failure, answer, kind_of, shown, text_of};
 use crate::given::{self, AngleUnit, BareAngle, PRESET};
+use crate::pool;
 use longdrive::atmosphere::in_effect;
 use longdrive::parameters::{
-    DEFAULT_PRESET, GOLFER, LAW, METHOD, Parameter, Preset, SPEED_OF, SetupFile, TABLE, TURF,
+    DEFAULT_PRESET, GOLFER, LAW, Law, METHOD, Parameter, Preset, SPEED_OF, SetupFile, TABLE, TURF,
 };
-use longdrive::report::{Change, changes, setup_toml, setup_toml_without_step};
+use longdrive::report::{Change, changes, setup_toml};
+use longdrive::study::{Integration, StepChoice};
 use longdrive::units::System;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyIterator, PyList, PyMapping, PyString};
 use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+/// Longest `flight.time_limit` for which a step is chosen on the thread of Python, s: the choice
+/// then takes at most tenths of a second.
+const LONG_FLIGHT: f64 = 600.0;
 
 /// Number of changes that the short text of a setup shows.
 const SHOWN: usize = 4;
@@ -58,19 +65,19 @@ const SHOWN: usize = 4;
 /// >>> longdrive.Setup({"club.loft": 10.5}, angles="deg")["club.loft"]
 /// 0.1832595714594046
 #[pyclass(name = "Setup", module = "longdrive", frozen, eq, hash)]
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct PySetup {
     /// The setup itself.
     pub setup: longdrive::Setup<f64>,
     /// The preset on which the setup is based.
     pub preset: &'static Preset,
-    /// True if flight.method or flight.step was stated.
-    pub gives_step: bool,
+    /// Method and step for an error of a micrometre, once a function needed them.
+    chosen: Arc<OnceLock<Arc<Integration>>>,
 }
 
 impl PartialEq for PySetup {
     fn eq(&self, other: &Self) -> bool {
-        self.setup == other.setup && self.gives_step == other.gives_step
+        self.setup == other.setup
     }
 }
 
@@ -87,7 +94,7 @@ impl Hash for PySetup {
             self.setup.law.name(),
             self.setup.method.name(),
             self.setup.golfer.name(),
-            self.gives_step,
+            self.setup.states_step,
         )
             .hash(state);
     }
@@ -96,23 +103,51 @@ impl Hash for PySetup {
 impl PySetup {
     /// A preset.
     pub fn of_preset(name: &str) -> Answer<Self> {
+        // one value for each preset, so that its step is chosen once. The thread with the lock has
+        // the interpreter's lock too, so no process forks meanwhile
+        static KNOWN: Mutex<Vec<PySetup>> = Mutex::new(vec![]);
+        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(read) = known.iter().find(|read| read.preset.name == name) {
+            return Ok(read.clone());
+        }
         let setup = longdrive::Setup::preset(name).map_err(|error| not_a_preset(name, error))?;
-        let preset = Preset::named(name)
-            .ok_or_else(|| Failure::Input(format!("unknown preset '{name}'")))?;
-        let mut read = Self {
+        let read = Self::based_on(setup, Preset::known(name)?);
+        known.push(read.clone());
+        Ok(read)
+    }
+
+    fn based_on(setup: longdrive::Setup<f64>, preset: &'static Preset) -> Self {
+        Self {
             setup,
             preset,
-            gives_step: false,
-        };
-        read.gives_step = read.preset_gives_step();
-        Ok(read)
+            chosen: Arc::default(),
+        }
+    }
+
+    /// Method and step for the drive of this setup. The choice for a micrometre is kept.
+    pub fn integration(&self, py: Python<'_>, choice: StepChoice) -> Answer<Arc<Integration>> {
+        let is_usual = choice == StepChoice::Micrometre;
+        if let Some(known) = self.chosen.get().filter(|_| is_usual) {
+            return Ok(Arc::clone(known));
+        }
+        let setup = self.setup;
+        let is_long = !choice.is_own(&setup) && setup.flight.time_limit > LONG_FLIGHT;
+        let found = pool::run_drive(py, is_long, move |stop| {
+            choice.for_setup_until(&setup, stop)
+        });
+        let found = Arc::new(found??);
+        if is_usual {
+            // another thread may have found the same
+            let _ = self.chosen.set(Arc::clone(&found));
+        }
+        Ok(found)
     }
 
     /// A setup from Python: a setup, the name of a preset, a dict, or None for the preset
     /// `tour-average`.
     pub fn of(given: &Bound<'_, PyAny>) -> Answer<Self> {
         if let Ok(setup) = given.cast::<Self>() {
-            return Ok(*setup.get());
+            return Ok(setup.get().clone());
         }
         if given.is_none() {
             return Self::of_preset(DEFAULT_PRESET);
@@ -134,11 +169,11 @@ impl PySetup {
     }
 
     /// Warns of angles that were probably meant in degrees.
-    fn warn_of(self, py: Python<'_>, bare_angles: Vec<BareAngle>) -> Answer<()> {
+    fn warn_of(&self, py: Python<'_>, bare_angles: Vec<BareAngle>) -> Answer<()> {
         if !bare_angles.is_empty() {
             py.import("longdrive.angles")?
                 .getattr("warn_of_angles")?
-                .call1((bare_angles, self))?;
+                .call1((bare_angles, self.clone()))?;
         }
         Ok(())
     }
@@ -150,30 +185,23 @@ impl PySetup {
 
     fn of_file(file: SetupFile) -> Answer<Self> {
         file.setup.validate_but_launch()?;
-        let mut read = Self {
-            setup: file.setup,
-            preset: file.preset,
-            gives_step: file.gives_step,
-        };
-        read.gives_step |= read.preset_gives_step();
-        Ok(read)
+        Ok(Self::based_on(file.setup, file.preset))
     }
 
     /// Changes the values of some parameters. Returns also the angles that were given as numbers.
     fn with(
-        mut self,
+        &self,
         given: &[given::Given<'_>],
         angles: AngleUnit,
     ) -> Answer<(Self, Vec<BareAngle>)> {
-        let bare_angles = given::apply(&mut self.setup, given, angles)?;
-        self.gives_step |= given.iter().any(|given| is_of_step(&given.name));
+        let mut setup = self.setup;
+        let bare_angles = given::apply(&mut setup, given, angles)?;
         // refuse a stated value that other parameters would replace silently
         let base = longdrive::Setup::preset(self.preset.name)?;
+        let of_base = base.parameters();
         let is_given = |row: &&&'static Parameter| {
             given.iter().any(|given| given.name == row.name)
-                || base
-                    .parameter(row.name)
-                    .is_ok_and(|_| base.value(row) != self.setup.value(row))
+                || base.value(row) != setup.value(row) && of_base.contains(row)
         };
         // a parameter unset by "none" has no stated value
         let is_back = |row: &Parameter| {
@@ -181,22 +209,15 @@ impl PySetup {
                 .iter()
                 .any(|given| given.name == row.name && given.is_unset())
         };
-        let rows = self.setup.parameters();
+        let rows = setup.parameters();
         let set = rows
             .iter()
             .filter(is_given)
-            .filter(|row| self.setup.value(row).is_some() && !is_back(row));
+            .filter(|row| setup.value(row).is_some() && !is_back(row));
         let names: Vec<_> = set.map(|row| row.name).collect();
-        self.setup.refuse_replaced(&names)?;
-        self.setup.validate_but_launch()?;
-        Ok((self, bare_angles))
-    }
-
-    fn preset_gives_step(&self) -> bool {
-        self.preset
-            .entries
-            .iter()
-            .any(|entry| is_of_step(entry.name))
+        setup.refuse_replaced(&names)?;
+        setup.validate_but_launch()?;
+        Ok((Self::based_on(setup, self.preset), bare_angles))
     }
 
     fn changes(&self) -> Answer<Vec<Change>> {
@@ -256,7 +277,7 @@ impl PySetup {
             .chain(table)
             .chain(used)
             // an unstated step is chosen anew for each request
-            .filter(|name| self.gives_step || !is_of_step(name))
+            .filter(|name| self.setup.states_step || !is_of_step(name))
             .collect()
     }
 
@@ -266,17 +287,60 @@ impl PySetup {
         self.setup.law.table().map(|table| format!("{table:?}"))
     }
 
+    /// The preset, and the choices and values that differ from it.
+    fn differences<'py>(&self, py: Python<'py>) -> Answer<Bound<'py, PyDict>> {
+        let (own, mut base) = (&self.setup, longdrive::Setup::preset(self.preset.name)?);
+        let differences = PyDict::new(py);
+        differences.set_item(PRESET, self.preset.name)?;
+        let states_step = own.states_step && !base.states_step;
+        let table = own
+            .law
+            .table()
+            .map(|table| std::path::absolute(table.file()));
+        let table = table.transpose().map_err(PyErr::from)?;
+        let choices = [
+            (
+                LAW,
+                own.law.name(),
+                own.law.name() != base.law.name() && table.is_none(),
+            ),
+            (
+                METHOD,
+                own.method.name(),
+                states_step || own.method != base.method,
+            ),
+            (GOLFER, own.golfer.name(), own.golfer != base.golfer),
+            (SPEED_OF, own.speed_of.name(), own.speed_of != base.speed_of),
+        ];
+        for (name, value, _) in choices.into_iter().filter(|(.., differs)| *differs) {
+            differences.set_item(name, value)?;
+        }
+        if let Some(table) = table {
+            differences.set_item(TABLE, table.display().to_string())?;
+        }
+        // the coefficients of the same law are compared
+        base.law = if own.law.name() == base.law.name() {
+            base.law
+        } else {
+            Law::named(own.law.name()).unwrap_or(base.law)
+        };
+        let replaced = |row: &Parameter| own.why_replaced(row).is_some();
+        for row in own.parameters() {
+            if own.value(row) != base.value(row) && !replaced(row) {
+                differences.set_item(row.name, own.value(row))?;
+            }
+        }
+        Ok(differences)
+    }
+
     fn toml(&self) -> Answer<String> {
-        Ok(match self.gives_step {
-            true => setup_toml(&self.setup, self.preset, &[], &[])?,
-            // an unstated step is chosen anew for each request
-            false => setup_toml_without_step(&self.setup, self.preset)?,
-        })
+        Ok(setup_toml(&self.setup, self.preset, &[], &[])?)
     }
 }
 
-/// The state of a pickled setup: its text, and the content of its table.
-type State = (String, Option<String>);
+/// The state of a pickled setup: its preset with the values that differ from it, and the content of
+/// its table.
+type State<'py> = (Bound<'py, PyDict>, Option<String>);
 
 impl PySetup {
     /// The setup with changes, and the angles that were given as numbers.
@@ -400,9 +464,12 @@ impl PySetup {
     }
 
     #[staticmethod]
-    fn _from_state(toml: &str, table: Option<&str>) -> PyResult<Self> {
+    fn _from_state(differences: &Bound<'_, PyAny>, table: Option<&str>) -> PyResult<Self> {
         answer(|| {
-            let read = Self::of_file(SetupFile::read(toml, "a pickled setup")?)?;
+            let mut given = given::flattened(differences)?;
+            let preset = given::preset(&mut given)?;
+            let base = Self::of_preset(preset.as_deref().unwrap_or(DEFAULT_PRESET))?;
+            let (read, _) = base.with(&given, AngleUnit::Radian)?;
             if read.table().as_deref() == table {
                 return Ok(read);
             }
@@ -548,8 +615,7 @@ impl PySetup {
     /// text. The text has method and step if they were stated.
     fn _asked(&self) -> PyResult<(String, bool)> {
         answer(|| {
-            let is_chosen_anew = self.gives_step && !self.preset_gives_step();
-            if self.setup == longdrive::Setup::preset(self.preset.name)? && !is_chosen_anew {
+            if self.setup == longdrive::Setup::preset(self.preset.name)? {
                 return Ok((self.preset.name.to_owned(), false));
             }
             Ok((self.toml()?, true))
@@ -606,6 +672,7 @@ impl PySetup {
     fn __repr__(&self) -> PyResult<String> {
         answer(|| {
             let changes = self.changes()?;
+            let base = longdrive::Setup::preset(self.preset.name)?;
             let shown = changes
                 .iter()
                 .take(SHOWN)
@@ -614,7 +681,7 @@ impl PySetup {
             if changes.len() > SHOWN {
                 shown.push(format!("{} more changes", changes.len() - SHOWN));
             }
-            if self.gives_step && !self.preset_gives_step() {
+            if self.setup.states_step != base.states_step {
                 shown.push("stated flight.method and flight.step".into());
             }
             let with = if shown.is_empty() {
@@ -644,10 +711,10 @@ impl PySetup {
         })
     }
 
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, State)> {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, State<'py>)> {
         answer(|| {
             let made = py.get_type::<Self>().getattr("_from_state")?;
-            Ok((made, (self.toml()?, self.table())))
+            Ok((made, (self.differences(py)?, self.table())))
         })
     }
 

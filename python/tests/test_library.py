@@ -56,6 +56,9 @@ def test_a_setup_is_a_mapping() -> None:
 
 def test_exact_public_names() -> None:
     assert dir(longdrive) == sorted(longdrive.__all__)
+    assert "__getattr__" not in vars(longdrive) and not hasattr(longdrive, "nonsense")
+    for name in ("dask", "jax", "parts", "ray", "spark", "torch"):
+        assert getattr(longdrive, name).__name__ == f"longdrive.{name}"
     for name in longdrive.__all__:
         assert hasattr(longdrive, name)
 
@@ -85,7 +88,8 @@ def test_same_rows_of_tables_that_go_round() -> None:
     for frame in frames:
         again = longdrive.batch("tour-average", frame, ["carry", "spin"], "points")
         assert again == table
-    for frame in (table, pyarrow.table(table)):
+    assert frames[0].attrs["units"]["club.loft"] == "rad"
+    for frame in (table, pyarrow.table(table), frames[0], frames[0].iloc[:]):
         swept = longdrive.sweep("tour-average", points=frame, of=["carry", "spin"], wrt="points")
         assert swept == table
     with_units = {"club.loft [rad]": POINTS["club.loft"], "swing.speed [m/s]": POINTS["swing.speed"]}
@@ -118,6 +122,13 @@ def test_no_temporary_file_is_made(monkeypatch: pytest.MonkeyPatch) -> None:
         "carry [yd]": [275.0, 281.0, 270.5],
     }
     assert len(longdrive.fly(shots).shots) == 3
+    over = {"club.loft": "5deg..15deg:2000"}
+    longdrive.parts.Question.of(over=over, output="nowhere", parts=1).refuse_unsound()
+    over = {"club.loft": "15deg..5deg:2000"}
+    wrong = longdrive.parts.Question.of(over=over, output="nowhere", parts=1)
+    with pytest.raises(InputError, match="club.loft"):
+        wrong.refuse_unsound()
+    assert not Path("nowhere").exists()
     assert longdrive.calibrate(shots, "modern-driver", fit="aero.cd0").status == "converged"
     assert longdrive.plot.trajectory().svg.startswith("<svg")
     assert longdrive.compare("mae494", {"preset": "mae494", "club.loft": "11 deg"}).status == "done"

@@ -101,6 +101,17 @@ impl Batch {
         })
     }
 
+    /// The batch with another time step, s.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for more than 1e8 steps.
+    pub(crate) fn with_step(&self, step: f64) -> Result<Self> {
+        let mut batch = self.clone();
+        batch.setup.flight.step = step;
+        batch.setup.flight.check_steps()?;
+        Ok(batch)
+    }
+
     /// Sets the instruction level. The default is the widest level of this processor.
     ///
     /// # Errors

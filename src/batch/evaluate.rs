@@ -9,9 +9,7 @@ use crate::error::{Error, Result};
 use crate::flight::{Flight, NoFlight};
 use crate::number::MOST_PER_LANE;
 use crate::parameters::{Parameter, Setup};
-
-/// Maximum number of halvings of the step until the defect of the integration is accepted.
-const MAX_HALVINGS: usize = 12;
+use std::sync::atomic::AtomicBool;
 
 impl Batch {
     /// Computes the drives of `points`, given row by row.
@@ -19,6 +17,21 @@ impl Batch {
     /// # Panics
     /// If the last point is incomplete.
     pub fn evaluate(&self, first_row: u64, points: Vec<f64>) -> Block {
+        self.evaluate_until(first_row, points, &AtomicBool::new(false))
+            .unwrap_or_else(|| unreachable!("the flag is never set"))
+    }
+
+    /// Like [`evaluate`](Self::evaluate); `None` if a flight was interrupted because `stop` became
+    /// true.
+    ///
+    /// # Panics
+    /// If the last point is incomplete.
+    pub fn evaluate_until(
+        &self,
+        first_row: u64,
+        points: Vec<f64>,
+        stop: &AtomicBool,
+    ) -> Option<Block> {
         let (values, parameters) = (points.len(), self.parameters.len());
         assert!(
             values.is_multiple_of(parameters),
@@ -37,7 +50,7 @@ impl Batch {
             derivatives: empty(self.of.len() * self.wrt.len()),
             points,
         };
-        let mut scalar_rows = self.evaluate_in_lanes(&mut block);
+        let mut scalar_rows = self.evaluate_in_lanes(&mut block, stop);
         scalar_rows.extend((0..rows).filter(|&row| block.defect[row] > self.largest_defect));
         for row in scalar_rows {
             // discard the results of the lane batch
@@ -47,17 +60,19 @@ impl Batch {
                 .chain(&mut block.derivatives)
                 .for_each(|column| column[row] = f64::NAN);
             if let Ok(setup) = self.setup_at(block.point(row)) {
-                self.evaluate_scalar(setup, row, &mut block);
+                if let Err(Error::Stopped) = self.evaluate_scalar(setup, row, &mut block, stop) {
+                    return None;
+                }
             }
         }
-        block
+        Some(block)
     }
 
     /// Computes the drives of a block in lane batches, and returns the rows that need scalar
     /// evaluation. All rows need it if the inertia tensor is swept, because the tensor must be
     /// checked in each row, or if there are so many parameters of differentiation that one drive
     /// fills the lanes.
-    fn evaluate_in_lanes(&self, block: &mut Block) -> Vec<usize> {
+    fn evaluate_in_lanes(&self, block: &mut Block, stop: &AtomicBool) -> Vec<usize> {
         if self.wrt.len() > 4 * MOST_PER_LANE
             || self
                 .parameters
@@ -75,6 +90,7 @@ impl Batch {
                 block,
                 wrt,
                 first,
+                stop,
             }));
         }
         scalar_rows.sort_unstable();
@@ -93,29 +109,24 @@ impl Batch {
 
     /// Scalar evaluation of a drive. The step is halved until the defect of the integration is
     /// accepted.
-    fn evaluate_scalar(&self, mut setup: Setup<f64>, row: usize, block: &mut Block) {
-        let mut halvings = if self.largest_defect.is_finite() {
-            MAX_HALVINGS
-        } else {
-            0
-        };
-        let drive = loop {
-            match Drive::without_step_check(&setup) {
-                Ok(drive)
-                    if !drive
-                        .landed()
-                        .is_ok_and(|landed| landed.defect > Some(self.largest_defect)) =>
-                {
-                    break drive;
+    ///
+    /// # Errors
+    /// [`Error::Stopped`], and the reason of a drive without an impact or a flight, which is in the
+    /// block.
+    fn evaluate_scalar(
+        &self,
+        mut setup: Setup<f64>,
+        row: usize,
+        block: &mut Block,
+        stop: &AtomicBool,
+    ) -> Result<()> {
+        let drive =
+            Drive::refined(&mut setup, self.largest_defect, Some(stop)).inspect_err(|error| {
+                block.status[row] = match error {
+                    Error::Diverged { .. } => Status::Diverged,
+                    _ => Status::NoStrike,
                 }
-                Ok(_) | Err(Error::Diverged { .. }) if halvings > 0 => {
-                    halvings -= 1;
-                    setup.flight.step *= 0.5;
-                }
-                Ok(_) | Err(Error::Diverged { .. }) => return block.status[row] = Status::Diverged,
-                Err(_) => return block.status[row] = Status::NoStrike,
-            }
-        };
+            })?;
         let setup = &setup;
         block.status[row] = match &drive.flight {
             Flight::Landed(landed) => {
@@ -130,32 +141,42 @@ impl Batch {
             column[row] = outcome.value(&drive).unwrap_or(f64::NAN);
         }
         if !self.wrt.is_empty() {
-            self.differentiate(setup, row, block);
+            self.differentiate(setup, row, block, stop)?;
         }
+        Ok(())
     }
 
     /// Computes the derivatives of all outcomes together. If one of them is undefined, each is
     /// computed separately.
-    fn differentiate(&self, setup: &Setup<f64>, row: usize, block: &mut Block) {
+    ///
+    /// # Errors
+    /// [`Error::Stopped`].
+    fn differentiate(
+        &self,
+        setup: &Setup<f64>,
+        row: usize,
+        block: &mut Block,
+        stop: &AtomicBool,
+    ) -> Result<()> {
         let gradients = |of: &[Outcome], wrt: &[&'static Parameter]| {
             let evaluator = Evaluator::new(setup, of, wrt, Order::First)
-                .ok()?
-                .at_level(self.level);
-            evaluator.at_setup(&mut |_, _| ()).ok()
+                .map(|evaluator| evaluator.at_level(self.level));
+            match evaluator.and_then(|evaluator| evaluator.at_setup(Some(stop), &mut |_, _| ())) {
+                Err(Error::Stopped) => Err(Error::Stopped),
+                found => Ok(found.ok()),
+            }
         };
-        let all = gradients(&self.of, &self.wrt);
+        let all = gradients(&self.of, &self.wrt)?;
         for (column, values) in block.derivatives.iter_mut().enumerate() {
             let (i, k) = (column / self.wrt.len(), column % self.wrt.len());
             let exists = block.outcomes[i][row].is_finite();
-            let separately = || {
-                exists
-                    .then(|| gradients(&self.of[i..=i], &self.wrt[k..=k]))
-                    .flatten()
-            };
             values[row] = match &all {
                 Some(taylors) => taylors[i].gradient[k],
-                None => separately().map_or(f64::NAN, |taylors| taylors[0].gradient[0]),
+                None if exists => gradients(&self.of[i..=i], &self.wrt[k..=k])?
+                    .map_or(f64::NAN, |taylors| taylors[0].gradient[0]),
+                None => f64::NAN,
             };
         }
+        Ok(())
     }
 }

@@ -13,6 +13,7 @@ use crate::number::{
     Derivatives, Lanes, Mask, Number, OverNumbers, Task, in_lane, inlined, over_drives,
 };
 use crate::parameters::{Parameter, Setup};
+use std::sync::atomic::AtomicBool;
 
 /// Computes the drives of a block, with derivatives by a few parameters.
 pub(super) struct LaneBatch<'a> {
@@ -22,6 +23,8 @@ pub(super) struct LaneBatch<'a> {
     /// all parameters of differentiation.
     pub wrt: &'a [&'static Parameter],
     pub first: usize,
+    /// Interrupt flag of long flights.
+    pub stop: &'a AtomicBool,
 }
 
 impl Task for LaneBatch<'_> {
@@ -164,7 +167,11 @@ impl LaneBatch<'_> {
                 .then(|| J::not_inlined(|| Head::new(&setup.club)));
             let ended = inputs.integrate(
                 J::Mask::first(group.len()),
-                RequestedOutputs { apex, defect: true },
+                RequestedOutputs {
+                    apex,
+                    defect: true,
+                    stop: Some(self.stop),
+                },
                 None,
             );
             let flown = FlownLanes {

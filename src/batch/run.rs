@@ -21,7 +21,8 @@ pub struct Run<'a> {
     /// Number of threads, limited to the number of chunks and 256 (0: one per processor, or one for
     /// a single chunk).
     pub threads: usize,
-    /// Interrupt flag: once true, the run ends after the chunks in flight.
+    /// Interrupt flag: once true, the run ends after the chunks in flight, or before them if a
+    /// flight has thousands of steps.
     pub stop: Option<&'a AtomicBool>,
 }
 
@@ -55,6 +56,7 @@ impl Batch {
         };
         let is_stopped = || run.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
         let (mut row, mut done) = (run.first_row, run.first_row);
+        let (never, mut is_cut) = (AtomicBool::new(false), false);
         let next = || {
             let mut values = Vec::with_capacity(CHUNK * self.parameters.len());
             let most = end.saturating_sub(row).min(CHUNK as u64) as usize;
@@ -71,10 +73,17 @@ impl Batch {
         in_order(
             threads,
             next,
-            |(first_row, rows, values)| (rows, work(self.evaluate(first_row, values))),
+            |(first_row, rows, values)| {
+                let block = self.evaluate_until(first_row, values, run.stop.unwrap_or(&never));
+                (rows, block.map(&work))
+            },
             |(rows, result)| {
-                sink(result)?;
-                done += rows;
+                // rows after an incomplete chunk are not delivered
+                is_cut |= result.is_none();
+                if let Some(result) = result.filter(|_| !is_cut) {
+                    sink(result)?;
+                    done += rows;
+                }
                 Ok(())
             },
         )?;

@@ -388,17 +388,6 @@ pub fn ranges(search: &Search) -> Vec<Vary> {
 
 /// Ranges of the varied parameters and of the swings.
 pub fn swing_ranges(vary: &[Vary], scenarios: &Scenarios) -> Vec<Vary> {
-    let all = scenarios.parameters.iter().enumerate();
-    let swung = all.map(|(i, parameter)| {
-        let values = scenarios.points.iter().map(|point| point[i]);
-        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-            (low.min(x), high.max(x))
-        });
-        Vary {
-            parameter,
-            low,
-            high,
-        }
-    });
-    vary.iter().copied().chain(swung).collect()
+    let vary = vary.iter().copied();
+    vary.chain(scenarios.ranges()).collect()
 }

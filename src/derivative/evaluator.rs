@@ -2,10 +2,11 @@ use super::Taylor;
 use super::chain;
 use super::pass::Point;
 use super::split::Split;
-use crate::drive::{Outcome, OutcomeGroup};
+use crate::drive::{Outcome, OutcomeGroup, max_halvings};
 use crate::error::{Error, Result};
 use crate::number::Level;
 use crate::parameters::{Parameter, Setup, refuse_twice};
+use std::sync::atomic::AtomicBool;
 
 /// Order of differentiation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -40,6 +41,8 @@ pub struct Evaluator {
     /// First row (and column) of the Hessians to compute.
     first_row: usize,
     split: Split,
+    /// Largest accepted defect of the integration, m; infinity keeps the setup's step.
+    largest_defect: f64,
     level: Level,
 }
 
@@ -84,8 +87,19 @@ impl Evaluator {
             order,
             split,
             first_row: 0,
+            largest_defect: f64::INFINITY,
             level: Level::here().of_one_drive(),
         })
+    }
+
+    /// Adapts the step at each point. If the defect of the integration (docs/model.md, eq. 16a)
+    /// exceeds this limit, m, the drive is repeated with half the step until the defect is
+    /// accepted.
+    pub(crate) fn with_largest_defect(self, largest_defect: f64) -> Self {
+        Self {
+            largest_defect,
+            ..self
+        }
     }
 
     /// Limits the second derivatives to those that involve the last parameter.
@@ -119,11 +133,27 @@ impl Evaluator {
     /// # Panics
     /// If the numbers of values and parameters differ.
     pub fn at(&self, values: &[f64]) -> Result<Vec<Taylor>> {
-        self.at_order(values, self.order)
+        self.at_order(values, self.order, None)
+    }
+
+    /// Like [`at`](Self::at); interrupted once `stop` is true.
+    ///
+    /// # Errors
+    /// The errors of [`at`](Self::at); [`Error::Stopped`] after an interrupt.
+    ///
+    /// # Panics
+    /// If the numbers of values and parameters differ.
+    pub fn at_until(&self, values: &[f64], stop: &AtomicBool) -> Result<Vec<Taylor>> {
+        self.at_order(values, self.order, Some(stop))
     }
 
     /// Outcomes with derivatives up to this order, at most the evaluator's own.
-    pub(crate) fn at_order(&self, values: &[f64], order: Order) -> Result<Vec<Taylor>> {
+    pub(crate) fn at_order(
+        &self,
+        values: &[f64],
+        order: Order,
+        stop: Option<&AtomicBool>,
+    ) -> Result<Vec<Taylor>> {
         assert_eq!(values.len(), self.wrt.len(), "a value for each parameter");
         for (parameter, value) in self.wrt.iter().zip(values) {
             parameter.check(*value)?;
@@ -133,25 +163,53 @@ impl Evaluator {
         if setup.club.inertia() != self.setup.club.inertia() {
             setup.club.check_inertia()?;
         }
-        self.unchecked(&setup, values, order.min(self.order), &mut |_, _| ())
+        self.unchecked(setup, values, order.min(self.order), stop, &mut |_, _| ())
     }
 
     /// Outcomes of the setup itself. `progress` receives the numbers of completed and of all
     /// evaluations of the drive.
-    pub(crate) fn at_setup(&self, progress: &mut dyn FnMut(usize, usize)) -> Result<Vec<Taylor>> {
+    pub(crate) fn at_setup(
+        &self,
+        stop: Option<&AtomicBool>,
+        progress: &mut dyn FnMut(usize, usize),
+    ) -> Result<Vec<Taylor>> {
         let values: Vec<f64> = self
             .wrt
             .iter()
             .map(|row| self.setup.value(row).unwrap_or(f64::NAN))
             .collect();
-        self.unchecked(&self.setup, &values, self.order, progress)
+        self.unchecked(self.setup, &values, self.order, stop, progress)
     }
 
+    /// The step is halved until the defect of the integration is accepted.
     fn unchecked(
+        &self,
+        mut setup: Setup<f64>,
+        x: &[f64],
+        order: Order,
+        stop: Option<&AtomicBool>,
+        progress: &mut dyn FnMut(usize, usize),
+    ) -> Result<Vec<Taylor>> {
+        let mut halvings = max_halvings(self.largest_defect);
+        loop {
+            match self.with_step_of(&setup, x, order, stop, progress) {
+                Err(Error::Diverged { .. }) if halvings > 0 => {
+                    halvings -= 1;
+                    setup.flight.step *= 0.5;
+                }
+                found => return found,
+            }
+        }
+    }
+
+    /// # Errors
+    /// [`Error::Diverged`] for a larger defect than is accepted.
+    fn with_step_of(
         &self,
         setup: &Setup<f64>,
         x: &[f64],
         order: Order,
+        stop: Option<&AtomicBool>,
         progress: &mut dyn FnMut(usize, usize),
     ) -> Result<Vec<Taylor>> {
         let is_second = order == Order::Second;
@@ -166,6 +224,8 @@ impl Evaluator {
             flies: any(|outcome| outcome.group() == OutcomeGroup::Flight),
             has_apex: any(|outcome| outcome.needs_apex()),
             has_run: any(|outcome| outcome.needs_run()),
+            largest_defect: self.largest_defect,
+            stop,
             level: self.level,
         };
         let is_chained = order > Order::Value

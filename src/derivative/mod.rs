@@ -82,7 +82,7 @@ pub fn evaluate_with(
     order: Order,
     mut progress: impl FnMut(usize, usize),
 ) -> Result<Vec<Taylor>> {
-    Evaluator::new(setup, of, wrt, order)?.at_setup(&mut progress)
+    Evaluator::new(setup, of, wrt, order)?.at_setup(None, &mut progress)
 }
 
 /// Like [`evaluate`] to second order, but only the second derivatives with the last parameter are
@@ -97,5 +97,5 @@ pub(crate) fn towards_last(
 ) -> Result<Vec<Taylor>> {
     Evaluator::new(setup, of, wrt, Order::Second)?
         .with_last_parameter()
-        .at_setup(&mut |_, _| ())
+        .at_setup(None, &mut |_, _| ())
 }

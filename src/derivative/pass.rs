@@ -1,6 +1,6 @@
 use super::Taylor;
 use super::directions::{Directions, pairs};
-use crate::drive::{LaunchState, Outcome, OutcomeGroup, OutcomeInputs};
+use crate::drive::{LaunchState, Outcome, OutcomeGroup, OutcomeInputs, check_defect};
 use crate::error::{Error, Result};
 use crate::flight::{Inputs, RequestedOutputs};
 use crate::impact::{Head, strike};
@@ -10,6 +10,7 @@ use crate::number::{
     over_directions,
 };
 use crate::parameters::{Parameter, Setup};
+use std::sync::atomic::AtomicBool;
 
 /// Number of components of a launch: velocity, then spin.
 pub(super) const COMPONENTS: usize = 6;
@@ -32,6 +33,10 @@ pub(super) struct Point<'a> {
     pub flies: bool,
     pub has_apex: bool,
     pub has_run: bool,
+    /// Largest accepted defect of the integration, m.
+    pub largest_defect: f64,
+    /// Interrupt flag.
+    pub stop: Option<&'a AtomicBool>,
     /// Instruction level.
     pub level: Level,
 }
@@ -144,16 +149,19 @@ impl OverNumbers for Pass<'_> {
                 J::Mask::first(lanes),
                 RequestedOutputs {
                     apex: point.has_apex,
-                    defect: false,
+                    defect: point.largest_defect.is_finite(),
+                    stop: point.stop,
                 },
                 None,
             ));
             // all lanes compute the same drive
-            if let Some(why) = found.no_landing_reason(&inputs, |number| number.lane(0).re())? {
+            let value = inlined!(|number: J| number.lane(0).re());
+            if let Some(why) = found.no_landing_reason(&inputs, value)? {
                 return Err(Error::NoFlight {
                     reason: why.message(),
                 });
             }
+            check_defect(&found.landed, value, point.largest_defect, inputs.step)?;
         }
         for lane in 0..lanes {
             let drive = OutcomeInputs {

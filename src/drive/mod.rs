@@ -19,6 +19,7 @@ use crate::launch::Launch;
 use crate::number::{Mask, Number, Numbers, inlined};
 use crate::parameters::Setup;
 use crate::units::significant;
+use std::sync::atomic::AtomicBool;
 
 /// A drive: impact, launch and flight of a setup.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,8 +40,8 @@ impl<T: Number> Drive<T> {
     /// Computes the drive of a setup: values over `f64`, exact derivatives over dual numbers.
     /// Parameters are not checked against their ranges here ([`Setup::validate`] does this), except
     /// the step: with an invalid step a flight might never end. The setup determines method and
-    /// step of the integration; [`accuracy`](crate::study::accuracy()) finds a method and a step
-    /// for an error tolerance.
+    /// step of the integration; [`StepChoice`](crate::study::StepChoice) chooses them for an error
+    /// tolerance.
     ///
     /// ```
     /// use longdrive::{Drive, Outcome, Setup};
@@ -59,15 +60,16 @@ impl<T: Number> Drive<T> {
     /// that does not fly is a result, not an error: see [`Flight`].
     pub fn new(setup: &Setup<T>) -> Result<Self> {
         setup.flight.check_steps()?;
-        Self::without_step_check(setup)
+        Self::without_step_check(setup, None)
     }
 
-    /// Like [`new`](Self::new), without the check of the step: any number of steps is allowed.
+    /// Like [`new`](Self::new), without the check of the step: any number of steps is allowed,
+    /// until `stop` is true.
     ///
     /// # Errors
-    /// The errors of [`new`](Self::new), except the error for the step.
-    pub(crate) fn without_step_check(setup: &Setup<T>) -> Result<Self> {
-        let fly = |launch: &Launch<T>| Inputs::new(setup, launch, true).fly(None);
+    /// The errors of [`new`](Self::new), except the error for the step; [`Error::Stopped`].
+    pub(crate) fn without_step_check(setup: &Setup<T>, stop: Option<&AtomicBool>) -> Result<Self> {
+        let fly = |launch: &Launch<T>| Inputs::new(setup, launch, true).fly(stop, None);
         if let Some(launch) = Launch::given(setup) {
             return Ok(Self {
                 launch,
@@ -101,11 +103,83 @@ impl<T: Number> Drive<T> {
     }
 }
 
+/// Number of halvings that a limit of the defect allows.
+pub(crate) fn max_halvings(largest_defect: f64) -> u32 {
+    if largest_defect.is_finite() {
+        MAX_HALVINGS
+    } else {
+        0
+    }
+}
+
+/// Checks the defect of the flight with this landing and step, s; `value` extracts the value of a
+/// number.
+///
+/// # Errors
+/// [`Error::Diverged`] for a defect larger than `largest_defect`, m.
+#[inline(always)]
+pub(crate) fn check_defect<T: Copy>(
+    landed: &Landed<T>,
+    value: impl Fn(T) -> f64 + Copy,
+    largest_defect: f64,
+    step: f64,
+) -> Result<()> {
+    if landed.defect.map(value) > Some(largest_defect) {
+        return Err(Error::Diverged {
+            time: value(landed.flight_time),
+            step,
+            advice: "no step of the integration is short enough for the tolerance".into(),
+        });
+    }
+    Ok(())
+}
+
 /// Spins below this, rad/s, count as zero spin, where |ω| has a corner. The limit is some hundreds
 /// of times the rounding error of |ω|.
 const SPIN_CORNER: f64 = 1e-3;
 
+/// Maximum number of halvings of the step until the defect of the integration is accepted.
+pub(crate) const MAX_HALVINGS: u32 = 12;
+
 impl Drive<f64> {
+    /// Like [`new`](Self::new); interrupted once `stop` is true.
+    ///
+    /// # Errors
+    /// The errors of [`new`](Self::new); [`Error::Stopped`] after an interrupt.
+    pub fn until(setup: &Setup<f64>, stop: &AtomicBool) -> Result<Self> {
+        setup.flight.check_steps()?;
+        Self::without_step_check(setup, Some(stop))
+    }
+
+    /// The drive with the setup's step, which is halved in `setup` until the defect of the
+    /// integration (docs/model.md, eq. 16a) is at most `largest_defect`, m. Infinity keeps the step.
+    ///
+    /// # Errors
+    /// The errors of [`new`](Self::new), except the error for the step; [`Error::Diverged`] for a
+    /// larger defect with the shortest step; [`Error::Stopped`] once `stop` is true.
+    pub(crate) fn refined(
+        setup: &mut Setup<f64>,
+        largest_defect: f64,
+        stop: Option<&AtomicBool>,
+    ) -> Result<Self> {
+        let mut halvings = max_halvings(largest_defect);
+        loop {
+            let found = Self::without_step_check(setup, stop).and_then(|drive| {
+                if let Flight::Landed(landed) = &drive.flight {
+                    check_defect(landed, |number| number, largest_defect, setup.flight.step)?;
+                }
+                Ok(drive)
+            });
+            match found {
+                Err(Error::Diverged { .. }) if halvings > 0 => {
+                    halvings -= 1;
+                    setup.flight.step *= 0.5;
+                }
+                found => return found,
+            }
+        }
+    }
+
     /// True if the spin at launch is zero, at the corner of |ω|.
     pub(crate) fn is_without_spin(&self) -> bool {
         self.launch.total_spin() < SPIN_CORNER

@@ -8,6 +8,7 @@ use crate::ground::angle_of_impact;
 use crate::number::Number;
 use crate::parameters::{Law, Setup};
 use crate::units::{Digits, Message, Quantity, counted_of};
+use std::sync::atomic::AtomicBool;
 
 /// Smallest change of the carry, m, that causes a warning: 0.3 yd. The change is the effect of a
 /// variable outside the range of the law, or of the temperature of the ball.
@@ -97,7 +98,7 @@ impl Drive<f64> {
                 .law
                 .fitted()
                 .holds(Inputs::new(setup, &self.launch, false).stream()),
-            CheckScope::Flight => !self.law_warnings(setup).is_empty(),
+            CheckScope::Flight => !self.law_warnings(setup, &AtomicBool::new(false)).is_empty(),
         };
         let slopes = [setup.ground.slope, setup.ground.side_slope];
         let is_flat = || {

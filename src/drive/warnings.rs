@@ -7,9 +7,10 @@ use super::validity::{
 use super::{Drive, Outcome};
 use crate::aerodynamics::{AerodynamicLaw, FittedRange, range_in_words};
 use crate::atmosphere::{AirState, WindField};
-use crate::flight::{Flight, carry_by_holding, fly, trajectory};
+use crate::flight::{Flight, Inputs, Landed, carry_by_holding, stays_within, trajectory_until};
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity};
+use std::sync::atomic::AtomicBool;
 
 /// Smallest share of the flight time outside the range that causes a warning, for a variable that
 /// the law holds.
@@ -55,20 +56,33 @@ impl Drive<f64> {
     /// temperature that would change the ball too. The flight is computed again, so a search
     /// requests the warnings for its result only.
     pub fn warnings(&self, setup: &Setup<f64>) -> Vec<Message> {
-        let mut warnings = setup.warnings();
-        warnings.extend(self.corners(setup).into_iter().map(Message::from));
-        warnings.extend(self.off_face_warning(setup).map(Message::from));
-        warnings.extend(self.law_warnings(setup));
-        warnings.extend(self.long_step_warning(setup));
-        warnings.extend(self.cold_ball_warning(setup));
-        warnings
+        self.warnings_about(setup, &[])
     }
 
     /// The [`warnings`](Self::warnings) of a drive, if the outcomes `of` are requested. If one of
     /// the outcomes depends on the run, there is also a warning about a landing flatter than any
     /// measured bounce.
     pub fn warnings_about(&self, setup: &Setup<f64>, of: &[Outcome]) -> Vec<Message> {
-        let mut warnings = self.warnings(setup);
+        self.warnings_until(setup, of, false, &AtomicBool::new(false))
+    }
+
+    /// Like [`warnings_about`](Self::warnings_about); the flights are interrupted once `stop` is
+    /// true. The step is not checked if `is_step_chosen` is true.
+    pub(crate) fn warnings_until(
+        &self,
+        setup: &Setup<f64>,
+        of: &[Outcome],
+        is_step_chosen: bool,
+        stop: &AtomicBool,
+    ) -> Vec<Message> {
+        let mut warnings = setup.warnings();
+        warnings.extend(self.corners(setup).into_iter().map(Message::from));
+        warnings.extend(self.off_face_warning(setup).map(Message::from));
+        warnings.extend(self.law_warnings(setup, stop));
+        if !is_step_chosen {
+            warnings.extend(self.long_step_warning(setup, stop));
+        }
+        warnings.extend(self.cold_ball_warning(setup, stop));
         warnings.extend(
             self.flat_landing_warning(setup)
                 .filter(|_| of.iter().any(|of| of.needs_run())),
@@ -90,13 +104,11 @@ impl Drive<f64> {
     }
 
     /// Warning about a step so long that half the step shifts the landing.
-    fn long_step_warning(&self, setup: &Setup<f64>) -> Option<Message> {
+    fn long_step_warning(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Option<Message> {
         let landed = self.landed().ok()?;
         let mut finer = *setup;
         finer.flight.step *= 0.5;
-        let Ok(Flight::Landed(there)) = fly(&finer, &self.launch) else {
-            return None;
-        };
+        let there = self.landed_with(&finer, stop)?;
         let shift = (there.carry - landed.carry).hypot(there.lateral - landed.lateral);
         let step = Quantity::TIME.show(setup.flight.step, "s");
         let method = setup.method.name();
@@ -111,9 +123,18 @@ impl Drive<f64> {
         })
     }
 
+    /// The landing of the same launch with another setup; `None` without a landing.
+    fn landed_with(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Option<Landed<f64>> {
+        setup.flight.check_steps().ok()?;
+        match Inputs::new(setup, &self.launch, false).fly(Some(stop), None) {
+            Ok(Flight::Landed(landed)) => Some(landed),
+            _ => None,
+        }
+    }
+
     /// Warning about a stated temperature: it changes the air, and the ball stays as lively as at
     /// 25 °C.
-    fn cold_ball_warning(&self, setup: &Setup<f64>) -> Option<Message> {
+    fn cold_ball_warning(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Option<Message> {
         let temperature = setup.air.temperature?;
         let [least, most] = PUBLISHED_PER_TEN_DEGREES;
         let apart = (temperature - BALL_TEMPERATURE).abs() / TEN_DEGREES;
@@ -123,10 +144,7 @@ impl Drive<f64> {
         let carry = |temperature: f64| {
             let mut warmer = *setup;
             warmer.air.temperature = Some(temperature);
-            match fly(&warmer, &self.launch) {
-                Ok(Flight::Landed(landed)) => Some(landed.carry),
-                _ => None,
-            }
+            self.landed_with(&warmer, stop).map(|landed| landed.carry)
         };
         let half = 0.5 * TEN_DEGREES;
         let ours = carry(temperature + half)? - carry(temperature - half)?;
@@ -161,7 +179,9 @@ impl Drive<f64> {
     /// The largest change of the carry, m, if a variable outside the range of the law is held at
     /// the end of that range; `None` if no variable changes the carry by more than 0.3 yd.
     pub fn extrapolated_carry(&self, setup: &Setup<f64>) -> Option<f64> {
-        let changes = self.extrapolated(setup).into_iter();
+        let changes = self
+            .extrapolated(setup, &AtomicBool::new(false))
+            .into_iter();
         changes
             .filter_map(|extrapolated| extrapolated.change)
             .max_by(|a, b| a.abs().total_cmp(&b.abs()))
@@ -170,9 +190,12 @@ impl Drive<f64> {
     /// The variables outside the ranges of the law that change the carry by more than 0.3 yd. For a
     /// variable that the law itself holds, the share of the flight time outside the range counts
     /// instead ([`LEAST_WARNED_SHARE`]).
-    fn extrapolated(&self, setup: &Setup<f64>) -> Vec<Extrapolated> {
+    fn extrapolated(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<Extrapolated> {
         let fitted = setup.law.fitted();
         let ranges = fitted.ranges().map(|(.., range)| range);
+        if stays_within(setup, &self.launch, ranges, stop) {
+            return vec![];
+        }
         let one = |(variable, flown): (usize, Option<FlownRange>)| {
             let (flown, range) = (flown?, ranges[variable]?);
             let [is_below, is_above] = [flown.flown[0] < range[0], flown.flown[1] > range[1]];
@@ -183,7 +206,7 @@ impl Drive<f64> {
             let is_held = is_below && held_below || is_above && held_above;
             let change = match is_held {
                 true => None,
-                false => carry_by_holding(setup, &self.launch, variable, range)
+                false => carry_by_holding(setup, &self.launch, variable, range, stop)
                     .zip(self.landed().ok())
                     .map(|(held, landed)| held - landed.carry),
             };
@@ -197,12 +220,12 @@ impl Drive<f64> {
                 change,
             })
         };
-        let flown = self.flown_ranges(setup).into_iter().enumerate();
+        let flown = self.flown_ranges_until(setup, stop).into_iter().enumerate();
         flown.filter_map(one).collect()
     }
 
     /// Warnings about the variables that [`extrapolated`](Self::extrapolated) returns.
-    pub(super) fn law_warnings(&self, setup: &Setup<f64>) -> Vec<Message> {
+    pub(super) fn law_warnings(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<Message> {
         let fitted = setup.law.fitted();
         let name = setup.law.name();
         let ranges = fitted.ranges();
@@ -232,7 +255,7 @@ impl Drive<f64> {
                     .words(if change < 0.0 { " shorter" } else { " longer" }),
             })
         };
-        let extrapolated = self.extrapolated(setup).into_iter();
+        let extrapolated = self.extrapolated(setup, stop).into_iter();
         extrapolated.filter_map(warning).collect()
     }
 
@@ -240,11 +263,15 @@ impl Drive<f64> {
     /// [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges); `None` for a variable without a
     /// known range, and without air or a flight.
     pub fn flown_ranges(&self, setup: &Setup<f64>) -> [Option<FlownRange>; 4] {
+        self.flown_ranges_until(setup, &AtomicBool::new(false))
+    }
+
+    fn flown_ranges_until(&self, setup: &Setup<f64>, stop: &AtomicBool) -> [Option<FlownRange>; 4] {
         let ranges = setup.law.fitted().ranges().map(|(.., range)| range);
         if AirState::of(&setup.air).density == 0.0 || ranges == [None; 4] {
             return [None; 4];
         }
-        let path = self.stream(setup);
+        let path = self.stream(setup, stop);
         std::array::from_fn(|k| {
             let [low, high] = ranges[k].filter(|_| !path.is_empty())?;
             let values = path.iter().map(|(time, values)| (*time, values[k]));
@@ -258,8 +285,8 @@ impl Drive<f64> {
     }
 
     /// Time, and spin ratio, spin, Reynolds number and airspeed at the points of the trajectory.
-    fn stream(&self, setup: &Setup<f64>) -> Vec<(f64, [f64; 4])> {
-        let Ok(path) = trajectory(setup, &self.launch) else {
+    fn stream(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<(f64, [f64; 4])> {
+        let Ok(path) = trajectory_until(setup, &self.launch, stop) else {
             return vec![];
         };
         let (wind, radius) = (

@@ -2,10 +2,12 @@
 //! law held at the ends of its range.
 
 use super::inputs::Inputs;
+use super::motion::Node;
 use super::result::RequestedOutputs;
 use crate::aerodynamics::{AerodynamicLaw, Coefficients, Published, Stream};
 use crate::launch::Launch;
 use crate::parameters::{Law, Setup};
+use std::sync::atomic::AtomicBool;
 
 /// Indices of the variables of a law in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
 const SPIN_RATIO: usize = 0;
@@ -31,12 +33,13 @@ impl AerodynamicLaw<f64> for HeldLaw {
 }
 
 /// The downrange carry, m, of the flight in which `variable` of the law is held within `range`.
-/// `None` if the ball does not land.
+/// `None` if the ball does not land, or once `stop` is true.
 pub(crate) fn carry_by_holding(
     setup: &Setup<f64>,
     launch: &Launch<f64>,
     variable: usize,
     range: [f64; 2],
+    stop: &AtomicBool,
 ) -> Option<f64> {
     let inputs = Inputs::new(setup, launch, false);
     let law = HeldLaw {
@@ -47,9 +50,45 @@ pub(crate) fn carry_by_holding(
     let outputs = RequestedOutputs {
         apex: false,
         defect: false,
+        stop: Some(stop),
     };
     let result = inputs.with_law(law).integrate(true, outputs, None);
     result.has_landed.then_some(result.landed.carry)
+}
+
+/// True if the flow stays within these ranges at all steps of the flight, by a margin for the time
+/// between them. False if a range needs a closer look.
+pub(crate) fn stays_within(
+    setup: &Setup<f64>,
+    launch: &Launch<f64>,
+    ranges: [Option<[f64; 2]>; 4],
+    stop: &AtomicBool,
+) -> bool {
+    let inputs = Inputs::new(setup, launch, false);
+    let h = setup.flight.step;
+    let holds = |node: &Node<f64>| {
+        let speed = node.rate.speed;
+        let stream = [
+            node.spin * inputs.radius / speed,
+            node.spin,
+            inputs.reynolds_per_speed * speed,
+            speed,
+        ];
+        // v″ ≤ a²/v: half a step from its minimum, v is larger by at most (h a)²/(8 v); twice that
+        let margin = (h * node.rate.acceleration.norm() / speed).powi(2) * 0.25;
+        let is_within = |(value, range): (f64, Option<[f64; 2]>)| {
+            range.is_none_or(|[low, high]| {
+                low <= value * (1.0 - margin) && value * (1.0 + margin) <= high
+            })
+        };
+        stream.into_iter().zip(ranges).all(is_within)
+    };
+    let mut stays = true;
+    let flight = inputs.fly(
+        Some(stop),
+        Some(&mut |_, step| stays &= holds(step.from) && holds(step.to)),
+    );
+    stays && flight.is_ok()
 }
 
 /// The flow `stream` with `variable` moved to the nearer end of the range. The Reynolds number and
@@ -82,6 +121,7 @@ mod tests {
     use super::carry_by_holding;
     use crate::Setup;
     use crate::drive::{Drive, Outcome};
+    use std::sync::atomic::AtomicBool;
 
     /// A variable within the range is not held. Without spin in the law there is no lift.
     #[test]
@@ -90,11 +130,13 @@ mod tests {
         setup.set("wind.downrange", "-5 m/s").unwrap();
         let drive = Drive::new(&setup).unwrap();
         let carry = Outcome::Carry.value(&drive).unwrap();
+        let never = AtomicBool::new(false);
         for variable in 0..4 {
-            let held = carry_by_holding(&setup, &drive.launch, variable, [0.0, 1e9]).unwrap();
+            let held =
+                carry_by_holding(&setup, &drive.launch, variable, [0.0, 1e9], &never).unwrap();
             assert!((held - carry).abs() < 1e-9, "{variable}: {held} {carry}");
         }
-        let no_spin = carry_by_holding(&setup, &drive.launch, 0, [0.0, 1e-6]).unwrap();
+        let no_spin = carry_by_holding(&setup, &drive.launch, 0, [0.0, 1e-6], &never).unwrap();
         assert!(no_spin < carry - 20.0, "{no_spin}");
     }
 }

@@ -46,7 +46,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     pub(crate) fn integrate(
         &self,
         lanes: T::Mask,
-        outputs: RequestedOutputs,
+        outputs: RequestedOutputs<'_>,
         mut observer: Observer<'_, T>,
     ) -> FlightResult<T> {
         T::not_inlined(inlined!(|| self.integrate_inlined(
@@ -60,7 +60,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     fn integrate_inlined(
         &self,
         lanes: T::Mask,
-        outputs: RequestedOutputs,
+        outputs: RequestedOutputs<'_>,
         observer: &mut Observer<'_, T>,
     ) -> FlightResult<T> {
         let (tableau, h, ground) = (Tableau::of(self.method), self.step, self.ground);
@@ -105,6 +105,10 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
             lanes.has_been_above = lanes.has_been_above | is_above;
             result.landed.steps += 1;
             result.time = end;
+            if outputs.stops_at(result.landed.steps) {
+                result.is_stopped = true;
+                break;
+            }
         }
         result.is_aloft = lanes.flying;
         if let Some(turf) = &self.turf {

@@ -11,16 +11,17 @@ mod step;
 mod tableau;
 mod trajectory;
 
-pub(crate) use held::carry_by_holding;
+pub(crate) use held::{carry_by_holding, stays_within};
 pub(crate) use inputs::Inputs;
 pub(crate) use result::RequestedOutputs;
 pub use result::{Apex, Flight, Landed, NoFlight};
-pub use trajectory::{Trajectory, TrajectoryPoint, trajectory};
+pub use trajectory::{Trajectory, TrajectoryPoint, trajectory, trajectory_until};
 
 use crate::error::Result;
 use crate::launch::Launch;
 use crate::number::Number;
 use crate::parameters::Setup;
+use std::sync::atomic::AtomicBool;
 use step::Observer;
 
 /// Flies the ball from launch to landing (docs/model.md, eqs. 12–18). Allocates no heap memory.
@@ -32,19 +33,24 @@ use step::Observer;
 /// that the time limit contains more than 1e8 steps.
 pub fn fly<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>> {
     setup.flight.check_steps()?;
-    Inputs::new(setup, launch, true).fly(None)
+    Inputs::new(setup, launch, true).fly(None, None)
 }
 
 impl<T: Number> Inputs<T> {
-    /// Flies one ball. The observer receives each step.
+    /// Flies one ball, until `stop` is true. The observer receives each step.
     ///
     /// # Errors
     /// [`Error::Diverged`](crate::Error::Diverged) if drag and lift change the airspeed too much
-    /// within a step, or if a number overflows.
-    pub(crate) fn fly(&self, observer: Observer<'_, T>) -> Result<Flight<T>> {
+    /// within a step, or if a number overflows; [`Error::Stopped`](crate::Error::Stopped).
+    pub(crate) fn fly(
+        &self,
+        stop: Option<&AtomicBool>,
+        observer: Observer<'_, T>,
+    ) -> Result<Flight<T>> {
         let all = RequestedOutputs {
             apex: true,
             defect: true,
+            stop,
         };
         let result = self.integrate(true, all, observer);
         Ok(match result.no_landing_reason(self, T::re)? {

@@ -5,6 +5,7 @@ use crate::launch::Launch;
 use crate::number::{Mask, Numbers, Vector};
 use crate::units::{Digits, Message, Quantity, significant};
 use std::fmt;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Result of a flight.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -149,13 +150,27 @@ impl fmt::Display for NoFlight {
     }
 }
 
-/// Optional outputs of a flight.
+/// Optional outputs of a flight, and the flag that stops it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct RequestedOutputs {
+pub(crate) struct RequestedOutputs<'s> {
     /// Highest point.
     pub apex: bool,
     /// Defect of the integration.
     pub defect: bool,
+    /// Interrupt flag: once true, the flight ends within [`STOP_INTERVAL`] steps.
+    pub stop: Option<&'s AtomicBool>,
+}
+
+/// Number of steps between two looks at the interrupt flag: about a millisecond.
+const STOP_INTERVAL: usize = 4096;
+
+impl RequestedOutputs<'_> {
+    /// True if the flight stops after this number of steps.
+    #[inline(always)]
+    pub fn stops_at(&self, steps: usize) -> bool {
+        steps.is_multiple_of(STOP_INTERVAL)
+            && self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
+    }
 }
 
 /// Result of one flight, or of a batch of flights with one in each lane.
@@ -171,6 +186,8 @@ pub(crate) struct FlightResult<T: Numbers> {
     pub diverges: T::Mask,
     /// Lanes still in the air at the time limit.
     pub is_aloft: T::Mask,
+    /// True if the interrupt flag stopped the flights.
+    pub is_stopped: bool,
     /// Height of an apex that is not above the ground, or of a ball at the time limit, m.
     pub height: T,
     /// Spin at landing, rad/s, if the run is requested.
@@ -185,7 +202,7 @@ pub(crate) struct FlightResult<T: Numbers> {
 impl<T: Numbers> FlightResult<T> {
     /// The result before the first step.
     #[inline(always)]
-    pub(super) fn initial(outputs: RequestedOutputs) -> Self {
+    pub(super) fn initial(outputs: RequestedOutputs<'_>) -> Self {
         let (zero, none) = (T::zero(), T::Mask::none());
         let landed = Landed {
             carry: zero,
@@ -207,6 +224,7 @@ impl<T: Numbers> FlightResult<T> {
             stays_below: none,
             diverges: none,
             is_aloft: none,
+            is_stopped: false,
             height: zero,
             spin: zero,
             apex_defect: zero,
@@ -219,7 +237,7 @@ impl<T: Numbers> FlightResult<T> {
     ///
     /// # Errors
     /// [`Error::Diverged`] if drag and lift change the airspeed too much within a step, or if a
-    /// number overflows.
+    /// number overflows; [`Error::Stopped`].
     #[inline(always)]
     pub(crate) fn no_landing_reason(
         &self,
@@ -228,6 +246,9 @@ impl<T: Numbers> FlightResult<T> {
     ) -> Result<Option<NoFlight>> {
         if self.has_landed.holds(0) {
             return Ok(None);
+        }
+        if self.is_stopped {
+            return Err(Error::Stopped);
         }
         if self.diverges.holds(0) {
             let conditions = FlightConditions {

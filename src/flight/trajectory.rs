@@ -6,6 +6,7 @@ use crate::ground::Turf;
 use crate::launch::Launch;
 use crate::number::Vector;
 use crate::parameters::Setup;
+use std::sync::atomic::AtomicBool;
 
 /// Largest time between two points of a trajectory, s.
 const LARGEST_INTERVAL: f64 = 0.05;
@@ -49,6 +50,18 @@ pub struct TrajectoryPoint {
 /// # Errors
 /// The errors of [`fly`](super::fly).
 pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory> {
+    trajectory_until(setup, launch, &AtomicBool::new(false))
+}
+
+/// Like [`trajectory`]; interrupted once `stop` is true.
+///
+/// # Errors
+/// The errors of [`fly`](super::fly); [`Error::Stopped`](crate::Error::Stopped) after an interrupt.
+pub fn trajectory_until(
+    setup: &Setup<f64>,
+    launch: &Launch<f64>,
+    stop: &AtomicBool,
+) -> Result<Trajectory> {
     setup.flight.check_steps()?;
     let start = TrajectoryPoint {
         time: 0.0,
@@ -61,26 +74,29 @@ pub fn trajectory(setup: &Setup<f64>, launch: &Launch<f64>) -> Result<Trajectory
     let h = setup.flight.step;
     let intervals = (h / LARGEST_INTERVAL).ceil().max(1.0);
     let mut last_step = None;
-    let flight = inputs.fly(Some(&mut |begin, step| {
-        last_step = Some((begin, [*step.from, *step.to]));
-        if intervals > 1.0 {
-            let path = Path::new(&inputs, step, h);
-            let within = (1..intervals as u32).map(|k| f64::from(k) / intervals);
-            points.extend(within.map(|s| TrajectoryPoint {
-                time: begin + s * h,
-                position: path.position(s),
-                velocity: path.velocity(s),
-                spin: inputs.axis * inputs.spin_within([&*step.from, &*step.to], s),
-            }));
-        }
-        let end = &*step.to;
-        points.push(TrajectoryPoint {
-            time: begin + h,
-            position: end.position,
-            velocity: end.velocity,
-            spin: inputs.axis * end.spin,
-        });
-    }))?;
+    let flight = inputs.fly(
+        Some(stop),
+        Some(&mut |begin, step| {
+            last_step = Some((begin, [*step.from, *step.to]));
+            if intervals > 1.0 {
+                let path = Path::new(&inputs, step, h);
+                let within = (1..intervals as u32).map(|k| f64::from(k) / intervals);
+                points.extend(within.map(|s| TrajectoryPoint {
+                    time: begin + s * h,
+                    position: path.position(s),
+                    velocity: path.velocity(s),
+                    spin: inputs.axis * inputs.spin_within([&*step.from, &*step.to], s),
+                }));
+            }
+            let end = &*step.to;
+            points.push(TrajectoryPoint {
+                time: begin + h,
+                position: end.position,
+                velocity: end.velocity,
+                spin: inputs.axis * end.spin,
+            });
+        }),
+    )?;
     let mut run = vec![];
     if let Flight::Landed(landed) = &flight {
         points.retain(|point| point.time < landed.flight_time);

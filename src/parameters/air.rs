@@ -175,7 +175,7 @@ impl Setup<f64> {
 
     /// True if an optional parameter is set.
     pub(super) fn is_set(&self, name: &str) -> bool {
-        self.find(name)
+        self.row(name)
             .is_some_and(|parameter| self.value(parameter).is_some())
     }
 

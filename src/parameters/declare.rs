@@ -160,16 +160,6 @@ pub(super) enum Slot<'a, T> {
     Setting(&'a mut f64),
 }
 
-impl Slot<'_, f64> {
-    /// The value; `None` if unset.
-    pub fn value(&self) -> Option<f64> {
-        match self {
-            Self::Required(value) | Self::Setting(value) => Some(**value),
-            Self::Optional(value) => **value,
-        }
-    }
-}
-
 /// Code for the type of a field: `T`, `Option<T>` or `f64`.
 macro_rules! slot {
     (kind T) => {
@@ -206,6 +196,15 @@ macro_rules! slot {
         let _ = $row;
         $value
     }};
+    (value T $value:expr) => {
+        Some($value)
+    };
+    (value Option $value:expr) => {
+        $value
+    };
+    (value f64 $value:expr) => {
+        Some($value)
+    };
     (place T $place:expr) => {
         Slot::Required($place)
     };
@@ -254,6 +253,17 @@ macro_rules! parameter_struct {
                 let [$($field),+] = Self::rows();
                 let value = |row: &Parameter| row.default_value().unwrap_or(f64::NAN);
                 Self { $( $field: slot!(default $kind value $field), )+ }
+            }
+
+            /// The value of a parameter; `None` if it is unset or belongs to another struct.
+            fn value(&self, parameter: &Parameter) -> Option<f64> {
+                let rows = Self::rows();
+                if !rows.as_ptr_range().contains(&std::ptr::from_ref(parameter)) {
+                    return None;
+                }
+                let [$($field),+] = rows;
+                $( if parameter == $field { return slot!(value $kind self.$field); } )+
+                None
             }
         }
 
@@ -305,6 +315,10 @@ macro_rules! parameter_groups {
             pub golfer: Golfer,
             /// The point of the head whose motion the swing states (`swing.speed_of`).
             pub speed_of: SpeedOf,
+            /// True if `flight.method` or `flight.step` was stated, by [`set`](Setup::set), a
+            /// preset or a file. Otherwise [`StepChoice`](crate::study::StepChoice) may choose
+            /// both, and setup files do not contain them. Set it with a field of the two.
+            pub states_step: bool,
         }
 
         impl Default for Setup<f64> {
@@ -314,9 +328,30 @@ macro_rules! parameter_groups {
                 static DEFAULT: std::sync::LazyLock<Setup<f64>> = std::sync::LazyLock::new(|| {
                     let (law, method) = (Law::default(), Method::default());
                     let (golfer, speed_of) = (Golfer::default(), SpeedOf::default());
-                    Setup { $( $group: $Group::defaults(), )+ law, method, golfer, speed_of }
+                    Setup {
+                        $( $group: $Group::defaults(), )+
+                        law,
+                        method,
+                        golfer,
+                        speed_of,
+                        states_step: false,
+                    }
                 });
                 *DEFAULT
+            }
+        }
+
+        impl Setup<f64> {
+            /// The value of a parameter; `None` if it is unset or belongs to another law.
+            pub fn value(&self, parameter: &Parameter) -> Option<f64> {
+                $( if let Some(value) = self.$group.value(parameter) { return Some(value); } )+
+                self.law.value(parameter)
+            }
+
+            /// The parameter of this name; `None` for a coefficient of another law.
+            pub(super) fn row(&self, name: &str) -> Option<&'static Parameter> {
+                let mut groups = [$( $Group::rows().as_slice(), )+ self.law.rows()].into_iter();
+                groups.find_map(|rows| rows.iter().find(|row| row.name == name))
             }
         }
 
@@ -326,20 +361,22 @@ macro_rules! parameter_groups {
             #[inline(always)]
             pub fn map<U>(&self, mut f: impl FnMut(&'static Parameter, T) -> U) -> Setup<U> {
                 let f = &mut f;
-                let Self { method, golfer, speed_of, .. } = *self;
-                Setup { $( $group: self.$group.map(f), )+ law: self.law.map(f), method, golfer, speed_of }
+                let Self { method, golfer, speed_of, states_step, .. } = *self;
+                Setup {
+                    $( $group: self.$group.map(f), )+
+                    law: self.law.map(f),
+                    method,
+                    golfer,
+                    speed_of,
+                    states_step,
+                }
             }
 
             /// The parameters of this setup in the order of the parameter table: all groups, then
             /// the coefficients of its law.
             pub fn parameters(&self) -> Vec<&'static Parameter> {
-                self.rows().collect()
-            }
-
-            /// The parameters of this setup, as in [`parameters`](Self::parameters).
-            pub(super) fn rows(&self) -> impl Iterator<Item = &'static Parameter> {
                 let groups = [$( $Group::rows().as_slice(), )+ self.law.rows()];
-                groups.into_iter().flatten()
+                groups.into_iter().flatten().collect()
             }
 
             /// The value of a parameter; `None` for a coefficient of another law.
@@ -377,6 +414,10 @@ macro_rules! law_coefficients {
                     $( $name => Some(Self::$Law($Law::defaults())), )+
                     _ => None,
                 }
+            }
+
+            fn value(&self, parameter: &Parameter) -> Option<f64> {
+                match self { $( Self::$Law(law) => law.value(parameter), )+ Self::Table(law) => law.factors.value(parameter) }
             }
 
             /// The rows of all laws.

@@ -44,8 +44,6 @@ pub struct SetupFile {
     pub preset: &'static Preset,
     /// Parameters that the file gives, in the order of the file.
     pub given: Vec<&'static Parameter>,
-    /// True if the file gives flight.method or flight.step.
-    pub gives_step: bool,
 }
 
 impl SetupFile {
@@ -110,14 +108,10 @@ impl SetupFile {
             .filter(|item| !item.is_reset())
             .filter_map(|item| setup.parameter(&item.key).ok())
             .collect();
-        let gives_step = items
-            .iter()
-            .any(|item| matches!(item.key.as_str(), METHOD | "flight.step"));
         Ok(Self {
             setup,
             preset: Preset::known(preset)?,
             given,
-            gives_step,
         })
     }
 }

@@ -35,6 +35,7 @@ pub(crate) use law_table::{Cell, Grid, Surface, cells_of};
 pub use presets::{DEFAULT_PRESET, PRESETS, Preset, PresetEntry};
 pub use range::Range;
 pub(crate) use setup::{NO_CLUB, refuse_twice};
+pub(crate) use steps::is_of_step;
 pub(crate) use table::with_law;
 pub use table::{
     Aero, Air, Ball, BearmanHarvey, Club, Contact, Ferguson, FlightConditions, Ground, LAW,

@@ -1,5 +1,6 @@
 use super::table::{LAW, Setup};
 use crate::error::{Error, Result};
+use std::sync::OnceLock;
 
 /// A named setup: its differences from the defaults of the parameter table, each number with its
 /// source.
@@ -353,9 +354,17 @@ impl Setup<f64> {
     /// # Errors
     /// [`Error::Unknown`] with the nearest name.
     pub fn preset(name: &str) -> Result<Self> {
+        // parsed once: the texts with their units take longer to parse than a drive takes
+        static SETUPS: [OnceLock<Setup<f64>>; PRESETS.len()] =
+            [const { OnceLock::new() }; PRESETS.len()];
         let preset = Preset::known(name)?;
+        let known = PRESETS.iter().position(|row| row.name == name);
+        let known = known.map(|at| &SETUPS[at]);
+        if let Some(setup) = known.and_then(OnceLock::get) {
+            return Ok(*setup);
+        }
         let mut setup = Self::default();
         setup.set_all(preset.entries.iter().map(|entry| (entry.name, entry.value)))?;
-        Ok(setup)
+        Ok(known.map_or(setup, |known| *known.get_or_init(|| setup)))
     }
 }

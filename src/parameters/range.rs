@@ -60,6 +60,20 @@ impl Range {
         above && below
     }
 
+    /// The smallest and the largest number in the range.
+    pub fn ends(self) -> [f64; 2] {
+        let is_low = self.low_included || self.low.is_infinite();
+        let is_high = self.high_included || self.high.is_infinite();
+        [
+            if is_low { self.low } else { self.low.next_up() },
+            if is_high {
+                self.high
+            } else {
+                self.high.next_down()
+            },
+        ]
+    }
+
     /// The range as text: "0 kg < … ≤ 2 kg".
     pub fn show(self, quantity: Quantity, unit: &str) -> String {
         if self == Self::FINITE {

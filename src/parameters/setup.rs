@@ -3,6 +3,7 @@ use super::choices::{GOLFER, Golfer, METHOD, Method, SPEED_OF, SpeedOf};
 use super::declare::{Kind, Parameter, Slot, is_unset};
 use super::law_table::{LawTable, TABLE, TABLE_LAW};
 use super::range::Range;
+use super::steps::is_of_step;
 use super::table::{LAW, Law, Setup};
 use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
@@ -224,10 +225,10 @@ impl Setup<f64> {
     /// [`Error::Unknown`] with the nearest name, or [`Error::OtherLaw`] for a coefficient of
     /// another law.
     pub fn parameter(&self, name: &str) -> Result<&'static Parameter> {
-        if let Some(row) = self.find(name) {
+        if let Some(row) = self.row(name) {
             return Ok(row);
         }
-        let rows = self.rows();
+        let rows = self.parameters();
         let owners: Vec<_> = Law::all_rows()
             .filter(|row| row.name == name)
             .filter_map(|row| row.law)
@@ -242,21 +243,11 @@ impl Setup<f64> {
         Err(Error::unknown(
             "parameter",
             name,
-            rows.map(|row| row.name)
+            rows.iter()
+                .map(|row| row.name)
                 .chain([LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF]),
             LISTING,
         ))
-    }
-
-    /// The parameter of this name, if this setup has it.
-    pub(super) fn find(&self, name: &str) -> Option<&'static Parameter> {
-        self.rows().find(|row| row.name == name)
-    }
-
-    /// The value of a parameter; `None` if it is unset or belongs to another law.
-    pub fn value(&self, parameter: &Parameter) -> Option<f64> {
-        let mut copy = *self;
-        copy.slot(parameter)?.value()
     }
 
     /// Sets a parameter, or a choice such as the law, by name from a text such as `"10.5 deg"`. A
@@ -278,7 +269,10 @@ impl Setup<f64> {
             LAW => return self.set_law(text),
             TABLE => return self.set_table(Path::new(text.trim())),
             TURF => return self.set_turf(text),
-            METHOD => self.method = Method::named(text)?,
+            METHOD => {
+                self.method = Method::named(text)?;
+                self.states_step = true;
+            }
             GOLFER => self.golfer = Golfer::named(text)?,
             SPEED_OF => self.speed_of = SpeedOf::named(text)?,
             _ => {
@@ -416,6 +410,7 @@ impl Setup<f64> {
         } else if parameter.kind != Kind::Optional && self.why_replaced(parameter).is_none() {
             return Err(parameter.needs_a_value());
         }
+        self.states_step |= is_of_step(parameter.name);
         match (self.slot(parameter), value) {
             (Some(Slot::Required(place) | Slot::Setting(place)), Some(value)) => *place = value,
             (Some(Slot::Optional(place)), value) => *place = value,

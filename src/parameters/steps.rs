@@ -1,6 +1,12 @@
+use super::choices::METHOD;
 use super::declare::Parameter;
 use super::table::FlightConditions;
 use crate::error::{Error, Result};
+
+/// True for `flight.method` and `flight.step`.
+pub(crate) fn is_of_step(name: &str) -> bool {
+    matches!(name, METHOD | "flight.step")
+}
 
 /// Largest number of steps of a flight. Such a flight takes tens of seconds.
 const MOST_STEPS: f64 = 1e8;

@@ -88,9 +88,9 @@ pub use sensitivity::{
     Analysis, AnalysisReport, DirectionReport, EventReport, FlatEllipseReport, PredictedOptimum,
     ResolvedOptimum, SensitivityOf, SensitivityReport, StatedChangeReport,
 };
-pub use setup_file::{preset_toml, setup_toml, setup_toml_without_step};
 #[cfg(feature = "commands")]
-pub(crate) use setup_file::{with_step_of, without_step};
+pub(crate) use setup_file::with_step_of;
+pub use setup_file::{preset_toml, setup_toml};
 #[cfg(test)]
 pub(crate) use shots::FlyRow;
 #[cfg(feature = "parquet")]

@@ -2,14 +2,15 @@
 
 use super::presets::{SourcedValue, sourced, sources};
 use crate::error::Result;
-use crate::parameters::{Parameter, Preset, Setup, TABLE, UNSET};
+use crate::parameters::{Parameter, Preset, Setup, TABLE, UNSET, is_of_step};
 use crate::units::significant;
 
 /// Significant digits that distinguish all double-precision numbers.
 const MOST_DIGITS: usize = 17;
 
 /// A setup as a setup file in TOML: its preset, then every parameter with its source. `about` are
-/// the first lines of the file. A remark in `remarks` replaces the source of its parameter.
+/// the first lines of the file. A remark in `remarks` replaces the source of its parameter. Method
+/// and step are in the file only if the setup states them: a program that reads it may choose them.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::Preset, report::setup_toml};
@@ -31,31 +32,9 @@ pub fn setup_toml(
     Ok(toml(preset, about, &rows(setup, preset, remarks)?))
 }
 
-/// A setup file without `flight.method` and `flight.step`: a program that reads it may choose them.
-///
-/// ```
-/// use longdrive::{Setup, parameters::{Preset, SetupFile}, report::setup_toml_without_step};
-/// let mut setup = Setup::preset("mae494").unwrap();
-/// setup.set("club.loft", "10.5 deg").unwrap();
-/// let text = setup_toml_without_step(&setup, Preset::named("mae494").unwrap()).unwrap();
-/// let read = SetupFile::read(&text, "mine.toml").unwrap();
-/// assert_eq!((read.setup, read.gives_step), (setup, false));
-/// ```
-///
-/// # Errors
-/// The errors of [`setup_toml`].
-pub fn setup_toml_without_step(setup: &Setup<f64>, preset: &Preset) -> Result<String> {
-    Ok(without_step(&setup_toml(setup, preset, &[], &[])?))
-}
-
 /// The keys of method and step in a setup file of this program.
+#[cfg(feature = "commands")]
 const OF_STEP: [&str; 2] = ["method = ", "step = "];
-
-/// A setup file of this program without the lines of method and step.
-pub(crate) fn without_step(toml: &str) -> String {
-    let is_kept = |line: &&str| OF_STEP.iter().all(|key| !line.starts_with(key));
-    toml.split_inclusive('\n').filter(is_kept).collect()
-}
 
 /// A setup file of this program with the method and step lines of another setup file.
 #[cfg(feature = "commands")]
@@ -94,7 +73,15 @@ fn rows(
             source: remark.unwrap_or(row.source),
         }
     };
-    Ok(sources(setup, preset, None)?.into_iter().map(row).collect())
+    Ok(stated(sources(setup, preset, None)?, setup)
+        .map(row)
+        .collect())
+}
+
+/// The values without method and step, unless the setup states them.
+fn stated(rows: Vec<SourcedValue>, setup: &Setup<f64>) -> impl Iterator<Item = SourcedValue> {
+    rows.into_iter()
+        .filter(|row| setup.states_step || !is_of_step(row.name))
 }
 
 /// A preset as a setup file in TOML, each number with its source.
@@ -109,7 +96,7 @@ pub fn preset_toml(name: &str) -> Result<String> {
     Ok(toml(
         preset,
         &[preset.name.into(), preset.about.into()],
-        &sourced(preset, &setup),
+        &stated(sourced(preset, &setup), &setup).collect::<Vec<_>>(),
     ))
 }
 

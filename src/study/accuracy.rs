@@ -3,8 +3,9 @@ use crate::batch::{Batch, Block, Status};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::sobol;
-use crate::parameters::{Method, Parameter, Setup};
+use crate::parameters::{Method, Setup};
 use crate::units::Quantity;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Integration method and step that meet a tolerance on lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +35,7 @@ impl Accuracy {
 const METHOD: Method = Method::DormandPrince8;
 /// Largest error allowed for the compared drives, as a fraction of the tolerance. The margin is for
 /// all other drives in the ranges.
-const SAFETY: f64 = 0.25;
+pub(super) const SAFETY: f64 = 0.25;
 /// Longest trial step, s. Each further trial step is shorter by the factor 2^(−1/4).
 const LONGEST_STEP: f64 = 1.6;
 const STEPS: i32 = 36;
@@ -76,13 +77,27 @@ pub fn accuracy(
     of: &[Outcome],
     tolerance: f64,
 ) -> Result<Accuracy> {
+    accuracy_until(setup, ranges, of, tolerance, &AtomicBool::new(false))
+}
+
+/// Like [`accuracy`]; interrupted once `stop` is true.
+///
+/// # Errors
+/// The errors of [`accuracy`]; [`Error::Stopped`] after an interrupt.
+pub(super) fn accuracy_until(
+    setup: &Setup<f64>,
+    ranges: &[Vary],
+    of: &[Outcome],
+    tolerance: f64,
+    stop: &AtomicBool,
+) -> Result<Accuracy> {
     if !(tolerance > 0.0 && tolerance.is_finite()) {
         return Err(Error::Tolerance {
             tolerance,
             reason: "give a length above 0, for example 1 um".into(),
         });
     }
-    let mut sample = Sample::new(setup, ranges, of)?;
+    let mut sample = Sample::new(setup, ranges, of, stop)?;
     let mut step = LONGEST_STEP;
     let mut worst = None;
     for _ in 0..STEPS {
@@ -129,20 +144,26 @@ struct StepErrors {
 type FailingDrive = (usize, Option<(Outcome, f64)>);
 
 /// The drives compared.
-struct Sample {
-    setup: Setup<f64>,
-    parameters: Vec<&'static Parameter>,
+struct Sample<'s> {
+    /// The batch of the lengths, with the method of the choice.
+    batch: Batch,
     points: Vec<f64>,
     /// Points not tested yet.
     further: Vec<f64>,
-    lengths: Vec<Outcome>,
     /// Step of the reference flights, s, and the results of these flights.
     reference: f64,
     exact: Block,
+    /// Interrupt flag.
+    stop: &'s AtomicBool,
 }
 
-impl Sample {
-    fn new(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome]) -> Result<Self> {
+impl<'s> Sample<'s> {
+    fn new(
+        setup: &Setup<f64>,
+        ranges: &[Vary],
+        of: &[Outcome],
+        stop: &'s AtomicBool,
+    ) -> Result<Self> {
         let lengths = of
             .iter()
             .copied()
@@ -152,7 +173,7 @@ impl Sample {
             lengths.push(Outcome::Carry);
         }
         // a batch needs at least one parameter: use one that every setup has
-        let own = |parameter: &'static Parameter| {
+        let own = |parameter| {
             let value = setup.value(parameter).unwrap_or_default();
             Vary {
                 parameter,
@@ -176,26 +197,20 @@ impl Sample {
         let mut points = points(setup, ranges);
         let further = points.split_off(points.len().min(FIRST * parameters.len()));
         let reference = REFERENCE * LONGEST_STEP;
-        let exact = flown(setup, reference, &parameters, &lengths, points.clone())?;
+        let batch = Batch::new(&integrated(setup, reference), &parameters, &lengths, &[])?;
+        let exact = flown(&batch, points.clone(), stop)?;
         Ok(Self {
-            setup: *setup,
-            parameters,
+            batch,
             points,
             further,
-            lengths,
             reference,
             exact,
+            stop,
         })
     }
 
     fn flown(&self, step: f64) -> Result<Block> {
-        flown(
-            &self.setup,
-            step,
-            &self.parameters,
-            &self.lengths,
-            self.points.clone(),
-        )
+        flown(&self.batch.with_step(step)?, self.points.clone(), self.stop)
     }
 
     /// Repeats the reference flights with a shorter step, if their step is too long for `step`.
@@ -253,7 +268,7 @@ impl Sample {
         for phase in 0..PHASES {
             let flown = self.flown(step * (1.0 - 0.035 * f64::from(phase)))?;
             for row in (0..flown.rows()).filter(|&row| self.exact.status(row) == Status::Landed) {
-                for (i, of) in self.lengths.iter().enumerate() {
+                for (i, of) in self.batch.outcomes().iter().enumerate() {
                     let (exact, flown) = match (self.exact.outcome(row, i), flown.outcome(row, i)) {
                         (Some(exact), Some(flown)) => (exact, flown),
                         // the ball lands but does not come to rest, so this outcome does not exist
@@ -276,7 +291,7 @@ impl Sample {
 
     /// Describes a failing drive.
     fn describe(&self, (row, off): FailingDrive) -> String {
-        let values = self.parameters.iter().zip(self.exact.point(row));
+        let values = self.batch.parameters().iter().zip(self.exact.point(row));
         let values = values.map(|(parameter, value)| {
             format!("{} = {}", parameter.name, parameter.show(Some(*value)))
         });
@@ -291,14 +306,13 @@ impl Sample {
     }
 }
 
-fn flown(
-    setup: &Setup<f64>,
-    step: f64,
-    parameters: &[&'static Parameter],
-    of: &[Outcome],
-    points: Vec<f64>,
-) -> Result<Block> {
-    Ok(Batch::new(&integrated(setup, step), parameters, of, &[])?.evaluate(0, points))
+/// # Errors
+/// [`Error::Stopped`] once `stop` is true.
+fn flown(batch: &Batch, points: Vec<f64>, stop: &AtomicBool) -> Result<Block> {
+    let block = batch.evaluate_until(0, points, stop);
+    block
+        .filter(|_| !stop.load(Ordering::Relaxed))
+        .ok_or(Error::Stopped)
 }
 
 fn integrated(setup: &Setup<f64>, step: f64) -> Setup<f64> {

@@ -28,6 +28,7 @@ mod sample;
 mod search;
 mod sensitivity;
 mod sigma;
+mod step_choice;
 pub mod swings;
 pub mod uncertainty;
 pub mod validation;
@@ -58,4 +59,7 @@ pub use sensitivity::{
     Change, Changed, Sensitivity, change, refuse_varied, sensitivities, sensitivity,
 };
 pub use sigma::{Sigma, given_twice, with_defaults};
+#[cfg(feature = "commands")]
+pub(crate) use step_choice::of_the_flight;
+pub use step_choice::{Integration, StepChoice};
 pub use verdict::{Active, BoundSide};

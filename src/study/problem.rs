@@ -139,6 +139,14 @@ impl SearchProblem {
         })
     }
 
+    /// The problem with a limit of the defect of its drives, m, beyond which they are repeated with
+    /// shorter steps.
+    pub fn with_largest_defect(mut self, largest_defect: f64) -> Self {
+        let limited = |drive: Evaluator| drive.with_largest_defect(largest_defect);
+        self.drives = self.drives.into_iter().map(limited).collect();
+        self
+    }
+
     /// Factor that turns the objective into the minimized function: −1 or 1.
     pub fn sign(&self) -> f64 {
         self.sense.sign()
@@ -212,7 +220,9 @@ impl SearchProblem {
     ) -> std::result::Result<Vec<Vec<Taylor>>, String> {
         // results in the order of the scenarios, so that neither sums nor the first error depend on
         // the threads
-        let flown = each_until(scenarios, stop, |k| self.drives[*k].at_order(x, order));
+        let flown = each_until(scenarios, stop, |k| {
+            self.drives[*k].at_order(x, order, Some(stop))
+        });
         let flown = flown
             .ok_or_else(|| stopped_before("all swings were flown"))?
             .into_iter()

@@ -3,13 +3,16 @@
 
 use crate::common::close;
 use longdrive::batch::{Batch, Status};
-use longdrive::derivative::{Order, evaluate, gradient};
-use longdrive::flight::{Flight, NoFlight, fly, trajectory};
+use longdrive::derivative::{Evaluator, Order, evaluate, gradient};
+use longdrive::flight::{Flight, NoFlight, fly, trajectory, trajectory_until};
 use longdrive::impact::strike;
 use longdrive::launch::Launch;
 use longdrive::number::Vector;
 use longdrive::parameters::Law;
-use longdrive::{Drive, Error, Outcome, Setup};
+use longdrive::study::StepChoice;
+use longdrive::{Drive, Error, Outcome, Result, Setup};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 fn carry(setup: &Setup<f64>) -> f64 {
     Outcome::Carry.of(&Drive::new(setup).unwrap()).unwrap()
@@ -575,4 +578,52 @@ fn steep() -> Law<f64> {
         cl_slope: 1e5,
         ..linear
     })
+}
+
+/// A ball that hardly falls, in short steps: 10 million steps up to the time limit. The interrupt
+/// flag ends such a flight, and its row of a batch; a drive of a few hundred steps ends by itself.
+#[test]
+fn a_flag_ends_a_flight_of_millions_of_steps() {
+    let mut endless = Setup::default();
+    endless
+        .set_all([("gravity", "0.001 m/s^2"), ("flight.step", "6e-5 s")])
+        .unwrap();
+    let loft = endless.variable("club.loft").unwrap();
+    let launch = strike(&endless).unwrap().launch;
+    let stop = AtomicBool::new(false);
+    let work: [&(dyn Fn() -> Result<()> + Sync); 5] = [
+        &|| Drive::until(&endless, &stop).map(drop),
+        &|| trajectory_until(&endless, &launch, &stop).map(drop),
+        &|| {
+            let carry = Evaluator::new(&endless, &[Outcome::Carry], &[loft], Order::First)?;
+            carry.at_until(&[0.2], &stop).map(drop)
+        },
+        &|| {
+            let batch = Batch::new(&endless, &[loft], &[Outcome::Carry], &[loft])?;
+            let block = batch.evaluate_until(0, vec![0.2], &stop);
+            block.map_or(Err(Error::Stopped), |_| Ok(()))
+        },
+        &|| {
+            StepChoice::Own
+                .for_setup(&endless)?
+                .drive_until(&stop)
+                .map(drop)
+        },
+    ];
+    for (n, work) in work.iter().enumerate() {
+        stop.store(false, Ordering::Relaxed);
+        let ended = std::thread::scope(|scope| {
+            let flown = scope.spawn(work);
+            std::thread::sleep(Duration::from_millis(5));
+            stop.store(true, Ordering::Relaxed);
+            flown.join().unwrap()
+        });
+        assert!(matches!(ended, Err(Error::Stopped)), "{n}: {ended:?}");
+    }
+    // the flag is still set
+    Drive::until(&Setup::default(), &stop)
+        .unwrap()
+        .landed()
+        .unwrap();
+    assert_eq!(Error::Stopped.status(), "interrupted");
 }

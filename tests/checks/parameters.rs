@@ -4,11 +4,12 @@ use longdrive::batch::Batch;
 use longdrive::derivative::{Evaluator, Order, gradient, hessian};
 use longdrive::optimize::Observer;
 use longdrive::optimize::least_squares::FitObserver;
-use longdrive::parameters::{Law, Parameter};
+use longdrive::parameters::{Law, PRESETS, Parameter, Preset};
+use longdrive::report::setup_toml;
 use longdrive::study::calibrate::{self, ShotTable, calibrate};
 use longdrive::study::uncertainty::{self, Distribution, Uncertain, uncertainty};
 use longdrive::study::{
-    Fineness, Landing, Search, Sigma, Vary, chart, effects, map, optimum, sensitivity,
+    Fineness, Landing, Search, Sigma, StepChoice, Vary, chart, effects, map, optimum, sensitivity,
 };
 use longdrive::{Drive, Error, Outcome, Result, Setup};
 use std::collections::HashSet;
@@ -275,4 +276,49 @@ fn impossible_ranges_are_refused_by_the_name_of_the_parameter() {
         error.contains("apex_height <= 30 m") && error.contains("NaN"),
         "{error}"
     );
+}
+
+/// Setups are equal if they answer equally: a step that nobody stated may be chosen, and is not
+/// written; a stated step is.
+#[test]
+fn exact_setups_are_equal_after_a_file_and_their_steps_are_written_only_where_stated() {
+    let written = |setup: &Setup<f64>, preset: &str| {
+        setup_toml(setup, Preset::named(preset).unwrap(), &[], &[]).unwrap()
+    };
+    for preset in PRESETS {
+        let setup = Setup::preset(preset.name).unwrap();
+        let toml = written(&setup, preset.name);
+        assert_eq!(Setup::from_toml(&toml, "a.toml").unwrap(), setup);
+        assert_eq!(toml.contains("\nstep = "), setup.states_step, "{toml}");
+        for choice in [
+            StepChoice::Micrometre,
+            StepChoice::Own,
+            StepChoice::Within(1e-3),
+        ] {
+            let flown = choice.for_setup(&setup).unwrap();
+            let is_own =
+                choice == StepChoice::Own || choice == StepChoice::Micrometre && setup.states_step;
+            assert_eq!(
+                flown.accuracy.is_none(),
+                is_own,
+                "{} {choice:?}",
+                preset.name
+            );
+            assert_eq!(choice.is_own(&setup), is_own);
+            // the choice of a program is not a statement
+            assert_eq!(flown.setup.states_step, setup.states_step);
+        }
+    }
+    let usual = Setup::preset("tour-average").unwrap();
+    for (name, text) in [("flight.step", "10 ms"), ("flight.method", "rk4")] {
+        let mut stated = usual;
+        stated.set(name, text).unwrap();
+        assert_eq!(
+            (stated.method, stated.flight.step),
+            (usual.method, usual.flight.step)
+        );
+        assert!(stated != usual && StepChoice::default().is_own(&stated));
+        let toml = written(&stated, "tour-average");
+        assert_eq!(Setup::from_toml(&toml, "a.toml").unwrap(), stated);
+    }
 }

@@ -5,7 +5,7 @@ use crate::common::{RIGID, random_setups};
 use longdrive::batch::{Batch, Block, Points, Sequence, Status};
 use longdrive::derivative::{Taylor, hessian};
 use longdrive::parameters::{Law, Method, Parameter, Vary};
-use longdrive::study::accuracy;
+use longdrive::study::{StepChoice, accuracy};
 use longdrive::{Error, Outcome, Setup};
 use rayon::prelude::*;
 
@@ -129,6 +129,28 @@ fn range(setup: &Setup<f64>, name: &str, low: f64, high: f64) -> Vary {
 /// sets their number. docs/model.md (16a) has the printed results.
 #[test]
 fn same_lengths_of_random_sweeps_in_shorter_steps_within_a_micrometre() {
+    within_a_micrometre(&[0.2, 0.5], |setup, ranges| {
+        sweep(setup, ranges, &LENGTHS, 100)
+    });
+}
+
+/// As above, with the step that [`StepChoice`] chooses for the setup alone, as for a function of
+/// its parameters.
+#[test]
+fn same_lengths_of_random_functions_in_shorter_steps_within_a_micrometre() {
+    within_a_micrometre(&[0.2, 0.5], |setup, ranges| {
+        let parameters: Vec<_> = ranges.iter().map(|range| range.parameter).collect();
+        let found = StepChoice::default().for_function(setup, &LENGTHS, &parameters);
+        let found = found.unwrap();
+        found.accuracy?;
+        let batch = Batch::new(&found.setup, &parameters, &LENGTHS, &[]).unwrap();
+        let defect = found.largest_defect;
+        Some(errors(setup, batch, defect, ranges, &LENGTHS, 100))
+    });
+}
+
+/// Ranges around a random setup: `part` of its values to both sides, of one to four parameters.
+fn random_ranges(n: usize, setup: &Setup<f64>, part: f64) -> Vec<Vary> {
     let names = [
         "club.loft",
         "swing.attack_angle",
@@ -138,29 +160,33 @@ fn same_lengths_of_random_sweeps_in_shorter_steps_within_a_micrometre() {
         "wind.downrange",
         "gravity",
     ];
-    let sweeps = std::env::var("LONGDRIVE_SWEEPS").map_or(100, |text| text.parse().unwrap());
-    let setups: Vec<_> = random_setups(sweeps).collect();
-    let look = |(n, setup): (usize, &Setup<f64>)| {
-        // a stride of 1 to 6 visits each of seven once
-        let by: Vec<_> = (0..=n % 4)
-            .map(|i| names[(n / 4 + i * (1 + n / 28 % 6)) % 7])
-            .collect();
-        let part = [0.2, 0.5][n / 4 % 2];
-        let width_of = |name: &str, value: f64| match name {
+    // a stride of 1 to 6 visits each of seven once
+    let by = (0..=n % 4).map(|i| names[(n / 4 + i * (1 + n / 28 % 6)) % 7]);
+    by.map(|name| {
+        let value = setup.value(setup.variable(name).unwrap()).unwrap();
+        let width = match name {
             "swing.attack_angle" => 0.5 * part,
             "wind.downrange" => 20.0 * part,
             _ => value * part,
         };
-        let ranges: Vec<_> = by
-            .iter()
-            .map(|name| {
-                let value = setup.value(setup.variable(name).unwrap()).unwrap();
-                let width = width_of(name, value);
-                range(setup, name, value - width, value + width)
-            })
-            .collect();
-        let found = sweep(setup, &ranges, &LENGTHS, 100)?;
+        range(setup, name, value - width, value + width)
+    })
+    .collect()
+}
+
+/// Asserts that the errors of all drives are at most a micrometre. `errors` returns the errors of
+/// the drives of a setup in these ranges, which are a part in `parts` of its values.
+fn within_a_micrometre(
+    parts: &[f64; 2],
+    errors: impl Fn(&Setup<f64>, &[Vary]) -> Option<Errors> + Sync,
+) {
+    let sweeps = std::env::var("LONGDRIVE_SWEEPS").map_or(100, |text| text.parse().unwrap());
+    let setups: Vec<_> = random_setups(sweeps).collect();
+    let look = |(n, setup): (usize, &Setup<f64>)| {
+        let ranges = random_ranges(n, setup, parts[n / 4 % 2]);
+        let found = errors(setup, &ranges)?;
         if found.checked.0 > 0 {
+            let by: Vec<_> = ranges.iter().map(|range| range.parameter.name).collect();
             println!("case {n}, by {by:?}: {found:?}");
         }
         Some(found)

@@ -18,10 +18,8 @@ without an answer a :class:`NoAnswerError`, both :class:`Error`.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from . import _supported  # noqa: F401  before any compiled module
-from . import plot
+from . import dask, jax, parts, plot, ray, spark, torch  # noqa: F401
 from ._longdrive import Objective, Setup, __version__, outcomes, parameters, presets
 from .batches import batch
 from .commands import (
@@ -60,9 +58,6 @@ from .reply import Reply
 from .sweeps import sweep
 from .table import Status, Table
 from .trajectory import Trajectory
-
-if TYPE_CHECKING:
-    from . import dask, jax, parts, ray, spark, torch
 
 __all__ = [
     "Drive",
@@ -114,17 +109,6 @@ __all__ = [
     "validate",
     "verify",
 ]
-
-if not TYPE_CHECKING:  # type checkers refuse unknown names, too
-
-    def __getattr__(name: str) -> object:
-        """Imports a module that few programs need at its first use: ``longdrive.parts``."""
-        if name in ("dask", "jax", "parts", "ray", "spark", "torch"):
-            import importlib
-
-            return importlib.import_module(f"{__name__}.{name}")
-        raise AttributeError(f"module '{__name__}' has no attribute '{name}'", name=name)
-
 
 def __dir__() -> list[str]:
     return sorted(__all__)

@@ -19,8 +19,10 @@ from .types import AngleUnit, Floats, Names, Sense, SetupLike
 from .values import Value
 
 __all__ = [
+    "Integration",
     "Objective",
     "Setup",
+    "Simulated",
     "__version__",
     "_panic_for_a_test",
     "arrow_stream",
@@ -60,7 +62,7 @@ class Setup(Mapping[str, Any]):
     def from_toml(text: str, file: str = "setup.toml") -> Setup: ...
     def _asked(self) -> tuple[str, bool]: ...
     @staticmethod
-    def _from_state(toml: str, table: str | None) -> Setup: ...
+    def _from_state(differences: Mapping[str, Any], table: str | None) -> Setup: ...
     def _with_values(self, values: Mapping[str, Any]) -> Setup: ...
     def replace(
         self,
@@ -110,6 +112,8 @@ class Objective:
         scenarios: int | None = None,
         seed: int | None = None,
         strokes: str | PathLike[str] | None = None,
+        tolerance: float | str | None = None,
+        own_step: bool = False,
     ) -> Objective: ...
     def fun(self, x: npt.ArrayLike) -> float: ...
     def jac(self, x: npt.ArrayLike) -> Floats: ...
@@ -130,19 +134,58 @@ class Objective:
     def __copy__(self) -> Objective: ...
     def __deepcopy__(self, _memo: Any) -> Objective: ...
 
+@final
+class Integration:
+    """Method and step of a function of parameters, chosen once."""
+
+    def __new__(
+        cls,
+        setup: Setup,
+        of: Names,
+        wrt: Names,
+        tolerance: float | str | None,
+        own_step: bool,
+    ) -> Integration: ...
+
+@final
+class Simulated:
+    """One drive. Its report is made when it is asked for."""
+
+    @property
+    def outcomes(self) -> dict[str, float | None]: ...
+    @property
+    def warnings(self) -> list[str]: ...
+    @property
+    def path(self) -> tuple[Floats, Floats, Floats, Floats] | None: ...
+    def report(self) -> dict[str, Any]: ...
+
 def simulate(
-    setup: SetupLike, of: Names | None, is_traced: bool
-) -> tuple[
-    dict[str, float | None], dict[str, Any], tuple[Floats, Floats, Floats, Floats] | None
-]: ...
+    setup: SetupLike,
+    of: Names | None,
+    is_traced: bool,
+    tolerance: float | str | None,
+    own_step: bool,
+) -> Simulated: ...
 def gradient(
-    setup: SetupLike, of: str = "carry", wrt: Names | None = None
+    setup: SetupLike,
+    of: str,
+    wrt: Names | None,
+    tolerance: float | str | None,
+    own_step: bool,
 ) -> tuple[float, Floats]: ...
 def jacobian(
-    setup: SetupLike, of: Names, wrt: Names | None = None
+    setup: SetupLike,
+    of: Names,
+    wrt: Names | None,
+    tolerance: float | str | None,
+    own_step: bool,
 ) -> tuple[Floats, Floats]: ...
 def hessian(
-    setup: SetupLike, of: str = "carry", wrt: Names | None = None
+    setup: SetupLike,
+    of: str,
+    wrt: Names | None,
+    tolerance: float | str | None,
+    own_step: bool,
 ) -> tuple[float, Floats, Floats]: ...
 def batch(
     setup: SetupLike,
@@ -156,6 +199,7 @@ def batch(
     first_row: int,
     hessians: bool,
     ranges: Sequence[tuple[str, float, float]] | None = None,
+    function: Integration | None = None,
 ) -> tuple[
     npt.NDArray[np.int8],
     Floats,

@@ -13,7 +13,7 @@ from .angles import columns_in_radians, warnings_of_columns
 from .arguments import count_of, switch_of
 from .errors import InputError, Interrupted, interruptible, warn_of
 from .progress import Progress, follower
-from .quantities import contains_quantities, elements_of, is_quantity, to_si
+from .quantities import contains_quantities, elements_of, is_quantity, to_si, tolerance_of
 from .table import Table
 from .tables import columns_of
 from .types import AngleUnit, Names, PointsLike, SetupLike
@@ -166,13 +166,14 @@ def computed(
     of: Names,
     wrt: Names | None,
     *,
-    tolerance: float | str | None,
-    own_step: bool,
+    tolerance: float | str | None = None,
+    own_step: bool = False,
     threads: int,
     show: Callable[[int, int], object] | None,
     first_row: int = 0,
     hessians: bool = False,
     ranges: list[tuple[str, float, float]] | None = None,
+    function: _longdrive.Integration | None = None,
     interrupted: Callable[[int, int], str] = _interrupted,
 ) -> Table:
     """The table of a batch.
@@ -201,26 +202,24 @@ def computed(
         Compute second derivatives.
     ranges : list[tuple[str, float, float]] | None
         The ranges for which the step is chosen; without them, those of the points.
+    function : _longdrive.Integration | None
+        Method and step of a function, chosen before.
     interrupted : Callable[[int, int], str]
         The message after an interruption, from the rows done and all rows.
     """
-    points, tolerance = _without_units(points), to_si(tolerance, "m")
-    if isinstance(tolerance, (bool, np.bool_)):
-        raise InputError(
-            f'tolerance = {tolerance!r}; expected a length, in m or as a text like "1 um"'
-        )
     found = _longdrive.batch(
         setup,
-        points,
+        _without_units(points),
         of,
         wrt,
-        tolerance,
+        tolerance_of(tolerance),
         switch_of("own_step", own_step),
         count_of("threads", threads),
         show,
         count_of("first_row", first_row),
         switch_of("hessians", hessians),
         ranges,
+        function,
     )
     status, columns, seconds, outcomes, by, parameters, units, warnings, rows, raised = found
     done, whole = rows

@@ -6,10 +6,19 @@ from os import PathLike
 from typing import Literal, NamedTuple
 
 from . import _longdrive
-from .arguments import MOST_SCENARIOS, MOST_SEED, count_of, kind_of, one_name, whole_characters
+from .arguments import (
+    MOST_SCENARIOS,
+    MOST_SEED,
+    count_of,
+    kind_of,
+    one_name,
+    switch_of,
+    whole_characters,
+)
 from .errors import InputError
+from .quantities import tolerance_of
 from .request import Request
-from .types import Floats, Given, Names, Sense, SetupLike
+from .types import Amount, Floats, Given, Names, Sense, SetupLike
 
 __all__ = ["Gradient", "Hessian", "Jacobian", "gradient", "hessian", "jacobian", "objective"]
 
@@ -41,7 +50,14 @@ class Hessian(NamedTuple):
     """Shape (parameters, parameters), symmetric."""
 
 
-def gradient(setup: SetupLike = None, of: str = "carry", wrt: Names | None = None) -> Gradient:
+def gradient(
+    setup: SetupLike = None,
+    of: str = "carry",
+    wrt: Names | None = None,
+    *,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+) -> Gradient:
     """Value and exact gradient of an outcome.
 
     Parameters
@@ -53,6 +69,11 @@ def gradient(setup: SetupLike = None, of: str = "carry", wrt: Names | None = Non
     wrt : Names | None
         Parameters to differentiate by, a name or several; ``"all"`` for every one that can be
         varied in this setup. Without it loft and attack angle.
+    tolerance : Amount | None
+        The largest error of a length, m or a text; without it 1 µm, unless the setup states its
+        method or step.
+    own_step : bool
+        Keep ``flight.method`` and ``flight.step`` of the setup.
 
     Returns
     -------
@@ -76,10 +97,19 @@ def gradient(setup: SetupLike = None, of: str = "carry", wrt: Names | None = Non
     >>> bool(abs(slope[0] + carry / vacuum["gravity"]) < 1e-11)
     True
     """
-    return Gradient(*_longdrive.gradient(setup, one_name("of", of, "jacobian takes several"), wrt))
+    of = one_name("of", of, "jacobian takes several")
+    tolerance, own_step = tolerance_of(tolerance), switch_of("own_step", own_step)
+    return Gradient(*_longdrive.gradient(setup, of, wrt, tolerance, own_step))
 
 
-def jacobian(setup: SetupLike = None, of: Names = "carry", wrt: Names | None = None) -> Jacobian:
+def jacobian(
+    setup: SetupLike = None,
+    of: Names = "carry",
+    wrt: Names | None = None,
+    *,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+) -> Jacobian:
     """Values of several outcomes of one drive, and their exact Jacobian.
 
     Parameters
@@ -90,6 +120,11 @@ def jacobian(setup: SetupLike = None, of: Names = "carry", wrt: Names | None = N
         Outcomes, a name or several; ``"all"`` for every one.
     wrt : Names | None
         As for :func:`gradient`.
+    tolerance : Amount | None
+        The largest error of a length, m or a text; without it 1 µm, unless the setup states its
+        method or step.
+    own_step : bool
+        Keep ``flight.method`` and ``flight.step`` of the setup.
 
     Returns
     -------
@@ -111,10 +146,18 @@ def jacobian(setup: SetupLike = None, of: Names = "carry", wrt: Names | None = N
     >>> values.shape, rows.shape
     ((2,), (2, 3))
     """
-    return Jacobian(*_longdrive.jacobian(setup, of, wrt))
+    tolerance, own_step = tolerance_of(tolerance), switch_of("own_step", own_step)
+    return Jacobian(*_longdrive.jacobian(setup, of, wrt, tolerance, own_step))
 
 
-def hessian(setup: SetupLike = None, of: str = "carry", wrt: Names | None = None) -> Hessian:
+def hessian(
+    setup: SetupLike = None,
+    of: str = "carry",
+    wrt: Names | None = None,
+    *,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
+) -> Hessian:
     """Value, exact gradient and exact Hessian of an outcome.
 
     Parameters
@@ -125,6 +168,11 @@ def hessian(setup: SetupLike = None, of: str = "carry", wrt: Names | None = None
         The outcome.
     wrt : Names | None
         As for :func:`gradient`.
+    tolerance : Amount | None
+        The largest error of a length, m or a text; without it 1 µm, unless the setup states its
+        method or step.
+    own_step : bool
+        Keep ``flight.method`` and ``flight.step`` of the setup.
 
     Returns
     -------
@@ -146,11 +194,9 @@ def hessian(setup: SetupLike = None, of: str = "carry", wrt: Names | None = None
     >>> bool((curvature == curvature.T).all())
     True
     """
-    return Hessian(
-        *_longdrive.hessian(
-            setup, one_name("of", of, "batch with hessians=True takes several"), wrt
-        )
-    )
+    of = one_name("of", of, "batch with hessians=True takes several")
+    tolerance, own_step = tolerance_of(tolerance), switch_of("own_step", own_step)
+    return Hessian(*_longdrive.hessian(setup, of, wrt, tolerance, own_step))
 
 
 def objective(
@@ -166,13 +212,15 @@ def objective(
     scenarios: int | None = None,
     seed: int | None = None,
     strokes: str | PathLike[str] | None = None,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
 ) -> _longdrive.Objective:
     """An outcome, or a goal over swings, as a function for other optimizers.
 
     It has ``fun(x)``, ``jac(x)``, ``hess(x)``, ``fun_and_jac(x)``, ``x0``, ``bounds`` and
     ``names``. x has a value for each parameter, numbers in SI or quantities of pint. Results at one
     point are computed once. The last bit of a value may depend on whether derivatives are computed
-    with it.
+    with it. Method and step are chosen once, for values around the setup's.
 
     Parameters
     ----------
@@ -205,6 +253,11 @@ def objective(
     strokes : str | PathLike[str] | None
         A file with a table of expected strokes, as for :func:`optimize`, for a goal such as
         ``strokes(400yd)``.
+    tolerance : Amount | None
+        The largest error of a length, m or a text; without it 1 µm, unless the setup states its
+        method or step.
+    own_step : bool
+        Keep ``flight.method`` and ``flight.step`` of the setup.
 
     Returns
     -------
@@ -222,7 +275,7 @@ def objective(
     >>> import longdrive
     >>> wrt = ["club.loft", "swing.attack_angle"]
     >>> carry = longdrive.objective("tour-average", "carry", wrt, sense="max")
-    >>> abs(carry.fun(carry.x0) + longdrive.simulate("tour-average")["carry"]) < 1e-9
+    >>> abs(carry.fun(carry.x0) + longdrive.simulate("tour-average")["carry"]) < 1e-6
     True
     >>> carry.jac([0.18, 0.0]).shape
     (2,)
@@ -263,4 +316,6 @@ def objective(
         None if scenarios is None else count_of("scenarios", scenarios, 1, MOST_SCENARIOS),
         None if seed is None else count_of("seed", seed, most=MOST_SEED),
         strokes,
+        tolerance_of(tolerance),
+        switch_of("own_step", own_step),
     )

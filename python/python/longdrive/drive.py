@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping
 from html import escape
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -12,31 +11,56 @@ from . import _longdrive
 from .arguments import no_attribute, switch_of
 from .errors import UnknownKeyError, warn_of
 from .options import nearest_outcome
+from .quantities import tolerance_of
 from .trajectory import Trajectory
-from .types import Names, SetupLike
+from .types import Amount, Names, SetupLike
 
 __all__ = ["Drive", "simulate"]
 
 
-@dataclass(frozen=True)
 class Drive(Mapping[str, "float | None"]):
     """The outcomes of one drive by name, SI; None for an outcome that it does not have."""
 
     outcomes: Mapping[str, float | None]
     """The requested outcomes, read-only."""
-    report: dict[str, Any] = field(repr=False)
-    """The answer of ``longdrive simulate --json``."""
-    trajectory: Trajectory | None = field(default=None, repr=False, compare=False)
+    trajectory: Trajectory | None
     """The path of the ball, if ``simulate`` was called with ``trajectory=True``."""
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "outcomes", MappingProxyType(dict(self.outcomes)))
+    _report: dict[str, Any] | Callable[[], dict[str, Any]]
+
+    def __init__(
+        self,
+        outcomes: Mapping[str, float | None],
+        report: dict[str, Any] | Callable[[], dict[str, Any]],
+        trajectory: Trajectory | None = None,
+    ) -> None:
+        set_once = super().__setattr__
+        set_once("outcomes", MappingProxyType(dict(outcomes)))
+        set_once("_report", report)
+        set_once("trajectory", trajectory)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a Drive cannot be changed: {name} = {value!r}")
+
+    @property
+    def report(self) -> dict[str, Any]:
+        """The answer of ``longdrive simulate --json``, made when it is first asked for."""
+        report = self._report
+        if callable(report):
+            report = report()
+            super().__setattr__("_report", report)
+        return report
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (type(self), (dict(self.outcomes), self.report, self.trajectory))
 
     def __repr__(self) -> str:
         return f"Drive(outcomes={dict(self.outcomes)})"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Drive):
+            return NotImplemented
+        return self.outcomes == other.outcomes and self.report == other.report
 
     @property
     def status(self) -> str:
@@ -110,7 +134,12 @@ class Drive(Mapping[str, "float | None"]):
 
 
 def simulate(
-    setup: SetupLike = None, of: Names | None = None, *, trajectory: bool = False
+    setup: SetupLike = None,
+    of: Names | None = None,
+    *,
+    trajectory: bool = False,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
 ) -> Drive:
     """Computes one drive: impact, flight, landing, bounces and roll.
 
@@ -123,7 +152,12 @@ def simulate(
     of : Names | None
         Outcomes, a name or several; without it all.
     trajectory : bool
-        Compute the path of the ball too.
+        Compute the path of the ball too: points at least every 0.05 s.
+    tolerance : Amount | None
+        The largest error of a length, m or a text; without it 1 µm, unless the setup states its
+        method or step.
+    own_step : bool
+        Keep ``flight.method`` and ``flight.step`` of the setup.
 
     Returns
     -------
@@ -152,8 +186,14 @@ def simulate(
     >>> longdrive.simulate({"swing.attack_angle": "-40 deg"}).status
     'no-flight'
     """
-    is_traced = switch_of("trajectory", trajectory)
-    outcomes, report, path = _longdrive.simulate(setup, of, is_traced)
-    drive = Drive(outcomes, report, None if path is None else Trajectory(*path))
-    warn_of(drive.warnings, drive)
+    found = _longdrive.simulate(
+        setup,
+        of,
+        switch_of("trajectory", trajectory),
+        tolerance_of(tolerance),
+        switch_of("own_step", own_step),
+    )
+    path = found.path
+    drive = Drive(found.outcomes, found.report, None if path is None else Trajectory(*path))
+    warn_of(found.warnings, drive)
     return drive

@@ -1,6 +1,6 @@
 """Outcomes as functions of JAX, with exact derivatives under ``jit``, ``vmap``, ``grad`` and others.
 
-Only this module needs JAX: ``pip install longdrive[jax]``.
+Only these functions need JAX: ``pip install longdrive[jax]``.
 """
 
 from __future__ import annotations
@@ -8,19 +8,22 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-import jax
-import jax.numpy as jnp
 import numpy as np
 
 from .errors import InputError
 from .pointwise import NO_THIRD, OutcomeFunction, Pointwise
-from .types import Names, SetupLike
+from .types import Amount, Names, SetupLike
 
 __all__ = ["outcome"]
 
 
 def outcome(
-    setup: SetupLike, of: Names = "carry", wrt: Names | None = None
+    setup: SetupLike,
+    of: Names = "carry",
+    wrt: Names | None = None,
+    *,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
 ) -> Callable[[Any], Any]:
     """An outcome, or several, as a function of JAX.
 
@@ -31,9 +34,9 @@ def outcome(
     value is NaN, because compiled code raises no exception; :func:`longdrive.simulate` has the
     reason.
 
-    The flight is integrated by ``flight.method`` and ``flight.step`` of the setup. Numbers have the
-    precision of x: with the 32 bits that are usual in JAX, carry is exact to 1e-5 m;
-    ``jax.config.update("jax_enable_x64", True)`` gives all digits.
+    Method and step are chosen once, for values around the setup's.
+    Numbers have the precision of x: with the 32 bits that are usual in JAX, carry is exact to 1e-5
+    m; ``jax.config.update("jax_enable_x64", True)`` gives all digits.
 
     The function pickles, for processes and clusters. Only ``cloudpickle``, which Dask and joblib
     use, pickles the results of ``jit``, ``grad`` and ``vmap``; elsewhere pickle the function, and
@@ -47,6 +50,11 @@ def outcome(
         The outcome, or several.
     wrt : Names | None
         The parameters in the order of x; without it loft and attack angle.
+    tolerance : Amount | None
+        The largest error of a length, m or a text; without it 1 µm, unless the setup states its
+        method or step.
+    own_step : bool
+        Keep ``flight.method`` and ``flight.step`` of the setup.
 
     Returns
     -------
@@ -65,7 +73,10 @@ def outcome(
     >>> jax.grad(carry)(jax.numpy.array([0.18, 50.0])).shape
     (2,)
     """
-    point = Pointwise(setup, of, wrt)
+    import jax
+    import jax.numpy as jnp
+
+    point = Pointwise(setup, of, wrt, tolerance, own_step)
     outcomes, parameters = len(point.of), len(point.wrt)
 
     def called(order: int, x: Any) -> Any:

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from . import _longdrive
 from ._longdrive import Setup
+from .derivatives import hessian
 from .reply import Reply
 from .request import Request
 from .types import Floats
@@ -92,7 +92,7 @@ class Optimum(Reply):
         if self["reply"].get("swings") is not None or self["optimum"] is None:
             return None
         return np.asarray(
-            _longdrive.hessian(self.setup, self["reply"]["objective"], self["names"])[2]
+            hessian(self.setup, self["reply"]["objective"], self["names"]).hessian
         )
 
     def __missing__(self, key: str) -> Any:

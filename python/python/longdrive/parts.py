@@ -12,11 +12,8 @@ import json
 import math
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass, field, replace
-from multiprocessing import get_context
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any, Union
 
 from . import _longdrive
 from .arguments import count_of, kind_of, path_of, refuse_idle_seed
@@ -25,6 +22,9 @@ from .quantities import elements_of
 from .request import Request
 from .types import Amount, AngleUnit, Given, Names, SetupLike
 from .values import Value
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future
 
 __all__ = ["Over", "PartError", "Parts", "Question", "check", "merge", "sweep"]
 
@@ -190,15 +190,14 @@ class Question:
         InputError
             As :func:`longdrive.sweep` does.
         """
-        import tempfile
-
         # the command checks the folder last, before the first drive: a file in its place ends it
-        with tempfile.NamedTemporaryFile(prefix="longdrive-") as file:
-            try:
-                self._run({"output": file.name, "part": f"{self.parts}/{self.parts}"})
-            except InputError as error:
-                if file.name not in str(error):
-                    raise
+        name = "a file in memory"
+        part = f"{self.parts}/{self.parts}"
+        try:
+            _sweep({**self.values, "output": name, "part": part}, self.setup, {name: b""})
+        except InputError as error:
+            if name not in str(error):
+                raise
 
     def write(self, part: int) -> dict[str, Any]:
         """Writes a part, from 1, unless it is complete already.
@@ -282,10 +281,12 @@ class Parts:
         return cls(question.output, manifests, merge(manifests))
 
 
-def _sweep(values: Mapping[str, Value], setup: str) -> dict[str, Any]:
-    """The answer of ``longdrive sweep``, with its warnings."""
+def _sweep(
+    values: Mapping[str, Value], setup: str, files: dict[str, bytes] | None = None
+) -> dict[str, Any]:
+    """The answer of ``longdrive sweep``, with its warnings; `files` are input files in memory."""
     status, answer, _, raised = _longdrive.command(
-        "sweep", dict(values), setup, {}, [], lambda kind, text: None
+        "sweep", dict(values), setup, files or {}, [], lambda kind, text: None
     )
     if raised is not None:
         has_message = isinstance(answer, dict) and answer["message"]
@@ -460,6 +461,8 @@ def sweep(
     >>> found.rows, found.summary["statuses"]["landed"]
     (3000, 3000)
     """
+    from concurrent.futures.process import BrokenProcessPool
+
     count_of("processes", processes)
     count_of("retries", retries)
     asked = question_of(setup, question)
@@ -493,6 +496,10 @@ def _in_processes(
     processes: int,
     retries: int,
 ) -> None:
+    # imported here: `import longdrive` does not need them
+    from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
+    from multiprocessing import get_context
+
     with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
         waiting = iter(left)
         running: dict[Future[dict[str, Any]], int] = {}

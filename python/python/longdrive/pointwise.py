@@ -8,9 +8,11 @@ from typing import Any
 import numpy as np
 
 from . import _longdrive
+from .arguments import switch_of
 from .batches import computed
 from .errors import InputError
-from .types import Floats, Names, SetupLike
+from .quantities import tolerance_of
+from .types import Amount, Floats, Names, SetupLike
 
 __all__ = ["NO_THIRD", "OutcomeFunction", "Pointwise"]
 
@@ -25,16 +27,29 @@ NO_THIRD = (
 class Pointwise:
     """Outcomes of a setup as a smooth function of parameters, NaN without a drive.
 
-    The step of the setup is kept: a step chosen for each batch would make the function depend on
-    the batch.
+    Method and step are chosen once, for values around the setup's: a step chosen for each batch
+    would make the function depend on the batch.
     """
 
-    def __init__(self, setup: SetupLike, of: Names, wrt: Names | None) -> None:
+    def __init__(
+        self,
+        setup: SetupLike,
+        of: Names,
+        wrt: Names | None,
+        tolerance: Amount | None,
+        own_step: bool,
+    ) -> None:
         self.setup = setup if isinstance(setup, _longdrive.Setup) else _longdrive.Setup(setup)
         self.is_single = isinstance(of, str) and of != "all"
         names = _longdrive.asked(self.setup, of, wrt)
         self.of: list[str] = names[0]
         self.wrt: list[str] = names[1]
+        self.step = (tolerance_of(tolerance), switch_of("own_step", own_step))
+        self._integration = _longdrive.Integration(self.setup, self.of, self.wrt, *self.step)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        of = self.of[0] if self.is_single else self.of
+        return (Pointwise, (self.setup, of, self.wrt, *self.step))
 
     def check(self, shape: tuple[int, ...], kind: str) -> None:
         """Checks the shape and the kind of numbers of one point.
@@ -77,8 +92,7 @@ class Pointwise:
             points,
             self.of,
             by,
-            tolerance=None,
-            own_step=True,
+            function=self._integration,
             threads=0,
             show=None,
             hessians=order > 1,
@@ -113,6 +127,11 @@ class OutcomeFunction:
         return f"<{self._outcome.__module__}.outcome {of} of {wrt}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        point = self._point
-        of = point.of[0] if point.is_single else point.of
-        return (self._outcome, (point.setup, of, point.wrt))
+        return (_outcome_of, (self._outcome, self._point.__reduce__()[1]))
+
+
+def _outcome_of(
+    outcome: Callable[..., Callable[[Any], Any]], arguments: tuple[Any, ...]
+) -> Callable[[Any], Any]:
+    *given, tolerance, own_step = arguments
+    return outcome(*given, tolerance=tolerance, own_step=own_step)

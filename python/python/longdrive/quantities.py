@@ -10,7 +10,15 @@ import numpy as np
 from .arguments import kind_of, shown
 from .errors import InputError
 
-__all__ = ["contains_quantities", "elements_of", "is_quantity", "number_of", "point_in_si", "to_si"]
+__all__ = [
+    "contains_quantities",
+    "elements_of",
+    "is_quantity",
+    "number_of",
+    "point_in_si",
+    "to_si",
+    "tolerance_of",
+]
 
 
 def elements_of(value: Any) -> tuple[Any, ...] | None:
@@ -65,6 +73,23 @@ def to_si(value: Any, unit: str, is_difference: bool = False) -> Any:
     if is_angle:
         raise InputError(f"{value} is an angle; expected a number without a unit")
     return number
+
+
+def tolerance_of(tolerance: Any) -> Any:
+    """The argument `tolerance`: a number in m, a text, or None.
+
+    Raises
+    ------
+    InputError
+        For a bool, and a quantity of another dimension.
+    """
+    if tolerance is None:
+        return None
+    if isinstance(tolerance, (bool, np.bool_)):
+        raise InputError(
+            f'tolerance = {tolerance!r}; expected a length, in m or as a text like "1 um"'
+        )
+    return to_si(tolerance, "m")
 
 
 def point_in_si(x: Any, units: Mapping[str, str]) -> Any:

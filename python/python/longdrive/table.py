@@ -274,10 +274,15 @@ class Table:
         return {name: self[name] for name in self.keys()}
 
     def to_pandas(self) -> Any:
-        """The columns as a ``pandas.DataFrame``; NaN is a missing value."""
+        """The columns as a ``pandas.DataFrame``; NaN is a missing value.
+
+        Its ``attrs["units"]`` has the SI units, so that functions take its points again.
+        """
         import pandas
 
-        return pandas.DataFrame.from_arrow(self)
+        frame = pandas.DataFrame.from_arrow(self)
+        frame.attrs["units"] = self.units
+        return frame
 
     def to_polars(self) -> Any:
         """The columns as a ``polars.DataFrame``; NaN is null."""

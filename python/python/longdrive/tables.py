@@ -40,17 +40,27 @@ def columns_of(table: Any) -> Any:
 def points_in_si(table: Any) -> dict[str, Any] | None:
     """The points of a table whose columns are known to be in SI; None for other tables.
 
-    These are a :class:`longdrive.Table`, and a table of pyarrow that was made of one: its fields
-    have their units as metadata.
+    These are a :class:`longdrive.Table`, and a table of pyarrow or pandas that was made of one: its
+    metadata or ``attrs`` has their units.
     """
     if isinstance(table, Table):
         return table.points
-    schema: Any = getattr(table, "schema", None)
-    if not hasattr(schema, "field") or not hasattr(table, "column_names"):
+    units = _units_of(table)
+    if not units:
         return None
     columns: dict[str, Any] = columns_of(table)
-    have_units = all(b"unit" in (schema.field(name).metadata or {}) for name in columns)
-    return columns if columns and have_units else None
+    are_in_si = all(name in units and units[name] == _longdrive.unit_of(name) for name in columns)
+    return columns if columns and are_in_si else None
+
+
+def _units_of(table: Any) -> dict[str, str]:
+    """The units that a table of pyarrow or pandas has for its columns."""
+    schema: Any = getattr(table, "schema", None)
+    if hasattr(schema, "field") and hasattr(table, "column_names"):
+        metadata = {name: schema.field(name).metadata or {} for name in table.column_names}
+        return {name: of[b"unit"].decode() for name, of in metadata.items() if b"unit" in of}
+    units = getattr(table, "attrs", {}).get("units")
+    return dict(units) if isinstance(units, Mapping) else {}
 
 
 def csv_of(name: str, table: Any) -> bytes:

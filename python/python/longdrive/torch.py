@@ -1,26 +1,31 @@
 """Outcomes as functions of PyTorch, with exact derivatives under ``autograd`` and ``torch.func``.
 
-Only this module needs PyTorch: ``pip install longdrive[torch]``.
+Only these functions need PyTorch: ``pip install longdrive[torch]``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import torch
-from torch.autograd import Function
+if TYPE_CHECKING:
+    import torch
 
 from .arguments import kind_of
 from .errors import InputError
 from .pointwise import NO_THIRD, OutcomeFunction, Pointwise
-from .types import Names, SetupLike
+from .types import Amount, Names, SetupLike
 
 __all__ = ["outcome"]
 
 
 def outcome(
-    setup: SetupLike, of: Names = "carry", wrt: Names | None = None
+    setup: SetupLike,
+    of: Names = "carry",
+    wrt: Names | None = None,
+    *,
+    tolerance: Amount | None = None,
+    own_step: bool = False,
 ) -> Callable[[torch.Tensor], torch.Tensor]:
     """An outcome, or several, as a function of PyTorch.
 
@@ -31,9 +36,9 @@ def outcome(
     drive (no flight, a value outside its range) the value is NaN; :func:`longdrive.simulate` has
     the reason.
 
-    The flight is integrated by ``flight.method`` and ``flight.step`` of the setup. Numbers have the
-    precision of x: ``torch.float64`` gives all digits. The function pickles, for processes and
-    clusters.
+    Method and step are chosen once, for values around the setup's.
+    Numbers have the precision of x: ``torch.float64`` gives all digits. The function pickles, for
+    processes and clusters.
 
     Parameters
     ----------
@@ -43,6 +48,11 @@ def outcome(
         The outcome, or several.
     wrt : Names | None
         The parameters in the order of x; without it loft and attack angle.
+    tolerance : Amount | None
+        The largest error of a length, m or a text; without it 1 µm, unless the setup states its
+        method or step.
+    own_step : bool
+        Keep ``flight.method`` and ``flight.step`` of the setup.
 
     Returns
     -------
@@ -62,7 +72,10 @@ def outcome(
     >>> torch.func.grad(carry)(x).shape
     torch.Size([2])
     """
-    point = Pointwise(setup, of, wrt)
+    import torch
+    from torch.autograd import Function
+
+    point = Pointwise(setup, of, wrt, tolerance, own_step)
 
     def called(x: torch.Tensor, order: int) -> tuple[torch.Tensor, ...]:
         found = point(x.detach().cpu().numpy(), order)

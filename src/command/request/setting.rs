@@ -1,6 +1,6 @@
 //! Settings of the command line: `--set club.loft=11deg`, `--launch ball_speed=70m/s`.
 
-use crate::parameters::{METHOD, is_reset, is_unset};
+use crate::parameters::{is_reset, is_unset};
 use crate::units::Quantity;
 use crate::{Error, Result, Setup};
 use std::fmt;
@@ -196,11 +196,6 @@ pub fn bad_tolerance(reason: String) -> Error {
         name: "`tolerance`".into(),
         source: reason.into(),
     }
-}
-
-/// Returns true for flight.method and flight.step.
-pub fn is_of_step(name: &str) -> bool {
-    matches!(name, METHOD | "flight.step")
 }
 
 /// Splits `NAME=VALUE`.

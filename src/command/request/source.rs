@@ -1,6 +1,5 @@
 //! The source of a setup: a preset, a TOML file, or standard input.
 
-use super::setting::is_of_step;
 use crate::command::running::running;
 use crate::command::wording::{advice_on, no_setup};
 use crate::input_file;
@@ -91,12 +90,6 @@ impl Source {
         }
     }
 
-    /// Returns true if the source states `flight.method` or `flight.step`.
-    pub fn gives_step(&self) -> bool {
-        let entries = self.content.preset.entries;
-        self.content.gives_step || entries.iter().any(|entry| is_of_step(entry.name))
-    }
-
     /// True if the setup has a name on the command line: a preset or a file, not standard input.
     pub fn has_name(&self) -> bool {
         self.kind != Kind::StandardInput
@@ -133,7 +126,6 @@ fn read_preset(argument: &str) -> Result<SetupFile> {
         setup,
         preset: Preset::named(argument).ok_or_else(unknown)?,
         given: vec![],
-        gives_step: false,
     })
 }
 

@@ -1,16 +1,14 @@
 //! Integration method and step of a request: stated, for a tolerance, or chosen for many drives.
 
 use super::Request;
-use super::setting::{Setting, bad_tolerance, is_of_step};
+use super::setting::{Setting, bad_tolerance};
 use crate::command::output::{tell, warn_early};
-use crate::parameters::Vary;
-use crate::report::{setup_toml, with_step_of, without_step};
-use crate::study::{Accuracy, accuracy};
-use crate::units::{Message, counted};
-use crate::{Error, Outcome, Result, Setup};
-
-/// Default tolerance of commands with many drives, m.
-const MICROMETRE: f64 = 1e-6;
+use crate::parameters::{Vary, is_of_step};
+use crate::report::{setup_toml, with_step_of};
+use crate::study::{Accuracy, StepChoice, of_the_flight};
+use crate::units::counted;
+use crate::{Outcome, Result, Setup};
+use std::sync::atomic::AtomicBool;
 
 impl Request {
     /// The setup with a step for `--tolerance`; unchanged without this option.
@@ -45,21 +43,17 @@ impl Request {
         ranges: &[Vary],
         of: &[Outcome],
     ) -> Result<Option<Accuracy>> {
-        if self.tolerance.is_some() || !self.chooses_step() {
+        if self.tolerance.is_some() {
             return self.accuracy_of_tolerance(setup, ranges, of);
         }
-        match accuracy(setup, ranges, of, MICROMETRE) {
-            Err(Error::Tolerance { reason, .. }) => {
-                warn_early(Message::from(format!(
-                    "flown with flight.method = {} and flight.step = {} s of the setup, since no \
-                     step is within 1 um: {reason}",
-                    setup.method.name(),
-                    setup.flight.step
-                )));
-                Ok(None)
-            }
-            found => none_without_flight(found),
-        }
+        let choice = if self.own_step {
+            StepChoice::Own
+        } else {
+            StepChoice::Micrometre
+        };
+        let found = choice.for_ranges(setup, ranges, of, &AtomicBool::new(false))?;
+        found.warning.map(warn_early);
+        Ok(found.accuracy)
     }
 
     fn accuracy_of_tolerance(
@@ -78,7 +72,9 @@ impl Request {
                 setting.named()
             )));
         }
-        let found = none_without_flight(accuracy(setup, ranges, of, tolerance))?;
+        let choice = StepChoice::Within(tolerance);
+        let found = choice.for_ranges(setup, ranges, of, &AtomicBool::new(false))?;
+        let found = found.accuracy;
         if let Some(found) = found {
             tell(&format!(
                 "method {} with a step of {:.4} s: lengths are within {:.1e} m of their exact \
@@ -92,22 +88,13 @@ impl Request {
         Ok(found)
     }
 
-    /// Returns true if the command chooses method and step, because neither `--own-step`, a setting
-    /// nor the setup states them.
-    fn chooses_step(&self) -> bool {
-        !self.own_step && self.setting_of_step().is_none() && !self.source.gives_step()
-    }
-
-    /// The text of a setup file for other commands. It has method and step only if the user stated
-    /// them: an automatically chosen step is valid only for the drives of this command.
+    /// The text of a setup file for other commands. If the user stated method or step, the text has
+    /// these, not the choice for `--tolerance`, which is valid only for the drives of this command.
     ///
     /// # Errors
     /// If the setup cannot be written.
     pub fn with_stated_step(&self, toml: String) -> Result<String> {
-        if self.chooses_step() {
-            return Ok(without_step(&toml));
-        }
-        if self.tolerance.is_none() {
+        if self.tolerance.is_none() || !self.source.setup().states_step {
             return Ok(toml);
         }
         let stated = setup_toml(self.source.setup(), self.source.preset(), &[], &[])?;
@@ -118,22 +105,5 @@ impl Request {
     fn setting_of_step(&self) -> Option<&Setting> {
         let mut settings = self.stated.iter();
         settings.find(|setting| is_of_step(&setting.parameter))
-    }
-}
-
-/// All outcomes except those of the roll-out, whose step error is unknown.
-fn of_the_flight() -> Vec<Outcome> {
-    Outcome::ALL
-        .iter()
-        .copied()
-        .filter(|of| !of.needs_run())
-        .collect()
-}
-
-/// `None` if no drive lands, so that there is no error to limit.
-fn none_without_flight(found: Result<Accuracy>) -> Result<Option<Accuracy>> {
-    match found {
-        Err(Error::NoFlight { .. }) => Ok(None),
-        found => found.map(Some),
     }
 }

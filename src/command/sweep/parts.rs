@@ -8,6 +8,7 @@ use crate::command::interrupt;
 use crate::command::output::{Answer, Warnings, bar, system, tell, text_of};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
+use crate::input_file::is_in_memory;
 use crate::parts::{self, Checked, Dataset, Manifest, PartResult, SweepDefinition};
 use crate::report::{Reply, summary_document};
 use crate::statistics::{Bins, RankingSpec};
@@ -156,13 +157,17 @@ fn make(folder: &Path) -> Result<()> {
             "a part is written into a folder; name one with `output`, as in `output parts`",
         ));
     }
+    let is_file = || {
+        let reason = "it is a file; name a folder, into which the parts are written";
+        Err(refused(folder, reason))
+    };
+    if is_in_memory(folder) {
+        return is_file();
+    }
     match std::fs::create_dir(folder) {
         Ok(()) => Ok(()),
         Err(error) if error.kind() == ErrorKind::AlreadyExists && folder.is_dir() => Ok(()),
-        Err(error) if error.kind() == ErrorKind::AlreadyExists => Err(refused(
-            folder,
-            "it is a file; name a folder, into which the parts are written",
-        )),
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => is_file(),
         Err(error) => Err(unwritable(folder, &error)),
     }
 }

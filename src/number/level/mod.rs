@@ -134,9 +134,10 @@ impl Level {
         unsafe_code,
         reason = "code for a level runs only on processors with its features"
     )]
-    pub(crate) fn run_sweep<W: Task>(self, mut task: W) -> W::Output {
+    pub(crate) fn run_sweep<W: Task>(self, task: W) -> W::Output {
         #[cfg(target_arch = "x86_64")]
         if self.min(Self::here()) == Self::Avx512 {
+            let mut task = task;
             // SAFETY: the processor has these features
             return unsafe {
                 not_inlined::avx512::not_inlined(inlined!(|| task.run::<registers::Pack8>()))

@@ -54,6 +54,6 @@ pub(super) fn by_num_dual(
     let variable = Dual64::from_re(setup.value(parameter).unwrap_or_default()).derivative();
     let mut lifted = setup.constant::<Dual64>();
     lifted.put(&[parameter], |_| variable);
-    let drive = Drive::without_step_check(&lifted)?;
+    let drive = Drive::without_step_check(&lifted, None)?;
     of.iter().map(|of| Ok(of.of(&drive)?.eps)).collect()
 }

@@ -10,7 +10,8 @@ use std::sync::atomic::AtomicBool;
 
 /// A goal over swings as a function of some design parameters, with derivatives up to second order.
 /// It can be the objective of any optimizer. Measures with a kink or jump (`lowest`, `highest`,
-/// `within`) are smoothed. The setup determines the integration method.
+/// `within`) are smoothed. The setup determines method and step
+/// ([`StepChoice`](crate::study::StepChoice) chooses them).
 ///
 /// ```
 /// use longdrive::Setup;
@@ -70,6 +71,15 @@ impl GoalFunction {
             weights: search.scenarios.weights,
             wrt: wrt.to_vec(),
         })
+    }
+
+    /// The function with a limit of the defect of its drives, m, beyond which they are repeated
+    /// with shorter steps.
+    pub(in crate::study) fn with_largest_defect(self, largest_defect: f64) -> Self {
+        Self {
+            problem: self.problem.with_largest_defect(largest_defect),
+            ..self
+        }
     }
 
     /// The parameters, in the order of the values and derivatives.

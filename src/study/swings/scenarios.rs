@@ -2,7 +2,7 @@ use super::golfer::Swings;
 use super::quadrature::{REACH, rule};
 use crate::error::{Error, Result};
 use crate::optimize::sobol;
-use crate::parameters::Parameter;
+use crate::parameters::{Parameter, Vary};
 use crate::study::uncertainty::{Distribution, Uncertain};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -132,6 +132,19 @@ impl Rule {
 }
 
 impl Scenarios {
+    /// The range of each parameter's values.
+    pub fn ranges(&self) -> Vec<Vary> {
+        let range = |(i, parameter): (usize, &&'static Parameter)| {
+            let values = self.points.iter().map(|point| point[i]);
+            Vary {
+                parameter,
+                low: values.clone().fold(f64::INFINITY, f64::min),
+                high: values.fold(f64::NEG_INFINITY, f64::max),
+            }
+        };
+        self.parameters.iter().enumerate().map(range).collect()
+    }
+
     /// One drive, the setup's own. The mean of an outcome is the outcome.
     pub fn one_drive() -> Self {
         Self {
