@@ -7,8 +7,8 @@ use crate::message;
 use crate::refusal::Refusal;
 use crate::request::{CheckedSetup, RangeRequest, SetupRequest, Units};
 use longdrive::derivative::{Evaluator, Order, Taylor};
-use longdrive::optimize::Domain;
-use longdrive::optimize::least_squares::{Fit, Options, Rows, fit};
+use longdrive::number::Number;
+use longdrive::optimize::{Domain, Exact, Functions, Options, Values, minimize};
 use longdrive::parameters::Vary;
 use longdrive::study::Plane;
 use longdrive::units::{Digits, Message, Quantity};
@@ -224,38 +224,23 @@ impl Aim {
     }
 
     /// The point in the ranges where the model of the landing at `here` is nearest to the target.
-    /// The model may have several such points: the search for it begins at `here`, in the middle
-    /// and at the corners of the ranges.
+    /// Where carry is at its maximum, `here` is a saddle point of the distance: the search also
+    /// begins at both ends of the ranges.
     fn nearest(&self, here: &Point) -> Result<[f64; 2], Error> {
-        let options = Options {
-            rounding: 1e-3 * REACHED,
-            tolerance: 1e-8,
-            ..Options::default()
-        };
-        let [a, b] = self.vary;
-        let middle = [a, b].map(|range| 0.5 * (range.low + range.high));
-        let corners = [
-            [a.low, b.low],
-            [a.high, b.high],
-            [a.low, b.high],
-            [a.high, b.low],
-        ];
-        let starts = [here.x, middle].into_iter().chain(corners);
-        let model = |x: &[f64]| Ok(here.model(x));
-        let mut best: Option<Fit> = None;
-        for start in starts {
-            let found = fit(&model, &self.domain, &start, &options)?;
-            if best.as_ref().is_none_or(|best| found.cost < best.cost) {
-                best = Some(found);
+        let model = Exact(Model(here));
+        let bounds = &self.domain.variables;
+        let (mut to, mut least) = (here.x, f64::INFINITY);
+        for start in [&here.x[..], &bounds.low, &bounds.high] {
+            let found = minimize(&model, &self.domain, start, &Options::default())?;
+            let value = found.value.unwrap_or(f64::INFINITY);
+            if value < least {
+                (to, least) = ([found.x[0], found.x[1]], value);
             }
-            if best
-                .as_ref()
-                .is_some_and(|best| best.cost <= REACHED * REACHED)
-            {
+            if least <= REACHED * REACHED {
                 break;
             }
         }
-        Ok(best.map_or(here.x, |best| [best.x[0], best.x[1]]))
+        Ok(to)
     }
 
     /// The largest change between two points, in parts of the ranges.
@@ -274,24 +259,26 @@ impl Point {
         let [along, across] = [0, 1].map(|axis| self.landing[axis].value - self.target[axis]);
         along.hypot(across)
     }
+}
 
-    /// The misses of the quadratic model of the landing at `x`, with their derivatives.
-    fn model(&self, x: &[f64]) -> Rows {
-        let d = [x[0] - self.x[0], x[1] - self.x[1]];
-        let mut rows = Rows::default();
-        for (taylor, target) in self.landing.iter().zip(self.target) {
-            let Taylor {
-                value,
-                gradient,
-                hessian,
-            } = taylor;
-            let bend = [0, 1].map(|k| hessian[k][0] * d[0] + hessian[k][1] * d[1]);
-            let change = |k: usize| (gradient[k] + 0.5 * bend[k]) * d[k];
-            rows.residuals.push(value - target + change(0) + change(1));
-            rows.jacobian
-                .push(vec![gradient[0] + bend[0], gradient[1] + bend[1]]);
-        }
-        rows
+/// Half the square of the distance from the target, by the quadratic model of the landing.
+struct Model<'a>(&'a Point);
+
+impl Functions for Model<'_> {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+        let d = [x[0] - self.0.x[0], x[1] - self.0.x[1]];
+        let misses = self.0.landing.iter().zip(self.0.target);
+        let objective = misses.fold(T::constant(0.0), |sum, (taylor, target)| {
+            let [by, second] = [&taylor.gradient, &taylor.hessian[1]];
+            let first = taylor.hessian[0][0];
+            let bend = (d[0] * first + d[1] * second[0] * 2.0) * d[0] + d[1] * d[1] * second[1];
+            let miss = d[0] * by[0] + d[1] * by[1] + bend * 0.5 + (taylor.value - target);
+            sum + miss * miss * 0.5
+        });
+        Ok(Values {
+            objective,
+            constraints: vec![],
+        })
     }
 }
 
