@@ -134,7 +134,8 @@ fn duration(seconds: f64) -> String {
     }
 }
 
-#[cfg(all(test, feature = "cli"))]
+#[cfg(feature = "cli")]
+#[cfg(test)]
 mod tests {
     use super::duration;
     use indicatif::HumanDuration;
