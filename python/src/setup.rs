@@ -624,14 +624,12 @@ impl PySetup {
 
     /// The setup as the text of a setup file, every number with its source; it reads back as the
     /// same setup to the last bit.
-    #[expect(clippy::wrong_self_convention, reason = "an object of Python is lent")]
     fn to_toml(&self) -> PyResult<String> {
         answer(|| self.toml())
     }
 
     /// The setup as a dict of dotted names: numbers in SI, None for what is unset, choices as
     /// texts. ``Setup(setup.to_dict())`` is the same setup.
-    #[expect(clippy::wrong_self_convention, reason = "an object of Python is lent")]
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         answer(|| {
             let dict = PyDict::new(py);

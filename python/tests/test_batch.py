@@ -114,12 +114,12 @@ def test_same_rows_as_single_drives_at_one_step_size() -> None:
     assert table.hessians is not None
     for row in range(50):
         one = setup.replace({name: given[name][row] for name in VARY})
-        values, jacobian = longdrive.jacobian(one, ["carry", "spin"], VARY)
+        values, jacobian = longdrive.jacobian(one, ["carry", "spin"], VARY, own_step=True)
         np.testing.assert_allclose(table.values[row], values, rtol=1e-12)
         np.testing.assert_allclose(table.gradients[row], jacobian, rtol=1e-10, atol=1e-9)
         np.testing.assert_allclose(
             table.hessians[row, 0],
-            longdrive.hessian(one, "carry", VARY).hessian,
+            longdrive.hessian(one, "carry", VARY, own_step=True).hessian,
             rtol=1e-9,
             atol=1e-7,
         )

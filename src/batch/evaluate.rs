@@ -59,10 +59,11 @@ impl Batch {
                 .iter_mut()
                 .chain(&mut block.derivatives)
                 .for_each(|column| column[row] = f64::NAN);
-            if let Ok(setup) = self.setup_at(block.point(row)) {
-                if let Err(Error::Stopped) = self.evaluate_scalar(setup, row, &mut block, stop) {
-                    return None;
-                }
+            let Ok(setup) = self.setup_at(block.point(row)) else {
+                continue;
+            };
+            if let Err(Error::Stopped) = self.evaluate_scalar(setup, row, &mut block, stop) {
+                return None;
             }
         }
         Some(block)

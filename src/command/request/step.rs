@@ -52,7 +52,9 @@ impl Request {
             StepChoice::Micrometre
         };
         let found = choice.for_ranges(setup, ranges, of, &AtomicBool::new(false))?;
-        found.warning.map(warn_early);
+        if let Some(warning) = found.warning {
+            warn_early(warning);
+        }
         Ok(found.accuracy)
     }
 
