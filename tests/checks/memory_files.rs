@@ -105,20 +105,20 @@ fn same_fit_of_shots_in_memory_and_on_disk() {
 #[test]
 fn same_folder_in_memory_and_on_disk() {
     let folder = tempfile::tempdir().unwrap();
-    let on_disk = folder.path().join("pages");
-    let host = InMemory::new(&[], &["pages"]);
-    for output in [Path::new("pages"), &on_disk] {
+    let on_disk = folder.path().join("manual");
+    let host = InMemory::new(&[], &["manual"]);
+    for output in [Path::new("manual"), &on_disk] {
         let words = ["longdrive", "man", "-o", output.to_str().unwrap()];
         assert_eq!(run(words.map(Into::into).to_vec(), host.clone()), 0);
     }
     let mut kept = host.outputs.lock().unwrap();
-    kept.remove(Path::new("pages"));
+    kept.remove(Path::new("manual"));
     assert_eq!(kept.len(), std::fs::read_dir(&on_disk).unwrap().count());
     for (name, content) in kept.iter() {
         let page = folder.path().join(name);
         assert_eq!(&std::fs::read(page).unwrap(), content, "{}", name.display());
     }
-    assert!(!Path::new("pages").exists());
+    assert!(!Path::new("manual").exists());
 }
 
 #[test]

@@ -134,14 +134,14 @@ fn duration(seconds: f64) -> String {
     }
 }
 
-#[cfg(all(test, feature = "cli"))]
+#[cfg(test)]
 mod tests {
-    use super::duration;
-    use indicatif::HumanDuration;
-    use std::time::Duration;
-
+    #[cfg(feature = "cli")]
     #[test]
     fn independent_durations_are_those_of_progress_bars() {
+        use super::duration;
+        use indicatif::HumanDuration;
+        use std::time::Duration;
         for k in 0..4000 {
             let seconds = 0.2 * 1.006_f64.powi(k);
             let of_bars = HumanDuration(Duration::from_secs_f64(seconds)).to_string();
