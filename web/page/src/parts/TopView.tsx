@@ -1,0 +1,150 @@
+// The flight from above, at true scale, with a landing point to drag.
+import { useRef, useState } from 'preact/hooks';
+import type { Drive } from '../drive/drive';
+import { firstOf, hasLaunch } from '../setup/design';
+import { labelOf } from '../setup/parameters';
+import { toSI } from '../setup/units';
+import { usePage } from './context';
+import { Figure } from './Figure';
+import { inLength, length, lengthUnit, sideways, ticks } from './lengths';
+import { farthest, line, MARGIN } from './scale';
+import { pathTable } from './SideView';
+import { useWidth } from './size';
+
+/** Half of the width of the ground that is shown at least, m. */
+const HALF_WIDTH = 22;
+const FARTHEST_ASIDE = 60;
+
+type Pair = readonly [string, string];
+
+export function TopView() {
+  const { explorer } = usePage();
+  const { units } = explorer.state.value;
+  const { ref, width } = useWidth();
+  const isLaunch = hasLaunch(explorer.design.value);
+  const usual: Pair = isLaunch
+    ? ['launch.launch_angle', 'launch.launch_direction'] : ['club.loft', 'swing.face_angle'];
+  const [chosen, setChosen] = useState<Pair>(usual);
+  const first = firstOf(explorer.design.value);
+  const pair = chosen.every((name) => first.includes(name)) ? chosen : usual;
+  const drive = explorer.drive.value;
+  const ghost = explorer.ghost.value;
+  const distance = farthest([drive, ghost]);
+  const scale = (width - MARGIN.left - MARGIN.right) / distance;
+  const aside = [drive, ghost].flatMap((each) =>
+    [...(each?.path ?? []), ...(each?.roll ?? [])].map(({ right }) => Math.abs(right)));
+  const half = Math.max(HALF_WIDTH, ...aside) * 1.1;
+  const x = (downrange: number) => MARGIN.left + downrange * scale;
+  const y = (right: number) => MARGIN.top + (half + right) * scale;
+  const height = 2 * half * scale + MARGIN.top + MARGIN.bottom;
+  const { carry = NaN, lateral = NaN } = drive?.outcomes ?? {};
+  const sentence = drive
+    ? `The ball lands at ${length(carry, units)}, ${sideways(lateral, units)}.` : 'No drive yet.';
+  const unit = lengthUnit(units);
+  const curve = (each: Drive, name: string) => (
+    <>
+      <polyline class={name} points={line(each.path.map((p) => [x(p.downrange), y(p.right)]))} />
+      <polyline class={`${name} roll`} points={line(each.roll.map((p) => [x(p.downrange), y(p.right)]))} />
+    </>
+  );
+  const aim = (downrange: number, right: number) => explorer.aim(pair, downrange, right);
+  return (
+    <Figure name="top" title="View from above" sentence={sentence} table={pathTable(drive, unit)} place={ref}
+      below={<Aim pair={pair} onPair={setChosen} carry={carry} lateral={lateral} onAim={aim} />}>
+      <svg width={width} height={height} role="img" aria-label={`View from above. ${sentence}`}>
+        {ticks(0, inLength(distance, units), Math.max(3, width / 110)).map((tick) => (
+          <g key={tick}>
+            <line class="grid" x1={x(toSI(tick, unit))} x2={x(toSI(tick, unit))} y1={y(-half)} y2={y(half)} />
+            <text class="tick" x={x(toSI(tick, unit))} y={height - 14} text-anchor="middle">{tick}</text>
+          </g>
+        ))}
+        {ticks(-inLength(half, units), inLength(half, units), 3).map((tick) => (
+          <text class="tick" key={tick} x={MARGIN.left - 6} y={y(toSI(tick, unit)) + 4} text-anchor="end">
+            {tick === 0 ? 0 : `${Math.abs(tick)} ${tick > 0 ? 'R' : 'L'}`}
+          </text>
+        ))}
+        <line class="ground" x1={x(0)} x2={x(distance)} y1={y(0)} y2={y(0)} />
+        {ghost && curve(ghost, 'ghost')}
+        {drive && curve(drive, 'yours')}
+        {Number.isFinite(carry) && (
+          <Handle x={x(carry)} y={y(lateral)}
+            onMove={(px, py) => aim((px - MARGIN.left) / scale, (py - MARGIN.top) / scale - half)} />
+        )}
+      </svg>
+    </Figure>
+  );
+}
+
+interface HandleProps {
+  x: number;
+  y: number;
+  onMove: (x: number, y: number) => Promise<void>;
+}
+
+/** The landing point. The sliders below do the same by keyboard. */
+function Handle({ x, y, onMove }: HandleProps) {
+  const { explorer } = usePage();
+  const last = useRef(Promise.resolve());
+  const move = (event: PointerEvent) => {
+    const handle = event.currentTarget as SVGGElement;
+    if (!handle.hasPointerCapture(event.pointerId)) return;
+    const box = handle.ownerSVGElement!.getBoundingClientRect();
+    last.current = onMove(event.clientX - box.left, event.clientY - box.top);
+  };
+  const take = (event: PointerEvent) => {
+    event.preventDefault();
+    (event.currentTarget as SVGGElement).setPointerCapture(event.pointerId);
+  };
+  const release = () => void last.current.then(() => explorer.release());
+  return (
+    <g class="handle" onPointerDown={take} onPointerMove={move} onPointerUp={release}>
+      <circle class="reach" cx={x} cy={y} r={20} />
+      <circle class="yours" cx={x} cy={y} r={7} />
+    </g>
+  );
+}
+
+interface AimProps {
+  pair: Pair;
+  onPair: (pair: Pair) => void;
+  carry: number;
+  lateral: number;
+  onAim: (carry: number, lateral: number) => Promise<void>;
+}
+
+function Aim({ pair, onPair, carry, lateral, onAim }: AimProps) {
+  const { explorer } = usePage();
+  const { units } = explorer.state.value;
+  const names = firstOf(explorer.design.value);
+  const last = useRef(Promise.resolve());
+  const unit = lengthUnit(units);
+  const longest = Math.max(320, carry || 0);
+  const slider = (label: string, value: number, low: number, high: number, to: (metres: number) => Promise<void>) => (
+    <label>
+      {label}
+      <input type="range" min={inLength(low, units)} max={inLength(high, units)} step={0.5}
+        value={inLength(value, units)} aria-valuetext={length(value, units)}
+        onInput={(event) => { last.current = to(toSI(Number(event.currentTarget.value), unit)); }}
+        onChange={() => void last.current.then(() => explorer.release())} />
+    </label>
+  );
+  const select = (at: 0 | 1) => (
+    <select aria-label={`parameter ${at + 1} of the aim`} value={pair[at]}
+      onChange={(event) => {
+        const name = event.currentTarget.value;
+        const other = pair[1 - at]!;
+        if (name !== other) onPair(at === 0 ? [name, other] : [other, name]);
+      }}>
+      {names.map((name) => <option value={name} key={name}>{labelOf(name)}</option>)}
+    </select>
+  );
+  return (
+    <details class="aim">
+      <summary>aim: move the landing point</summary>
+      <p>Drag the landing point, or use these sliders; {select(0)} and {select(1)} follow.</p>
+      {slider('carry', carry, 100, longest, (metres) => onAim(metres, lateral))}
+      {slider('lateral', lateral, -FARTHEST_ASIDE, FARTHEST_ASIDE, (metres) => onAim(carry, metres))}
+      {explorer.aimMessage.value && <p class="message" role="status">{explorer.aimMessage.value}</p>}
+    </details>
+  );
+}
