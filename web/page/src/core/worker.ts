@@ -25,7 +25,7 @@ async function start(module: WebAssembly.Module) {
 
 function run(core: Core, { words, files }: Command): Reply {
   const { head, files: written } = core.ask({ words, mentions: 'page' }, files);
-  if (head.status === 'error') {
+  if (!('answer' in head)) {
     return { exit: 2, answer: '', said: [{ kind: 'error', text: head.message }], files: {} };
   }
   return { exit: head.exit, answer: head.answer, said: head.said, files: written };

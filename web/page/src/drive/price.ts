@@ -55,7 +55,8 @@ export function priceOf(name: string, { first }: Slope, unit: string, system: Sy
   const change = (first * step * sizeOf(unit)) / sizeOf(length);
   const symbol = symbolOf(unit);
   const per = unit === '' ? String(step)
-    : symbol === '°' ? `${step}°` : step === 1 ? symbol : `${step} ${symbol}`;
+    : step === 1 ? (symbol === '°' ? 'degree' : symbol)
+      : symbol === '°' ? `${step}°` : `${step} ${symbol}`;
   const decimals = Math.abs(change) < 0.095 && Math.abs(change) > 0.0005 ? 2 : 1;
   return { change, text: `${signed(change, decimals)} ${length} per ${per}` };
 }

@@ -65,7 +65,7 @@ function Values({ best }: { best: Best }) {
             <th scope="row">{labelOf(name)}</th>
             <td>{shown(name, mine)}</td>
             <td>{shown(name, theirs)}</td>
-            <td>{difference.startsWith('-') || mine === null ? difference : `+${difference}`}</td>
+            <td>{/^[\u2212\u2013]/.test(difference) || mine === null ? difference : `+${difference}`}</td>
           </tr>
         );
       })}

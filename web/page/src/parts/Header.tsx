@@ -15,21 +15,21 @@ export function Header() {
     <header>
       <h1>longdrive</h1>
       <label>
-        preset
+        <span>preset</span>
         <select value={design.preset} title={preset?.about}
           onChange={(event) => explorer.changeDesign({ preset: event.currentTarget.value, set: {} })}>
           {explorer.catalog.presets.map(({ name }) => <option value={name} key={name}>{name}</option>)}
         </select>
       </label>
       <label>
-        longest
+        <span>longest</span>
         <select value={state.goal}
           onChange={(event) => explorer.change({ ...state, goal: event.currentTarget.value as Goal })}>
           {GOALS.map((goal) => <option value={goal} key={goal}>{goal}</option>)}
         </select>
       </label>
       <label>
-        units
+        <span>units</span>
         <select value={state.units}
           onChange={(event) => explorer.change({ ...state, units: event.currentTarget.value as System })}>
           {SYSTEMS.map(([system, text]) => <option value={system} key={system}>{text}</option>)}

@@ -13,7 +13,11 @@ import { MARGIN } from './scale';
 import { useWidth } from './size';
 
 const HEIGHT = 300;
-const LEVELS = 9;
+const LEVELS = 14;
+/** The least distance of two labels, pixels. */
+const LABEL = 30;
+/** Space above for the name of the axis. */
+const TOP = 28;
 
 interface Plan {
   x: (value: number) => number;
@@ -23,10 +27,10 @@ interface Plan {
 
 function planOf({ ranges: [across, up] }: MapData, width: number): Plan {
   const wide = width - MARGIN.left - MARGIN.right;
-  const tall = HEIGHT - MARGIN.top - MARGIN.bottom;
+  const tall = HEIGHT - TOP - MARGIN.bottom;
   return {
     x: (value) => MARGIN.left + ((value - across.low) / (across.high - across.low)) * wide,
-    y: (value) => MARGIN.top + ((up.high - value) / (up.high - up.low)) * tall,
+    y: (value) => TOP + ((up.high - value) / (up.high - up.low)) * tall,
     width,
   };
 }
@@ -69,10 +73,10 @@ function Picture({ map, width, sentence }: { map: MapData; width: number; senten
     const svg = event.currentTarget as SVGSVGElement;
     if (!svg.hasPointerCapture(event.pointerId)) return;
     const box = svg.getBoundingClientRect();
-    const [wide, tall] = [width - MARGIN.left - MARGIN.right, HEIGHT - MARGIN.top - MARGIN.bottom];
+    const [wide, tall] = [width - MARGIN.left - MARGIN.right, HEIGHT - TOP - MARGIN.bottom];
     const parts = [
       (event.clientX - box.left - MARGIN.left) / wide,
-      1 - (event.clientY - box.top - MARGIN.top) / tall,
+      1 - (event.clientY - box.top - TOP) / tall,
     ];
     const values = [map.across, map.up].map((name, axis) => {
       const { low, high } = map.ranges[axis]!;
@@ -99,7 +103,7 @@ function Picture({ map, width, sentence }: { map: MapData; width: number; senten
       <MapScales map={map} plan={plan} />
       {theirs.every(Number.isFinite) && <Star x={plan.x(theirs[0])} y={plan.y(theirs[1])} />}
       {yours.every(Number.isFinite)
-        && <circle class="yours" cx={plan.x(yours[0])} cy={plan.y(yours[1])} r={6} />}
+        && <circle class="on-map" cx={plan.x(yours[0])} cy={plan.y(yours[1])} r={6} />}
     </svg>
   );
 }
@@ -134,7 +138,7 @@ function MapScales({ map, plan }: { map: MapData; plan: Plan }) {
         </text>
       ))}
       <text class="tick" x={plan.width - MARGIN.right} y={HEIGHT - 4} text-anchor="end">{across!.text}</text>
-      <text class="tick" x={4} y={11}>{up!.text}</text>
+      <text class="tick" x={4} y={14}>{up!.text}</text>
     </>
   );
 }
@@ -157,7 +161,7 @@ function contoursOf(map: MapData, units: 'us' | 'metric', plan: Plan): Area[] {
   // the best part of the map has the closest contours
   const from = Math.max(low, high - 0.35 * high);
   const levels = ticks(fromSI(from, unit), fromSI(high, unit), LEVELS).map((level) => toSI(level, unit));
-  const place = ([column, row]: readonly number[]) => {
+  const pixel = ([column, row]: readonly number[]) => {
     const [across, up] = map.ranges;
     const u = ((column ?? 0) - 0.5) / (columns - 1);
     const v = ((row ?? 0) - 0.5) / (rows - 1);
@@ -167,11 +171,15 @@ function contoursOf(map: MapData, units: 'us' | 'metric', plan: Plan): Area[] {
       plan.y(up.low + inside(v) * (up.high - up.low)),
     ] as const;
   };
+  const spots: (readonly [number, number])[] = [];
   return contours().size([columns, rows]).thresholds(levels)(values).map(({ value, coordinates }) => {
-    const rings = coordinates.flat().map((ring) => ring.map(place));
+    const rings = coordinates.flat().map((ring) => ring.map(pixel));
     const path = rings.map((ring) =>
       `M${ring.map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`).join('L')}Z`).join('');
-    return { level: value, label: digits(fromSI(value, unit), 0), path, spot: spotOf(rings, plan) };
+    const place = spotOf(rings, plan);
+    const isFree = place && spots.every(([x, y]) => Math.hypot(x - place[0], y - place[1]) > LABEL);
+    if (isFree) spots.push(place);
+    return { level: value, label: digits(fromSI(value, unit), 0), path, spot: isFree ? place : null };
   });
 }
 
@@ -180,7 +188,7 @@ function spotOf(rings: readonly (readonly (readonly [number, number])[])[], plan
   const longest = rings.reduce<readonly (readonly [number, number])[]>(
     (best, ring) => (ring.length > best.length ? ring : best), []);
   const inner = longest.filter(([x, y]) => x > MARGIN.left + 20 && x < plan.width - MARGIN.right - 20
-    && y > MARGIN.top + 14 && y < HEIGHT - MARGIN.bottom - 8);
+    && y > TOP + 14 && y < HEIGHT - MARGIN.bottom - 8);
   if (inner.length < 6) return null;
   return inner.reduce((lowest, point) => (point[1] > lowest[1] ? point : lowest));
 }

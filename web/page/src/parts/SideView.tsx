@@ -19,7 +19,8 @@ export function SideView() {
   const distance = farthest(all);
   const scale = (width - MARGIN.left - MARGIN.right) / distance;
   const heights = all.flatMap((each) => each?.path.map(({ height }) => height) ?? []);
-  const top = Math.max(LEAST_HEIGHT, ...heights) * 1.12;
+  // in steps, so that the picture seldom changes its height
+  const top = Math.ceil(Math.max(LEAST_HEIGHT, ...heights) / 10 + 0.3) * 10;
   const bottom = Math.min(0, ...heights);
   const height = (top - bottom) * scale + MARGIN.top + MARGIN.bottom;
   const x = (downrange: number) => MARGIN.left + downrange * scale;

@@ -17,10 +17,11 @@ interface Props {
 export function SliderRow({ name, isInGroup = false }: Props) {
   const { explorer } = usePage();
   const { design, refusal } = explorer;
+  const [isAsked, setAsked] = useState(false);
   const id = name.replace(/\./g, '-');
   const label = isInGroup ? labelInGroup(name) : labelOf(name);
   const travel = explorer.travel(name);
-  const { parameter, unit } = explorer.field(name);
+  const { unit } = explorer.field(name);
   const value = explorer.value(name);
   const at = value !== null && Number.isFinite(value) ? value
     : explorer.presetValue(name) ?? WHEN_UNSET[name] ?? (travel.low + travel.high) / 2;
@@ -38,6 +39,8 @@ export function SliderRow({ name, isInGroup = false }: Props) {
         <span class="unit">{symbolOf(unit)}</span>
         <button type="button" class="reset" disabled={!isSet} onClick={() => explorer.reset(name)}
           aria-label={`reset ${label}`} title="back to the preset">↺</button>
+        <button type="button" class="ask" aria-expanded={isAsked} aria-label={`about ${label}`}
+          onClick={() => setAsked(!isAsked)}>?</button>
       </div>
       <Track name={name} travel={travel}>
         <input type="range" id={`slide-${id}`} min={fromSI(travel.low, unit)}
@@ -47,13 +50,20 @@ export function SliderRow({ name, isInGroup = false }: Props) {
       </Track>
       <PriceLine name={name} id={id} at={at} isUnset={value === null} />
       {message && <p class="message" id={`message-${id}`}>{message}</p>}
-      <details class="about">
-        <summary>about {label}</summary>
-        <p>{parameter.doc}</p>
-        <p>Value of the preset: {explorer.catalog.preset(design.value.preset)?.sources[name] ?? 'no source'}.</p>
-        <p class="name"><code>{name}</code></p>
-        <Freedom name={name} label={label} />
-      </details>
+      {isAsked && <About name={name} label={label} />}
+    </div>
+  );
+}
+
+/** The meaning of a parameter, and the source of its value. */
+function About({ name, label }: { name: string; label: string }) {
+  const { explorer } = usePage();
+  const preset = explorer.catalog.preset(explorer.design.value.preset);
+  return (
+    <div class="about">
+      <p>{explorer.parameter(name).doc} (<code>{name}</code>)</p>
+      <p>Value of the preset: {preset?.sources[name] ?? 'no source'}.</p>
+      <Freedom name={name} label={label} />
     </div>
   );
 }
@@ -91,11 +101,11 @@ function PriceLine({ name, id, at, isUnset }: { name: string; id: string; at: nu
   const from = low <= travel.low ? null : end(low);
   const to = high >= travel.high ? null : end(high);
   const loss = units === 'us' ? '1 yd' : '1 m';
-  const band = from && to ? `${from} to ${to}` : from ? `above ${from}` : to ? `below ${to}` : 'anywhere here';
+  const band = from && to ? `${digits(fromSI(low, unit), decimals)} to ${to}` : from ? `above ${from}` : to ? `below ${to}` : 'everywhere';
   return (
     <p class="price" id={`price-${id}`}>
       <b>{priceOf(name, slope, unit, units).text}</b>
-      <span>{isUnset ? ' · not stated' : ` · loses ≤ ${loss}: ${band}`}</span>
+      <span title={`values that cost at most ${loss}`}>{isUnset ? ' · not stated' : ` · within ${loss}: ${band}`}</span>
     </p>
   );
 }

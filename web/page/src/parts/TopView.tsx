@@ -33,7 +33,8 @@ export function TopView() {
   const scale = (width - MARGIN.left - MARGIN.right) / distance;
   const aside = [drive, ghost].flatMap((each) =>
     [...(each?.path ?? []), ...(each?.roll ?? [])].map(({ right }) => Math.abs(right)));
-  const half = Math.max(HALF_WIDTH, ...aside) * 1.1;
+  // in steps, so that the picture seldom changes its height
+  const half = Math.ceil(Math.max(HALF_WIDTH, ...aside) / 12) * 12;
   const x = (downrange: number) => MARGIN.left + downrange * scale;
   const y = (right: number) => MARGIN.top + (half + right) * scale;
   const height = 2 * half * scale + MARGIN.top + MARGIN.bottom;
@@ -58,7 +59,7 @@ export function TopView() {
             <text class="tick" x={x(toSI(tick, unit))} y={height - 14} text-anchor="middle">{tick}</text>
           </g>
         ))}
-        {ticks(-inLength(half, units), inLength(half, units), 3).map((tick) => (
+        {ticks(-inLength(half, units), inLength(half, units), 5).map((tick) => (
           <text class="tick" key={tick} x={MARGIN.left - 6} y={y(toSI(tick, unit)) + 4} text-anchor="end">
             {tick === 0 ? 0 : `${Math.abs(tick)} ${tick > 0 ? 'R' : 'L'}`}
           </text>
@@ -68,31 +69,42 @@ export function TopView() {
         {drive && curve(drive, 'yours')}
         {Number.isFinite(carry) && (
           <Handle x={x(carry)} y={y(lateral)}
-            onMove={(px, py) => aim((px - MARGIN.left) / scale, (py - MARGIN.top) / scale - half)} />
+            onMove={(from, dx, dy) => aim(from.carry + dx / scale, from.lateral + dy / scale)}
+            landing={{ carry, lateral }} />
         )}
       </svg>
     </Figure>
   );
 }
 
+interface Landing {
+  carry: number;
+  lateral: number;
+}
+
 interface HandleProps {
   x: number;
   y: number;
-  onMove: (x: number, y: number) => Promise<void>;
+  landing: Landing;
+  /** Receives the landing at the begin of the drag, and the way of the pointer since then. */
+  onMove: (from: Landing, dx: number, dy: number) => Promise<void>;
 }
 
 /** The landing point. The sliders below do the same by keyboard. */
-function Handle({ x, y, onMove }: HandleProps) {
+function Handle({ x, y, landing, onMove }: HandleProps) {
   const { explorer } = usePage();
   const last = useRef(Promise.resolve());
+  const begin = useRef({ x: 0, y: 0, landing });
   const move = (event: PointerEvent) => {
     const handle = event.currentTarget as SVGGElement;
     if (!handle.hasPointerCapture(event.pointerId)) return;
-    const box = handle.ownerSVGElement!.getBoundingClientRect();
-    last.current = onMove(event.clientX - box.left, event.clientY - box.top);
+    const { x: fromX, y: fromY, landing: from } = begin.current;
+    // differences: the picture may move while its drive changes
+    last.current = onMove(from, event.clientX - fromX, event.clientY - fromY);
   };
   const take = (event: PointerEvent) => {
     event.preventDefault();
+    begin.current = { x: event.clientX, y: event.clientY, landing };
     (event.currentTarget as SVGGElement).setPointerCapture(event.pointerId);
   };
   const release = () => void last.current.then(() => explorer.release());

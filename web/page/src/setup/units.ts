@@ -50,7 +50,7 @@ const UNITS: Readonly<Record<string, Unit>> = {
 
 /** Units of a system in place of those that the program shows. */
 const INSTEAD: Readonly<Record<System, Readonly<Record<string, string>>>> = {
-  us: { degC: 'degF' },
+  us: { degC: 'degF', 'm/s': 'mph' },
   metric: { mph: 'm/s', ft: 'm' },
 };
 

@@ -10,7 +10,7 @@ import type { Catalog, Parameter } from '../setup/parameters';
 import { AIR_FIRST, groupOf, labelOf } from '../setup/parameters';
 import type { Travel } from '../setup/travel';
 import { decimalsOf, travelOf } from '../setup/travel';
-import { fromSI, textOf, unitIn } from '../setup/units';
+import { digits, fromSI, textOf, unitIn } from '../setup/units';
 import { setupWords } from '../setup/words';
 import type { Best } from './best';
 import { bestWords, readBest } from './best';
@@ -150,7 +150,7 @@ export class Explorer {
   /** A parameter of this value, as a sentence has it: "8.80°". */
   shown(name: string, value: number, more = 1): string {
     const { unit, decimals } = this.field(name);
-    return fromSI(value, unit).toFixed(Math.min(6, decimals + more));
+    return digits(fromSI(value, unit), Math.min(6, decimals + more));
   }
 
   // what the core is asked
