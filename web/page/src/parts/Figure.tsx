@@ -1,5 +1,6 @@
 // A picture with its name, a sentence and a table that say the same, and its file.
 import type { ComponentChildren, Ref } from 'preact';
+import { useState } from 'preact/hooks';
 import { download, pictureOf } from './download';
 
 export interface Table {
@@ -11,7 +12,8 @@ interface Props {
   name: string;
   title: string;
   sentence: string;
-  table: Table;
+  /** Made only where it is seen. */
+  table: () => Table;
   place: Ref<HTMLDivElement>;
   children: ComponentChildren;
   below?: ComponentChildren;
@@ -23,6 +25,7 @@ const csvOf = ({ head, rows }: Table) =>
   [head, ...rows].map((row) => row.map(csvField).join(',')).join('\r\n');
 
 export function Figure({ name, title, sentence, table, place, children, below }: Props) {
+  const [isOpen, setOpen] = useState(false);
   const save = (event: Event) => {
     const svg = (event.currentTarget as Element).closest('figure')?.querySelector('svg');
     if (svg) download(`${name}.svg`, pictureOf(svg), 'image/svg+xml');
@@ -33,15 +36,15 @@ export function Figure({ name, title, sentence, table, place, children, below }:
       <div ref={place}>{children}</div>
       <figcaption>{sentence}</figcaption>
       {below}
-      <details class="data">
+      <details class="data" onToggle={(event) => setOpen(event.currentTarget.open)}>
         <summary>table and files of the {title.toLowerCase()}</summary>
         <p class="buttons">
           <button type="button" onClick={save}>picture (SVG)</button>
-          <button type="button" onClick={() => download(`${name}.csv`, csvOf(table), 'text/csv')}>
+          <button type="button" onClick={() => download(`${name}.csv`, csvOf(table()), 'text/csv')}>
             table (CSV)
           </button>
         </p>
-        <TableView {...table} />
+        {isOpen && <TableView {...table()} />}
       </details>
     </figure>
   );

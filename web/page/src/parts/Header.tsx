@@ -3,13 +3,16 @@ import type { Goal } from '../state/state';
 import { GOALS } from '../state/state';
 import type { System } from '../setup/units';
 import { usePage } from './context';
+import { useSteady } from './steady';
 
 const SYSTEMS: readonly (readonly [System, string])[] = [['us', 'yards, mph'], ['metric', 'metres, m/s']];
 
 export function Header() {
   const { explorer, address } = usePage();
-  const state = explorer.state.value;
-  const design = explorer.design.value;
+  const { state, design } = useSteady(
+    () => [explorer.design.value.preset, explorer.state.value.goal, explorer.state.value.units].join(),
+    () => ({ state: explorer.state.value, design: explorer.design.value }),
+  );
   const preset = explorer.catalog.preset(design.preset);
   return (
     <header>
@@ -24,14 +27,14 @@ export function Header() {
       <label>
         <span>longest</span>
         <select value={state.goal}
-          onChange={(event) => explorer.change({ ...state, goal: event.currentTarget.value as Goal })}>
+          onChange={(event) => explorer.change({ ...explorer.state.value, goal: event.currentTarget.value as Goal })}>
           {GOALS.map((goal) => <option value={goal} key={goal}>{goal}</option>)}
         </select>
       </label>
       <label>
         <span>units</span>
         <select value={state.units}
-          onChange={(event) => explorer.change({ ...state, units: event.currentTarget.value as System })}>
+          onChange={(event) => explorer.change({ ...explorer.state.value, units: event.currentTarget.value as System })}>
           {SYSTEMS.map(([system, text]) => <option value={system} key={system}>{text}</option>)}
         </select>
       </label>

@@ -6,7 +6,9 @@ import { labelOf } from '../setup/parameters';
 import { digits, fromSI, symbolOf, textOf, toSI } from '../setup/units';
 import type { MapData } from '../state/map';
 import { mapOf } from '../state/state';
+import type { Explorer } from '../state/explorer';
 import { usePage } from './context';
+import { useSteady } from './steady';
 import { Figure } from './Figure';
 import { inLength, length, lengthUnit, ticks } from './lengths';
 import { MARGIN } from './scale';
@@ -42,7 +44,7 @@ export function MapView() {
   const map = explorer.map.value;
   const best = explorer.mapBest.value;
   const [across, up] = mapOf(explorer.state.value);
-  const most = map ? Math.max(...map.values.filter(Number.isFinite)) : NaN;
+  const most = useMemo(() => (map ? Math.max(...map.values.filter(Number.isFinite)) : NaN), [map]);
   const bestText = best && map && best.names.every((name) => [map.across, map.up].includes(name))
     ? best.names.map((name) => `${labelOf(name)} ${explorer.shown(name, best.values[name] ?? NaN)}`
       + `${symbolOf(explorer.field(name).unit)}`).join(', ') : null;
@@ -52,7 +54,7 @@ export function MapView() {
     : 'No map yet.';
   return (
     <Figure name="map" title="Map" sentence={sentence} place={ref} below={<Axes />}
-      table={map ? tableOf(map, units, explorer) : { head: [], rows: [] }}>
+      table={() => (map ? tableOf(map, units, explorer) : { head: [], rows: [] })}>
       {map && <Picture map={map} width={width} sentence={sentence} />}
     </Figure>
   );
@@ -194,7 +196,7 @@ function spotOf(rings: readonly (readonly (readonly [number, number])[])[], plan
 }
 
 /** Every twelfth or so value of the map. */
-function tableOf(map: MapData, units: 'us' | 'metric', explorer: ReturnType<typeof usePage>['explorer']) {
+function tableOf(map: MapData, units: 'us' | 'metric', explorer: Explorer) {
   const every = Math.max(1, Math.round(map.columns / 6));
   const take = (count: number) => Array.from({ length: count }, (_, k) => k)
     .filter((k) => k % every === 0 || k === count - 1);
@@ -214,10 +216,8 @@ function tableOf(map: MapData, units: 'us' | 'metric', explorer: ReturnType<type
   };
 }
 
-/** The two parameters of the map. */
-function Axes() {
-  const { explorer } = usePage();
-  const state = explorer.state.value;
+/** The parameters that may be on an axis. */
+function axisNames(explorer: Explorer): string[] {
   const design = explorer.design.value;
   const isLaunch = hasLaunch(design);
   const names = explorer.catalog.of(lawOf(design, explorer.catalog))
@@ -227,17 +227,28 @@ function Axes() {
       const isOther = isLaunch ? /^(swing|club|strike|impact)\./.test(name) : name.startsWith('launch.');
       return value !== null && Number.isFinite(value) && !isOther;
     });
-  const axes = mapOf(state);
+  return [...new Set([...mapOf(explorer.state.value), ...names])];
+}
+
+/** The two parameters of the map. */
+function Axes() {
+  const { explorer } = usePage();
+  const { state, design } = explorer;
+  const key = () => JSON.stringify(
+    [design.value.preset, Object.keys(design.value.set), mapOf(state.value)]);
+  // many options that seldom change
+  const { axes, names } = useSteady(key, () => ({ axes: mapOf(state.value), names: axisNames(explorer) }));
   const select = (axis: 0 | 1, label: string) => (
     <label>
       {label}
       <select value={axes[axis]} onChange={(event) => {
         const name = event.currentTarget.value;
         const other = axes[1 - axis]!;
-        if (name === other) explorer.change({ ...state, map: [axes[1], axes[0]] });
-        else explorer.change({ ...state, map: axis === 0 ? [name, other] : [other, name] });
+        const map: [string, string] = name === other ? [axes[1], axes[0]]
+          : axis === 0 ? [name, other] : [other, name];
+        explorer.change({ ...state.value, map });
       }}>
-        {[...new Set([...axes, ...names])].map((name) => <option value={name} key={name}>{labelOf(name)}</option>)}
+        {names.map((each) => <option value={each} key={each}>{labelOf(each)}</option>)}
       </select>
     </label>
   );

@@ -39,7 +39,7 @@ export function SideView() {
     </>
   );
   return (
-    <Figure name="side" title="Side view" sentence={sentence} table={pathTable(drive, unit)} place={ref}>
+    <Figure name="side" title="Side view" sentence={sentence} table={() => pathTable(drive, unit)} place={ref}>
       <svg width={width} height={height} role="img" aria-label={`Side view. ${sentence}`}>
         {ticks(0, inLength(distance, units), Math.max(3, width / 110)).map((tick) => (
           <g key={tick}>

@@ -6,7 +6,9 @@ import { labelInGroup, labelOf } from '../setup/parameters';
 import { decimalsOf } from '../setup/travel';
 import { digits, fromSI, parts, symbolOf, toSI, unitIn, withUnit } from '../setup/units';
 import { varyOf } from '../state/state';
+import type { Explorer } from '../state/explorer';
 import { usePage } from './context';
+import { useSteady } from './steady';
 import { Track } from './Track';
 
 interface Props {
@@ -16,18 +18,11 @@ interface Props {
 
 export function SliderRow({ name, isInGroup = false }: Props) {
   const { explorer } = usePage();
-  const { design, refusal } = explorer;
   const [isAsked, setAsked] = useState(false);
   const id = name.replace(/\./g, '-');
   const label = isInGroup ? labelInGroup(name) : labelOf(name);
-  const travel = explorer.travel(name);
-  const { unit } = explorer.field(name);
-  const value = explorer.value(name);
-  const at = value !== null && Number.isFinite(value) ? value
-    : explorer.presetValue(name) ?? WHEN_UNSET[name] ?? (travel.low + travel.high) / 2;
-  const decimals = decimalsOf(travel, unit);
-  const isSet = name in design.value.set;
-  const message = refusal.value?.parameters[0] === name ? refusal.value.message : null;
+  const row = useSteady(() => explorer.rowKey(name), () => rowOf(explorer, name));
+  const { travel, unit, value, at, decimals, isSet, message } = row;
   const slide = (event: Event, isFinal: boolean) =>
     explorer.slide(name, toSI(Number((event.target as HTMLInputElement).value), unit), isFinal);
   const spoken = value === null ? 'not stated' : withUnit(digits(fromSI(at, unit), decimals), unit);
@@ -53,6 +48,25 @@ export function SliderRow({ name, isInGroup = false }: Props) {
       {isAsked && <About name={name} label={label} />}
     </div>
   );
+}
+
+/** What the slider of a parameter shows. */
+function rowOf(explorer: Explorer, name: string) {
+  const travel = explorer.travel(name);
+  const { unit } = explorer.field(name);
+  const value = explorer.value(name);
+  const isNumber = value !== null && Number.isFinite(value);
+  const usual = explorer.presetValue(name) ?? WHEN_UNSET[name] ?? (travel.low + travel.high) / 2;
+  const refusal = explorer.refusal.value;
+  return {
+    travel,
+    unit,
+    value,
+    at: isNumber ? value : usual,
+    decimals: decimalsOf(travel, unit),
+    isSet: name in explorer.design.value.set,
+    message: refusal?.parameters[0] === name ? refusal.message : null,
+  };
 }
 
 /** The meaning of a parameter, and the source of its value. */
@@ -92,11 +106,11 @@ function Freedom({ name, label }: { name: string; label: string }) {
 function PriceLine({ name, id, at, isUnset }: { name: string; id: string; at: number; isUnset: boolean }) {
   const { explorer } = usePage();
   const slope = explorer.slopes.value.get(name);
-  const { units } = explorer.state.value;
-  const { unit, decimals } = explorer.field(name);
+  const { units, unit, decimals, travel } = useSteady(() => explorer.rowKey(name), () => ({
+    ...explorer.field(name), units: explorer.state.value.units, travel: explorer.travel(name),
+  }));
   if (!slope) return <p class="price" id={`price-${id}`}>{isUnset ? 'not stated' : '\u00a0'}</p>;
   const { low, high } = bandOf(at, slope, LOSS[units]);
-  const travel = explorer.travel(name);
   const end = (value: number) => withUnit(digits(fromSI(value, unit), decimals), unit);
   const from = low <= travel.low ? null : end(low);
   const to = high >= travel.high ? null : end(high);
@@ -117,9 +131,8 @@ interface FieldProps {
   hasMessage: boolean;
 }
 
-/** The number as it was typed, or converted into the unit of the field. */
-function useShown(name: string): string {
-  const { explorer } = usePage();
+/** The number of a field as it was typed, or converted into the unit of the field. */
+function shownOf(explorer: Explorer, name: string): string {
   const text = explorer.design.value.set[name];
   const { unit, decimals, parameter } = explorer.field(name);
   const value = explorer.value(name);
@@ -136,8 +149,9 @@ function useShown(name: string): string {
 
 function Field({ name, id, label, hasMessage }: FieldProps) {
   const { explorer } = usePage();
-  const { unit } = explorer.field(name);
-  const shown = useShown(name);
+  const { unit, shown } = useSteady(() => explorer.rowKey(name), () => ({
+    unit: explorer.field(name).unit, shown: shownOf(explorer, name),
+  }));
   const [draft, setDraft] = useState(shown);
   useEffect(() => setDraft(shown), [shown]);
   const commit = (event: Event) => {

@@ -4,17 +4,20 @@ import { firstOf, hasLaunch, lawOf, withValues } from '../setup/design';
 import { AIR_FIRST, LAUNCH_FIRST, groupOf, labelOf } from '../setup/parameters';
 import { textOf } from '../setup/units';
 import { usePage } from './context';
+import { useSteady } from './steady';
 import { FaceView } from './FaceView';
 import { SliderRow } from './SliderRow';
 
 export function Sliders() {
   const { explorer } = usePage();
-  const design = explorer.design.value;
-  const isLaunch = hasLaunch(design);
+  const { first, isLaunch } = useSteady(
+    () => firstOf(explorer.design.value).join(),
+    () => ({ first: firstOf(explorer.design.value), isLaunch: hasLaunch(explorer.design.value) }),
+  );
   return (
     <section class="sliders" aria-label="parameters">
       <StartSwitch isLaunch={isLaunch} />
-      {firstOf(design).map((name) => <SliderRow name={name} key={name} />)}
+      {first.map((name) => <SliderRow name={name} key={name} />)}
       {!isLaunch && <FaceView />}
       {AIR_FIRST.map((name) => <SliderRow name={name} key={name} />)}
       <Others />
@@ -56,10 +59,15 @@ function StartSwitch({ isLaunch }: { isLaunch: boolean }) {
 function Others() {
   const { explorer } = usePage();
   const [search, setSearch] = useState('');
-  const design = explorer.design.value;
-  const first = [...firstOf(design), ...AIR_FIRST];
-  const all = explorer.catalog.of(lawOf(design, explorer.catalog))
-    .filter(({ parameter }) => !first.includes(parameter));
+  const all = useSteady(
+    () => JSON.stringify([firstOf(explorer.design.value), lawOf(explorer.design.value, explorer.catalog)]),
+    () => {
+      const design = explorer.design.value;
+      const first = [...firstOf(design), ...AIR_FIRST];
+      return explorer.catalog.of(lawOf(design, explorer.catalog))
+        .filter(({ parameter }) => !first.includes(parameter));
+    },
+  );
   const words = search.toLowerCase().split(/\s+/).filter((word) => word !== '');
   const found = all.filter(({ parameter, doc }) => {
     const text = `${parameter} ${labelOf(parameter)} ${doc}`.toLowerCase();
@@ -91,7 +99,8 @@ function Found({ names }: { names: string[] }) {
 function Group({ group, names }: { group: string; names: string[] }) {
   const { explorer } = usePage();
   const isOpen = explorer.openGroup.value === group;
-  const changed = names.filter((name) => name in explorer.design.value.set).length;
+  const count = () => names.filter((name) => name in explorer.design.value.set).length;
+  const changed = useSteady(() => `${names.join()} ${count()}`, count);
   const toggle = () => {
     explorer.openGroup.value = isOpen ? null : group;
     explorer.refresh();

@@ -50,7 +50,7 @@ export function TopView() {
   );
   const aim = (downrange: number, right: number) => explorer.aim(pair, downrange, right);
   return (
-    <Figure name="top" title="View from above" sentence={sentence} table={pathTable(drive, unit)} place={ref}
+    <Figure name="top" title="View from above" sentence={sentence} table={() => pathTable(drive, unit)} place={ref}
       below={<Aim pair={pair} onPair={setChosen} carry={carry} lateral={lateral} onAim={aim} />}>
       <svg width={width} height={height} role="img" aria-label={`View from above. ${sentence}`}>
         {ticks(0, inLength(distance, units), Math.max(3, width / 110)).map((tick) => (

@@ -25,10 +25,14 @@ export interface Preset {
 export class Catalog {
   readonly parameters: readonly Parameter[];
   readonly presets: readonly Preset[];
+  readonly #byName = new Map<string, Parameter[]>();
 
   constructor(parameters: readonly Parameter[], presets: readonly Preset[]) {
     this.parameters = parameters;
     this.presets = presets;
+    for (const row of parameters) {
+      this.#byName.set(row.parameter, [...(this.#byName.get(row.parameter) ?? []), row]);
+    }
   }
 
   preset(name: string): Preset | undefined {
@@ -37,8 +41,8 @@ export class Catalog {
 
   /** The parameter with the law of a preset: laws share names such as aero.cd0. */
   parameter(name: string, law?: Value): Parameter | undefined {
-    const all = this.parameters.filter(({ parameter }) => parameter === name);
-    return all.find((parameter) => parameter.law === law) ?? all[0];
+    const all = this.#byName.get(name);
+    return all?.find((parameter) => parameter.law === law) ?? all?.[0];
   }
 
   /** The parameters of a design's law, without settings of the integration. */

@@ -153,6 +153,14 @@ export class Explorer {
     return digits(fromSI(value, unit), Math.min(6, decimals + more));
   }
 
+  /** A text that is another one when the slider or field of a parameter looks otherwise. */
+  rowKey(name: string): string {
+    const { preset, set } = this.design.value;
+    const { refusal } = this;
+    const message = refusal.value?.parameters[0] === name ? refusal.value.message : '';
+    return JSON.stringify([preset, set[name], set['aero.law'], this.state.value.units, message]);
+  }
+
   // what the core is asked
 
   /** The setup of a request to the core. */
