@@ -1,4 +1,5 @@
-// Builds the page: node build.mjs CORE.wasm, into ../dist/explorer.html and ../dist/site.
+// Builds the page: node build.mjs CORE.wasm [--quick] [--sizes], into ../dist/explorer.html and ../dist/site.
+// --quick compresses less; --sizes tells the size of the core under brotli, which takes half a minute.
 import { createHash } from 'node:crypto';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -74,7 +75,7 @@ if (/[^\0-\x7f]/.test(script + style)) throw new Error('the script or the style 
 const code = script.replace(/<\/script/gi, '<\\/script');
 
 const wasm = readFileSync(core);
-const compressed = gzipSync(wasm, { level: 9 });
+const compressed = gzipSync(wasm, { level: process.argv.includes('--quick') ? 1 : 9 });
 
 rmSync(dist, { recursive: true, force: true });
 const site = join(dist, 'site');

@@ -24,7 +24,7 @@ export function Files() {
   const { explorer } = usePage();
   const [message, setMessage] = useState<string | null>(null);
   const design = explorer.design.value;
-  const words = bestWords(explorer, design, varyOf(explorer.state.value)).filter((word) => word !== '--json');
+  const words = bestWords(explorer, explorer.state.value, design, varyOf(explorer.state.value)).filter((word) => word !== '--json');
   const open = async (file: File) => {
     setMessage(null);
     const files = { 'setup.toml': await bytesOf(file) };

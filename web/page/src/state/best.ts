@@ -4,7 +4,9 @@ import type { Design } from '../setup/design';
 import { withValues } from '../setup/design';
 import { textOf } from '../setup/units';
 import { rangeWords, setupWords } from '../setup/words';
-import type { Explorer } from './explorer';
+import type { Parameter } from '../setup/parameters';
+import type { Travel } from '../setup/travel';
+import type { State } from './state';
 
 export interface Best {
   names: readonly string[];
@@ -17,6 +19,12 @@ export interface Best {
   warnings: readonly string[];
 }
 
+/** The parameters of a design and how far their sliders go. */
+interface Fields {
+  parameter(name: string): Parameter;
+  travel(name: string): Travel;
+}
+
 interface OptimizeAnswer {
   optimum: Record<string, number>;
   flight: Record<string, number | null>;
@@ -25,19 +33,20 @@ interface OptimizeAnswer {
 }
 
 /** The words that find the best of a design. */
-export function bestWords(explorer: Explorer, design: Design, names: readonly string[]): string[] {
-  const { goal, units } = explorer.state.value;
+export function bestWords(
+  fields: Fields, { goal, units }: State, design: Design, names: readonly string[],
+): string[] {
   const vary = names.flatMap((name) =>
-    ['--vary', rangeWords(explorer.parameter(name), explorer.travel(name))]);
+    ['--vary', rangeWords(fields.parameter(name), fields.travel(name))]);
   return ['optimize', ...setupWords(design), '--maximize', goal, ...vary, '--units', units, '--json'];
 }
 
-export function readBest({ exit, answer }: Reply, design: Design, explorer: Explorer): Best | null {
+export function readBest({ exit, answer }: Reply, design: Design, fields: Fields): Best | null {
   if (exit !== 0) return null;
   const { optimum, flight, multipliers, warnings } = JSON.parse(answer) as OptimizeAnswer;
   const names = Object.keys(optimum);
   const texts = names.map((name) =>
-    [name, textOf(optimum[name] ?? NaN, explorer.parameter(name).shown_in, 3)] as const);
+    [name, textOf(optimum[name] ?? NaN, fields.parameter(name).shown_in, 3)] as const);
   const beyond = names.map((name) => {
     const { lower = 0, upper = 0 } = multipliers[name] ?? {};
     return [name, upper - lower] as const;

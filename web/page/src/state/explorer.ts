@@ -15,7 +15,7 @@ import { setupWords } from '../setup/words';
 import type { Best } from './best';
 import { bestWords, readBest } from './best';
 import { Later } from './later';
-import type { MapData } from './map';
+import type { MapAxes, MapData } from './map';
 import { mapCall, mapKey, readMap } from './map';
 import type { State } from './state';
 import { activeOf, mapOf, varyOf, withDesign } from './state';
@@ -270,7 +270,7 @@ export class Explorer {
     const state = this.state.value;
     const design = this.design.value;
     const names = varyOf(state);
-    const reply = await this.desk.command('best', bestWords(this, design, names));
+    const reply = await this.desk.command('best', bestWords(this, state, design, names));
     if (!reply || design !== this.design.value) return;
     const best = readBest(reply, design, this);
     this.bestMessage.value = best ? null : messageOf(reply);
@@ -299,16 +299,24 @@ export class Explorer {
       (isRefused(numbers) ? refusalOf(numbers) : readDrive(numbers)));
   }
 
+  /** The axes of the map. Their ranges do not follow the hand, so that the map stays while one drags. */
+  #mapAxes(): MapAxes {
+    const [across, up] = mapOf(this.state.value);
+    const range = (name: string) => travelOf(this.parameter(name), this.presetValue(name), null);
+    return { across, up, ranges: [range(across), range(up)], goal: this.state.value.goal };
+  }
+
   /** A coarse map at once where the map changes; the hand's own two parameters do not change it. */
   #mapIfOther() {
-    if (mapKey(this) !== this.#mapKey) void this.#flyMap(COARSE);
+    if (mapKey(this.design.value, this.#mapAxes()) !== this.#mapKey) void this.#flyMap(COARSE);
   }
 
   async #flyMap(nodes: number) {
-    const key = mapKey(this);
+    const axes = this.#mapAxes();
+    const key = mapKey(this.design.value, axes);
     const isKnown = key === this.#mapKey && (this.map.value?.columns ?? 0) >= nodes;
     if (isKnown || this.refusal.value) return;
-    const answer = await this.hand.calls('map', [mapCall(this, nodes)]);
+    const answer = await this.hand.calls('map', [mapCall(axes, this.setup(), nodes)]);
     const first = answer?.numbers[0];
     if (!first) return;
     if (isRefused(first)) {
@@ -316,13 +324,14 @@ export class Explorer {
       return;
     }
     this.#mapKey = key;
-    this.map.value = readMap(first, this);
+    this.map.value = readMap(first, axes);
     if (nodes === FINE) await this.#findMapBest();
   }
 
   async #findMapBest() {
     const design = this.design.value;
-    const reply = await this.desk.command('map best', bestWords(this, design, mapOf(this.state.value)));
+    const words = bestWords(this, this.state.value, design, mapOf(this.state.value));
+    const reply = await this.desk.command('map best', words);
     if (reply) this.mapBest.value = readBest(reply, design, this);
   }
 

@@ -1,61 +1,39 @@
 // The map: an outcome over two parameters.
 import type { Call, Numbers } from '../core/messages';
-import { lawOf } from '../setup/design';
+import type { Design } from '../setup/design';
 import type { Travel } from '../setup/travel';
-import { travelOf } from '../setup/travel';
-import type { Explorer } from './explorer';
 import type { Goal } from './state';
-import { mapOf } from './state';
 
-export interface MapData {
+/** The parameters of a map with their ranges, SI, and the outcome. */
+export interface MapAxes {
   across: string;
   up: string;
-  /** The ranges of both, SI. */
   ranges: readonly [Travel, Travel];
   goal: Goal;
+}
+
+export interface MapData extends MapAxes {
   columns: number;
   rows: number;
   /** Row by row from the lowest, m; NaN without a landing. */
   values: Float64Array;
 }
 
-/** The range of an axis does not follow the hand, so that the map stays while one drags in it. */
-function rangeOf(explorer: Explorer, name: string): Travel {
-  const law = lawOf(explorer.design.value, explorer.catalog);
-  const parameter = explorer.catalog.parameter(name, law);
-  if (!parameter) throw new Error(`no parameter ${name}`);
-  return travelOf(parameter, explorer.presetValue(name), null);
-}
-
 /** A text that is another one where the map is another one. */
-export function mapKey(explorer: Explorer): string {
-  const { design, state } = explorer;
-  const axes = mapOf(state.value);
-  const rest = Object.entries(design.value.set).filter(([name]) => !axes.includes(name));
-  return JSON.stringify([design.value.preset, axes, state.value.goal, rest]);
+export function mapKey({ preset, set }: Design, { across, up, goal }: MapAxes): string {
+  const rest = Object.entries(set).filter(([name]) => name !== across && name !== up);
+  return JSON.stringify([preset, across, up, goal, rest]);
 }
 
-export function mapCall(explorer: Explorer, nodes: number): Call {
-  const { goal, units } = explorer.state.value;
-  const [across, up] = mapOf(explorer.state.value).map((name) => {
-    const { low, high } = rangeOf(explorer, name);
+/** The request for a map with so many columns and rows. */
+export function mapCall({ across, up, ranges, goal }: MapAxes, setup: unknown, nodes: number): Call {
+  const [first, second] = [across, up].map((name, axis) => {
+    const { low, high } = ranges[axis]!;
     return { name, low, high };
   });
-  const request = {
-    setup: explorer.setup(), units, of: [goal], across, up, nodes: [nodes, nodes],
-  };
+  const request = { setup, of: [goal], across: first, up: second, nodes: [nodes, nodes] };
   return { door: 'map', request };
 }
 
-export function readMap({ head, block }: Numbers, explorer: Explorer): MapData {
-  const [across, up] = mapOf(explorer.state.value);
-  return {
-    across,
-    up,
-    ranges: [rangeOf(explorer, across), rangeOf(explorer, up)],
-    goal: explorer.state.value.goal,
-    columns: Number(head.columns),
-    rows: Number(head.rows),
-    values: block,
-  };
-}
+export const readMap = ({ head, block }: Numbers, axes: MapAxes): MapData =>
+  ({ ...axes, columns: Number(head.columns), rows: Number(head.rows), values: block });
