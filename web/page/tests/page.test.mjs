@@ -229,6 +229,7 @@ test('a setup file goes down and up', async () => {
 
 test('shots of a launch monitor are flown', async () => {
   await stay(async ({ page }) => {
+    await type(page, 'club.loft', '12');
     await page.locator('.shots input[type=file]').setInputFiles(shots);
     await page.locator('.shots [role=status]').waitFor();
     assert.match(await page.locator('.shots [role=status]').textContent(), /12 of 12 shots of shots\.csv/);
@@ -317,6 +318,19 @@ test('a phone shows one view at a time, and the answer stays beside the sliders'
   });
 });
 
+test('the loop of time steps is beside the exact drive', async () => {
+  await stay(async ({ page }) => {
+    await page.locator('.lecture summary').click();
+    await page.locator('.teeth figcaption').waitFor();
+    const at10 = Number(/up to ([\d.]+) yd/.exec(await page.locator('.teeth figcaption').textContent())[1]);
+    // a step of 10 ms at the landing is 0.2 m of the way
+    assert.ok(at10 > 0.1 && at10 < 2, String(at10));
+    for (let k = 0; k < 10; k += 1) await page.locator('.lecture').getByLabel('time step').press('ArrowRight');
+    await settle(page);
+    assert.ok(Number(/up to ([\d.]+) yd/.exec(await page.locator('.teeth figcaption').textContent())[1]) > at10);
+  });
+});
+
 test('pictures and tables can be saved', async () => {
   await stay(async ({ page }) => {
     await page.locator('.map .data summary').click();
@@ -334,6 +348,27 @@ test('a page at rest computes nothing', async () => {
     await page.waitForTimeout(700);
     assert.equal(await page.evaluate(() => window.sent), 0);
   });
+});
+
+test('a long command shows that it runs, and can be ended', async () => {
+  await stay(async ({ page }) => {
+    await page.getByRole('button', { name: /^report/ }).click();
+    await page.locator('.working').waitFor();
+    await page.locator('.working').getByRole('button', { name: 'end' }).click();
+    await page.locator('.working').waitFor({ state: 'detached' });
+    await slider(page, 'club.loft').press('ArrowRight');
+    await settle(page);
+    assert.ok(await answer(page, 'carry', 2) > 286);
+  });
+});
+
+test('without WebAssembly the page says so', async () => {
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  await page.addInitScript(() => { delete window.WebAssembly; });
+  await page.goto(file);
+  await page.getByText(/cannot compute here.*longdrive report/).waitFor();
+  await context.close();
 });
 
 /** Random numbers in [0, 1), the same in each run (Mulberry32). */

@@ -17,12 +17,17 @@ export interface Progress {
   of: number;
 }
 
+/** A worker that traps this often without an answer in between is not begun again. */
+const MOST_TRAPS = 5;
+
 export class Lane {
   #module: WebAssembly.Module;
   #worker: Worker;
   #waiting: Job[] = [];
   #current: { job: Job; number: number } | null = null;
   #number = 0;
+  /** Traps since the worker last answered. */
+  #traps = 0;
   /** Receives the message of a trap, after which the worker begins anew. */
   onTrap: (message: string) => void = () => {};
   /** Receives the progress of long work; null when it ends. */
@@ -105,6 +110,7 @@ export class Lane {
     const current = this.#current;
     if (!current || current.number !== message.number) return;
     this.#current = null;
+    this.#traps = 0;
     this.onProgress(null);
     current.job.settle(message.kind === 'reply'
       ? { reply: message.reply }
@@ -113,8 +119,16 @@ export class Lane {
   }
 
   #trap(message: string) {
+    this.#traps += 1;
     this.onTrap(message);
-    this.#restart();
+    if (this.#traps < MOST_TRAPS) {
+      this.#restart();
+      return;
+    }
+    this.#worker.terminate();
+    for (const job of [this.#current?.job, ...this.#waiting]) job?.settle(null);
+    this.#current = null;
+    this.#waiting = [];
   }
 
   #restart() {

@@ -6,6 +6,7 @@ import { usePage } from './context';
 import { Files } from './Files';
 import { Header } from './Header';
 import { Live } from './Live';
+import { LoopView } from './LoopView';
 import { MapView } from './MapView';
 import { Notices } from './Notices';
 import { Panel } from './Panel';
@@ -50,6 +51,7 @@ export function App() {
           <Compare />
           <Shots />
           <Files />
+          <LoopView />
         </div>
       </main>
       <footer>

@@ -3,6 +3,9 @@ import { useEffect, useState } from 'preact/hooks';
 import type { Drive, Refusal } from '../drive/drive';
 import { labelOf } from '../setup/parameters';
 import type { Design } from '../setup/design';
+import { numberOf } from '../setup/design';
+import { withUnit } from '../setup/units';
+import type { Explorer } from '../state/explorer';
 import { settingsOf } from '../setup/words';
 import { DESIGN_NAMES, MOST_DESIGNS } from '../state/state';
 import { usePage } from './context';
@@ -51,6 +54,16 @@ export function Compare() {
   );
 }
 
+/** The value of a parameter in a design, as it is printed. */
+function valueText(explorer: Explorer, name: string, design: Design): string {
+  const text = design.set[name];
+  if (!explorer.catalog.parameter(name)) return text ?? '–';
+  const value = numberOf(name, design, explorer.catalog);
+  if (value === null) return 'not stated';
+  return Number.isFinite(value)
+    ? withUnit(explorer.shown(name, value, 0), explorer.field(name).unit) : text ?? '–';
+}
+
 function Beside() {
   const { explorer } = usePage();
   const { designs, units } = explorer.state.value;
@@ -60,7 +73,7 @@ function Beside() {
   const rows = [
     ...changed.map((name) => [
       explorer.catalog.parameter(name) ? labelOf(name) : name,
-      ...designs.map(({ set }) => set[name] ?? 'preset'),
+      ...designs.map((design) => valueText(explorer, name, design)),
     ]),
     ...ROWS.map((row) => [
       row.label,

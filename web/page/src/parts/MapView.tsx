@@ -39,7 +39,7 @@ function planOf({ ranges: [across, up] }: MapData, width: number): Plan {
 
 export function MapView() {
   const { explorer } = usePage();
-  const { units } = explorer.state.value;
+  const units = explorer.units.value;
   const { ref, width } = useWidth();
   const map = explorer.map.value;
   const best = explorer.mapBest.value;
@@ -62,7 +62,7 @@ export function MapView() {
 
 function Picture({ map, width, sentence }: { map: MapData; width: number; sentence: string }) {
   const { explorer } = usePage();
-  const { units } = explorer.state.value;
+  const units = explorer.units.value;
   const plan = planOf(map, width);
   const areas = useMemo(() => contoursOf(map, units, planOf(map, width)), [map, units, width]);
   const best = explorer.mapBest.value;

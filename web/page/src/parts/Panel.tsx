@@ -5,7 +5,7 @@ import { ROWS, shown } from './outcomes';
 
 export function Panel() {
   const { explorer } = usePage();
-  const { units } = explorer.state.value;
+  const units = explorer.units.value;
   const drive = explorer.drive.value;
   const ghost = explorer.ghost.value;
   const rows = ROWS.map((row) => [

@@ -1,6 +1,9 @@
 // Shots of a launch monitor: a CSV is flown, with measured beside computed.
 import { useState } from 'preact/hooks';
 import { fromSI, digits, signed, symbolOf } from '../setup/units';
+import type { Design } from '../setup/design';
+import { groupOf } from '../setup/parameters';
+import { setupWords } from '../setup/words';
 import { messageOf } from '../state/explorer';
 import { usePage } from './context';
 import { download } from './download';
@@ -30,6 +33,15 @@ interface Result {
 
 const OUTPUT = 'flown.csv';
 
+/** Groups of parameters that a measured shot brings itself. */
+const MEASURED = ['swing', 'club', 'strike', 'impact', 'launch'];
+
+/** The setup of the flight: `fly` refuses values of a club that no row uses. */
+function flightWords({ preset, set }: Design): string[] {
+  const kept = Object.entries(set).filter(([name]) => !MEASURED.includes(groupOf(name)));
+  return setupWords({ preset, set: Object.fromEntries(kept) });
+}
+
 export function Shots() {
   const { explorer } = usePage();
   const [result, setResult] = useState<Result | null>(null);
@@ -37,7 +49,7 @@ export function Shots() {
   const fly = async (file: File) => {
     setMessage(null);
     const files = { 'shots.csv': await bytesOf(file) };
-    const words = ['fly', 'shots.csv', ...explorer.words(), '--json', '-o', OUTPUT, '--units', explorer.state.value.units];
+    const words = ['fly', 'shots.csv', ...flightWords(explorer.design.value), '--json', '-o', OUTPUT, '--units', explorer.state.value.units];
     const reply = await explorer.run(`flying the shots of ${file.name}`, words, files);
     if (!reply) return;
     const csv = reply.files[OUTPUT];
@@ -69,7 +81,7 @@ export function Shots() {
           open a CSV
           <input type="file" accept=".csv,.txt,text/csv" onChange={choose} />
         </label>
-        ; the air and the ball are those of this drive. Nothing leaves this page.
+        ; ball, air, wind and ground are those of this drive. Nothing leaves this page.
       </p>
       {message && <p class="message" role="alert">{message}</p>}
       {result && <Compared {...result} />}
@@ -79,7 +91,7 @@ export function Shots() {
 
 function Compared({ name, flown, csv }: Result) {
   const { explorer } = usePage();
-  const { units } = explorer.state.value;
+  const units = explorer.units.value;
   const rows = flown.residuals.filter(({ rows: count }) => count > 0).map(({ of, rows: count, bias, mean_absolute: mean }) => {
     const known = ROWS.find((row) => row.name === of.replace('_distance', ''));
     const unit = known?.unit[units] ?? '';

@@ -4,14 +4,15 @@ import { fromSI, toSI } from '../setup/units';
 import { usePage } from './context';
 import { Figure } from './Figure';
 import { inLength, length, lengthUnit, ticks } from './lengths';
-import { farthest, line, MARGIN } from './scale';
+import { Curve } from './Curve';
+import { farthest, MARGIN } from './scale';
 import { useWidth } from './size';
 
 const LEAST_HEIGHT = 30;
 
 export function SideView() {
   const { explorer } = usePage();
-  const { units } = explorer.state.value;
+  const units = explorer.units.value;
   const { ref, width } = useWidth();
   const drive = explorer.drive.value;
   const ghost = explorer.ghost.value;
@@ -25,6 +26,7 @@ export function SideView() {
   const height = (top - bottom) * scale + MARGIN.top + MARGIN.bottom;
   const x = (downrange: number) => MARGIN.left + downrange * scale;
   const y = (up: number) => MARGIN.top + (top - up) * scale;
+  const plan = `${scale} ${top}`;
   const ground = drive?.path.at(-1)?.height ?? 0;
   const unit = lengthUnit(units);
   const { apex_height, descent_angle, flight_time, carry } = drive?.outcomes ?? {};
@@ -32,12 +34,6 @@ export function SideView() {
     ? `The ball rises to ${length(apex_height, units)} and lands after ${(flight_time ?? NaN).toFixed(1)} s `
       + `at ${length(carry, units)}, at ${fromSI(descent_angle ?? NaN, 'deg').toFixed(1)}° to the ground.`
     : 'No drive yet.';
-  const curve = (each: Drive, name: string) => (
-    <>
-      <polyline class={name} points={line(each.path.map((p) => [x(p.downrange), y(p.height)]))} />
-      <polyline class={`${name} roll`} points={line(each.roll.map((p) => [x(p.downrange), y(p.height)]))} />
-    </>
-  );
   return (
     <Figure name="side" title="Side view" sentence={sentence} table={() => pathTable(drive, unit)} place={ref}>
       <svg width={width} height={height} role="img" aria-label={`Side view. ${sentence}`}>
@@ -55,8 +51,8 @@ export function SideView() {
         ))}
         <text class="tick" x={4} y={MARGIN.top + 2}>{unit}</text>
         <line class="ground" x1={x(0)} x2={x(distance)} y1={y(ground)} y2={y(ground)} />
-        {ghost && curve(ghost, 'ghost')}
-        {drive && curve(drive, 'yours')}
+        {ghost && <Curve drive={ghost} name="ghost" axis="height" x={x} y={y} scale={plan} />}
+        {drive && <Curve drive={drive} name="yours" axis="height" x={x} y={y} scale={plan} />}
         <Landed drive={ghost} x={x} y={y} name="ghost" />
         <Landed drive={drive} x={x} y={y} name="yours" />
       </svg>

@@ -1,13 +1,12 @@
 // The flight from above, at true scale, with a landing point to drag.
 import { useRef, useState } from 'preact/hooks';
-import type { Drive } from '../drive/drive';
-import { firstOf, hasLaunch } from '../setup/design';
-import { labelOf } from '../setup/parameters';
+import { CLUB_FIRST, LAUNCH_FIRST, labelOf } from '../setup/parameters';
 import { toSI } from '../setup/units';
 import { usePage } from './context';
 import { Figure } from './Figure';
 import { inLength, length, lengthUnit, sideways, ticks } from './lengths';
-import { farthest, line, MARGIN } from './scale';
+import { Curve } from './Curve';
+import { farthest, MARGIN } from './scale';
 import { pathTable } from './SideView';
 import { useWidth } from './size';
 
@@ -19,13 +18,13 @@ type Pair = readonly [string, string];
 
 export function TopView() {
   const { explorer } = usePage();
-  const { units } = explorer.state.value;
+  const units = explorer.units.value;
   const { ref, width } = useWidth();
-  const isLaunch = hasLaunch(explorer.design.value);
+  const isLaunch = explorer.isLaunch.value;
   const usual: Pair = isLaunch
     ? ['launch.launch_angle', 'launch.launch_direction'] : ['club.loft', 'swing.face_angle'];
   const [chosen, setChosen] = useState<Pair>(usual);
-  const first = firstOf(explorer.design.value);
+  const first = isLaunch ? LAUNCH_FIRST : CLUB_FIRST;
   const pair = chosen.every((name) => first.includes(name)) ? chosen : usual;
   const drive = explorer.drive.value;
   const ghost = explorer.ghost.value;
@@ -37,17 +36,12 @@ export function TopView() {
   const half = Math.ceil(Math.max(HALF_WIDTH, ...aside) / 12) * 12;
   const x = (downrange: number) => MARGIN.left + downrange * scale;
   const y = (right: number) => MARGIN.top + (half + right) * scale;
+  const plan = `${scale} ${half}`;
   const height = 2 * half * scale + MARGIN.top + MARGIN.bottom;
   const { carry = NaN, lateral = NaN } = drive?.outcomes ?? {};
   const sentence = drive
     ? `The ball lands at ${length(carry, units)}, ${sideways(lateral, units)}.` : 'No drive yet.';
   const unit = lengthUnit(units);
-  const curve = (each: Drive, name: string) => (
-    <>
-      <polyline class={name} points={line(each.path.map((p) => [x(p.downrange), y(p.right)]))} />
-      <polyline class={`${name} roll`} points={line(each.roll.map((p) => [x(p.downrange), y(p.right)]))} />
-    </>
-  );
   const aim = (downrange: number, right: number) => explorer.aim(pair, downrange, right);
   return (
     <Figure name="top" title="View from above" sentence={sentence} table={() => pathTable(drive, unit)} place={ref}
@@ -65,8 +59,8 @@ export function TopView() {
           </text>
         ))}
         <line class="ground" x1={x(0)} x2={x(distance)} y1={y(0)} y2={y(0)} />
-        {ghost && curve(ghost, 'ghost')}
-        {drive && curve(drive, 'yours')}
+        {ghost && <Curve drive={ghost} name="ghost" axis="right" x={x} y={y} scale={plan} />}
+        {drive && <Curve drive={drive} name="yours" axis="right" x={x} y={y} scale={plan} />}
         {Number.isFinite(carry) && (
           <Handle x={x(carry)} y={y(lateral)}
             onMove={(from, dx, dy) => aim(from.carry + dx / scale, from.lateral + dy / scale)}
@@ -126,8 +120,8 @@ interface AimProps {
 
 function Aim({ pair, onPair, carry, lateral, onAim }: AimProps) {
   const { explorer } = usePage();
-  const { units } = explorer.state.value;
-  const names = firstOf(explorer.design.value);
+  const units = explorer.units.value;
+  const names = explorer.isLaunch.value ? LAUNCH_FIRST : CLUB_FIRST;
   const last = useRef(Promise.resolve());
   const unit = lengthUnit(units);
   const longest = Math.max(320, carry || 0);

@@ -59,6 +59,9 @@ export class Explorer {
   /** Milliseconds of the last drive in the worker. */
   readonly milliseconds = signal(0);
   readonly design = computed(() => activeOf(this.state.value));
+  // parts of the state that seldom change, so that what shows them is not drawn at each move
+  readonly units = computed(() => this.state.value.units);
+  readonly isLaunch = computed(() => hasLaunch(this.design.value));
 
   /** Parameters that have no derivative in this setup, for example where another takes their place. */
   #fixed = new Set<string>();
