@@ -1,0 +1,90 @@
+// Times the page in Chromium from a local server, after web/build: node web/bench/page.mjs
+import { launch, open, serve, settle } from '../page/tests/browser.mjs';
+
+const MOVES = 300;
+
+/** Collects the time of each call in the workers, and of the way there and back. */
+function collect() {
+  window.calls = [];
+  const post = Worker.prototype.postMessage;
+  const sent = new Map();
+  Worker.prototype.postMessage = function timed(message, ...rest) {
+    if (message.kind === 'calls') {
+      const doors = message.calls.map(({ door, request }) => `${door}${request.nodes?.[0] ?? ''}`);
+      sent.set(`${this.id ??= Math.random()}/${message.number}`, [doors[0], performance.now()]);
+    }
+    if (message.kind === 'command') sent.set(`${this.id ??= Math.random()}/${message.number}`, [message.command.words[0], performance.now()]);
+    return post.call(this, message, ...rest);
+  };
+  const listen = Worker.prototype.addEventListener;
+  Worker.prototype.addEventListener = function timed(kind, listener, ...rest) {
+    return listen.call(this, kind, event => {
+      const [name, begin] = sent.get(`${this.id}/${event.data?.number}`) ?? [];
+      if (name) window.calls.push({ name, worker: event.data.milliseconds ?? performance.now() - begin, way: performance.now() - begin });
+      listener(event);
+    }, ...rest);
+  };
+}
+
+/** Moves a slider; milliseconds from each move to the frame that shows its carry. */
+async function move({ id, moves }) {
+  const slider = document.querySelector(id);
+  const [low, high] = [Number(slider.min), Number(slider.max)];
+  const answer = document.querySelector('.answer');
+  const times = [];
+  for (let k = 0; k < moves; k += 1) {
+    slider.value = String(low + (high - low) * (0.35 + 0.3 * ((k * 0.618) % 1)));
+    const begin = performance.now();
+    const drawn = new Promise(done => {
+      const observer = new MutationObserver(() => {
+        observer.disconnect();
+        requestAnimationFrame(() => setTimeout(() => done(performance.now()), 0));
+      });
+      observer.observe(answer, { subtree: true, characterData: true, childList: true });
+    });
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+    times.push(await drawn - begin);
+  }
+  slider.dispatchEvent(new Event('change', { bubbles: true }));
+  return times;
+}
+
+const at = (sorted, part) => sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))];
+function say(name, times) {
+  const sorted = [...times].sort((a, b) => a - b);
+  console.log(`${name.padEnd(44)} median ${at(sorted, 0.5).toFixed(1)} ms, 95 % ${at(sorted, 0.95).toFixed(1)} ms (${times.length})`);
+}
+
+const browser = await launch();
+const server = await serve();
+const begin = performance.now();
+const { page } = await open(browser, server.address, {}, collect);
+await page.waitForFunction(() => /\d/.test(document.querySelector('.answer .goal td')?.textContent ?? ''));
+console.log(`${'first drive after the request of the page'.padEnd(44)} ${(performance.now() - begin).toFixed(0)} ms`);
+await settle(page);
+const calls = () => page.evaluate(() => window.calls.splice(0));
+const times = (all, name) => all.filter(call => call.name === name);
+const first = await calls();
+say('map 20 × 20, first', times(first, 'map20').map(({ worker }) => worker));
+say('map 60 × 60, first', times(first, 'map60').map(({ worker }) => worker));
+for (const id of ['#slide-club-loft', '#slide-swing-speed']) {
+  const drawn = await page.evaluate(move, { id, moves: MOVES });
+  const drives = times(await calls(), 'drive');
+  say(`${id.slice(7)}: drive and prices in the worker`, drives.map(({ worker }) => worker));
+  say(`${id.slice(7)}: from the move to the frame`, drawn);
+  await settle(page);
+}
+for (let k = 0; k < 10; k += 1) {
+  await page.locator('#slide-swing-speed').press('ArrowRight');
+  await settle(page);
+}
+const rest = await calls();
+say('map 20 × 20', times(rest, 'map20').map(({ worker }) => worker));
+say('map 60 × 60', times(rest, 'map60').map(({ worker }) => worker));
+say('best drive, with the choice of its step', times(rest, 'optimize').map(({ way }) => way));
+await page.locator('.aim summary').click();
+for (let k = 0; k < 40; k += 1) await page.locator('.aim').getByLabel('lateral').press('ArrowRight');
+await settle(page);
+say('landing moved by 0.5 yd (aim)', times(await calls(), 'aim').map(({ worker }) => worker));
+await browser.close();
+server.end();

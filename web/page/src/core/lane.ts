@@ -1,0 +1,143 @@
+// A worker as the page sees it: one piece of work at a time, and for each topic at most one that
+// waits. A newer piece replaces the one that waits; the answer to a replaced piece is null.
+import workerCode from 'virtual:worker';
+import type { Call, Command, FromWorker, Numbers, Reply, ToWorker } from './messages';
+
+interface Job {
+  topic: string;
+  work: { kind: 'calls'; calls: Call[] } | { kind: 'command'; command: Command };
+  settle: (answer: Answer | null) => void;
+}
+
+type Answer = { numbers: Numbers[]; milliseconds: number } | { reply: Reply };
+
+/** The part of long work that is done. */
+export interface Progress {
+  done: number;
+  of: number;
+}
+
+/** A worker that traps this often without an answer in between is not begun again. */
+const MOST_TRAPS = 5;
+
+export class Lane {
+  #module: WebAssembly.Module;
+  #worker: Worker;
+  #waiting: Job[] = [];
+  #current: { job: Job; number: number } | null = null;
+  #number = 0;
+  /** Traps since the worker last answered. */
+  #traps = 0;
+  /** Receives the message of a trap, after which the worker begins anew. */
+  onTrap: (message: string) => void = () => {};
+  /** Receives the progress of long work; null when it ends. */
+  onProgress: (progress: Progress | null) => void = () => {};
+
+  constructor(module: WebAssembly.Module) {
+    this.#module = module;
+    this.#worker = this.#begin();
+  }
+
+  /** Numbers of the core, or null if a newer call of the topic came first. */
+  async calls(topic: string, calls: Call[]) {
+    const answer = await this.#queue(topic, { kind: 'calls', calls });
+    return answer && 'numbers' in answer ? answer : null;
+  }
+
+  /** The answer to a command, or null if a newer one of the topic came first or it was ended. */
+  async command(topic: string, words: string[], files: Record<string, Uint8Array> = {}) {
+    const answer = await this.#queue(topic, { kind: 'command', command: { words, files } });
+    return answer && 'reply' in answer ? answer.reply : null;
+  }
+
+  /** Ends the current work: a thread without shared memory can only be ended as a whole. */
+  end() {
+    this.#restart();
+  }
+
+  #begin(): Worker {
+    const address = URL.createObjectURL(new Blob([workerCode], { type: 'text/javascript' }));
+    const worker = new Worker(address);
+    worker.addEventListener('message', ({ data }: MessageEvent<FromWorker>) => {
+      // a worker that was ended may still have messages on the way
+      if (worker === this.#worker) this.#receive(data);
+    });
+    worker.addEventListener('error', (event) => {
+      event.preventDefault();
+      if (worker === this.#worker) this.#trap(event.message || 'the worker cannot start');
+    });
+    this.#post(worker, { kind: 'start', module: this.#module });
+    return worker;
+  }
+
+  #post(worker: Worker, message: ToWorker) {
+    worker.postMessage(message);
+  }
+
+  #queue(topic: string, work: Job['work']): Promise<Answer | null> {
+    return new Promise((settle) => {
+      const replaced = this.#waiting.findIndex((job) => job.topic === topic);
+      const job = { topic, work, settle };
+      if (replaced >= 0) {
+        this.#waiting[replaced]?.settle(null);
+        this.#waiting[replaced] = job;
+      } else {
+        this.#waiting.push(job);
+      }
+      this.#next();
+    });
+  }
+
+  #next() {
+    if (this.#current) return;
+    const job = this.#waiting.shift();
+    if (!job) return;
+    this.#number += 1;
+    this.#current = { job, number: this.#number };
+    this.#post(this.#worker, { ...job.work, number: this.#number });
+  }
+
+  #receive(message: FromWorker) {
+    if (message.kind === 'started') return;
+    if (message.kind === 'progress') {
+      this.onProgress({ done: message.done, of: message.of });
+      return;
+    }
+    if (message.kind === 'trap') {
+      this.#trap(message.message);
+      return;
+    }
+    const current = this.#current;
+    if (!current || current.number !== message.number) return;
+    this.#current = null;
+    this.#traps = 0;
+    this.onProgress(null);
+    current.job.settle(message.kind === 'reply'
+      ? { reply: message.reply }
+      : { numbers: message.numbers, milliseconds: message.milliseconds });
+    this.#next();
+  }
+
+  #trap(message: string) {
+    this.#traps += 1;
+    this.onTrap(message);
+    if (this.#traps < MOST_TRAPS) {
+      this.#restart();
+      return;
+    }
+    this.#worker.terminate();
+    for (const job of [this.#current?.job, ...this.#waiting]) job?.settle(null);
+    this.#current = null;
+    this.#waiting = [];
+  }
+
+  #restart() {
+    this.#worker.terminate();
+    const current = this.#current;
+    this.#current = null;
+    this.#worker = this.#begin();
+    this.onProgress(null);
+    current?.job.settle(null);
+    this.#next();
+  }
+}

@@ -1,0 +1,49 @@
+// What the page and its workers say to each other.
+
+/** A function of the core that answers with numbers, and its request. */
+export interface Call {
+  door: 'drive' | 'map' | 'aim' | 'loop' | 'step';
+  request: Record<string, unknown>;
+}
+
+/** A command of the program, with its input files. */
+export interface Command {
+  words: string[];
+  files: Record<string, Uint8Array>;
+}
+
+/** To a worker: the compiled core first, then numbered work. */
+export type ToWorker =
+  | { kind: 'start'; module: WebAssembly.Module }
+  | { kind: 'calls'; number: number; calls: Call[] }
+  | { kind: 'command'; number: number; command: Command };
+
+/** The numbers of one call. */
+export interface Numbers {
+  head: Head;
+  block: Float64Array;
+}
+
+/** The JSON of one call; its keys depend on the function. */
+export interface Head {
+  status: string;
+  message?: string | null;
+  parameters?: string[];
+  [key: string]: unknown;
+}
+
+/** The answer to a command. */
+export interface Reply {
+  exit: number;
+  answer: string;
+  said: { kind: string; text: string }[];
+  files: Record<string, Uint8Array>;
+}
+
+/** From a worker. */
+export type FromWorker =
+  | { kind: 'started' }
+  | { kind: 'numbers'; number: number; numbers: Numbers[]; milliseconds: number }
+  | { kind: 'reply'; number: number; reply: Reply }
+  | { kind: 'progress'; done: number; of: number }
+  | { kind: 'trap'; number: number; message: string };

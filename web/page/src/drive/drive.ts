@@ -1,0 +1,82 @@
+// One drive: outcomes, path and roll, read from the numbers of the core.
+import type { Numbers } from '../core/messages';
+
+export interface PathPoint {
+  time: number;
+  height: number;
+  right: number;
+  downrange: number;
+}
+
+export interface Drive {
+  status: string;
+  message: string | null;
+  outcomes: Readonly<Record<string, number>>;
+  path: readonly PathPoint[];
+  roll: readonly PathPoint[];
+  warnings: readonly string[];
+}
+
+/** A message of the core in place of numbers. */
+export interface Refusal {
+  message: string;
+  parameters: readonly string[];
+}
+
+export const isRefused = ({ head }: Numbers) => !Array.isArray(head.outcomes) && head.status !== 'done';
+
+export const refusalOf = ({ head }: Numbers): Refusal => ({
+  message: head.message ?? head.status,
+  parameters: head.parameters ?? [],
+});
+
+interface DriveHead {
+  outcomes: string[];
+  of: string[];
+  wrt: string[];
+  order: number;
+  path?: number;
+  run?: number;
+  warnings?: string[];
+}
+
+/** The place of the numbers after the outcomes and derivatives. */
+function afterDerivatives({ outcomes, of, wrt, order }: DriveHead): number {
+  const n = wrt.length;
+  return outcomes.length + of.length * ((order >= 1 ? n : 0) + (order === 2 ? n * n : 0));
+}
+
+export function readDrive({ head, block }: Numbers): Drive {
+  const read = head as unknown as DriveHead;
+  let at = afterDerivatives(read);
+  const number = () => block[at++] ?? NaN;
+  const path = Array.from({ length: read.path ?? 0 }, () => (
+    { time: number(), height: number(), right: number(), downrange: number() }));
+  const roll = Array.from({ length: read.run ?? 0 }, () => (
+    { time: NaN, height: number(), right: number(), downrange: number() }));
+  return {
+    status: head.status,
+    message: head.message ?? null,
+    outcomes: Object.fromEntries(read.outcomes.map((name, k) => [name, block[k] ?? NaN])),
+    path,
+    roll,
+    warnings: read.warnings ?? [],
+  };
+}
+
+/** First and second derivative of an outcome by one parameter, SI. */
+export interface Slope {
+  first: number;
+  second: number;
+}
+
+/** The derivatives of the first outcome of `of` by each parameter. */
+export function readSlopes({ head, block }: Numbers): Map<string, Slope> {
+  const { outcomes, wrt } = head as unknown as DriveHead;
+  const n = wrt.length;
+  const begin = outcomes.length;
+  return new Map(wrt.map((name, k) => [name, {
+    first: block[begin + k] ?? NaN,
+    second: block[begin + n + k * n + k] ?? NaN,
+  }]));
+}

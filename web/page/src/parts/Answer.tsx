@@ -1,0 +1,102 @@
+// Yours, the best, the difference, and the worth of a further degree.
+import { priceOf } from '../drive/price';
+import { labelOf } from '../setup/parameters';
+import { withUnit } from '../setup/units';
+import type { Best } from '../state/best';
+import { varyOf } from '../state/state';
+import { usePage } from './context';
+import { length, lengthChange } from './lengths';
+
+export function Answer() {
+  const { explorer } = usePage();
+  const { drive, best, refusal, state } = explorer;
+  const { units, goal } = state.value;
+  const yours = drive.value?.outcomes;
+  const theirs = best.value?.flight;
+  const names = varyOf(state.value).map(labelOf).join(' and ');
+  const rows = (['carry', 'total'] as const).map((name) => {
+    const [mine, most] = [yours?.[name], theirs?.[name]];
+    return (
+      <tr key={name} class={name === goal ? 'goal' : ''}>
+        <th scope="row">{name}</th>
+        <td>{length(mine, units)}</td>
+        <td>{length(most, units)}</td>
+        <td>{mine !== undefined && typeof most === 'number' ? lengthChange(most - mine, units) : '–'}</td>
+      </tr>
+    );
+  });
+  return (
+    <section class={`answer${refusal.value ? ' stale' : ''}`} aria-label="answer">
+      {refusal.value && <p class="message" role="alert">{refusal.value.message}</p>}
+      <table>
+        <thead>
+          <tr><td /><th scope="col">yours</th><th scope="col">best {names}</th><th scope="col">difference</th></tr>
+        </thead>
+        <tbody>{rows}{best.value && <Values best={best.value} />}</tbody>
+      </table>
+      <Worth />
+      {!best.value && explorer.bestMessage.value && !refusal.value
+        && <p class="message">No best drive: {explorer.bestMessage.value}</p>}
+      <p class="buttons">
+        <button type="button" disabled={!best.value}
+          onClick={() => best.value && explorer.changeDesign(best.value.design)}>
+          go to the best drive
+        </button>
+      </p>
+      {drive.value?.warnings.map((warning) => <p class="warning" key={warning}>{warning}</p>)}
+    </section>
+  );
+}
+
+/** The parameters that the best drive changes. */
+function Values({ best }: { best: Best }) {
+  const { explorer } = usePage();
+  const shown = (name: string, value: number | null) =>
+    (value === null || !Number.isFinite(value) ? 'not stated'
+      : withUnit(explorer.shown(name, value), explorer.field(name).unit));
+  return (
+    <>
+      {best.names.map((name) => {
+        const [mine, theirs] = [explorer.value(name), best.values[name] ?? NaN];
+        const { unit } = explorer.field(name);
+        const difference = mine === null ? '–' : shown(name, theirs - mine + zero(unit));
+        return (
+          <tr key={name}>
+            <th scope="row">{labelOf(name)}</th>
+            <td>{shown(name, mine)}</td>
+            <td>{shown(name, theirs)}</td>
+            <td>{/^[\u2212\u2013]/.test(difference) || mine === null ? difference : `+${difference}`}</td>
+          </tr>
+        );
+      })}
+    </>
+  );
+}
+
+/** The zero of a scale with an offset, so that a difference of temperatures has none. */
+const zero = (unit: string) => (unit === 'degC' ? 273.15 : unit === 'degF' ? 255.372222 : 0);
+
+/** The worth of a further degree, at yours and beyond the bounds of the best. */
+function Worth() {
+  const { explorer } = usePage();
+  const { slopes, best, state, design } = explorer;
+  const { units, goal } = state.value;
+  const price = (name: string) => {
+    const slope = slopes.value.get(name);
+    return slope ? `${labelOf(name)} ${priceOf(name, slope, explorer.field(name).unit, units).text}` : null;
+  };
+  const isLaunch = Object.keys(design.value.set).some((name) => name.startsWith('launch.'));
+  const names = isLaunch ? ['launch.launch_angle', 'launch.ball_speed'] : ['club.loft', 'swing.attack_angle', 'swing.speed'];
+  const prices = names.map(price).filter((text) => text !== null);
+  const bounds = (best.value?.names ?? []).filter((name) => Math.abs(best.value?.beyond[name] ?? 0) > 1e-6);
+  return (
+    <p class="worth">
+      {prices.length > 0 && <>{goal} here: {prices.join('; ')}.</>}
+      {bounds.map((name) => {
+        const first = best.value?.beyond[name] ?? 0;
+        const { text } = priceOf(name, { first, second: 0 }, explorer.field(name).unit, units);
+        return <span key={name}> The best {labelOf(name)} is at the end of its slider: {text} beyond.</span>;
+      })}
+    </p>
+  );
+}

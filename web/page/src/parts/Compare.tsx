@@ -1,0 +1,133 @@
+// Up to four designs beside each other, and the causes of a difference.
+import { useEffect, useState } from 'preact/hooks';
+import type { Drive, Refusal } from '../drive/drive';
+import { labelOf } from '../setup/parameters';
+import type { Design } from '../setup/design';
+import { numberOf } from '../setup/design';
+import { withUnit } from '../setup/units';
+import type { Explorer } from '../state/explorer';
+import { settingsOf } from '../setup/words';
+import { DESIGN_NAMES, MOST_DESIGNS } from '../state/state';
+import { usePage } from './context';
+import { TableView } from './Figure';
+import { lengthChange } from './lengths';
+import { ROWS, shown } from './outcomes';
+
+const isDrive = (drive: Drive | Refusal | null | undefined): drive is Drive =>
+  drive !== null && drive !== undefined && 'outcomes' in drive;
+
+export function Compare() {
+  const { explorer } = usePage();
+  const state = explorer.state.value;
+  const { designs, active } = state;
+  const add = () => explorer.change({
+    ...state, designs: [...designs, explorer.design.value], active: designs.length,
+  });
+  const remove = () => explorer.change({
+    ...state, designs: designs.filter((_, at) => at !== active), active: Math.max(0, active - 1),
+  });
+  return (
+    <section class="compare" aria-label="designs">
+      <h2>Designs beside each other</h2>
+      {designs.length > 1 && (
+        <fieldset class="switch">
+          <legend>the sliders move</legend>
+          {designs.map((_, at) => (
+            <label key={at}>
+              <input type="radio" name="design" checked={at === active}
+                onChange={() => explorer.change({ ...state, active: at })} /> {DESIGN_NAMES[at]}
+            </label>
+          ))}
+        </fieldset>
+      )}
+      <p class="buttons">
+        <button type="button" disabled={designs.length >= MOST_DESIGNS} onClick={add}>
+          keep this design as {DESIGN_NAMES[active]}, and change a copy
+        </button>
+        {designs.length > 1
+          && <button type="button" onClick={remove}>remove {DESIGN_NAMES[active]}</button>}
+      </p>
+      {designs.length > 1 && <Beside />}
+      {designs.length > 1 && <Causes first={designs[0]!} second={designs[active === 0 ? 1 : active]!}
+        name={DESIGN_NAMES[active === 0 ? 1 : active]!} />}
+    </section>
+  );
+}
+
+/** The value of a parameter in a design, as it is printed. */
+function valueText(explorer: Explorer, name: string, design: Design): string {
+  const text = design.set[name];
+  if (!explorer.catalog.parameter(name)) return text ?? '–';
+  const value = numberOf(name, design, explorer.catalog);
+  if (value === null) return 'not stated';
+  return Number.isFinite(value)
+    ? withUnit(explorer.shown(name, value, 0), explorer.field(name).unit) : text ?? '–';
+}
+
+function Beside() {
+  const { explorer } = usePage();
+  const { designs, units } = explorer.state.value;
+  const drives = explorer.others.value;
+  const changed = [...new Set(designs.flatMap(({ set }) => Object.keys(set)))].filter((name) =>
+    designs.some(({ set }) => set[name] !== designs[0]?.set[name]));
+  const rows = [
+    ...changed.map((name) => [
+      explorer.catalog.parameter(name) ? labelOf(name) : name,
+      ...designs.map((design) => valueText(explorer, name, design)),
+    ]),
+    ...ROWS.map((row) => [
+      row.label,
+      ...designs.map((_, at) => {
+        const drive = drives[at];
+        return isDrive(drive) ? shown(row, drive, units) : '–';
+      }),
+    ]),
+  ];
+  return <TableView head={['', ...designs.map((_, at) => DESIGN_NAMES[at]!)]} rows={rows} />;
+}
+
+interface Share {
+  cause: string;
+  share: number;
+}
+
+interface Difference {
+  of: string;
+  difference: number;
+  by_parameter: { shares: Share[] } | null;
+  by_launch: { shares: Share[] } | null;
+}
+
+/** What `compare` says about the first design and another one. */
+function Causes({ first, second, name }: { first: Design; second: Design; name: string }) {
+  const { explorer } = usePage();
+  const { goal, units } = explorer.state.value;
+  const [difference, setDifference] = useState<Difference | null>(null);
+  const key = JSON.stringify([first, second, goal]);
+  useEffect(() => {
+    let isCurrent = true;
+    const words = ['compare', first.preset, second.preset, ...settingsOf(first, '--set-a'),
+      ...settingsOf(second, '--set-b'), '--of', goal, '--json'];
+    const timer = setTimeout(() => {
+      void explorer.desk.command('compare', words).then((reply) => {
+        if (!isCurrent || !reply) return;
+        const found = reply.exit === 0
+          ? (JSON.parse(reply.answer) as { outcomes: Difference[] }).outcomes[0] : null;
+        setDifference(found ?? null);
+      });
+    }, 300);
+    return () => {
+      isCurrent = false;
+      clearTimeout(timer);
+    };
+  }, [key]);
+  if (!difference) return null;
+  const list = (shares: Share[] | undefined) => (shares ?? [])
+    .map(({ cause, share }) => `${labelOf(cause)} ${lengthChange(share, units)}`).join(', ') || 'none';
+  return (
+    <p role="status">
+      {name} beside A: {difference.of} {lengthChange(difference.difference, units)}. By parameter:{' '}
+      {list(difference.by_parameter?.shares)}. By launch: {list(difference.by_launch?.shares)}.
+    </p>
+  );
+}

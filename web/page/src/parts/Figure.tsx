@@ -1,0 +1,66 @@
+// A picture with its name, a sentence and a table that say the same, and its file.
+import type { ComponentChildren, Ref } from 'preact';
+import { useState } from 'preact/hooks';
+import { download, pictureOf } from './download';
+
+export interface Table {
+  head: readonly string[];
+  rows: readonly (readonly string[])[];
+}
+
+interface Props {
+  name: string;
+  title: string;
+  sentence: string;
+  /** Made only where it is seen. */
+  table: () => Table;
+  place: Ref<HTMLDivElement>;
+  children: ComponentChildren;
+  below?: ComponentChildren;
+}
+
+const csvField = (text: string) => (/[",\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
+
+const csvOf = ({ head, rows }: Table) =>
+  [head, ...rows].map((row) => row.map(csvField).join(',')).join('\r\n');
+
+export function Figure({ name, title, sentence, table, place, children, below }: Props) {
+  const [isOpen, setOpen] = useState(false);
+  const save = (event: Event) => {
+    const svg = (event.currentTarget as Element).closest('figure')?.querySelector('svg');
+    if (svg) download(`${name}.svg`, pictureOf(svg), 'image/svg+xml');
+  };
+  return (
+    <figure class={`picture ${name}`} aria-label={title}>
+      <h2>{title}</h2>
+      <div ref={place}>{children}</div>
+      <figcaption>{sentence}</figcaption>
+      {below}
+      <details class="data" onToggle={(event) => setOpen(event.currentTarget.open)}>
+        <summary>table and files of the {title.toLowerCase()}</summary>
+        <p class="buttons">
+          <button type="button" onClick={save}>picture (SVG)</button>
+          <button type="button" onClick={() => download(`${name}.csv`, csvOf(table()), 'text/csv')}>
+            table (CSV)
+          </button>
+        </p>
+        {isOpen && <TableView {...table()} />}
+      </details>
+    </figure>
+  );
+}
+
+export function TableView({ head, rows }: Table) {
+  return (
+    <div class="scroll" tabIndex={0} role="region" aria-label="table">
+      <table>
+        <thead><tr>{head.map((text) => <th scope="col" key={text}>{text}</th>)}</tr></thead>
+        <tbody>
+          {rows.map((row) => (
+            <tr key={row.join()}>{row.map((text, k) => <td key={k}>{text}</td>)}</tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}

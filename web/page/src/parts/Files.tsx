@@ -1,0 +1,100 @@
+// Setup file, command, answers as JSON, report.
+import { useState } from 'preact/hooks';
+import { designOf, writeSetup } from '../setup/file';
+import type { FileValues } from '../setup/file';
+import { NONE } from '../setup/design';
+import { commandLine } from '../setup/words';
+import { bestWords } from '../state/best';
+import { messageOf } from '../state/explorer';
+import { varyOf } from '../state/state';
+import { usePage } from './context';
+import { download } from './download';
+
+/** The largest file that is read, bytes. */
+const MOST_BYTES = 20e6;
+
+export async function bytesOf(file: File): Promise<Uint8Array<ArrayBuffer>> {
+  if (file.size > MOST_BYTES) {
+    throw new Error(`${file.name} has ${Math.round(file.size / 1e6)} MB; this page reads up to 20 MB`);
+  }
+  return new Uint8Array(await file.arrayBuffer());
+}
+
+export function Files() {
+  const { explorer } = usePage();
+  const [message, setMessage] = useState<string | null>(null);
+  const design = explorer.design.value;
+  const words = bestWords(explorer, explorer.state.value, design, varyOf(explorer.state.value)).filter((word) => word !== '--json');
+  const open = async (file: File) => {
+    setMessage(null);
+    const files = { 'setup.toml': await bytesOf(file) };
+    const reply = await explorer.run(`reading ${file.name}`, ['parameters', 'setup.toml', '--json'], files);
+    if (!reply) return;
+    if (reply.exit !== 0) {
+      setMessage(messageOf(reply).replace(/setup\.toml/g, file.name));
+      return;
+    }
+    const values = JSON.parse(reply.answer) as FileValues;
+    explorer.changeDesign(designOf(values, explorer.catalog));
+  };
+  const choose = (event: Event) => {
+    const input = event.currentTarget as HTMLInputElement;
+    const file = input.files?.[0];
+    input.value = '';
+    if (file) open(file).catch((error: Error) => setMessage(error.message));
+  };
+  const json = async (command: string, more: string[]) => {
+    const reply = await explorer.run(command, [command, ...more]);
+    if (!reply) return;
+    if (reply.answer) download(`${command}.json`, reply.answer, 'application/json');
+    else setMessage(messageOf(reply));
+  };
+  const report = async () => {
+    const vary = words.slice(words.indexOf('--maximize'));
+    const reply = await explorer.run('the report', ['report', ...explorer.words(), ...vary, '-o', 'drive', '--json']);
+    if (!reply) return;
+    const page = reply.files['drive/index.html'];
+    if (page) download('drive.html', new Uint8Array(page), 'text/html');
+    else setMessage(messageOf(reply));
+  };
+  const isReadable = !Object.values(design.set).includes(NONE);
+  return (
+    <section class="files" aria-label="files and command">
+      <h2>Files and command</h2>
+      <p class="buttons">
+        <label class="button">
+          open a setup file
+          <input type="file" accept=".toml,text/plain" onChange={choose} />
+        </label>
+        <button type="button" disabled={!isReadable}
+          onClick={() => download('setup.toml', writeSetup(design), 'application/toml')}>
+          save the setup file
+        </button>
+        <button type="button" onClick={() => void json('simulate', [...explorer.words(), '--json'])}>drive (JSON)</button>
+        <button type="button" onClick={() => void json('optimize', [...words.slice(1), '--json'])}>best drive (JSON)</button>
+        <button type="button" onClick={() => void report()}>report (HTML, to print)</button>
+      </p>
+      {message && <p class="message" role="alert">{message}</p>}
+      <Command text={commandLine(words)} />
+    </section>
+  );
+}
+
+function Command({ text }: { text: string }) {
+  const [isCopied, setCopied] = useState(false);
+  const copy = async () => {
+    try {
+      await navigator.clipboard.writeText(text);
+      setCopied(true);
+      setTimeout(() => setCopied(false), 2000);
+    } catch {
+      // without permission the text can still be selected
+    }
+  };
+  return (
+    <p class="command">
+      as a command: <code>{text}</code>{' '}
+      <button type="button" onClick={() => void copy()}>{isCopied ? 'copied' : 'copy'}</button>
+    </p>
+  );
+}

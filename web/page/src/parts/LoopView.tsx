@@ -1,0 +1,155 @@
+// For lectures: the while-loop of the MAE 494 report beside the exact drive. The loop lands a step
+// late, so its carry has teeth, and differences of it are no derivatives.
+import { useComputed } from '@preact/signals';
+import { useEffect, useState } from 'preact/hooks';
+import { labelOf } from '../setup/parameters';
+import { digits, fromSI, sizeOf, symbolOf } from '../setup/units';
+import type { Explorer } from '../state/explorer';
+import { mapOf } from '../state/state';
+import { usePage } from './context';
+import { Figure } from './Figure';
+import { inLength, lengthUnit, ticks } from './lengths';
+import { line, MARGIN } from './scale';
+import { useWidth } from './size';
+
+const NODES = 300;
+const HEIGHT = 170;
+/** The part of a slider's travel that is shown. */
+const PART = 0.06;
+
+interface Loop {
+  name: string;
+  at: Float64Array;
+  loop: Float64Array;
+  difference: Float64Array;
+  carry: Float64Array;
+  slope: Float64Array;
+}
+
+async function flyLoop(explorer: Explorer, name: string, step: number, difference: number): Promise<Loop | null> {
+  const { low, high } = explorer.travel(name);
+  const middle = explorer.value(name) ?? (low + high) / 2;
+  const half = (PART * (high - low)) / 2;
+  const along = { name, low: middle - half, high: middle + half };
+  const request = { setup: explorer.setup(), along, nodes: NODES, step, difference };
+  const answer = await explorer.hand.calls('loop', [{ door: 'loop', request }]);
+  const first = answer?.numbers[0];
+  if (!first || first.head.status !== 'done') return null;
+  const [at, loop, , slopes, carry, slope] = Array.from({ length: 6 }, (_, k) =>
+    first.block.subarray(k * NODES, (k + 1) * NODES));
+  return { name, at: at!, loop: loop!, difference: slopes!, carry: carry!, slope: slope! };
+}
+
+export function LoopView() {
+  const { explorer } = usePage();
+  const [isOpen, setOpen] = useState(false);
+  return (
+    <details class="lecture" onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <summary>for lectures: a loop of time steps beside the exact drive</summary>
+      {isOpen && <Lecture explorer={explorer} />}
+    </details>
+  );
+}
+
+function Lecture({ explorer }: { explorer: Explorer }) {
+  const name = useComputed(() => mapOf(explorer.state.value)[0]).value;
+  const { unit } = explorer.field(name);
+  const [step, setStep] = useState(0.01);
+  const [power, setPower] = useState(-2);
+  const [found, setFound] = useState<Loop | null>(null);
+  const difference = 10 ** power * sizeOf(unit);
+  const key = JSON.stringify([explorer.design.value, name, step, power]);
+  useEffect(() => {
+    let isCurrent = true;
+    const timer = setTimeout(() => {
+      void flyLoop(explorer, name, step, difference).then((loop) => {
+        if (isCurrent) setFound(loop);
+      });
+    }, 100);
+    return () => {
+      isCurrent = false;
+      clearTimeout(timer);
+    };
+  }, [key]);
+  const slide = (label: string, value: number, low: number, high: number, by: number, text: string, set: (value: number) => void) => (
+    <label class="lecture-slider">
+      {label} {text}
+      <input type="range" min={low} max={high} step={by} value={value} aria-valuetext={text}
+        onInput={(event) => set(Number(event.currentTarget.value))} />
+    </label>
+  );
+  return (
+    <>
+      {slide('time step', step * 1000, 1, 50, 1, `${digits(step * 1000, 0)} ms`, (value) => setStep(value / 1000))}
+      {slide('difference over', power, -6, 0, 0.5, `${(10 ** power).toPrecision(2)} ${symbolOf(unit)}`, setPower)}
+      {found ? <Pictures explorer={explorer} loop={found} /> : <p>The loop has no answer here.</p>}
+    </>
+  );
+}
+
+function Pictures({ explorer, loop }: { explorer: Explorer; loop: Loop }) {
+  const units = explorer.units.value;
+  const { unit } = explorer.field(loop.name);
+  const length = lengthUnit(units);
+  const per = sizeOf(unit) / sizeOf(length);
+  const carries = [loop.loop, loop.carry].map((values) => Array.from(values, (value) => inLength(value, units)));
+  const slopes = [loop.difference, loop.slope].map((values) => Array.from(values, (value) => value * per));
+  const at = Array.from(loop.at, (value) => fromSI(value, unit));
+  const worst = Math.max(...carries[0]!.map((carry, k) => Math.abs(carry - carries[1]![k]!)).filter(Number.isFinite));
+  const steepest = slopes[0]!.filter(Number.isFinite).reduce((most, slope) => (Math.abs(slope) > Math.abs(most) ? slope : most), 0);
+  const middle = slopes[1]![Math.floor(NODES / 2)] ?? NaN;
+  const symbol = symbolOf(unit);
+  const perUnit = `${length} per ${symbol === '°' ? 'degree' : symbol || '1'}`;
+  return (
+    <>
+      <Chart name="teeth" title={`Carry over ${labelOf(loop.name)}`} at={at} curves={carries} unit={length} across={symbol}
+        sentence={`The loop is up to ${digits(worst, 2)} ${length} from the exact carry.`} />
+      <Chart name="slopes" title="Slope of the carry" at={at} curves={slopes} unit={perUnit} across={symbol}
+        sentence={`Differences of the loop reach ${digits(steepest, 1)}; the exact slope is ${digits(middle, 2)} ${perUnit}.`} />
+    </>
+  );
+}
+
+interface ChartProps {
+  name: string;
+  title: string;
+  at: number[];
+  /** The loop, then the exact drive. */
+  curves: number[][];
+  unit: string;
+  across: string;
+  sentence: string;
+}
+
+function Chart({ name, title, at, curves, unit, across, sentence }: ChartProps) {
+  const { ref, width } = useWidth();
+  const known = curves.flat().filter(Number.isFinite);
+  const [low, high] = [Math.min(...known), Math.max(...known)];
+  const [first, last] = [at[0] ?? 0, at.at(-1) ?? 1];
+  const x = (value: number) => MARGIN.left + ((value - first) / (last - first)) * (width - MARGIN.left - MARGIN.right);
+  const y = (value: number) => MARGIN.top + ((high - value) / (high - low || 1)) * (HEIGHT - MARGIN.top - MARGIN.bottom);
+  const points = (curve: number[]) => line(curve.map((value, k) => [x(at[k]!), y(value)] as const)
+    .filter(([, height]) => Number.isFinite(height)));
+  const table = () => ({
+    head: [`[${across}]`, `loop [${unit}]`, `exact [${unit}]`],
+    rows: at.filter((_, k) => k % 15 === 0).map((value, k) =>
+      [digits(value, 3), ...curves.map((curve) => digits(curve[k * 15] ?? NaN, 3))]),
+  });
+  return (
+    <Figure name={name} title={title} sentence={sentence} table={table} place={ref}>
+      <svg width={width} height={HEIGHT} role="img" aria-label={`${title}. ${sentence}`}>
+        {ticks(first, last, width / 110).map((tick) => (
+          <text class="tick" key={tick} x={x(tick)} y={HEIGHT - 14} text-anchor="middle">{Number(tick.toFixed(3))}</text>
+        ))}
+        {ticks(low, high, 3).map((tick) => (
+          <g key={tick}>
+            <line class="grid" x1={MARGIN.left} x2={width - MARGIN.right} y1={y(tick)} y2={y(tick)} />
+            <text class="tick" x={MARGIN.left - 6} y={y(tick) + 4} text-anchor="end">{Number(tick.toPrecision(4))}</text>
+          </g>
+        ))}
+        <polyline class="ghost teeth-line" points={points(curves[0]!)} />
+        <polyline class="yours" points={points(curves[1]!)} />
+      </svg>
+    </Figure>
+  );
+}

@@ -1,0 +1,32 @@
+// What went wrong, what a link had too much, and how far a long command is.
+import { usePage } from './context';
+
+export function Notices() {
+  const { explorer, address } = usePage();
+  const { trap, progress, working } = explorer;
+  const unknown = address.unknown.value;
+  return (
+    <div class="notices">
+      {trap.value && (
+        <p class="message" role="alert">
+          Internal error in the core, which has begun anew; your values are as they were. {trap.value.split('\n')[0]}{' '}
+          <button type="button" onClick={() => { trap.value = null; }}>close</button>
+        </p>
+      )}
+      {unknown.length > 0 && (
+        <p class="warning" role="status">
+          This page does not know these parts of the link: {unknown.join(', ')}.{' '}
+          <button type="button" onClick={() => { address.unknown.value = []; }}>close</button>
+        </p>
+      )}
+      {working.value && (
+        <p class="working" role="status">
+          {working.value}{' '}
+          {progress.value && progress.value.of > 0
+            && <progress aria-label={working.value} value={progress.value.done} max={progress.value.of} />}
+          <button type="button" onClick={() => explorer.end()}>end</button>
+        </p>
+      )}
+    </div>
+  );
+}

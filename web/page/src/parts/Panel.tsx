@@ -1,0 +1,22 @@
+// The numbers of a launch monitor: yours beside the best drive.
+import { usePage } from './context';
+import { TableView } from './Figure';
+import { ROWS, shown } from './outcomes';
+
+export function Panel() {
+  const { explorer } = usePage();
+  const units = explorer.units.value;
+  const drive = explorer.drive.value;
+  const ghost = explorer.ghost.value;
+  const rows = ROWS.map((row) => [
+    row.label,
+    drive ? shown(row, drive, units) : '–',
+    ghost ? shown(row, ghost, units) : '–',
+  ]);
+  return (
+    <section class="panel" aria-label="launch monitor">
+      <h2>Launch and flight</h2>
+      <TableView head={['', 'yours', 'best']} rows={rows} />
+    </section>
+  );
+}

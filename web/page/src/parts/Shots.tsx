@@ -1,0 +1,120 @@
+// Shots of a launch monitor: a CSV is flown, with measured beside computed.
+import { useState } from 'preact/hooks';
+import { fromSI, digits, signed, symbolOf } from '../setup/units';
+import type { Design } from '../setup/design';
+import { groupOf } from '../setup/parameters';
+import { setupWords } from '../setup/words';
+import { messageOf } from '../state/explorer';
+import { usePage } from './context';
+import { download } from './download';
+import { TableView } from './Figure';
+import { bytesOf } from './Files';
+import { ROWS } from './outcomes';
+
+interface Residual {
+  of: string;
+  rows: number;
+  bias: number | null;
+  mean_absolute: number | null;
+}
+
+interface Flown {
+  rows: number;
+  flown: number;
+  residuals: Residual[];
+  warnings: string[];
+}
+
+interface Result {
+  name: string;
+  flown: Flown;
+  csv: Uint8Array;
+}
+
+const OUTPUT = 'flown.csv';
+
+/** Groups of parameters that a measured shot brings itself. */
+const MEASURED = ['swing', 'club', 'strike', 'impact', 'launch'];
+
+/** The setup of the flight: `fly` refuses values of a club that no row uses. */
+function flightWords({ preset, set }: Design): string[] {
+  const kept = Object.entries(set).filter(([name]) => !MEASURED.includes(groupOf(name)));
+  return setupWords({ preset, set: Object.fromEntries(kept) });
+}
+
+export function Shots() {
+  const { explorer } = usePage();
+  const [result, setResult] = useState<Result | null>(null);
+  const [message, setMessage] = useState<string | null>(null);
+  const fly = async (file: File) => {
+    setMessage(null);
+    const files = { 'shots.csv': await bytesOf(file) };
+    const words = ['fly', 'shots.csv', ...flightWords(explorer.design.value), '--json', '-o', OUTPUT, '--units', explorer.state.value.units];
+    const reply = await explorer.run(`flying the shots of ${file.name}`, words, files);
+    if (!reply) return;
+    const csv = reply.files[OUTPUT];
+    if (!csv) {
+      setResult(null);
+      setMessage(messageOf(reply).replace(/shots\.csv/g, file.name));
+      return;
+    }
+    setResult({ name: file.name, flown: JSON.parse(reply.answer) as Flown, csv });
+  };
+  const begin = (file: File | undefined) => {
+    if (file) fly(file).catch((error: Error) => setMessage(error.message));
+  };
+  const choose = (event: Event) => {
+    const input = event.currentTarget as HTMLInputElement;
+    begin(input.files?.[0]);
+    input.value = '';
+  };
+  const drop = (event: DragEvent) => {
+    event.preventDefault();
+    begin(event.dataTransfer?.files[0]);
+  };
+  return (
+    <section class="shots" aria-label="shots" onDrop={drop} onDragOver={(event) => event.preventDefault()}>
+      <h2>Shots of a launch monitor</h2>
+      <p>
+        Drop a CSV export here, or{' '}
+        <label class="button">
+          open a CSV
+          <input type="file" accept=".csv,.txt,text/csv" onChange={choose} />
+        </label>
+        ; ball, air, wind and ground are those of this drive. Nothing leaves this page.
+      </p>
+      {message && <p class="message" role="alert">{message}</p>}
+      {result && <Compared {...result} />}
+    </section>
+  );
+}
+
+function Compared({ name, flown, csv }: Result) {
+  const { explorer } = usePage();
+  const units = explorer.units.value;
+  const rows = flown.residuals.filter(({ rows: count }) => count > 0).map(({ of, rows: count, bias, mean_absolute: mean }) => {
+    const known = ROWS.find((row) => row.name === of.replace('_distance', ''));
+    const unit = known?.unit[units] ?? '';
+    const decimals = known?.decimals ?? 1;
+    return [
+      known?.label ?? of.replace(/_/g, ' '),
+      String(count),
+      `${signed(fromSI(bias ?? NaN, unit), decimals)} ${symbolOf(unit)}`,
+      `${digits(fromSI(mean ?? NaN, unit), decimals)} ${symbolOf(unit)}`,
+    ];
+  });
+  return (
+    <>
+      <p role="status">{flown.flown} of {flown.rows} shots of {name} were flown.</p>
+      {rows.length > 0 && (
+        <TableView head={['outcome', 'shots', 'computed − measured', 'mean size']} rows={rows} />
+      )}
+      <p class="buttons">
+        <button type="button" onClick={() => download('flown.csv', new Uint8Array(csv), 'text/csv')}>
+          all shots, measured and computed (CSV)
+        </button>
+      </p>
+      {flown.warnings.map((warning) => <p class="warning" key={warning}>{warning}</p>)}
+    </>
+  );
+}

@@ -1,0 +1,173 @@
+// One parameter: slider, number field, price, band, meaning.
+import { useEffect, useState } from 'preact/hooks';
+import { bandOf, LOSS, priceOf } from '../drive/price';
+import { NONE, WHEN_UNSET } from '../setup/design';
+import { labelInGroup, labelOf } from '../setup/parameters';
+import { decimalsOf } from '../setup/travel';
+import { digits, fromSI, parts, symbolOf, toSI, unitIn, withUnit } from '../setup/units';
+import { varyOf } from '../state/state';
+import type { Explorer } from '../state/explorer';
+import { usePage } from './context';
+import { useSteady } from './steady';
+import { Track } from './Track';
+
+interface Props {
+  name: string;
+  isInGroup?: boolean;
+}
+
+export function SliderRow({ name, isInGroup = false }: Props) {
+  const { explorer } = usePage();
+  const [isAsked, setAsked] = useState(false);
+  const id = name.replace(/\./g, '-');
+  const label = isInGroup ? labelInGroup(name) : labelOf(name);
+  const row = useSteady(() => explorer.rowKey(name), () => rowOf(explorer, name));
+  const { travel, unit, value, at, decimals, isSet, message } = row;
+  const slide = (event: Event, isFinal: boolean) =>
+    explorer.slide(name, toSI(Number((event.target as HTMLInputElement).value), unit), isFinal);
+  const spoken = value === null ? 'not stated' : withUnit(digits(fromSI(at, unit), decimals), unit);
+  return (
+    <div class={`slider${isSet ? ' changed' : ''}`}>
+      <div class="row">
+        <label for={`slide-${id}`}>{label}</label>
+        <Field name={name} id={id} label={label} hasMessage={message !== null} />
+        <span class="unit">{symbolOf(unit)}</span>
+        <button type="button" class="reset" disabled={!isSet} onClick={() => explorer.reset(name)}
+          aria-label={`reset ${label}`} title="back to the preset">↺</button>
+        <button type="button" class="ask" aria-expanded={isAsked} aria-label={`about ${label}`}
+          onClick={() => setAsked(!isAsked)}>?</button>
+      </div>
+      <Track name={name} travel={travel}>
+        <input type="range" id={`slide-${id}`} min={fromSI(travel.low, unit)}
+          max={fromSI(travel.high, unit)} step={travel.step / (toSI(1, unit) - toSI(0, unit))}
+          value={fromSI(at, unit)} aria-valuetext={spoken} aria-describedby={`price-${id}`}
+          onInput={(event) => slide(event, false)} onChange={(event) => slide(event, true)} />
+      </Track>
+      <PriceLine name={name} id={id} at={at} isUnset={value === null} />
+      {message && <p class="message" id={`message-${id}`}>{message}</p>}
+      {isAsked && <About name={name} label={label} />}
+    </div>
+  );
+}
+
+/** What the slider of a parameter shows. */
+function rowOf(explorer: Explorer, name: string) {
+  const travel = explorer.travel(name);
+  const { unit } = explorer.field(name);
+  const value = explorer.value(name);
+  const isNumber = value !== null && Number.isFinite(value);
+  const usual = explorer.presetValue(name) ?? WHEN_UNSET[name] ?? (travel.low + travel.high) / 2;
+  const refusal = explorer.refusal.value;
+  return {
+    travel,
+    unit,
+    value,
+    at: isNumber ? value : usual,
+    decimals: decimalsOf(travel, unit),
+    isSet: name in explorer.design.value.set,
+    message: refusal?.parameters[0] === name ? refusal.message : null,
+  };
+}
+
+/** The meaning of a parameter, and the source of its value. */
+function About({ name, label }: { name: string; label: string }) {
+  const { explorer } = usePage();
+  const preset = explorer.catalog.preset(explorer.design.value.preset);
+  return (
+    <div class="about">
+      <p>{explorer.parameter(name).doc} (<code>{name}</code>)</p>
+      <p>Value of the preset: {preset?.sources[name] ?? 'no source'}.</p>
+      <Freedom name={name} label={label} />
+    </div>
+  );
+}
+
+/** Whether the best drive may change the parameter. */
+function Freedom({ name, label }: { name: string; label: string }) {
+  const { explorer } = usePage();
+  const state = explorer.state.value;
+  const names = varyOf(state);
+  const isFree = names.includes(name);
+  const change = () => {
+    const others = names.filter((each) => each !== name);
+    explorer.change({ ...state, vary: isFree ? others : [...others, name] });
+  };
+  return (
+    <p>
+      <label>
+        <input type="checkbox" checked={isFree} disabled={isFree && names.length === 1}
+          onChange={change} />
+        {' '}the best drive may change the {label}
+      </label>
+    </p>
+  );
+}
+
+function PriceLine({ name, id, at, isUnset }: { name: string; id: string; at: number; isUnset: boolean }) {
+  const { explorer } = usePage();
+  const slope = explorer.slopes.value.get(name);
+  const { units, unit, decimals, travel } = useSteady(() => explorer.rowKey(name), () => ({
+    ...explorer.field(name), units: explorer.state.value.units, travel: explorer.travel(name),
+  }));
+  if (!slope) return <p class="price" id={`price-${id}`}>{isUnset ? 'not stated' : '\u00a0'}</p>;
+  const { low, high } = bandOf(at, slope, LOSS[units]);
+  const end = (value: number) => withUnit(digits(fromSI(value, unit), decimals), unit);
+  const from = low <= travel.low ? null : end(low);
+  const to = high >= travel.high ? null : end(high);
+  const loss = units === 'us' ? '1 yd' : '1 m';
+  const band = from && to ? `${digits(fromSI(low, unit), decimals)} to ${to}` : from ? `above ${from}` : to ? `below ${to}` : 'everywhere';
+  return (
+    <p class="price" id={`price-${id}`}>
+      <b>{priceOf(name, slope, unit, units).text}</b>
+      <span title={`values that cost at most ${loss}`}>{isUnset ? ' · not stated' : ` · within ${loss}: ${band}`}</span>
+    </p>
+  );
+}
+
+interface FieldProps {
+  name: string;
+  id: string;
+  label: string;
+  hasMessage: boolean;
+}
+
+/** The number of a field as it was typed, or converted into the unit of the field. */
+function shownOf(explorer: Explorer, name: string): string {
+  const text = explorer.design.value.set[name];
+  const { unit, decimals, parameter } = explorer.field(name);
+  const value = explorer.value(name);
+  if (text === NONE || value === null) return '';
+  if (text !== undefined) {
+    const read = parts(text);
+    if (read && unitIn(explorer.state.value.units, read.unit) === read.unit && read.unit === unit) {
+      return String(read.number);
+    }
+    if (Number.isNaN(value) || !read || (read.unit === '' && parameter.unit !== '')) return text;
+  }
+  return String(Number(fromSI(value, unit).toFixed(decimals + 1)));
+}
+
+function Field({ name, id, label, hasMessage }: FieldProps) {
+  const { explorer } = usePage();
+  const { unit, shown } = useSteady(() => explorer.rowKey(name), () => ({
+    unit: explorer.field(name).unit, shown: shownOf(explorer, name),
+  }));
+  const [draft, setDraft] = useState(shown);
+  useEffect(() => setDraft(shown), [shown]);
+  const commit = (event: Event) => {
+    const typed = (event.target as HTMLInputElement).value.trim().replace('−', '-');
+    if (typed === shown) return;
+    if (typed === '') {
+      explorer.reset(name);
+      return;
+    }
+    const read = parts(typed);
+    explorer.set(name, read && read.unit === '' && unit !== '' ? `${typed} ${unit}` : typed);
+  };
+  return (
+    <input type="text" class="number" inputMode="decimal" autoComplete="off" spellcheck={false}
+      value={draft} placeholder="–" aria-label={`${label}, ${unit || 'number'}`}
+      aria-invalid={hasMessage} aria-describedby={hasMessage ? `message-${id}` : undefined}
+      onInput={(event) => setDraft((event.target as HTMLInputElement).value)} onChange={commit} />
+  );
+}

@@ -1,0 +1,116 @@
+// All parameters: those of the first screen, the others in groups, and a search.
+import { useState } from 'preact/hooks';
+import { firstOf, hasLaunch, lawOf, withValues } from '../setup/design';
+import { AIR_FIRST, LAUNCH_FIRST, groupOf, labelOf } from '../setup/parameters';
+import { textOf } from '../setup/units';
+import { usePage } from './context';
+import { useSteady } from './steady';
+import { FaceView } from './FaceView';
+import { SliderRow } from './SliderRow';
+
+export function Sliders() {
+  const { explorer } = usePage();
+  const { first, isLaunch } = useSteady(
+    () => firstOf(explorer.design.value).join(),
+    () => ({ first: firstOf(explorer.design.value), isLaunch: hasLaunch(explorer.design.value) }),
+  );
+  return (
+    <section class="sliders" aria-label="parameters">
+      <StartSwitch isLaunch={isLaunch} />
+      {first.map((name) => <SliderRow name={name} key={name} />)}
+      {!isLaunch && <FaceView />}
+      {AIR_FIRST.map((name) => <SliderRow name={name} key={name} />)}
+      <Others />
+    </section>
+  );
+}
+
+/** A club strikes the ball, or a launch monitor has measured its launch. */
+function StartSwitch({ isLaunch }: { isLaunch: boolean }) {
+  const { explorer } = usePage();
+  const toLaunch = () => {
+    const outcomes = explorer.drive.value?.outcomes ?? {};
+    const values = LAUNCH_FIRST.map((name) => {
+      const { parameter, decimals } = explorer.field(name);
+      const value = outcomes[name.slice('launch.'.length)] ?? 0;
+      return [name, textOf(value, parameter.shown_in, decimals)] as const;
+    });
+    explorer.changeDesign(withValues(explorer.design.value, Object.fromEntries(values)));
+  };
+  const toClub = () => {
+    const { set } = explorer.design.value;
+    const launch = Object.keys(set).filter((name) => name.startsWith('launch.'));
+    explorer.changeDesign(withValues(
+      explorer.design.value, Object.fromEntries(launch.map((name) => [name, undefined]))));
+  };
+  return (
+    <fieldset class="switch">
+      <legend>the drive starts with</legend>
+      <label>
+        <input type="radio" name="start" checked={!isLaunch} onChange={toClub} /> swing and club
+      </label>
+      <label>
+        <input type="radio" name="start" checked={isLaunch} onChange={toLaunch} /> a measured launch
+      </label>
+    </fieldset>
+  );
+}
+
+function Others() {
+  const { explorer } = usePage();
+  const [search, setSearch] = useState('');
+  const all = useSteady(
+    () => JSON.stringify([firstOf(explorer.design.value), lawOf(explorer.design.value, explorer.catalog)]),
+    () => {
+      const design = explorer.design.value;
+      const first = [...firstOf(design), ...AIR_FIRST];
+      return explorer.catalog.of(lawOf(design, explorer.catalog))
+        .filter(({ parameter }) => !first.includes(parameter));
+    },
+  );
+  const words = search.toLowerCase().split(/\s+/).filter((word) => word !== '');
+  const found = all.filter(({ parameter, doc }) => {
+    const text = `${parameter} ${labelOf(parameter)} ${doc}`.toLowerCase();
+    return words.every((word) => text.includes(word));
+  });
+  const groups = [...new Set(all.map(({ parameter }) => groupOf(parameter)))];
+  return (
+    <div class="others">
+      <label class="search">
+        further parameters
+        <input type="search" value={search} placeholder="search, such as restitution"
+          onInput={(event) => setSearch((event.target as HTMLInputElement).value)} />
+      </label>
+      {words.length > 0
+        ? <Found names={found.map(({ parameter }) => parameter)} />
+        : groups.map((group) => (
+          <Group key={group} group={group} names={all.map(({ parameter }) => parameter)
+            .filter((name) => groupOf(name) === group)} />
+        ))}
+    </div>
+  );
+}
+
+function Found({ names }: { names: string[] }) {
+  if (names.length === 0) return <p>No parameter has these words.</p>;
+  return <>{names.slice(0, 12).map((name) => <SliderRow name={name} key={name} />)}</>;
+}
+
+function Group({ group, names }: { group: string; names: string[] }) {
+  const { explorer } = usePage();
+  const isOpen = explorer.openGroup.value === group;
+  const count = () => names.filter((name) => name in explorer.design.value.set).length;
+  const changed = useSteady(() => `${names.join()} ${count()}`, count);
+  const toggle = () => {
+    explorer.openGroup.value = isOpen ? null : group;
+    explorer.refresh();
+  };
+  return (
+    <div class="group">
+      <button type="button" aria-expanded={isOpen} onClick={toggle}>
+        {isOpen ? '▾' : '▸'} {group} ({names.length}{changed > 0 ? `, ${changed} changed` : ''})
+      </button>
+      {isOpen && names.map((name) => <SliderRow name={name} key={name} isInGroup />)}
+    </div>
+  );
+}

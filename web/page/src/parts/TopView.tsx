@@ -1,0 +1,156 @@
+// The flight from above, at true scale, with a landing point to drag.
+import { useRef, useState } from 'preact/hooks';
+import { CLUB_FIRST, LAUNCH_FIRST, labelOf } from '../setup/parameters';
+import { toSI } from '../setup/units';
+import { usePage } from './context';
+import { Figure } from './Figure';
+import { inLength, length, lengthUnit, sideways, ticks } from './lengths';
+import { Curve } from './Curve';
+import { farthest, MARGIN } from './scale';
+import { pathTable } from './SideView';
+import { useWidth } from './size';
+
+/** Half of the width of the ground that is shown at least, m. */
+const HALF_WIDTH = 22;
+const FARTHEST_ASIDE = 60;
+
+type Pair = readonly [string, string];
+
+export function TopView() {
+  const { explorer } = usePage();
+  const units = explorer.units.value;
+  const { ref, width } = useWidth();
+  const isLaunch = explorer.isLaunch.value;
+  const usual: Pair = isLaunch
+    ? ['launch.launch_angle', 'launch.launch_direction'] : ['club.loft', 'swing.face_angle'];
+  const [chosen, setChosen] = useState<Pair>(usual);
+  const first = isLaunch ? LAUNCH_FIRST : CLUB_FIRST;
+  const pair = chosen.every((name) => first.includes(name)) ? chosen : usual;
+  const drive = explorer.drive.value;
+  const ghost = explorer.ghost.value;
+  const distance = farthest([drive, ghost]);
+  const scale = (width - MARGIN.left - MARGIN.right) / distance;
+  const aside = [drive, ghost].flatMap((each) =>
+    [...(each?.path ?? []), ...(each?.roll ?? [])].map(({ right }) => Math.abs(right)));
+  // in steps, so that the picture seldom changes its height
+  const half = Math.ceil(Math.max(HALF_WIDTH, ...aside) / 12) * 12;
+  const x = (downrange: number) => MARGIN.left + downrange * scale;
+  const y = (right: number) => MARGIN.top + (half + right) * scale;
+  const plan = `${scale} ${half}`;
+  const height = 2 * half * scale + MARGIN.top + MARGIN.bottom;
+  const { carry = NaN, lateral = NaN } = drive?.outcomes ?? {};
+  const sentence = drive
+    ? `The ball lands at ${length(carry, units)}, ${sideways(lateral, units)}.` : 'No drive yet.';
+  const unit = lengthUnit(units);
+  const aim = (downrange: number, right: number) => explorer.aim(pair, downrange, right);
+  return (
+    <Figure name="top" title="View from above" sentence={sentence} table={() => pathTable(drive, unit)} place={ref}
+      below={<Aim pair={pair} onPair={setChosen} carry={carry} lateral={lateral} onAim={aim} />}>
+      <svg width={width} height={height} role="img" aria-label={`View from above. ${sentence}`}>
+        {ticks(0, inLength(distance, units), Math.max(3, width / 110)).map((tick) => (
+          <g key={tick}>
+            <line class="grid" x1={x(toSI(tick, unit))} x2={x(toSI(tick, unit))} y1={y(-half)} y2={y(half)} />
+            <text class="tick" x={x(toSI(tick, unit))} y={height - 14} text-anchor="middle">{tick}</text>
+          </g>
+        ))}
+        {ticks(-inLength(half, units), inLength(half, units), 5).map((tick) => (
+          <text class="tick" key={tick} x={MARGIN.left - 6} y={y(toSI(tick, unit)) + 4} text-anchor="end">
+            {tick === 0 ? 0 : `${Math.abs(tick)} ${tick > 0 ? 'R' : 'L'}`}
+          </text>
+        ))}
+        <line class="ground" x1={x(0)} x2={x(distance)} y1={y(0)} y2={y(0)} />
+        {ghost && <Curve drive={ghost} name="ghost" axis="right" x={x} y={y} scale={plan} />}
+        {drive && <Curve drive={drive} name="yours" axis="right" x={x} y={y} scale={plan} />}
+        {Number.isFinite(carry) && (
+          <Handle x={x(carry)} y={y(lateral)}
+            onMove={(from, dx, dy) => aim(from.carry + dx / scale, from.lateral + dy / scale)}
+            landing={{ carry, lateral }} />
+        )}
+      </svg>
+    </Figure>
+  );
+}
+
+interface Landing {
+  carry: number;
+  lateral: number;
+}
+
+interface HandleProps {
+  x: number;
+  y: number;
+  landing: Landing;
+  /** Receives the landing at the begin of the drag, and the way of the pointer since then. */
+  onMove: (from: Landing, dx: number, dy: number) => Promise<void>;
+}
+
+/** The landing point. The sliders below do the same by keyboard. */
+function Handle({ x, y, landing, onMove }: HandleProps) {
+  const { explorer } = usePage();
+  const last = useRef(Promise.resolve());
+  const begin = useRef({ x: 0, y: 0, landing });
+  const move = (event: PointerEvent) => {
+    const handle = event.currentTarget as SVGGElement;
+    if (!handle.hasPointerCapture(event.pointerId)) return;
+    const { x: fromX, y: fromY, landing: from } = begin.current;
+    // differences: the picture may move while its drive changes
+    last.current = onMove(from, event.clientX - fromX, event.clientY - fromY);
+  };
+  const take = (event: PointerEvent) => {
+    event.preventDefault();
+    begin.current = { x: event.clientX, y: event.clientY, landing };
+    (event.currentTarget as SVGGElement).setPointerCapture(event.pointerId);
+  };
+  const release = () => void last.current.then(() => explorer.release());
+  return (
+    <g class="handle" onPointerDown={take} onPointerMove={move} onPointerUp={release}>
+      <circle class="reach" cx={x} cy={y} r={20} />
+      <circle class="yours" cx={x} cy={y} r={7} />
+    </g>
+  );
+}
+
+interface AimProps {
+  pair: Pair;
+  onPair: (pair: Pair) => void;
+  carry: number;
+  lateral: number;
+  onAim: (carry: number, lateral: number) => Promise<void>;
+}
+
+function Aim({ pair, onPair, carry, lateral, onAim }: AimProps) {
+  const { explorer } = usePage();
+  const units = explorer.units.value;
+  const names = explorer.isLaunch.value ? LAUNCH_FIRST : CLUB_FIRST;
+  const last = useRef(Promise.resolve());
+  const unit = lengthUnit(units);
+  const longest = Math.max(320, carry || 0);
+  const slider = (label: string, value: number, low: number, high: number, to: (metres: number) => Promise<void>) => (
+    <label>
+      {label}
+      <input type="range" min={inLength(low, units)} max={inLength(high, units)} step={0.5}
+        value={inLength(value, units)} aria-valuetext={length(value, units)}
+        onInput={(event) => { last.current = to(toSI(Number(event.currentTarget.value), unit)); }}
+        onChange={() => void last.current.then(() => explorer.release())} />
+    </label>
+  );
+  const select = (at: 0 | 1) => (
+    <select aria-label={`parameter ${at + 1} of the aim`} value={pair[at]}
+      onChange={(event) => {
+        const name = event.currentTarget.value;
+        const other = pair[1 - at]!;
+        if (name !== other) onPair(at === 0 ? [name, other] : [other, name]);
+      }}>
+      {names.map((name) => <option value={name} key={name}>{labelOf(name)}</option>)}
+    </select>
+  );
+  return (
+    <details class="aim">
+      <summary>aim: move the landing point</summary>
+      <p>Drag the landing point, or use these sliders; {select(0)} and {select(1)} follow.</p>
+      {slider('carry', carry, 100, longest, (metres) => onAim(metres, lateral))}
+      {slider('lateral', lateral, -FARTHEST_ASIDE, FARTHEST_ASIDE, (metres) => onAim(carry, metres))}
+      {explorer.aimMessage.value && <p class="message" role="status">{explorer.aimMessage.value}</p>}
+    </details>
+  );
+}

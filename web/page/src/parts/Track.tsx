@@ -1,0 +1,40 @@
+// The band and the best value of a parameter, drawn at its slider.
+import type { ComponentChildren } from 'preact';
+import { bandOf, LOSS } from '../drive/price';
+import type { Travel } from '../setup/travel';
+import { usePage } from './context';
+import { useSteady } from './steady';
+
+/** Half of the width of a slider's knob, pixels. */
+const KNOB = 8;
+
+const place = (part: number) => `calc(${KNOB}px + ${part} * (100% - ${2 * KNOB}px))`;
+
+interface Props {
+  name: string;
+  travel: Travel;
+  children: ComponentChildren;
+}
+
+export function Track({ name, travel: { low, high }, children }: Props) {
+  const { explorer } = usePage();
+  const { value, units } = useSteady(() => explorer.rowKey(name), () => ({
+    value: explorer.value(name), units: explorer.state.value.units,
+  }));
+  const slope = explorer.slopes.value.get(name);
+  const best = explorer.best.value?.values[name];
+  const part = (x: number) => Math.min(1, Math.max(0, (x - low) / (high - low)));
+  let band = null;
+  if (slope && value !== null && Number.isFinite(value)) {
+    const ends = bandOf(value, slope, LOSS[units]);
+    const [from, to] = [part(ends.low), part(ends.high)];
+    band = <span class="band" style={{ left: place(from), width: `calc(${to - from} * (100% - ${2 * KNOB}px))` }} />;
+  }
+  return (
+    <div class="track">
+      {band}
+      {children}
+      {best !== undefined && <span class="best-mark" title="best" style={{ left: place(part(best)) }} />}
+    </div>
+  );
+}

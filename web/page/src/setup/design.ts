@@ -1,0 +1,61 @@
+// A design: a preset, and the parameters that differ from it.
+import type { Catalog, Value } from './parameters';
+import { CLUB_FIRST, LAUNCH_FIRST } from './parameters';
+import { valueOf } from './units';
+
+/** The text that unsets a parameter. */
+export const NONE = 'none';
+
+export interface Design {
+  readonly preset: string;
+  /** Values as they are typed, with units: "10.5 deg". */
+  readonly set: Readonly<Record<string, string>>;
+}
+
+export const hasLaunch = ({ set }: Design) =>
+  Object.entries(set).some(([name, text]) => name.startsWith('launch.') && text !== NONE);
+
+/** The sliders of the first screen that belong to the ball's start. */
+export const firstOf = (design: Design) => (hasLaunch(design) ? LAUNCH_FIRST : CLUB_FIRST);
+
+/** The law of drag and lift of a design. */
+export const lawOf = (design: Design, catalog: Catalog): Value =>
+  design.set['aero.law'] ?? catalog.preset(design.preset)?.setup['aero.law'] ?? null;
+
+/** The SI value of a parameter: null where it is unset, NaN where only the core can read it. */
+export function numberOf(name: string, design: Design, catalog: Catalog): number | null {
+  const text = design.set[name];
+  if (text === NONE) return null;
+  if (text !== undefined) {
+    const unit = catalog.parameter(name, lawOf(design, catalog))?.unit ?? '';
+    return valueOf(text, unit) ?? NaN;
+  }
+  const preset = catalog.preset(design.preset)?.setup[name];
+  if (typeof preset === 'number') return preset;
+  return preset === 'inf' ? Infinity : null;
+}
+
+/** A design with values; `undefined` goes back to the preset. */
+export function withValues(design: Design, values: Record<string, string | undefined>): Design {
+  const set: Record<string, string> = { ...design.set };
+  for (const [name, text] of Object.entries(values)) {
+    if (text === undefined) delete set[name];
+    else set[name] = text;
+  }
+  return { ...design, set };
+}
+
+/** Parameters that mean something only together: a wind needs its direction. */
+export function together(name: string, design: Design): Record<string, string> {
+  if (name === 'wind.speed' && design.set['wind.from'] === undefined) return { 'wind.from': '0 deg' };
+  if (name === 'wind.from' && design.set['wind.speed'] === undefined) return { 'wind.speed': '0 mph' };
+  return {};
+}
+
+/** The values that a parameter has where no value is stated, from its meaning in the program. */
+export const WHEN_UNSET: Readonly<Record<string, number>> = {
+  'wind.speed': 0,
+  'wind.from': 0,
+  'air.altitude': 0,
+  'air.temperature': 298.15,
+};

@@ -1,0 +1,100 @@
+// Parameters and presets, as the program lists them.
+import type { System } from './units';
+import { unitIn } from './units';
+
+export interface Parameter {
+  parameter: string;
+  symbol: string;
+  unit: string;
+  shown_in: string;
+  kind: 'required' | 'optional' | 'setting';
+  law: string | null;
+  doc: string;
+  range: { low: number | string; high: number | string } | null;
+}
+
+export type Value = number | string | null;
+
+export interface Preset {
+  name: string;
+  about: string;
+  setup: Record<string, Value>;
+  sources: Record<string, string>;
+}
+
+export class Catalog {
+  readonly parameters: readonly Parameter[];
+  readonly presets: readonly Preset[];
+  readonly #byName = new Map<string, Parameter[]>();
+
+  constructor(parameters: readonly Parameter[], presets: readonly Preset[]) {
+    this.parameters = parameters;
+    this.presets = presets;
+    for (const row of parameters) {
+      this.#byName.set(row.parameter, [...(this.#byName.get(row.parameter) ?? []), row]);
+    }
+  }
+
+  preset(name: string): Preset | undefined {
+    return this.presets.find((preset) => preset.name === name);
+  }
+
+  /** The parameter with the law of a preset: laws share names such as aero.cd0. */
+  parameter(name: string, law?: Value): Parameter | undefined {
+    const all = this.#byName.get(name);
+    return all?.find((parameter) => parameter.law === law) ?? all?.[0];
+  }
+
+  /** The parameters of a design's law, without settings of the integration. */
+  of(law: Value): Parameter[] {
+    return this.parameters.filter((row) =>
+      row.kind !== 'setting' && (row.law === null || row.law === law));
+  }
+}
+
+/** The unit of a field. */
+export const unitOf = ({ shown_in }: Parameter, system: System) => unitIn(system, shown_in);
+
+/** Names that are clear in a sentence without their group, or clearer in other words. */
+const NAMED: Readonly<Record<string, string>> = {
+  'swing.speed': 'club speed',
+  'swing.attack_angle': 'attack angle',
+  'swing.path': 'club path',
+  'swing.face_angle': 'face angle',
+  'club.loft': 'loft',
+  'strike.toe': 'strike to toe',
+  'strike.high': 'strike high',
+  'wind.from': 'wind from',
+  'air.altitude': 'altitude',
+  'air.temperature': 'temperature',
+  gravity: 'gravity',
+};
+
+const spaced = (text: string) => text.replace(/[._]/g, ' ');
+
+/** The words for a parameter: "loft", "ball mass". */
+export function labelOf(name: string): string {
+  const named = NAMED[name];
+  if (named) return named;
+  return name.startsWith('launch.') ? spaced(name.slice('launch.'.length)) : spaced(name);
+}
+
+/** The words for a parameter below the heading of its group. */
+export function labelInGroup(name: string): string {
+  const dot = name.indexOf('.');
+  return spaced(dot < 0 ? name : name.slice(dot + 1));
+}
+
+/** The group of a parameter in a setup file. */
+export const groupOf = (name: string) => name.split('.')[0] ?? name;
+
+/** The sliders of the first screen. */
+export const CLUB_FIRST = [
+  'club.loft', 'swing.speed', 'swing.attack_angle', 'swing.face_angle', 'swing.path',
+  'strike.toe', 'strike.high',
+];
+export const LAUNCH_FIRST = [
+  'launch.ball_speed', 'launch.launch_angle', 'launch.backspin', 'launch.launch_direction',
+  'launch.sidespin',
+];
+export const AIR_FIRST = ['wind.speed', 'wind.from', 'air.altitude', 'air.temperature'];

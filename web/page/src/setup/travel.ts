@@ -1,0 +1,75 @@
+// How far a slider goes. The ranges of the program allow any physics; a slider covers golf.
+import type { Parameter } from './parameters';
+import { sizeOf, toSI } from './units';
+
+export interface Travel {
+  low: number;
+  high: number;
+  /** The smallest step of the slider, SI. */
+  step: number;
+}
+
+/** Low, high and step in the unit. */
+type Row = readonly [low: number, high: number, step: number, unit: string];
+
+const ROWS: Readonly<Record<string, Row>> = {
+  'swing.speed': [60, 140, 0.1, 'mph'],
+  'swing.attack_angle': [-10, 10, 0.1, 'deg'],
+  'swing.path': [-10, 10, 0.1, 'deg'],
+  'swing.face_angle': [-10, 10, 0.1, 'deg'],
+  'club.loft': [4, 20, 0.1, 'deg'],
+  'strike.toe': [-25, 25, 0.5, 'mm'],
+  'strike.high': [-20, 20, 0.5, 'mm'],
+  'wind.speed': [0, 40, 0.1, 'mph'],
+  'wind.from': [-180, 180, 1, 'deg'],
+  'air.altitude': [0, 10000, 10, 'ft'],
+  'air.temperature': [-10, 45, 0.5, 'degC'],
+  'launch.ball_speed': [90, 220, 0.1, 'mph'],
+  'launch.launch_angle': [0, 25, 0.1, 'deg'],
+  'launch.launch_direction': [-10, 10, 0.1, 'deg'],
+  'launch.backspin': [500, 6000, 10, 'rpm'],
+  'launch.sidespin': [-2000, 2000, 10, 'rpm'],
+  'launch.spin': [500, 6000, 10, 'rpm'],
+  'launch.spin_axis': [-40, 40, 0.1, 'deg'],
+  'ground.slope': [-10, 10, 0.1, 'deg'],
+  'ground.side_slope': [-10, 10, 0.1, 'deg'],
+  'ground.height': [-30, 30, 0.1, 'm'],
+  'ground.restitution': [0, 1, 0.01, ''],
+  'impact.restitution': [0.6, 0.95, 0.001, ''],
+  'wind.up': [-10, 10, 0.1, 'm/s'],
+  'wind.right': [-20, 20, 0.1, 'm/s'],
+  'wind.downrange': [-20, 20, 0.1, 'm/s'],
+  'air.humidity': [0, 1, 0.01, ''],
+  'air.pressure': [700, 1080, 1, 'hPa'],
+};
+
+/** Travel without a row: half of the value to both sides, or a share of the unit around 0. */
+function around(value: number | null, unit: string): Travel {
+  const size = value === null || value === 0 || !Number.isFinite(value)
+    ? 10 * sizeOf(unit) : Math.abs(value);
+  const middle = value !== null && Number.isFinite(value) ? value : 0;
+  return { low: middle - size / 2, high: middle + size / 2, step: size / 200 };
+}
+
+const within = (end: number | string, value: number) =>
+  typeof end === 'number' ? end : value;
+
+/** The travel of a slider, which includes the value and stays in the range of the program. */
+export function travelOf(parameter: Parameter, preset: number | null, value: number | null): Travel {
+  const row = ROWS[parameter.parameter];
+  const unit = parameter.shown_in;
+  const travel = row
+    ? { low: toSI(row[0], row[3]), high: toSI(row[1], row[3]), step: row[2] * sizeOf(row[3]) }
+    : around(preset, unit);
+  const { low, high } = parameter.range ?? { low: '-inf', high: 'inf' };
+  travel.low = Math.max(travel.low, within(low, travel.low));
+  travel.high = Math.min(travel.high, within(high, travel.high));
+  if (value === null || !Number.isFinite(value)) return travel;
+  return { ...travel, low: Math.min(travel.low, value), high: Math.max(travel.high, value) };
+}
+
+/** Digits after the point of a field. */
+export function decimalsOf({ step }: Travel, unit: string): number {
+  const inUnit = step / sizeOf(unit);
+  return Math.max(0, Math.min(8, Math.ceil(-Math.log10(inUnit) - 1e-9)));
+}

@@ -1,0 +1,112 @@
+// Units of fields and results.
+
+export type System = 'us' | 'metric';
+
+interface Unit {
+  /** SI = (number + offset) × factor. */
+  factor: number;
+  offset?: number;
+  /** The unit as it is printed, if not by its name. */
+  symbol?: string;
+}
+
+const DEGREE = Math.PI / 180;
+const RPM = Math.PI / 30;
+
+const UNITS: Readonly<Record<string, Unit>> = {
+  '': { factor: 1 },
+  'm/s': { factor: 1 },
+  mph: { factor: 0.44704 },
+  'km/h': { factor: 1 / 3.6 },
+  kph: { factor: 1 / 3.6 },
+  'ft/s': { factor: 0.3048 },
+  m: { factor: 1 },
+  mm: { factor: 1e-3 },
+  cm: { factor: 1e-2 },
+  in: { factor: 0.0254 },
+  ft: { factor: 0.3048 },
+  yd: { factor: 0.9144 },
+  rad: { factor: 1 },
+  deg: { factor: DEGREE, symbol: '°' },
+  'rad/s': { factor: 1 },
+  rpm: { factor: RPM },
+  kg: { factor: 1 },
+  g: { factor: 1e-3 },
+  'kg m^2': { factor: 1, symbol: 'kg m²' },
+  'g cm^2': { factor: 1e-7, symbol: 'g cm²' },
+  'kg/m^3': { factor: 1, symbol: 'kg/m³' },
+  'Pa s': { factor: 1 },
+  Pa: { factor: 1 },
+  hPa: { factor: 100 },
+  K: { factor: 1 },
+  degC: { factor: 1, offset: 273.15, symbol: '°C' },
+  degF: { factor: 5 / 9, offset: 459.67, symbol: '°F' },
+  s: { factor: 1 },
+  '1/s': { factor: 1 },
+  's/m': { factor: 1 },
+  's/rad': { factor: 1 },
+  'm/s^2': { factor: 1, symbol: 'm/s²' },
+};
+
+/** Units of a system in place of those that the program shows. */
+const INSTEAD: Readonly<Record<System, Readonly<Record<string, string>>>> = {
+  us: { degC: 'degF', 'm/s': 'mph' },
+  metric: { mph: 'm/s', ft: 'm' },
+};
+
+export const unitIn = (system: System, shownIn: string) => INSTEAD[system][shownIn] ?? shownIn;
+
+const known = (unit: string): Unit => UNITS[unit] ?? { factor: 1 };
+
+export const toSI = (number: number, unit: string) =>
+  (number + (known(unit).offset ?? 0)) * known(unit).factor;
+
+export const fromSI = (si: number, unit: string) => si / known(unit).factor - (known(unit).offset ?? 0);
+
+/** The size of one unit, for differences. */
+export const sizeOf = (unit: string) => known(unit).factor;
+
+export const symbolOf = (unit: string) => known(unit).symbol ?? unit;
+
+/** A number with its unit, as it is printed: "10.5°", "100 mph". */
+export function withUnit(number: string, unit: string): string {
+  const symbol = symbolOf(unit);
+  if (symbol === '') return number;
+  return symbol === '°' ? `${number}°` : `${number} ${symbol}`;
+}
+
+/** A true minus, and no minus before a rounded zero. */
+export function digits(number: number, decimals: number): string {
+  if (!Number.isFinite(number)) return '–';
+  const text = number.toFixed(decimals);
+  return Number(text) === 0 ? text.replace('-', '') : text.replace('-', '−');
+}
+
+/** A difference with its sign. */
+export function signed(number: number, decimals: number): string {
+  const text = digits(number, decimals);
+  return number > 0 && Number(text) !== 0 ? `+${text}` : text;
+}
+
+const QUANTITY = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*(.*?)\s*$/i;
+
+/** The parts of "10.5 deg", or null. */
+export function parts(text: string): { number: number; unit: string } | null {
+  const match = QUANTITY.exec(text.replace('−', '-'));
+  return match ? { number: Number(match[1]), unit: match[2] ?? '' } : null;
+}
+
+/** The SI value of a text such as "100 mph", or null for what only the core can read. */
+export function valueOf(text: string, unitSI: string): number | null {
+  const read = parts(text);
+  if (!read) return null;
+  if (read.unit === '') return read.number;
+  const unit = read.unit === '°' ? 'deg' : read.unit;
+  return unit in UNITS || unit === unitSI ? toSI(read.number, unit) : null;
+}
+
+/** A text for the core: digits after the point as many as the number needs, at most `decimals`. */
+export function textOf(si: number, unit: string, decimals: number): string {
+  const number = String(Number(fromSI(si, unit).toFixed(decimals)));
+  return unit === '' ? number : `${number} ${unit}`;
+}

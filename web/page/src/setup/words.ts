@@ -1,0 +1,31 @@
+// A design as the words of the command line.
+import type { Design } from './design';
+import type { Parameter } from './parameters';
+import type { Travel } from './travel';
+import { textOf } from './units';
+
+const compact = (text: string) => text.replace(/^([-+.\de]+) /i, '$1');
+
+export function settingsOf({ set }: Design, option = '--set'): string[] {
+  return Object.entries(set).flatMap(([name, text]) => [option, `${name}=${text}`]);
+}
+
+export const setupWords = (design: Design) => [design.preset, ...settingsOf(design)];
+
+/** The words of a range: club.loft=4deg..20deg. */
+export function rangeWords({ parameter, shown_in }: Parameter, { low, high }: Travel): string {
+  const [from, to] = [low, high].map((end) => compact(textOf(end, shown_in, 6)));
+  return `${parameter}=${from}..${to}`;
+}
+
+/** Words that a shell reads as they are. */
+function quoted(word: string): string {
+  return /^[\w./:=,+-]+$/.test(word) ? word : `'${word.replace(/'/g, `'\\''`)}'`;
+}
+
+/** A command to type. */
+export const commandLine = (words: readonly string[]) =>
+  ['longdrive', ...words.map((word) => quoted(compactSetting(word)))].join(' ');
+
+const compactSetting = (word: string) =>
+  word.replace(/^([\w.]+=)([-+.\de]+) ([\w/^]+)$/i, '$1$2$3');

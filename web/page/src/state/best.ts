@@ -1,0 +1,62 @@
+// The best drive: what `optimize` says.
+import type { Reply } from '../core/messages';
+import type { Design } from '../setup/design';
+import { withValues } from '../setup/design';
+import { textOf } from '../setup/units';
+import { rangeWords, setupWords } from '../setup/words';
+import type { Parameter } from '../setup/parameters';
+import type { Travel } from '../setup/travel';
+import type { State } from './state';
+
+export interface Best {
+  names: readonly string[];
+  values: Readonly<Record<string, number>>;
+  /** The setup with these values. */
+  design: Design;
+  flight: Readonly<Record<string, number | null>>;
+  /** The gain of raising or lowering a parameter beyond its bound, SI; 0 within. */
+  beyond: Readonly<Record<string, number>>;
+  warnings: readonly string[];
+}
+
+/** The parameters of a design and how far their sliders go. */
+interface Fields {
+  parameter(name: string): Parameter;
+  travel(name: string): Travel;
+}
+
+interface OptimizeAnswer {
+  optimum: Record<string, number>;
+  flight: Record<string, number | null>;
+  multipliers: Record<string, { lower: number; upper: number }>;
+  warnings: string[];
+}
+
+/** The words that find the best of a design. */
+export function bestWords(
+  fields: Fields, { goal, units }: State, design: Design, names: readonly string[],
+): string[] {
+  const vary = names.flatMap((name) =>
+    ['--vary', rangeWords(fields.parameter(name), fields.travel(name))]);
+  return ['optimize', ...setupWords(design), '--maximize', goal, ...vary, '--units', units, '--json'];
+}
+
+export function readBest({ exit, answer }: Reply, design: Design, fields: Fields): Best | null {
+  if (exit !== 0) return null;
+  const { optimum, flight, multipliers, warnings } = JSON.parse(answer) as OptimizeAnswer;
+  const names = Object.keys(optimum);
+  const texts = names.map((name) =>
+    [name, textOf(optimum[name] ?? NaN, fields.parameter(name).shown_in, 3)] as const);
+  const beyond = names.map((name) => {
+    const { lower = 0, upper = 0 } = multipliers[name] ?? {};
+    return [name, upper - lower] as const;
+  });
+  return {
+    names,
+    values: optimum,
+    design: withValues(design, Object.fromEntries(texts)),
+    flight,
+    beyond: Object.fromEntries(beyond),
+    warnings,
+  };
+}

@@ -1,0 +1,395 @@
+// The state of the page and what the core says about it. Components read its signals.
+import { batch, computed, signal } from '@preact/signals';
+import type { Lane, Progress } from '../core/lane';
+import type { Call, Reply } from '../core/messages';
+import type { Drive, Refusal, Slope } from '../drive/drive';
+import { isRefused, readDrive, readSlopes, refusalOf } from '../drive/drive';
+import type { Design } from '../setup/design';
+import { NONE, WHEN_UNSET, firstOf, hasLaunch, lawOf, numberOf, together, withValues } from '../setup/design';
+import type { Catalog, Parameter } from '../setup/parameters';
+import { AIR_FIRST, groupOf, labelOf } from '../setup/parameters';
+import type { Travel } from '../setup/travel';
+import { decimalsOf, travelOf } from '../setup/travel';
+import { digits, fromSI, textOf, unitIn } from '../setup/units';
+import { setupWords } from '../setup/words';
+import type { Best } from './best';
+import { bestWords, readBest } from './best';
+import { Later } from './later';
+import type { MapAxes, MapData } from './map';
+import { mapCall, mapKey, readMap } from './map';
+import type { State } from './state';
+import { activeOf, mapOf, varyOf, withDesign } from './state';
+
+/** Derivatives by this many parameters are one pass of the core. */
+const PASS = 8;
+const COARSE = 20;
+const FINE = 60;
+/** Milliseconds without a change before slower answers are computed. */
+const REST = 150;
+
+/** The integration that is accurate for all drives near the sliders. */
+export interface Integration {
+  method: string;
+  step: number;
+}
+
+export class Explorer {
+  readonly catalog: Catalog;
+  readonly hand: Lane;
+  readonly desk: Lane;
+  readonly #integration: Integration | null;
+
+  readonly state;
+  readonly drive = signal<Drive | null>(null);
+  readonly refusal = signal<Refusal | null>(null);
+  readonly slopes = signal<ReadonlyMap<string, Slope>>(new Map());
+  readonly best = signal<Best | null>(null);
+  readonly bestMessage = signal<string | null>(null);
+  readonly ghost = signal<Drive | null>(null);
+  readonly map = signal<MapData | null>(null);
+  readonly mapBest = signal<Best | null>(null);
+  readonly others = signal<readonly (Drive | Refusal | null)[]>([]);
+  readonly trap = signal<string | null>(null);
+  readonly progress = signal<(Progress & { what: string }) | null>(null);
+  /** What a long command does, while it runs. */
+  readonly working = signal<string | null>(null);
+  readonly aimMessage = signal<string | null>(null);
+  /** The group of further sliders that is open. */
+  readonly openGroup = signal<string | null>(null);
+  /** Milliseconds of the last drive in the worker. */
+  readonly milliseconds = signal(0);
+  readonly design = computed(() => activeOf(this.state.value));
+  // parts of the state that seldom change, so that what shows them is not drawn at each move
+  readonly units = computed(() => this.state.value.units);
+  readonly isLaunch = computed(() => hasLaunch(this.design.value));
+
+  /** Parameters that have no derivative in this setup, for example where another takes their place. */
+  #fixed = new Set<string>();
+  #fixedKey = '';
+  #mapKey = '';
+  #traps = 0;
+  readonly #rest = new Later(REST);
+  /** Called after each change; `isFinal` when the hand lets go. */
+  onChange: (state: State, isFinal: boolean) => void = () => {};
+
+  constructor(catalog: Catalog, hand: Lane, desk: Lane, integration: Integration | null, state: State) {
+    this.catalog = catalog;
+    this.hand = hand;
+    this.desk = desk;
+    this.#integration = integration;
+    this.state = signal(state);
+    for (const lane of [hand, desk]) lane.onTrap = (message) => this.#trapped(message);
+    desk.onProgress = (progress) => {
+      const what = this.working.value;
+      this.progress.value = progress && what ? { ...progress, what } : null;
+    };
+  }
+
+  // what the components do
+
+  /** Changes the state; a drag is final when the hand lets go. */
+  change(state: State, isFinal = true) {
+    const isOther = state !== this.state.value;
+    this.state.value = state;
+    this.onChange(state, isFinal);
+    if (isOther) this.refresh();
+  }
+
+  changeDesign(design: Design, isFinal = true) {
+    this.change(withDesign(this.state.value, design), isFinal);
+  }
+
+  /** Sets one parameter as it is typed. */
+  set(name: string, text: string, isFinal = true) {
+    const { design } = this;
+    this.changeDesign(
+      withValues(design.value, { ...together(name, design.value), [name]: text }), isFinal);
+  }
+
+  /** Sets one parameter from a slider. */
+  slide(name: string, value: number, isFinal: boolean) {
+    const { unit, decimals } = this.field(name);
+    this.set(name, textOf(value, unit, decimals), isFinal);
+  }
+
+  reset(name: string) {
+    const partner: Record<string, string> = { 'wind.speed': 'wind.from', 'wind.from': 'wind.speed' };
+    const names = [name, ...(partner[name] ? [partner[name]] : [])];
+    this.changeDesign(withValues(
+      this.design.value, Object.fromEntries(names.map((each) => [each, undefined]))));
+  }
+
+  /** Ends a drag: its last state can be undone. */
+  release() {
+    this.onChange(this.state.value, true);
+  }
+
+  // what the fields show
+
+  parameter(name: string): Parameter {
+    const found = this.catalog.parameter(name, lawOf(this.design.value, this.catalog));
+    if (!found) throw new Error(`no parameter ${name}`);
+    return found;
+  }
+
+  value(name: string): number | null {
+    return numberOf(name, this.design.value, this.catalog);
+  }
+
+  presetValue(name: string): number | null {
+    return numberOf(name, { preset: this.design.value.preset, set: {} }, this.catalog);
+  }
+
+  travel(name: string): Travel {
+    return travelOf(this.parameter(name), this.presetValue(name), this.value(name));
+  }
+
+  field(name: string) {
+    const parameter = this.parameter(name);
+    const unit = unitIn(this.state.value.units, parameter.shown_in);
+    return { parameter, unit, decimals: decimalsOf(this.travel(name), unit) };
+  }
+
+  /** A parameter of this value, as a sentence has it: "8.80°". */
+  shown(name: string, value: number, more = 1): string {
+    const { unit, decimals } = this.field(name);
+    return digits(fromSI(value, unit), Math.min(6, decimals + more));
+  }
+
+  /** A text that is another one when the slider or field of a parameter looks otherwise. */
+  rowKey(name: string): string {
+    const { preset, set } = this.design.value;
+    const { refusal } = this;
+    const message = refusal.value?.parameters[0] === name ? refusal.value.message : '';
+    return JSON.stringify([preset, set[name], set['aero.law'], this.state.value.units, message]);
+  }
+
+  // what the core is asked
+
+  /** The setup of a request to the core. */
+  setup(design: Design = this.design.value) {
+    const isStated = 'flight.step' in design.set || 'flight.method' in design.set;
+    const chosen = this.#integration && !isStated
+      ? { 'flight.method': this.#integration.method, 'flight.step': this.#integration.step } : {};
+    const stated = Object.fromEntries(
+      Object.entries(design.set).map(([name, text]) => [name, text === NONE ? null : text]));
+    return { preset: design.preset, set: { ...chosen, ...stated } };
+  }
+
+  refresh() {
+    void this.#fly();
+    this.#rest.call(() => {
+      void this.#findBest();
+      void this.#flyOthers();
+      void this.#flyMap(FINE);
+    });
+  }
+
+  /** The sliders whose price is computed. */
+  #priced(): string[] {
+    const design = this.design.value;
+    const open = this.openGroup.value;
+    const isLaunch = hasLaunch(design);
+    const more = this.catalog.of(lawOf(design, this.catalog))
+      .map(({ parameter }) => parameter)
+      .filter((name) => groupOf(name) === open);
+    const isFree = (name: string) => {
+      const value = this.value(name);
+      return value !== null && Number.isFinite(value) && !this.#fixed.has(name)
+        && !(isLaunch && /^(swing|club|strike|impact)\./.test(name));
+    };
+    return [...new Set([...firstOf(design), ...AIR_FIRST, ...more])].filter(isFree);
+  }
+
+  async #fly() {
+    const { goal, units } = this.state.value;
+    const key = JSON.stringify([this.design.value.preset, Object.keys(this.design.value.set)]);
+    if (key !== this.#fixedKey) {
+      this.#fixed.clear();
+      this.#fixedKey = key;
+    }
+    const setup = this.setup();
+    const wrt = this.#priced();
+    const calls: Call[] = [{ door: 'drive', request: { setup, units, path: true, order: 0 } }];
+    for (let at = 0; at < wrt.length; at += PASS) {
+      const pass = wrt.slice(at, at + PASS);
+      calls.push({ door: 'drive', request: { setup, units, of: [goal], wrt: pass, order: 2 } });
+    }
+    const unset = this.#unsetCall();
+    if (unset) calls.push(unset);
+    const answer = await this.hand.calls('drive', calls);
+    if (!answer) return;
+    const [first, ...more] = answer.numbers;
+    if (!first) return;
+    this.#traps = 0;
+    batch(() => {
+      this.milliseconds.value = answer.milliseconds;
+      if (isRefused(first)) {
+        this.refusal.value = refusalOf(first);
+        return;
+      }
+      const drive = readDrive(first);
+      this.drive.value = drive;
+      this.refusal.value = drive.status === 'landed' ? null
+        : { message: drive.message ?? drive.status, parameters: [] };
+      const slopes = new Map<string, Slope>();
+      for (const numbers of more) {
+        if (!isRefused(numbers)) readSlopes(numbers).forEach((slope, name) => slopes.set(name, slope));
+      }
+      this.slopes.value = slopes;
+    });
+    this.#withoutFixed(more.slice(0, unset ? -1 : undefined).filter(isRefused).map(refusalOf));
+    this.#mapIfOther();
+  }
+
+  /** Leaves out parameters that the core cannot differentiate by, and flies again. */
+  #withoutFixed(refusals: Refusal[]) {
+    const before = this.#fixed.size;
+    refusals.forEach(({ parameters: [name] }) => name && this.#fixed.add(name));
+    if (this.#fixed.size > before) void this.#fly();
+  }
+
+  /** Prices of wind and air that are not stated: those of the values that they have then. */
+  #unsetCall(): Call | null {
+    const { set } = this.design.value;
+    const isCalm = ['wind.right', 'wind.downrange'].every((name) => this.value(name) === 0);
+    const hasWind = 'wind.speed' in set || 'wind.from' in set;
+    const hasAir = ['air.density', 'air.pressure'].some((name) => name in set);
+    const names = AIR_FIRST.filter((name) => this.value(name) === null
+      && (groupOf(name) === 'wind' ? isCalm && !hasWind : !hasAir));
+    if (names.length === 0) return null;
+    const setup = this.setup();
+    const stated = Object.fromEntries(names.map((name) => [name, WHEN_UNSET[name] ?? 0]));
+    const request = {
+      setup: { ...setup, set: { ...setup.set, ...stated } },
+      of: [this.state.value.goal],
+      wrt: names,
+      order: 2,
+    };
+    return { door: 'drive', request };
+  }
+
+  async #findBest() {
+    const state = this.state.value;
+    const design = this.design.value;
+    const names = varyOf(state);
+    const reply = await this.desk.command('best', bestWords(this, state, design, names));
+    if (!reply || design !== this.design.value) return;
+    const best = readBest(reply, design, this);
+    this.bestMessage.value = best ? null : messageOf(reply);
+    this.best.value = best;
+    if (!best) {
+      this.ghost.value = null;
+      return;
+    }
+    const call: Call = { door: 'drive', request: { setup: this.setup(best.design), path: true, order: 0 } };
+    const answer = await this.hand.calls('ghost', [call]);
+    const first = answer?.numbers[0];
+    if (first && !isRefused(first)) this.ghost.value = readDrive(first);
+  }
+
+  async #flyOthers() {
+    const { designs, units } = this.state.value;
+    if (designs.length < 2) {
+      if (this.others.value.length) this.others.value = [];
+      return;
+    }
+    const calls = designs.map((design): Call =>
+      ({ door: 'drive', request: { setup: this.setup(design), units, path: true, order: 0 } }));
+    const answer = await this.hand.calls('others', calls);
+    if (!answer) return;
+    this.others.value = answer.numbers.map((numbers) =>
+      (isRefused(numbers) ? refusalOf(numbers) : readDrive(numbers)));
+  }
+
+  /** The axes of the map. Their ranges do not follow the hand, so that the map stays while one drags. */
+  #mapAxes(): MapAxes {
+    const [across, up] = mapOf(this.state.value);
+    const range = (name: string) => travelOf(this.parameter(name), this.presetValue(name), null);
+    return { across, up, ranges: [range(across), range(up)], goal: this.state.value.goal };
+  }
+
+  /** A coarse map at once where the map changes; the hand's own two parameters do not change it. */
+  #mapIfOther() {
+    if (mapKey(this.design.value, this.#mapAxes()) !== this.#mapKey) void this.#flyMap(COARSE);
+  }
+
+  async #flyMap(nodes: number) {
+    const axes = this.#mapAxes();
+    const key = mapKey(this.design.value, axes);
+    const isKnown = key === this.#mapKey && (this.map.value?.columns ?? 0) >= nodes;
+    if (isKnown || this.refusal.value) return;
+    const answer = await this.hand.calls('map', [mapCall(axes, this.setup(), nodes)]);
+    const first = answer?.numbers[0];
+    if (!first) return;
+    if (isRefused(first)) {
+      this.map.value = null;
+      return;
+    }
+    this.#mapKey = key;
+    this.map.value = readMap(first, axes);
+    if (nodes === FINE) await this.#findMapBest();
+  }
+
+  async #findMapBest() {
+    const design = this.design.value;
+    const words = bestWords(this, this.state.value, design, mapOf(this.state.value));
+    const reply = await this.desk.command('map best', words);
+    if (reply) this.mapBest.value = readBest(reply, design, this);
+  }
+
+  /** Two parameters that make the ball land there. */
+  async aim(names: readonly [string, string], carry: number, lateral: number) {
+    const vary = names.map((name) => ({ name, ...ends(this.travel(name)) }));
+    const request = { setup: this.setup(), units: this.state.value.units, vary, carry, lateral };
+    const answer = await this.hand.calls('aim', [{ door: 'aim', request }]);
+    const first = answer?.numbers[0];
+    if (!first) return;
+    this.aimMessage.value = first.head.message ?? null;
+    if (first.head.status !== 'reached' && first.head.status !== 'nearest') return;
+    const values = Object.fromEntries(names.map((name, k) =>
+      [name, textOf(first.block[k] ?? NaN, this.field(name).unit, 4)]));
+    this.changeDesign(withValues(this.design.value, values), false);
+  }
+
+  /** A long command with its progress; null if it was ended. */
+  async run(what: string, words: string[], files: Record<string, Uint8Array> = {}): Promise<Reply | null> {
+    this.working.value = what;
+    const reply = await this.desk.command('long', words, files);
+    this.working.value = null;
+    return reply;
+  }
+
+  /** Ends the long command. */
+  end() {
+    this.desk.end();
+  }
+
+  #trapped(message: string) {
+    this.trap.value = message;
+    this.#traps += 1;
+    // the drive that trapped once is tried again once
+    if (this.#traps === 1) this.#rest.call(() => this.refresh());
+  }
+
+  // names in sentences
+
+  nameOf = (name: string) => labelOf(name);
+
+  words() {
+    return setupWords(this.design.value);
+  }
+}
+
+const ends = ({ low, high }: Travel) => ({ low, high });
+
+/** The message of a command without an answer. */
+export function messageOf({ answer, said }: Reply): string {
+  try {
+    const { message } = JSON.parse(answer) as { message?: string };
+    if (message) return message;
+  } catch {
+    // no JSON: the message is beside the answer
+  }
+  return said.map(({ text }) => text).join(' ') || 'no answer';
+}

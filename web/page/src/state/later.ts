@@ -1,0 +1,15 @@
+// Work that waits until nothing has asked for it for a while.
+
+export class Later {
+  readonly #milliseconds: number;
+  #timer = 0;
+
+  constructor(milliseconds: number) {
+    this.#milliseconds = milliseconds;
+  }
+
+  call(work: () => void) {
+    clearTimeout(this.#timer);
+    this.#timer = window.setTimeout(work, this.#milliseconds);
+  }
+}

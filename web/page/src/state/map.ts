@@ -1,0 +1,39 @@
+// The map: an outcome over two parameters.
+import type { Call, Numbers } from '../core/messages';
+import type { Design } from '../setup/design';
+import type { Travel } from '../setup/travel';
+import type { Goal } from './state';
+
+/** The parameters of a map with their ranges, SI, and the outcome. */
+export interface MapAxes {
+  across: string;
+  up: string;
+  ranges: readonly [Travel, Travel];
+  goal: Goal;
+}
+
+export interface MapData extends MapAxes {
+  columns: number;
+  rows: number;
+  /** Row by row from the lowest, m; NaN without a landing. */
+  values: Float64Array;
+}
+
+/** A text that is another one where the map is another one. */
+export function mapKey({ preset, set }: Design, { across, up, goal }: MapAxes): string {
+  const rest = Object.entries(set).filter(([name]) => name !== across && name !== up);
+  return JSON.stringify([preset, across, up, goal, rest]);
+}
+
+/** The request for a map with so many columns and rows. */
+export function mapCall({ across, up, ranges, goal }: MapAxes, setup: unknown, nodes: number): Call {
+  const [first, second] = [across, up].map((name, axis) => {
+    const { low, high } = ranges[axis]!;
+    return { name, low, high };
+  });
+  const request = { setup, of: [goal], across: first, up: second, nodes: [nodes, nodes] };
+  return { door: 'map', request };
+}
+
+export const readMap = ({ head, block }: Numbers, axes: MapAxes): MapData =>
+  ({ ...axes, columns: Number(head.columns), rows: Number(head.rows), values: block });

@@ -1,0 +1,58 @@
+// All that a link holds: designs, and how they are shown.
+import type { Design } from '../setup/design';
+import { hasLaunch } from '../setup/design';
+import type { System } from '../setup/units';
+
+export type Goal = 'carry' | 'total';
+export const GOALS: readonly Goal[] = ['carry', 'total'];
+
+export interface State {
+  /** One to four designs; the sliders move the one that is active. */
+  readonly designs: readonly Design[];
+  readonly active: number;
+  readonly goal: Goal;
+  readonly units: System;
+  /** Parameters that the best drive may change; null for the usual ones. */
+  readonly vary: readonly string[] | null;
+  /** Parameters of the map, across and up; null for the usual ones. */
+  readonly map: readonly [string, string] | null;
+}
+
+export const MOST_DESIGNS = 4;
+export const DESIGN_NAMES = ['A', 'B', 'C', 'D'] as const;
+
+export const START: State = {
+  designs: [{ preset: 'tour-average', set: {} }],
+  active: 0,
+  goal: 'carry',
+  units: 'us',
+  vary: null,
+  map: null,
+};
+
+export const activeOf = (state: State): Design => state.designs[state.active] ?? START.designs[0]!;
+
+/** The parameters that the best drive may change: the loft, as a golfer chooses a club. */
+export function varyOf(state: State): readonly string[] {
+  const isLaunch = hasLaunch(activeOf(state));
+  const usual = isLaunch ? ['launch.launch_angle'] : ['club.loft'];
+  const chosen = (state.vary ?? usual).filter((name) =>
+    isLaunch ? !/^(club|swing|strike|impact)\./.test(name) : !name.startsWith('launch.'));
+  return chosen.length ? chosen : usual;
+}
+
+export function mapOf(state: State): readonly [string, string] {
+  const isLaunch = hasLaunch(activeOf(state));
+  const usual: [string, string] = isLaunch
+    ? ['launch.launch_angle', 'launch.backspin'] : ['club.loft', 'swing.attack_angle'];
+  const chosen = state.map;
+  if (!chosen) return usual;
+  const gone = chosen.some((name) => name.startsWith('launch.') !== isLaunch
+    && /^(launch|club|swing|strike)\./.test(name));
+  return gone ? usual : chosen;
+}
+
+export function withDesign(state: State, design: Design): State {
+  const designs = state.designs.map((old, at) => (at === state.active ? design : old));
+  return { ...state, designs };
+}

@@ -1,0 +1,69 @@
+// What the tests share: the system's Chromium, the page as a file and from a server, and all it says.
+import { createServer } from 'node:http';
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const dist = fileURLToPath(new URL('../../dist', import.meta.url));
+const BROWSERS = ['/usr/bin/chromium', '/usr/bin/google-chrome', '/usr/bin/chromium-browser'];
+const TYPES = { html: 'text/html', js: 'text/javascript', css: 'text/css' };
+
+export const file = pathToFileURL(join(dist, 'explorer.html')).href;
+
+export function launch() {
+  const executablePath = BROWSERS.find(existsSync);
+  const args = ['--no-sandbox', '--disable-gpu', '--no-first-run', '--disable-background-networking', '--disable-component-update'];
+  return chromium.launch({ executablePath, args });
+}
+
+/** A file server of the site; the address and an end. */
+export async function serve() {
+  const server = createServer((request, response) => {
+    const name = request.url === '/' ? 'index.html' : request.url.slice(1);
+    try {
+      const content = readFileSync(join(dist, 'site', name));
+      response.writeHead(200, { 'content-type': TYPES[name.split('.').at(-1)] ?? 'application/octet-stream' });
+      response.end(content);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  await new Promise(done => { server.listen(0, '127.0.0.1', done); });
+  return { address: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
+}
+
+/** An open page, and what must not happen in it. */
+export async function open(browser, address = file, { width = 1280, height = 800, ...options } = {}, script = undefined) {
+  const context = await browser.newContext({ viewport: { width, height }, acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  const said = [];
+  const requests = [];
+  page.on('console', message => said.push(message.text()));
+  page.on('pageerror', error => said.push(String(error)));
+  page.on('request', request => requests.push(request.url()));
+  if (script) await page.addInitScript(script);
+  await page.goto(address);
+  await page.waitForSelector('.answer');
+  return { page, context, said, requests };
+}
+
+/** Waits until the answer has settled: the best drive and the fine map are those of the state. */
+export async function settle(page) {
+  await page.waitForFunction(() => /\d/.test(document.querySelector('.answer .goal td:nth-child(3)')?.textContent ?? ''));
+  let before = '';
+  for (let same = 0; same < 3;) {
+    await page.waitForTimeout(200);
+    const now = await page.evaluate(() => document.querySelector('.answer').textContent
+      + [...document.querySelectorAll('figcaption')].map(({ textContent }) => textContent).join());
+    same = now === before ? same + 1 : 0;
+    before = now;
+  }
+}
+
+/** A number of the answer: row 'carry', column 1 is yours, 2 the best. */
+export async function answer(page, row, column) {
+  const text = await page.locator('.answer tr', { has: page.getByRole('rowheader', { name: row, exact: true }) })
+    .locator('td').nth(column - 1).textContent();
+  return Number(text.replace('−', '-').replace(/[^\d.-]/g, ''));
+}
