@@ -48,17 +48,12 @@ export async function open(browser, address = file, { width = 1280, height = 800
   return { page, context, said, requests };
 }
 
-/** Waits until the answer has settled: the best drive and the fine map are those of the state. */
+/** Waits until all answers are those of the state, and a frame has drawn them. */
 export async function settle(page) {
-  await page.waitForFunction(() => /\d/.test(document.querySelector('.answer .goal td:nth-child(3)')?.textContent ?? ''));
-  let before = '';
-  for (let same = 0; same < 3;) {
-    await page.waitForTimeout(200);
-    const now = await page.evaluate(() => document.querySelector('.answer').textContent
-      + [...document.querySelectorAll('figcaption')].map(({ textContent }) => textContent).join());
-    same = now === before ? same + 1 : 0;
-    before = now;
-  }
+  const frame = () => page.evaluate(() => new Promise(done => { requestAnimationFrame(() => setTimeout(done, 0)); }));
+  await frame();
+  await page.waitForSelector('main[data-busy=false]', { state: 'attached' });
+  await frame();
 }
 
 /** A number of the answer: row 'carry', column 1 is yours, 2 the best. */

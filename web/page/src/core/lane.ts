@@ -30,6 +30,8 @@ export class Lane {
   #traps = 0;
   /** Receives the message of a trap, after which the worker begins anew. */
   onTrap: (message: string) => void = () => {};
+  /** Called when nothing is under way and nothing waits. */
+  onIdle: () => void = () => {};
   /** Receives the progress of long work; null when it ends. */
   onProgress: (progress: Progress | null) => void = () => {};
 
@@ -53,6 +55,10 @@ export class Lane {
   /** Ends the current work: a thread without shared memory can only be ended as a whole. */
   end() {
     this.#restart();
+  }
+
+  get isIdle() {
+    return this.#current === null && this.#waiting.length === 0;
   }
 
   #begin(): Worker {
@@ -91,7 +97,10 @@ export class Lane {
   #next() {
     if (this.#current) return;
     const job = this.#waiting.shift();
-    if (!job) return;
+    if (!job) {
+      this.onIdle();
+      return;
+    }
     this.#number += 1;
     this.#current = { job, number: this.#number };
     this.#post(this.#worker, { ...job.work, number: this.#number });
@@ -129,6 +138,7 @@ export class Lane {
     for (const job of [this.#current?.job, ...this.#waiting]) job?.settle(null);
     this.#current = null;
     this.#waiting = [];
+    this.onIdle();
   }
 
   #restart() {

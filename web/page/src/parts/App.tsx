@@ -21,12 +21,13 @@ const VIEWS = ['side', 'above', 'map', 'launch', 'more'] as const;
 export function App() {
   const [view, setView] = useState<(typeof VIEWS)[number]>('side');
   const [isOpen, setOpen] = useState(true);
+  const { explorer } = usePage();
   useKeys();
   return (
     <>
       <Header />
       <Notices />
-      <main data-view={view}>
+      <main data-view={view} data-busy={explorer.busy}>
         <div class="answer-place"><Answer /></div>
         <nav class="views" aria-label="views">
           {VIEWS.map((name) => (

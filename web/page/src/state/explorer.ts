@@ -49,6 +49,8 @@ export class Explorer {
   readonly map = signal<MapData | null>(null);
   readonly mapBest = signal<Best | null>(null);
   readonly others = signal<readonly (Drive | Refusal | null)[]>([]);
+  /** True while an answer to the state is missing. */
+  readonly busy = signal(false);
   readonly trap = signal<string | null>(null);
   readonly progress = signal<(Progress & { what: string }) | null>(null);
   /** What a long command does, while it runs. */
@@ -78,7 +80,11 @@ export class Explorer {
     this.desk = desk;
     this.#integration = integration;
     this.state = signal(state);
-    for (const lane of [hand, desk]) lane.onTrap = (message) => this.#trapped(message);
+    for (const lane of [hand, desk]) {
+      lane.onTrap = (message) => this.#trapped(message);
+      // after those who wait for the last answer have asked for more
+      lane.onIdle = () => setTimeout(() => this.#look(), 0);
+    }
     desk.onProgress = (progress) => {
       const what = this.working.value;
       this.progress.value = progress && what ? { ...progress, what } : null;
@@ -176,7 +182,12 @@ export class Explorer {
     return { preset: design.preset, set: { ...chosen, ...stated } };
   }
 
+  #look() {
+    this.busy.value = this.#rest.isWaiting || !this.hand.isIdle || !this.desk.isIdle;
+  }
+
   refresh() {
+    this.busy.value = true;
     void this.#fly();
     this.#rest.call(() => {
       void this.#findBest();
@@ -342,6 +353,7 @@ export class Explorer {
   async aim(names: readonly [string, string], carry: number, lateral: number) {
     const vary = names.map((name) => ({ name, ...ends(this.travel(name)) }));
     const request = { setup: this.setup(), units: this.state.value.units, vary, carry, lateral };
+    this.busy.value = true;
     const answer = await this.hand.calls('aim', [{ door: 'aim', request }]);
     const first = answer?.numbers[0];
     if (!first) return;

@@ -8,8 +8,15 @@ export class Later {
     this.#milliseconds = milliseconds;
   }
 
+  get isWaiting() {
+    return this.#timer !== 0;
+  }
+
   call(work: () => void) {
     clearTimeout(this.#timer);
-    this.#timer = window.setTimeout(work, this.#milliseconds);
+    this.#timer = window.setTimeout(() => {
+      this.#timer = 0;
+      work();
+    }, this.#milliseconds);
   }
 }
