@@ -444,6 +444,8 @@ def rows(_=None):
     return tuple(np.ascontiguousarray(table[name]).tobytes() for name in table.keys())
 
 if __name__ == "__main__":
+    # a fork during the first call could inherit the lock of an import
+    rows()
     stop = threading.Event()
 
     def busy():
