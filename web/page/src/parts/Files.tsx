@@ -1,6 +1,6 @@
 // Setup file, command, answers as JSON, report.
 import { useState } from 'preact/hooks';
-import { designOf, writeSetup } from '../setup/file';
+import { designOf, lostKey, writeSetup } from '../setup/file';
 import type { FileValues } from '../setup/file';
 import { NONE } from '../setup/design';
 import { commandLine } from '../setup/words';
@@ -27,11 +27,17 @@ export function Files() {
   const words = bestWords(explorer, explorer.state.value, design, varyOf(explorer.state.value)).filter((word) => word !== '--json');
   const open = async (file: File) => {
     setMessage(null);
-    const files = { 'setup.toml': await bytesOf(file) };
+    const bytes = await bytesOf(file);
+    const files = { 'setup.toml': bytes };
     const reply = await explorer.run(`reading ${file.name}`, ['parameters', 'setup.toml', '--json'], files);
     if (!reply) return;
     if (reply.exit !== 0) {
       setMessage(messageOf(reply).replace(/setup\.toml/g, file.name));
+      return;
+    }
+    const lost = lostKey(new TextDecoder().decode(bytes));
+    if (lost) {
+      setMessage(`${file.name} states ${lost}, which the explorer does not have yet: use the program for this file, or remove that line`);
       return;
     }
     const values = JSON.parse(reply.answer) as FileValues;

@@ -21,6 +21,11 @@ export interface FileValues {
   parameters: (Parameter & { value: number | string | null })[];
 }
 
+/** The first key of a file that the page cannot show, so that it would be lost; null if there is none. */
+export function lostKey(toml: string): string | null {
+  return /^\s*(?:\w+\.)?(golfer|speed_of|method)\s*=/m.exec(toml)?.[1] ?? null;
+}
+
 /** The design of a file: the preset nearest to it, and all values that differ. */
 export function designOf(values: FileValues, catalog: Catalog): Design {
   const stated = new Set(values.parameters
