@@ -140,7 +140,7 @@ struct Page {
     now: Mutex<Now>,
 }
 
-/// What a command has given to the page so far.
+/// Output of a command so far.
 #[derive(Default)]
 struct Now {
     answer: Vec<u8>,

@@ -1,4 +1,4 @@
-// What the page and its workers say to each other.
+// Messages between the page and its workers.
 
 /** A function of the core that answers with numbers, and its request. */
 export interface Call {

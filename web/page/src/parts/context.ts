@@ -1,4 +1,4 @@
-// What every component reads.
+// Values that every component reads.
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
 import type { Address } from '../state/address';

@@ -1,4 +1,4 @@
-// How far a slider goes. The ranges of the program allow any physics; a slider covers golf.
+// Ranges of the sliders. The ranges of the program allow any physics; a slider covers golf.
 import type { Parameter } from './parameters';
 import { sizeOf, toSI } from './units';
 
