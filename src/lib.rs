@@ -11,7 +11,8 @@
 //! ([`impact`]) and that flies through air with drag, lift and spin decay ([`flight`]). Both are
 //! written once, generic over a [`Number`](number::Number): `f64` gives values, dual numbers give
 //! exact gradients and Hessians ([`derivative`]), which the optimizer ([`optimize`]) and every
-//! study ([`study`]) use.
+//! study ([`study`]) use. Without default features the library ends with the optimizer: the feature
+//! `studies` adds the studies, tables and reports.
 //!
 //! ```
 //! use longdrive::{Outcome, Setup, derivative};
@@ -37,10 +38,12 @@
 //! |---|---|
 //! | the commands of the program (feature `commands`) | `command` |
 //! | the parts of a sweep that is divided among processes and machines (feature `parquet`) | `parts` |
-//! | results to bytes (feature `reports`) | `report` |
-//! | published studies, computed anew (feature `reports`) | `reproduce` |
-//! | studies of a drive; measured shots | [`study`], [`shots`] |
-//! | batches of drives; tables of points; statistics of a sweep | [`batch`], [`table`], [`statistics`] |
+//! | results to bytes (feature `studies`) | [`report`] |
+//! | published studies, computed anew (feature `studies`) | [`reproduce`] |
+//! | studies of a drive; measured shots (feature `studies`) | [`study`], [`shots`] |
+//! | tables of points; statistics of a sweep (feature `studies`) | [`table`], [`statistics`] |
+//! | method and step of the integration for a tolerance | [`integration`] |
+//! | batches of drives | [`batch`] |
 //! | a constrained optimizer, independent of golf; derivatives by name | [`optimize`], [`derivative`] |
 //! | setup → impact → flight → outcomes | [`drive`] |
 //! | rigid bodies; equation of motion and landing | [`impact`], [`flight`] |
@@ -73,19 +76,24 @@ pub mod flight;
 pub mod ground;
 pub mod impact;
 mod input_file;
+pub mod integration;
 pub mod launch;
 pub mod number;
 pub mod optimize;
 pub mod parameters;
 #[cfg(feature = "parquet")]
 pub mod parts;
-#[cfg(feature = "reports")]
+#[cfg(feature = "studies")]
 pub mod report;
-#[cfg(feature = "reports")]
+#[cfg(feature = "studies")]
 pub mod reproduce;
+#[cfg(feature = "studies")]
 pub mod shots;
+#[cfg(feature = "studies")]
 pub mod statistics;
+#[cfg(feature = "studies")]
 pub mod study;
+#[cfg(feature = "studies")]
 pub mod table;
 pub mod units;
 

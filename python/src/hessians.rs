@@ -3,8 +3,8 @@
 use longdrive::Outcome;
 use longdrive::batch::{Block, Status};
 use longdrive::derivative::{Evaluator, Order, Taylor};
+use longdrive::integration::Integration;
 use longdrive::parameters::Parameter;
-use longdrive::study::Integration;
 use std::sync::atomic::AtomicBool;
 
 /// Second derivatives of outcomes at the points of a batch.

@@ -4,11 +4,11 @@ use crate::boundary::{Answer, Failure, answer, kind_of, shown, text_of};
 use crate::given::{self, AngleUnit, BareAngle, PRESET};
 use crate::pool;
 use longdrive::atmosphere::in_effect;
+use longdrive::integration::{Integration, StepChoice};
 use longdrive::parameters::{
     DEFAULT_PRESET, GOLFER, LAW, Law, METHOD, Parameter, Preset, SPEED_OF, SetupFile, TABLE, TURF,
 };
 use longdrive::report::{Change, changes, setup_toml};
-use longdrive::study::{Integration, StepChoice};
 use longdrive::units::System;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;

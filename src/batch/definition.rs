@@ -96,7 +96,7 @@ impl Batch {
             name: "the largest defect of a drive".into(),
             value: format!("{defect} m"),
             range: "0 m < …".into(),
-            advice: "use the defect of study::accuracy, or infinity for the setup's own step"
+            advice: "use the defect of integration::accuracy, or infinity for the setup's own step"
                 .into(),
         })
     }

@@ -128,7 +128,7 @@ impl Batch {
 
 /// Outcomes of the drives at all points, passed to `sink` in order, in blocks of at most [`CHUNK`]
 /// rows. Returns the row after the last delivered one, or `run.first_row` if there was none. The
-/// setup determines the integration: [`accuracy`](crate::study::accuracy()) finds method and step
+/// setup determines the integration: [`accuracy`](crate::integration::accuracy()) finds method and step
 /// for a given error.
 ///
 /// # Errors

@@ -40,7 +40,7 @@ impl<T: Number> Drive<T> {
     /// Computes the drive of a setup: values over `f64`, exact derivatives over dual numbers.
     /// Parameters are not checked against their ranges here ([`Setup::validate`] does this), except
     /// the step: with an invalid step a flight might never end. The setup determines method and
-    /// step of the integration; [`StepChoice`](crate::study::StepChoice) chooses them for an error
+    /// step of the integration; [`StepChoice`](crate::integration::StepChoice) chooses them for an error
     /// tolerance.
     ///
     /// ```

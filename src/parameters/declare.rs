@@ -316,7 +316,7 @@ macro_rules! parameter_groups {
             /// The point of the head whose motion the swing states (`swing.speed_of`).
             pub speed_of: SpeedOf,
             /// True if `flight.method` or `flight.step` was stated, by [`set`](Setup::set), a
-            /// preset or a file. Otherwise [`StepChoice`](crate::study::StepChoice) may choose
+            /// preset or a file. Otherwise [`StepChoice`](crate::integration::StepChoice) may choose
             /// both, and setup files do not contain them. Set it with a field of the two.
             pub states_step: bool,
         }

@@ -199,7 +199,8 @@ impl Report for ComparisonReport<'_> {
         }
     }
 
-    /// The outcomes of the two drives, then each difference split into its causes.
+    /// The differences that were asked for, the outcomes of the two drives, then each difference
+    /// split into its causes.
     fn document(&self, system: System) -> Document {
         let [a, b] = &self.titles;
         let mut document = Document::default();
@@ -207,20 +208,34 @@ impl Report for ComparisonReport<'_> {
             Line::flush(format!("a: {a}")),
             Line::flush(format!("b: {b}")),
         ]);
-        document.add(outcomes(self.comparison, system));
         if !self.comparison.differs() {
             document.paragraph(NOTHING);
+            document.add(outcomes(self.comparison, system));
             return document;
         }
-        let differences = self
-            .found
-            .iter()
-            .filter_map(|(_, found)| found.as_ref().ok());
-        for difference in differences {
-            add_difference(&mut document, difference, system);
+        let differences = || {
+            self.found
+                .iter()
+                .filter_map(|(_, found)| found.as_ref().ok())
+        };
+        document.list(differences().map(|found| difference_line(found, system)));
+        document.add(outcomes(self.comparison, system));
+        for difference in differences() {
+            add_causes(&mut document, difference, system);
         }
         document
     }
+}
+
+/// The difference of an outcome: "carry: -18.47 yd, from 286.0 yd to 267.5 yd".
+fn difference_line(difference: &Difference, system: System) -> Line {
+    let of = difference.of;
+    let [a, b] = difference
+        .values
+        .map(|value| shown::outcome(of, value, system));
+    let amount = shown::change(of, difference.amount(), system);
+    let name = shown::words(of.name());
+    Line::flush(format!("{name}: {amount}, from {a} to {b}"))
 }
 
 /// The value of a cause in a setup.
@@ -273,30 +288,25 @@ fn outcomes(comparison: &Comparison, system: System) -> Table {
     Table::new(["", "a", "b", "difference"], rows).right([1, 2, 3])
 }
 
-/// Adds the difference of an outcome and its causes to a document.
-fn add_difference(document: &mut Document, difference: &Difference, system: System) {
-    let of = difference.of;
-    let [a, b] = difference
-        .values
-        .map(|value| shown::outcome(of, value, system));
-    let amount = shown::change(of, difference.amount(), system);
-    document.paragraph(format!(
-        "{}: {amount}, from {a} to {b}",
-        shown::words(of.name())
-    ));
+/// Adds the causes of a difference to a document.
+fn add_causes(document: &mut Document, difference: &Difference, system: System) {
+    let of = shown::words(difference.of.name());
+    let title = format!("{of} by parameter");
     add_shares(
         document,
-        "by parameter",
+        &title,
         difference,
         &difference.by_parameter,
         system,
     );
     if let Some(by_launch) = &difference.by_launch {
-        add_shares(document, "by launch and air", difference, by_launch, system);
+        let title = format!("{of} by launch and air");
+        add_shares(document, &title, difference, by_launch, system);
     }
 }
 
-/// Adds the shares of a difference to a document, the largest first.
+/// Adds the shares of a difference to a document, the largest first; nothing if one cause is all of
+/// it, which the titles of the drives and the outcomes say already.
 fn add_shares(
     document: &mut Document,
     title: &str,
@@ -311,6 +321,9 @@ fn add_shares(
         .iter()
         .partition(|share| is_rounding(share.amount));
     with.sort_by(|a, b| b.amount.abs().total_cmp(&a.amount.abs()));
+    if with.len() == 1 && without.is_empty() {
+        return;
+    }
 
     let mut remarks = vec![];
     if !without.is_empty() {

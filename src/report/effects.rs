@@ -1,4 +1,4 @@
-use super::document::{Document, Line, Table};
+use super::document::{Detail, Document, Line, Table};
 use super::figures::At;
 use super::json::Number;
 use super::lines::by_reason;
@@ -10,6 +10,9 @@ use crate::parameters::Parameter;
 use crate::study::{Bar, Effect, Effects, Optimum, Sensitivity};
 use crate::units::{System, significant};
 use serde::Serialize;
+
+/// Number of rows of a table in a text that fits a screen.
+const FIRST_ROWS: usize = 10;
 
 /// The sensitivities of an optimum's value, each with its parameter, or the errors.
 pub type Totals = [(&'static Parameter, Result<Sensitivity>)];
@@ -138,6 +141,9 @@ impl Report for EffectsReport<'_> {
                 .collect();
             if !bars.is_empty() {
                 document.add(uncertainties(effects, &bars, system));
+                let mut defaults = Document::default();
+                defaults.list(default_lines(&bars));
+                document.append_detail(defaults, Detail::Rest);
             }
             document.add(slopes(effects, totals_of(of, self.totals), system));
         }
@@ -172,7 +178,9 @@ fn uncertainties(effects: &Effects, bars: &[Bar], system: System) -> Table {
         "flown at +σ",
     ];
     let rows = bars.iter().map(|bar| bar_cells(bar, of, system));
-    let mut table = Table::new(head, rows).right(1..=5);
+    let mut table = Table::new(head, rows)
+        .right(1..=5)
+        .with_first_rows(FIRST_ROWS);
     let is_flown = bars.iter().all(|bar| bar.flown.iter().all(Option::is_some));
     let flown = if is_flown {
         ", which the drives at −σ and +σ include"
@@ -197,11 +205,15 @@ fn uncertainties(effects: &Effects, bars: &[Bar], system: System) -> Table {
             without.join(", ")
         ));
     }
-    let source = |bar: &Bar| Some((bar.sigma.parameter.name, bar.sigma.source?.to_owned()));
-    for line in by_reason(bars.iter().filter_map(source)) {
-        table.remark(format!("default of {line}"));
-    }
     table
+}
+
+/// The sources of default uncertainties.
+fn default_lines(bars: &[Bar]) -> impl Iterator<Item = Line> {
+    let source = |bar: &Bar| Some((bar.sigma.parameter.name, bar.sigma.source?.to_owned()));
+    by_reason(bars.iter().filter_map(source))
+        .into_iter()
+        .map(|line| Line::item(format!("default of {line}")))
 }
 
 /// The derivatives of an outcome by all parameters.
@@ -230,7 +242,9 @@ fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> Table {
     let mut head = vec!["by", "slope", "elasticity"];
     head.extend(totals.map(|_| "slope of the optimum"));
     let columns = head.len();
-    Table::new(head, effects.effects.iter().map(row)).right(1..columns)
+    Table::new(head, effects.effects.iter().map(row))
+        .right(1..columns)
+        .with_first_rows(FIRST_ROWS)
 }
 
 /// True if an outcome does not depend on a parameter with an uncertainty, by its derivatives and by

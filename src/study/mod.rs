@@ -1,7 +1,6 @@
 //! Studies: optimum, chart, calibration, delivery, design, sensitivity, uncertainty, certificate
 //! and comparison of drives.
 
-mod accuracy;
 pub mod calibrate;
 mod cancellable;
 pub mod certificate;
@@ -28,14 +27,12 @@ mod sample;
 mod search;
 mod sensitivity;
 mod sigma;
-mod step_choice;
 pub mod swings;
 pub mod uncertainty;
 pub mod validation;
 mod verdict;
 
 pub use crate::parameters::Vary;
-pub use accuracy::{Accuracy, accuracy};
 pub use chart::{Chart, ChartEvent, ChartObserver, ChartPoint, chart, chart_at};
 pub use compare::{Cause, Comparison, Difference, Share, Shares, causes};
 pub use effects::{Bar, Effect, Effects, effects, flown_off};
@@ -59,7 +56,4 @@ pub use sensitivity::{
     Change, Changed, Sensitivity, change, refuse_varied, sensitivities, sensitivity,
 };
 pub use sigma::{Sigma, given_twice, with_defaults};
-#[cfg(feature = "commands")]
-pub(crate) use step_choice::of_the_flight;
-pub use step_choice::{Integration, StepChoice};
 pub use verdict::{Active, BoundSide};

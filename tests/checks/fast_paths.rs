@@ -4,9 +4,9 @@
 use crate::common::{close, landing, mixed};
 use longdrive::batch::{Axis, Grid, Run, Sequence, Status, gradient_batch};
 use longdrive::derivative::{Evaluator, Order, Taylor};
+use longdrive::integration::accuracy;
 use longdrive::number::{Jet, Number};
 use longdrive::parameters::{Law, Method, Parameter, Vary};
-use longdrive::study::accuracy;
 use longdrive::{Drive, Outcome, Setup};
 use std::cell::Cell;
 

@@ -4,8 +4,8 @@
 use crate::common::{RIGID, random_setups};
 use longdrive::batch::{Batch, Block, Points, Sequence, Status};
 use longdrive::derivative::{Taylor, hessian};
+use longdrive::integration::{StepChoice, accuracy};
 use longdrive::parameters::{Law, Method, Parameter, Vary};
-use longdrive::study::{StepChoice, accuracy};
 use longdrive::{Error, Outcome, Setup};
 use rayon::prelude::*;
 

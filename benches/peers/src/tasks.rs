@@ -1,9 +1,10 @@
 //! The tasks of a single drive.
 
 use longdrive::derivative::{Evaluator, Order, Taylor};
+use longdrive::integration::accuracy;
 use longdrive::optimize::{Observer, Status};
 use longdrive::parameters::Parameter;
-use longdrive::study::{Optimum, Search, Vary, accuracy, optimum};
+use longdrive::study::{Optimum, Search, Vary, optimum};
 use longdrive::{Error, Outcome, Result, Setup};
 use std::hint::black_box;
 

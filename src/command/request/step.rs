@@ -3,9 +3,9 @@
 use super::Request;
 use super::setting::{Setting, bad_tolerance};
 use crate::command::output::{tell, warn_early};
+use crate::integration::{Accuracy, StepChoice, of_the_flight};
 use crate::parameters::{Vary, is_of_step};
 use crate::report::{setup_toml, with_step_of};
-use crate::study::{Accuracy, StepChoice, of_the_flight};
 use crate::units::counted;
 use crate::{Outcome, Result, Setup};
 use std::sync::atomic::AtomicBool;

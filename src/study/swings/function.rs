@@ -2,6 +2,7 @@ use super::scenarios::Scenarios;
 use crate::derivative::{Order, Taylor};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
+use crate::integration::{Integration, StepChoice, neighbourhood, of_the_flight};
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::problem::SearchProblem;
 use crate::study::{Goal, Search, Sense};
@@ -11,7 +12,7 @@ use std::sync::atomic::AtomicBool;
 /// A goal over swings as a function of some design parameters, with derivatives up to second order.
 /// It can be the objective of any optimizer. Measures with a kink or jump (`lowest`, `highest`,
 /// `within`) are smoothed. The setup determines method and step
-/// ([`StepChoice`](crate::study::StepChoice) chooses them).
+/// ([`StepChoice`](crate::integration::StepChoice) chooses them).
 ///
 /// ```
 /// use longdrive::Setup;
@@ -35,6 +36,42 @@ pub struct GoalFunction {
     /// The weights of the scenarios.
     weights: Vec<f64>,
     wrt: Vec<&'static Parameter>,
+}
+
+impl StepChoice {
+    /// Method and step for a goal over swings as a function of parameters; as
+    /// [`for_function`](Self::for_function), in the ranges of the swings. Interrupted once `stop` is
+    /// true.
+    ///
+    /// # Errors
+    /// The errors of [`for_function`](Self::for_function); [`Error::Stopped`] after an interrupt.
+    pub fn for_swings(
+        self,
+        setup: &Setup<f64>,
+        wrt: &[&'static Parameter],
+        scenarios: &Scenarios,
+        stop: &AtomicBool,
+    ) -> Result<Integration> {
+        let mut ranges = scenarios.ranges();
+        ranges.extend(neighbourhood(setup, wrt));
+        self.for_ranges(setup, &ranges, &of_the_flight(), stop)
+    }
+}
+
+impl Integration {
+    /// A goal over swings.
+    ///
+    /// # Errors
+    /// The errors of [`GoalFunction::new`].
+    pub fn goal_function(
+        &self,
+        goal: &Goal,
+        wrt: &[&'static Parameter],
+        scenarios: Scenarios,
+    ) -> Result<GoalFunction> {
+        let function = GoalFunction::new(&self.setup, goal, wrt, scenarios)?;
+        Ok(function.with_largest_defect(self.largest_defect))
+    }
 }
 
 impl GoalFunction {
@@ -75,7 +112,7 @@ impl GoalFunction {
 
     /// The function with a limit of the defect of its drives, m, beyond which they are repeated
     /// with shorter steps.
-    pub(in crate::study) fn with_largest_defect(self, largest_defect: f64) -> Self {
+    fn with_largest_defect(self, largest_defect: f64) -> Self {
         Self {
             problem: self.problem.with_largest_defect(largest_defect),
             ..self

@@ -6,7 +6,7 @@ use crate::refusal::Refusal;
 use crate::request::{RangeRequest, SetupRequest, Units};
 use longdrive::Outcome;
 use longdrive::drive::OutcomeGroup;
-use longdrive::study::accuracy;
+use longdrive::integration::accuracy;
 use serde::{Deserialize, Serialize};
 
 /// The request.

@@ -1,8 +1,6 @@
 //! Method and step of flights: chosen for a tolerance, or those of the setup.
 
 use super::accuracy::{Accuracy, SAFETY, accuracy_until};
-use super::goal::Goal;
-use super::swings::{GoalFunction, Scenarios};
 use crate::batch::Batch;
 use crate::derivative::{Evaluator, Order, Taylor};
 use crate::drive::{Drive, Outcome};
@@ -45,7 +43,7 @@ impl StepChoice {
     /// Method and step for the drive of this setup, and its derivatives.
     ///
     /// ```
-    /// use longdrive::study::StepChoice;
+    /// use longdrive::integration::StepChoice;
     /// use longdrive::{Drive, Setup};
     /// let setup = Setup::preset("tour-average").unwrap();
     /// let carry = |drive: Drive<f64>| drive.landed().unwrap().carry;
@@ -79,7 +77,7 @@ impl StepChoice {
     ///
     /// ```
     /// use longdrive::derivative::Order;
-    /// use longdrive::study::StepChoice;
+    /// use longdrive::integration::StepChoice;
     /// use longdrive::{Outcome, Setup};
     /// let setup = Setup::preset("tour-average").unwrap();
     /// let (of, wrt) = ([Outcome::Carry], [setup.variable("club.loft").unwrap()]);
@@ -112,24 +110,6 @@ impl StepChoice {
     ) -> Result<Integration> {
         setup.validate()?;
         self.for_ranges(setup, &neighbourhood(setup, wrt), of, stop)
-    }
-
-    /// Method and step for a goal over swings as a function of parameters; as
-    /// [`for_function`](Self::for_function), in the ranges of the swings. Interrupted once `stop` is
-    /// true.
-    ///
-    /// # Errors
-    /// The errors of [`for_function`](Self::for_function); [`Error::Stopped`] after an interrupt.
-    pub fn for_swings(
-        self,
-        setup: &Setup<f64>,
-        wrt: &[&'static Parameter],
-        scenarios: &Scenarios,
-        stop: &AtomicBool,
-    ) -> Result<Integration> {
-        let mut ranges = scenarios.ranges();
-        ranges.extend(neighbourhood(setup, wrt));
-        self.for_ranges(setup, &ranges, &of_the_flight(), stop)
     }
 
     /// Method and step for many drives whose parameters are in these ranges, for the lengths among
@@ -257,25 +237,11 @@ impl Integration {
     ) -> Result<Batch> {
         Batch::new(&self.setup, parameters, of, wrt)?.with_largest_defect(self.largest_defect)
     }
-
-    /// A goal over swings.
-    ///
-    /// # Errors
-    /// The errors of [`GoalFunction::new`].
-    pub fn goal_function(
-        &self,
-        goal: &Goal,
-        wrt: &[&'static Parameter],
-        scenarios: Scenarios,
-    ) -> Result<GoalFunction> {
-        let function = GoalFunction::new(&self.setup, goal, wrt, scenarios)?;
-        Ok(function.with_largest_defect(self.largest_defect))
-    }
 }
 
 /// Ranges around the setup's own values, within the ranges of the parameters. The more parameters,
 /// the narrower: points at random would be far away in most of many.
-fn neighbourhood(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Vec<Vary> {
+pub(crate) fn neighbourhood(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Vec<Vary> {
     let part = (2.0 / (wrt.len() as f64).sqrt()).min(1.0);
     let around = |parameter: &&'static Parameter| {
         let value = setup.value(parameter)?;

@@ -1,9 +1,8 @@
-use super::Vary;
 use crate::batch::{Batch, Block, Status};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::sobol;
-use crate::parameters::{Method, Setup};
+use crate::parameters::{Method, Setup, Vary};
 use crate::units::Quantity;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -62,7 +61,7 @@ const ROUNDING: f64 = 1e-12;
 /// carry is tested.
 ///
 /// ```
-/// use longdrive::{Outcome, Setup, study::accuracy};
+/// use longdrive::{Outcome, Setup, integration::accuracy};
 /// let setup = Setup::default();
 /// let micrometre = accuracy(&setup, &[], &[Outcome::Carry], 1e-6).unwrap();
 /// assert!(micrometre.error < 1e-6 && micrometre.step > setup.flight.step);
