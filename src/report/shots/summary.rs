@@ -287,6 +287,10 @@ fn document(tally: &ShotStatistics, source: Option<&'static str>, system: System
         "sd of instruments: of the differences of two launch monitors on the same 58 drives (Bliss \
          & Langdown 2026); their spins differ by 513 rpm",
     ));
+    let is_sideways = |of: &Outcome| matches!(of, Outcome::Lateral | Outcome::LateralTotal);
+    if tally.of.iter().any(is_sideways) {
+        table.line(Line::flush("lateral: + is right of the target line"));
+    }
     document.add(table);
     add_clubs(&mut document, tally, system);
     document
