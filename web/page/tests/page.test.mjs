@@ -245,7 +245,7 @@ test('designs stand beside each other, with the causes of their difference', asy
     await type(page, 'club.loft', '12');
     await page.locator('.compare [role=status]').waitFor();
     await settle(page);
-    // docs/json.md: the difference of a loft of 12 degrees
+    // as `longdrive compare --set-b club.loft=12deg` says
     assert.match(await page.locator('.compare [role=status]').textContent(), /carry −12\.6 yd.*loft −12\.6 yd/);
   });
 });
