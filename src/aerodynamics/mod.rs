@@ -165,8 +165,7 @@ mod tests {
         Stream::new(spin_ratio * speed / radius, speed, radius, 3000.0)
     }
 
-    /// C_D and C_L that docs/sources.md tabulates for the two laws at Re = 1.5e5, to one unit of
-    /// the last digit.
+    /// C_D and C_L of the two laws at Re = 1.5e5, to one unit of the last digit.
     #[test]
     fn published_values_of_launch_monitor_and_ferguson() {
         let spin_ratios = [0.08, 0.10, 0.15, 0.20, 0.25, 0.30];
