@@ -305,8 +305,8 @@ fn add_causes(document: &mut Document, difference: &Difference, system: System) 
     }
 }
 
-/// Adds the shares of a difference to a document, the largest first; nothing if one cause is all of
-/// it, which the titles of the drives and the outcomes say already.
+/// Adds the shares of a difference to a document, the largest first; a line if one cause is all of
+/// it.
 fn add_shares(
     document: &mut Document,
     title: &str,
@@ -321,7 +321,15 @@ fn add_shares(
         .iter()
         .partition(|share| is_rounding(share.amount));
     with.sort_by(|a, b| b.amount.abs().total_cmp(&a.amount.abs()));
-    if with.len() == 1 && without.is_empty() {
+    if let ([only], []) = (&with[..], &without[..]) {
+        let [a, b] = split
+            .setups
+            .each_ref()
+            .map(|setup| cell(only.cause, setup, system).replace('\n', ", "));
+        let cause = only.cause.name();
+        document.list([Line::flush(format!(
+            "{title}: all of it {cause}, {a} → {b}"
+        ))]);
         return;
     }
 

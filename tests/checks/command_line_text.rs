@@ -75,8 +75,8 @@ fn every_command_prints_the_chosen_units() {
         ),
         (
             vec!["compare", "modern-driver", "--set-b", "swing.speed=112mph"],
-            "110 mph  112 mph",
-            "49.174 m/s  50.068 m/s",
+            "110 mph → 112 mph",
+            "49.174 m/s → 50.068 m/s",
         ),
         (vec!["sensitivity"], " yd per mph", " m per m/s"),
         (

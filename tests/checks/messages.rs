@@ -342,7 +342,7 @@ fn a_reason_is_given_once_with_the_parameters_that_it_holds_for() {
         "{warnings}"
     );
     // the sources of default uncertainties, likewise
-    let (_, text) = said(&["sensitivity"]);
+    let (_, text) = said(&["sensitivity", "--all"]);
     assert!(
         text.contains("default of wind.downrange, wind.right: assumed"),
         "{text}"

@@ -2,6 +2,7 @@
 
 use longdrive::batch::Batch;
 use longdrive::derivative::{Evaluator, Order, gradient, hessian};
+use longdrive::integration::StepChoice;
 use longdrive::optimize::Observer;
 use longdrive::optimize::least_squares::FitObserver;
 use longdrive::parameters::{Law, PRESETS, Parameter, Preset};
@@ -9,7 +10,7 @@ use longdrive::report::setup_toml;
 use longdrive::study::calibrate::{self, ShotTable, calibrate};
 use longdrive::study::uncertainty::{self, Distribution, Uncertain, uncertainty};
 use longdrive::study::{
-    Fineness, Landing, Search, Sigma, StepChoice, Vary, chart, effects, map, optimum, sensitivity,
+    Fineness, Landing, Search, Sigma, Vary, chart, effects, map, optimum, sensitivity,
 };
 use longdrive::{Drive, Error, Outcome, Result, Setup};
 use std::collections::HashSet;
