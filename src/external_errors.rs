@@ -73,16 +73,22 @@ pub(crate) fn toml_error_text(
     text: &str,
     place: impl Fn(usize) -> (usize, usize),
 ) -> String {
-    const ADVICE: &str = "a value is a number, or text in quotes, as in loft = \"10.5 deg\"";
+    const OF_VALUES: &str = "a value is a number, or text in quotes, as in loft = \"10.5 deg\"";
+    const OF_TABLES: &str = "a table is a name in brackets, as in [club]";
     let reason = error.message().trim_end().replace('\n', ", ");
     let Some(span) = error.span() else {
-        return format!("it is not valid TOML: {reason}; {ADVICE}");
+        return format!("it is not valid TOML: {reason}; {OF_VALUES}");
     };
     let (line, column) = place(span.start);
     let source = text.lines().nth(line.saturating_sub(1)).unwrap_or_default();
+    let advice = if source.trim_start().starts_with('[') {
+        OF_TABLES
+    } else {
+        OF_VALUES
+    };
     let mark = " ".repeat(column.saturating_sub(1));
     format!(
-        "line {line}, column {column} is not valid TOML: {reason}; {ADVICE}\n  {source}\n  {mark}^"
+        "line {line}, column {column} is not valid TOML: {reason}; {advice}\n  {source}\n  {mark}^"
     )
 }
 

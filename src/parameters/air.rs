@@ -227,7 +227,6 @@ impl Setup<f64> {
         let row = self.parameter("air.temperature").ok()?;
         let standard = SEA_LEVEL_TEMPERATURE - LAPSE_RATE * altitude;
         let denser = 100.0 * (DEFAULT_TEMPERATURE / standard - 1.0);
-        let celsius = Quantity::TEMPERATURE.number_in(standard, "degC");
         let message = "air.altitude is given without air.temperature, which is ".into();
         let message = row.append_value(message, DEFAULT_TEMPERATURE);
         let message = message.words("; the standard atmosphere has ").quantity(
@@ -237,8 +236,7 @@ impl Setup<f64> {
             Digits::Significant(2),
         );
         Some(message.words(format!(
-            " there, with {denser:.0} % more air: `set air.temperature={celsius:.0}degC`, or as it \
-             is there"
+            " there, with {denser:.0} % more air; state air.temperature too"
         )))
     }
 

@@ -42,6 +42,8 @@ pub struct SetupFile {
     pub setup: Setup<f64>,
     /// The preset that the file starts from: [`DEFAULT_PRESET`] if the file names none.
     pub preset: &'static Preset,
+    /// True if the file names its preset.
+    pub names_preset: bool,
     /// Parameters that the file gives, in the order of the file.
     pub given: Vec<&'static Parameter>,
 }
@@ -101,8 +103,7 @@ impl SetupFile {
         let preset = items
             .iter()
             .find(|item| item.key == PRESET)
-            .and_then(|item| item.value.as_str())
-            .unwrap_or(DEFAULT_PRESET);
+            .and_then(|item| item.value.as_str());
         let given = items
             .iter()
             .filter(|item| !item.is_reset())
@@ -110,7 +111,8 @@ impl SetupFile {
             .collect();
         Ok(Self {
             setup,
-            preset: Preset::known(preset)?,
+            preset: Preset::known(preset.unwrap_or(DEFAULT_PRESET))?,
+            names_preset: preset.is_some(),
             given,
         })
     }

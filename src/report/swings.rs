@@ -110,7 +110,7 @@ pub struct NominalReport {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SamplingReport {
-    /// The 99 % interval.
+    /// The 99 % interval, widened to hold `value` where it would not.
     pub interval: IntervalReport,
     /// The number of sequences.
     pub sequences: usize,

@@ -336,6 +336,12 @@ impl ExportHead {
             .find(|read| read.of == of)
             .map_or(of.name().into(), |read| read.column.head.clone())
     }
+
+    /// Unit in which the column of an outcome is read; `None` without such a column.
+    pub fn unit_of(&self, of: Outcome) -> Option<&str> {
+        let read = self.read.iter().find(|read| read.of == of)?;
+        Some(read.column.unit())
+    }
 }
 
 /// Interprets the columns of rest positions, which are unknown to `Head`.

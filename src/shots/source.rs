@@ -224,6 +224,14 @@ impl Shots {
         }
     }
 
+    /// Unit in which the column of an outcome is read; `None` without such a column.
+    pub fn unit_of(&self, of: Outcome) -> Option<&str> {
+        match &self.layout {
+            Layout::Export(export) => export.head.unit_of(of),
+            Layout::OpenConnect => None,
+        }
+    }
+
     /// Uses the setup's air for every row, even if the export states other air.
     pub fn in_given_air(&mut self) {
         let (Layout::Export(export), Rows::Table(rows)) = (&mut self.layout, &mut self.rows) else {

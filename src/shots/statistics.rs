@@ -2,6 +2,7 @@
 
 use super::flown::Flown;
 use super::shot::Origin;
+use super::source::Shots;
 use super::unit_checks::Comparison;
 use crate::batch::Status;
 use crate::drive::{ExceededCount, Outcome};
@@ -265,10 +266,9 @@ impl ShotStatistics {
         Some(self.clubs.entry(name.into()).or_insert_with(new))
     }
 
-    /// Warnings about columns with a likely wrong unit or sign; `name` gives the column head of an
-    /// outcome.
-    pub fn unit_warnings(&self, name: impl Fn(Outcome) -> String) -> Vec<Message> {
-        self.comparison.warnings(&self.of, name)
+    /// Warnings about columns of `shots` with a likely wrong unit or sign.
+    pub fn unit_warnings(&self, shots: &Shots) -> Vec<Message> {
+        self.comparison.warnings(&self.of, shots)
     }
 
     /// Adds the statistics of later shots.

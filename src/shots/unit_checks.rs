@@ -1,6 +1,7 @@
 //! Plausibility checks over all rows: likely errors of units and signs.
 
 use super::flown::Flown;
+use super::source::Shots;
 use crate::drive::Outcome;
 use crate::units::{Message, Quantity};
 
@@ -105,8 +106,9 @@ impl Comparison {
         ];
     }
 
-    /// Warnings about columns; `name` gives the column head of an outcome.
-    pub fn warnings(&self, of: &[Outcome], name: impl Fn(Outcome) -> String) -> Vec<Message> {
+    /// Warnings about columns of these shots.
+    pub fn warnings(&self, of: &[Outcome], shots: &Shots) -> Vec<Message> {
+        let name = |of| shots.name_of(of);
         let mut warnings = vec![];
         if let Some(speed) = self.speed(of) {
             warnings.push(format!(
@@ -115,7 +117,8 @@ impl Comparison {
             ));
         } else {
             let units = of.iter().zip(&self.ratios).filter_map(|(of, ratios)| {
-                let (ratio, (_, meant, read)) = mistaken(of.quantity(), ratios)?;
+                let (ratio, (_, meant, read)) =
+                    mistaken(of.quantity(), ratios, shots.unit_of(*of))?;
                 Some(format!(
                     "{}: predicted values are {ratio:.2} times the measured ones in the median, as \
                      if these were in {meant} and read in {read}; \
@@ -157,10 +160,12 @@ impl Comparison {
     }
 }
 
-/// Median of predicted/measured, and the pair of units that explains it.
+/// Median of predicted/measured, and the pair of units that explains it, for values that were read
+/// in `unit`.
 fn mistaken(
     quantity: Quantity,
     ratios: &[f64],
+    unit: Option<&str>,
 ) -> Option<(f64, (Quantity, &'static str, &'static str))> {
     let ratio = median(ratios)?;
     let is_it = |(of, meant, read): &(Quantity, &'static str, &'static str)| {
@@ -172,7 +177,11 @@ fn mistaken(
         } else {
             (NEAR, LEAST)
         };
-        *of == quantity && ratios.len() >= least && (ratio / expected - 1.0).abs() <= near
+        let is_read = |unit| of.size_of(unit) == of.size_of(read);
+        *of == quantity
+            && unit.is_none_or(is_read)
+            && ratios.len() >= least
+            && (ratio / expected - 1.0).abs() <= near
     };
     MISTAKEN
         .iter()

@@ -59,6 +59,18 @@ impl Functions for Straight {
     }
 }
 
+/// x² + 2 y², and −x − y.
+struct Corner;
+
+impl Functions for Corner {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+        Ok(Values {
+            objective: x[0].powi(2) + x[1].powi(2) * 2.0,
+            constraints: vec![-x[0] - x[1]],
+        })
+    }
+}
+
 fn between(functions: impl Functions, low: [f64; 2], high: [f64; 2], count: usize) -> Front {
     let free = (vec![f64::NEG_INFINITY], vec![f64::INFINITY]);
     let domain = Domain::new(low.to_vec(), high.to_vec())
@@ -235,6 +247,17 @@ fn exact_event_where_a_bound_becomes_active_on_a_front() {
     assert!(matches!(&event.event, Some(FrontEvent::Changed { before }) if !before.variables[0]));
     assert!(event.active_set.variables[0] && !event.active_set.variables[1]);
     close(found.points.last().unwrap().x[1], 1.0, 1.0, 1e-9, "end");
+}
+
+/// The front ends at the corner (1, 1) along x = 1, where f₁ = 1 + 2 y² and f₂ = −1 − y: the bound of
+/// y begins there, and the slope −4 y has one side.
+#[test]
+fn exact_slope_at_an_end_where_a_bound_begins() {
+    let found = between(Corner, [-5.0; 2], [1.0; 2], 5);
+    let end = found.points.last().unwrap();
+    close(end.x[1], 1.0, 1.0, 1e-9, "corner");
+    close(end.slope.unwrap(), -4.0, 1.0, 1e-6, "slope");
+    assert_eq!(end.event, None);
 }
 
 #[test]

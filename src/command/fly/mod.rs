@@ -69,7 +69,7 @@ fn fly(args: &Fly) -> Result<Answer> {
         ["shot that landed", "shots that landed"],
         CheckScope::Launch,
     ));
-    let suspicions = tally.unit_warnings(|of| shots.name_of(of));
+    let suspicions = tally.unit_warnings(&shots);
     if suspicions.is_empty() {
         remarks.add(of_lofted(&tally, &setup.law).map(Message::from));
     }

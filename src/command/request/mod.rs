@@ -228,7 +228,7 @@ impl Request {
     pub fn title(&self) -> String {
         let settings = self.stated.iter();
         let settings = settings.map(|setting| format!(", {}={}", setting.parameter, setting.value));
-        self.source.name().to_owned() + &settings.collect::<String>()
+        self.source.title() + &settings.collect::<String>()
     }
 
     /// The setup that the answer is about.

@@ -90,6 +90,15 @@ impl Source {
         }
     }
 
+    /// The name for the title of an answer, with the preset that a file starts from without naming
+    /// it: "mine.toml (tour-average)".
+    pub fn title(&self) -> String {
+        if self.content.names_preset {
+            return self.name().into();
+        }
+        format!("{} ({})", self.name(), self.preset().name)
+    }
+
     /// True if the setup has a name on the command line: a preset or a file, not standard input.
     pub fn has_name(&self) -> bool {
         self.kind != Kind::StandardInput
@@ -125,6 +134,7 @@ fn read_preset(argument: &str) -> Result<SetupFile> {
     Ok(SetupFile {
         setup,
         preset: Preset::named(argument).ok_or_else(unknown)?,
+        names_preset: true,
         given: vec![],
     })
 }

@@ -267,9 +267,14 @@ fn locate_event(
         compromise_at,
         |place| place.active_set == here.active_set,
     );
-    // a kink of the front has no unique slope
     let slope_before =
         compromise_at(here, travelled(&place) - 4.0 * LOCATED).and_then(|before| before.slope);
+    // at the end of the front the slope has one side, and nothing follows the change
+    if travelled(&place) >= 1.0 {
+        place.slope = slope_before;
+        return vec![PathPoint::new(place)];
+    }
+    // a kink of the front has no unique slope
     let differ = |a: f64, b: f64| (a - b).abs() > KINK * a.abs().max(b.abs());
     place.slope = place
         .slope
