@@ -320,13 +320,54 @@ test('a phone shows one view at a time, and the answer stays beside the sliders'
 
 test('the loop of time steps is beside the exact drive', async () => {
   await stay(async ({ page }) => {
-    await page.locator('.lecture summary').click();
+    await page.locator('.loop > summary').click();
     await page.locator('.teeth figcaption').waitFor();
     const at10 = Number(/up to ([\d.]+) yd/.exec(await page.locator('.teeth figcaption').textContent())[1]);
     // a step of 10 ms at the landing is 0.2 m of the way
     assert.ok(at10 > 0.1 && at10 < 2, String(at10));
-    for (let k = 0; k < 10; k += 1) await page.locator('.lecture').getByLabel('time step').press('ArrowRight');
+    for (let k = 0; k < 10; k += 1) await page.locator('.loop').getByLabel('time step').press('ArrowRight');
     await page.waitForFunction(least => Number(/up to ([\d.]+) yd/.exec(document.querySelector('.teeth figcaption').textContent)[1]) > least, at10);
+  });
+});
+
+test('the optimizer goes step by step, by buttons and arrow keys', async () => {
+  await stay(async ({ page }) => {
+    await page.evaluate(() => { location.hash = '1&tour-average&vary=club.loft,swing.attack_angle'; });
+    await settle(page);
+    await page.locator('.optimizer > summary').click();
+    const sentence = page.locator('.steps figcaption');
+    await sentence.filter({ hasText: 'begins at your drive' }).waitFor();
+    assert.equal(await sentence.getAttribute('aria-live'), 'polite');
+    assert.match(await sentence.textContent(), /Iteration 0: carry 286\.0 yd at loft 8\.80°, attack angle −0\.90°/);
+    await page.locator('.steps svg .region').first().waitFor();
+    const lines = await page.locator('.steps svg path.model').getAttribute('d');
+    const next = page.locator('.steps').getByRole('button', { name: 'next' });
+    await next.click();
+    assert.match(await sentence.textContent(), /Iteration 1: .*predicts \+[\d.]+ yd .*brings \+[\d.]+ yd: the step is accepted/);
+    assert.notEqual(await page.locator('.steps svg path.model').getAttribute('d'), lines);
+    await next.focus();
+    await page.keyboard.press('ArrowLeft');
+    assert.match(await sentence.textContent(), /Iteration 0/);
+    for (let k = 0; k < 20; k += 1) await page.keyboard.press('ArrowRight');
+    assert.match(await sentence.textContent(), /attack angle 10\.00° \(at its upper bound\).*The search ends: KKT residual/);
+    assert.equal(await page.locator('.steps svg .bound').count(), 1);
+    // the end of the search is the best drive of the page
+    const carry = Number(/carry ([\d.]+) yd/.exec(await sentence.textContent())[1]);
+    assert.equal(carry, await answer(page, 'carry', 2));
+    assert.equal(await page.locator('.steps tbody tr').count(), Number(/of (\d+)/.exec(await page.locator('.stepper span').textContent())[1]));
+    assert.equal(await page.locator('.steps tr[aria-current=step] td').last().textContent(), 'end');
+    await page.locator('.optimizer > summary').click();
+  });
+});
+
+test('the optimizer of one parameter is a curve, of three has the parameters of the map', async () => {
+  await stay(async ({ page }) => {
+    await page.locator('.optimizer > summary').click();
+    await page.locator('.steps svg polyline.model').waitFor();
+    await page.evaluate(() => { location.hash = '1&tour-average&vary=club.loft,swing.attack_angle,swing.path'; });
+    await page.locator('.steps svg path.model').waitFor();
+    assert.match(await page.locator('.steps thead').textContent(), /loft.*attack angle.*club path/);
+    await page.locator('.optimizer > summary').click();
   });
 });
 

@@ -17,6 +17,12 @@ interface Props {
   place: Ref<HTMLDivElement>;
   children: ComponentChildren;
   below?: ComponentChildren;
+  /** The sentence is told when it changes. */
+  isLive?: boolean;
+  /** The table is seen at first. */
+  isOpen?: boolean;
+  /** The row of the table that the picture shows. */
+  at?: number;
 }
 
 const csvField = (text: string) => (/[",\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
@@ -24,8 +30,8 @@ const csvField = (text: string) => (/[",\n]/.test(text) ? `"${text.replace(/"/g,
 const csvOf = ({ head, rows }: Table) =>
   [head, ...rows].map((row) => row.map(csvField).join(',')).join('\r\n');
 
-export function Figure({ name, title, sentence, table, place, children, below }: Props) {
-  const [isOpen, setOpen] = useState(false);
+export function Figure({ name, title, sentence, table, place, children, below, ...more }: Props) {
+  const [isOpen, setOpen] = useState(more.isOpen ?? false);
   const save = (event: Event) => {
     const svg = (event.currentTarget as Element).closest('figure')?.querySelector('svg');
     if (svg) download(`${name}.svg`, pictureOf(svg), 'image/svg+xml');
@@ -34,9 +40,9 @@ export function Figure({ name, title, sentence, table, place, children, below }:
     <figure class={`picture ${name}`} aria-label={title}>
       <h2>{title}</h2>
       <div ref={place}>{children}</div>
-      <figcaption>{sentence}</figcaption>
+      <figcaption aria-live={more.isLive ? 'polite' : undefined}>{sentence}</figcaption>
       {below}
-      <details class="data" onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <details class="data" open={isOpen} onToggle={(event) => setOpen(event.currentTarget.open)}>
         <summary>table and files of the {title.toLowerCase()}</summary>
         <p class="buttons">
           <button type="button" onClick={save}>picture (SVG)</button>
@@ -44,20 +50,20 @@ export function Figure({ name, title, sentence, table, place, children, below }:
             table (CSV)
           </button>
         </p>
-        {isOpen && <TableView {...table()} />}
+        {isOpen && <TableView {...table()} at={more.at} />}
       </details>
     </figure>
   );
 }
 
-export function TableView({ head, rows }: Table) {
+export function TableView({ head, rows, at }: Table & { at?: number | undefined }) {
   return (
     <div class="scroll" tabIndex={0} role="region" aria-label="table">
       <table>
         <thead><tr>{head.map((text) => <th scope="col" key={text}>{text}</th>)}</tr></thead>
         <tbody>
-          {rows.map((row) => (
-            <tr key={row.join()}>{row.map((text, k) => <td key={k}>{text}</td>)}</tr>
+          {rows.map((row, k) => (
+            <tr key={row.join()} aria-current={k === at ? 'step' : undefined}>{row.map((text, column) => <td key={column}>{text}</td>)}</tr>
           ))}
         </tbody>
       </table>

@@ -1,11 +1,13 @@
 // For lectures: the while-loop of the MAE 494 report beside the exact drive. The loop lands a step
 // late, so its carry has teeth, and differences of it are no derivatives.
 import { useComputed } from '@preact/signals';
-import { useEffect, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
+import { isRefused, refusalOf } from '../drive/drive';
 import { labelOf } from '../setup/parameters';
 import { digits, fromSI, sizeOf, symbolOf } from '../setup/units';
 import type { Explorer } from '../state/explorer';
 import { mapOf } from '../state/state';
+import { useAnswer } from './answered';
 import { usePage } from './context';
 import { Figure } from './Figure';
 import { inLength, lengthUnit, ticks } from './lengths';
@@ -26,7 +28,7 @@ interface Loop {
   slope: Float64Array;
 }
 
-async function flyLoop(explorer: Explorer, name: string, step: number, difference: number): Promise<Loop | null> {
+async function flyLoop(explorer: Explorer, name: string, step: number, difference: number): Promise<Loop | { refused: string } | undefined> {
   const { low, high } = explorer.travel(name);
   const middle = explorer.value(name) ?? (low + high) / 2;
   const half = (PART * (high - low)) / 2;
@@ -34,7 +36,8 @@ async function flyLoop(explorer: Explorer, name: string, step: number, differenc
   const request = { setup: explorer.setup(), along, nodes: NODES, step, difference };
   const answer = await explorer.hand.calls('loop', [{ door: 'loop', request }]);
   const first = answer?.numbers[0];
-  if (!first || first.head.status !== 'done') return null;
+  if (!first) return undefined;
+  if (isRefused(first)) return { refused: refusalOf(first).message };
   const [at, loop, , slopes, carry, slope] = Array.from({ length: 6 }, (_, k) =>
     first.block.subarray(k * NODES, (k + 1) * NODES));
   return { name, at: at!, loop: loop!, difference: slopes!, carry: carry!, slope: slope! };
@@ -44,7 +47,7 @@ export function LoopView() {
   const { explorer } = usePage();
   const [isOpen, setOpen] = useState(false);
   return (
-    <details class="lecture" onToggle={(event) => setOpen(event.currentTarget.open)}>
+    <details class="lecture loop" onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>for lectures: a loop of time steps beside the exact drive</summary>
       {isOpen && <Lecture explorer={explorer} />}
     </details>
@@ -56,21 +59,9 @@ function Lecture({ explorer }: { explorer: Explorer }) {
   const { unit } = explorer.field(name);
   const [step, setStep] = useState(0.01);
   const [power, setPower] = useState(-2);
-  const [found, setFound] = useState<Loop | null>(null);
   const difference = 10 ** power * sizeOf(unit);
   const key = JSON.stringify([explorer.design.value, name, step, power]);
-  useEffect(() => {
-    let isCurrent = true;
-    const timer = setTimeout(() => {
-      void flyLoop(explorer, name, step, difference).then((loop) => {
-        if (isCurrent) setFound(loop);
-      });
-    }, 100);
-    return () => {
-      isCurrent = false;
-      clearTimeout(timer);
-    };
-  }, [key]);
+  const found = useAnswer(key, 100, () => flyLoop(explorer, name, step, difference));
   const slide = (label: string, value: number, low: number, high: number, by: number, text: string, set: (value: number) => void) => (
     <label class="lecture-slider">
       {label} {text}
@@ -82,7 +73,7 @@ function Lecture({ explorer }: { explorer: Explorer }) {
     <>
       {slide('time step', step * 1000, 1, 50, 1, `${digits(step * 1000, 0)} ms`, (value) => setStep(value / 1000))}
       {slide('difference over', power, -6, 0, 0.5, `${(10 ** power).toPrecision(2)} ${symbolOf(unit)}`, setPower)}
-      {found ? <Pictures explorer={explorer} loop={found} /> : <p>The loop has no answer here.</p>}
+      {found && ('refused' in found ? <p class="message">{found.refused}</p> : <Pictures explorer={explorer} loop={found} />)}
     </>
   );
 }

@@ -330,7 +330,7 @@ export class Explorer {
     const key = mapKey(this.design.value, axes);
     const isKnown = key === this.#mapKey && (this.map.value?.columns ?? 0) >= nodes;
     if (isKnown || this.refusal.value) return;
-    const answer = await this.hand.calls('map', [mapCall(axes, this.setup(), nodes)]);
+    const answer = await this.hand.calls('map', [mapCall(axes, this.setup(), [nodes, nodes])]);
     const first = answer?.numbers[0];
     if (!first) return;
     if (isRefused(first)) {
