@@ -2,7 +2,7 @@
 
 use crate::refusal::Refusal;
 use crate::words::in_page_words;
-use longdrive::parameters::{DEFAULT_PRESET, Parameter, SetupFile, UNSET, Vary};
+use longdrive::parameters::{DEFAULT_PRESET, SetupFile, UNSET, Vary};
 use longdrive::units::{Message, System};
 use longdrive::{Error, Outcome, Setup};
 use serde::Deserialize;
@@ -156,18 +156,6 @@ impl CheckedSetup<'_> {
     /// For an unknown name.
     pub fn outcomes(&self, names: &[String]) -> Result<Vec<Outcome>, Refusal> {
         let named = |name: &String| Outcome::named(name).map_err(|error| self.refused(&error));
-        names.iter().map(named).collect()
-    }
-
-    /// The parameters of these names, by which outcomes can be differentiated.
-    ///
-    /// # Errors
-    /// For an unknown name, and a parameter without a value.
-    pub fn variables(&self, names: &[String]) -> Result<Vec<&'static Parameter>, Refusal> {
-        let named = |name: &String| {
-            let found = self.setup.variable(name);
-            found.map_err(|error| self.refused(&error))
-        };
         names.iter().map(named).collect()
     }
 

@@ -77,6 +77,23 @@ test('a ball that does not land has a status and the outcomes of its launch', ()
   assert.deepEqual(head.missing.map(({ of }) => of), ['carry']);
 });
 
+test('a parameter without derivatives has a reason, and does not prevent the others', () => {
+  const setup = { set: { 'air.altitude': '1000 ft' } };
+  const wrt = ['club.loft', 'air.density', 'swing.speed'];
+  const all = drive({ setup, of: ['carry', 'total'], wrt, order: 2 });
+  const some = drive({ setup, of: ['carry', 'total'], wrt: [wrt[0], wrt[2]], order: 2 });
+  assert.deepEqual(all.head.missing.map(({ of, wrt: by }) => [of, by]), [[null, 'air.density']]);
+  assert.match(all.head.missing[0].message, /^air\.density cannot be varied, and has no derivatives: air\.altitude is given/);
+  all.derivatives.forEach(({ gradient, hessian }, k) => {
+    const { gradient: slopes, hessian: seconds } = some.derivatives[k];
+    assert.deepEqual([...gradient], [slopes[0], NaN, slopes[1]]);
+    assert.deepEqual([...hessian], [seconds[0], NaN, seconds[1], NaN, NaN, NaN, seconds[2], NaN, seconds[3]]);
+  });
+  const none = drive({ setup, of: ['carry'], wrt: ['air.density'], order: 1 });
+  assert.deepEqual([...none.derivatives[0].gradient], [NaN]);
+  assert.equal(drive({ setup, of: ['carry'], wrt: ['air.densty'], order: 1 }).head.status, 'error');
+});
+
 test('same values and gradients of a map as of drives', () => {
   const setup = { preset: 'tour-average', set: { 'wind.right': '3 m/s' } };
   const [across, up] = [range('club.loft', '6 deg', '16 deg'), range('swing.attack_angle', -0.05, 0.05)];

@@ -371,6 +371,17 @@ test('the optimizer of one parameter is a curve, of three has the parameters of 
   });
 });
 
+test('a parameter without a price has the reason at its slider', async () => {
+  await stay(async ({ page }) => {
+    await type(page, 'air.altitude', '5000');
+    await page.getByRole('button', { name: / air \(/ }).click();
+    await page.locator('#price-air-density').filter({ hasText: 'has no derivatives: air.altitude is given' }).waitFor();
+    assert.equal(await page.locator('#price-air-altitude b').count(), 1);
+    assert.equal(await page.locator('#price-club-loft b').count(), 1);
+    await page.getByRole('button', { name: / air \(/ }).click();
+  });
+});
+
 test('pictures and tables can be saved', async () => {
   await stay(async ({ page }) => {
     await page.locator('.map .data summary').click();

@@ -109,7 +109,8 @@ function PriceLine({ name, id, at, isUnset }: { name: string; id: string; at: nu
   const { units, unit, decimals, travel } = useSteady(() => explorer.rowKey(name), () => ({
     ...explorer.field(name), units: explorer.state.value.units, travel: explorer.travel(name),
   }));
-  if (!slope) return <p class="price" id={`price-${id}`}>{isUnset ? 'not stated' : '\u00a0'}</p>;
+  const why = explorer.noSlope.value.get(name);
+  if (!slope) return <p class="price" id={`price-${id}`}>{why ?? (isUnset ? 'not stated' : '\u00a0')}</p>;
   const { low, high } = bandOf(at, slope, LOSS[units]);
   const end = (value: number) => withUnit(digits(fromSI(value, unit), decimals), unit);
   const from = low <= travel.low ? null : end(low);

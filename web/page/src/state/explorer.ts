@@ -3,7 +3,7 @@ import { batch, computed, signal } from '@preact/signals';
 import type { Lane, Progress } from '../core/lane';
 import type { Call, Reply } from '../core/messages';
 import type { Drive, Refusal, Slope } from '../drive/drive';
-import { isRefused, readDrive, readSlopes, refusalOf } from '../drive/drive';
+import { isRefused, readDrive, readMissing, readSlopes, refusalOf } from '../drive/drive';
 import type { Design } from '../setup/design';
 import { NONE, WHEN_UNSET, firstOf, hasLaunch, lawOf, numberOf, together, withValues } from '../setup/design';
 import type { Catalog, Parameter } from '../setup/parameters';
@@ -43,6 +43,8 @@ export class Explorer {
   readonly drive = signal<Drive | null>(null);
   readonly refusal = signal<Refusal | null>(null);
   readonly slopes = signal<ReadonlyMap<string, Slope>>(new Map());
+  /** Why a parameter has no derivative in this setup, for example where another takes its place. */
+  readonly noSlope = signal<ReadonlyMap<string, string>>(new Map());
   readonly best = signal<Best | null>(null);
   readonly bestMessage = signal<string | null>(null);
   readonly ghost = signal<Drive | null>(null);
@@ -65,9 +67,6 @@ export class Explorer {
   readonly units = computed(() => this.state.value.units);
   readonly isLaunch = computed(() => hasLaunch(this.design.value));
 
-  /** Parameters that have no derivative in this setup, for example where another takes their place. */
-  #fixed = new Set<string>();
-  #fixedKey = '';
   #mapKey = '';
   #traps = 0;
   readonly #rest = new Later(REST);
@@ -200,25 +199,18 @@ export class Explorer {
   #priced(): string[] {
     const design = this.design.value;
     const open = this.openGroup.value;
-    const isLaunch = hasLaunch(design);
     const more = this.catalog.of(lawOf(design, this.catalog))
       .map(({ parameter }) => parameter)
       .filter((name) => groupOf(name) === open);
     const isFree = (name: string) => {
       const value = this.value(name);
-      return value !== null && Number.isFinite(value) && !this.#fixed.has(name)
-        && !(isLaunch && /^(swing|club|strike|impact)\./.test(name));
+      return value !== null && Number.isFinite(value);
     };
     return [...new Set([...firstOf(design), ...AIR_FIRST, ...more])].filter(isFree);
   }
 
   async #fly() {
     const { goal, units } = this.state.value;
-    const key = JSON.stringify([this.design.value.preset, Object.keys(this.design.value.set)]);
-    if (key !== this.#fixedKey) {
-      this.#fixed.clear();
-      this.#fixedKey = key;
-    }
     const setup = this.setup();
     const wrt = this.#priced();
     const calls: Call[] = [{ door: 'drive', request: { setup, units, path: true, order: 0 } }];
@@ -243,21 +235,11 @@ export class Explorer {
       this.drive.value = drive;
       this.refusal.value = drive.status === 'landed' ? null
         : { message: drive.message ?? drive.status, parameters: [] };
-      const slopes = new Map<string, Slope>();
-      for (const numbers of more) {
-        if (!isRefused(numbers)) readSlopes(numbers).forEach((slope, name) => slopes.set(name, slope));
-      }
-      this.slopes.value = slopes;
+      const known = more.filter((numbers) => !isRefused(numbers));
+      this.slopes.value = new Map(known.flatMap((numbers) => [...readSlopes(numbers)]));
+      this.noSlope.value = new Map(known.flatMap((numbers) => [...readMissing(numbers)]));
     });
-    this.#withoutFixed(more.slice(0, unset ? -1 : undefined).filter(isRefused).map(refusalOf));
     this.#mapIfOther();
-  }
-
-  /** Leaves out parameters that the core cannot differentiate by, and flies again. */
-  #withoutFixed(refusals: Refusal[]) {
-    const before = this.#fixed.size;
-    refusals.forEach(({ parameters: [name] }) => name && this.#fixed.add(name));
-    if (this.#fixed.size > before) void this.#fly();
   }
 
   /** Prices of wind and air that are not stated: those of the values that they have then. */
