@@ -330,6 +330,30 @@ test('the loop of time steps is beside the exact drive', async () => {
   });
 });
 
+test('the loop lies over the map and the slider of its parameter, while its view is open', async () => {
+  await stay(async ({ page }) => {
+    const parts = ['.map svg path.loop', '.loop-track svg'];
+    const counts = () => Promise.all(parts.map(part => page.locator(part).count()));
+    assert.deepEqual(await counts(), [0, 0]);
+    const summary = page.locator('.loop > summary');
+    if (await page.locator('details.loop[open]').count() === 0) await summary.click();
+    await page.getByLabel(/lay the loop over the slider of the loft/).check();
+    await Promise.all(parts.map(part => page.locator(part).waitFor()));
+    assert.match(await page.locator('.map figcaption').textContent(), /Dashed: the loop of \d+ ms, .* up to [\d.]+ yd from the exact carry/);
+    assert.equal(await page.locator('.slider', { has: page.locator('.loop-track') }).locator('label').first().textContent(), 'loft');
+    // a drag of the two parameters of the map does not change the loop's contours
+    await page.locator(`${parts[0]}[data-nodes="48"]`).waitFor();
+    const fine = await page.locator(parts[0]).getAttribute('d');
+    await slider(page, 'club.loft').press('ArrowRight');
+    await settle(page);
+    assert.equal(await page.locator(parts[0]).getAttribute('d'), fine);
+    await page.locator('header').getByLabel('longest').selectOption('total');
+    await page.locator(parts[0]).waitFor({ state: 'detached' });
+    await summary.click();
+    await page.locator(parts[1]).waitFor({ state: 'detached' });
+  });
+});
+
 test('the optimizer goes step by step, by buttons and arrow keys', async () => {
   await stay(async ({ page }) => {
     await page.evaluate(() => { location.hash = '1&tour-average&vary=club.loft,swing.attack_angle'; });

@@ -1,11 +1,13 @@
 // For lectures: the while-loop of the MAE 494 report beside the exact drive. The loop lands a step
 // late, so its carry has teeth, and differences of it are no derivatives.
 import { useComputed } from '@preact/signals';
-import { useState } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
 import { isRefused, refusalOf } from '../drive/drive';
 import { labelOf } from '../setup/parameters';
 import { digits, fromSI, sizeOf, symbolOf } from '../setup/units';
 import type { Explorer } from '../state/explorer';
+import { loopCall, readLoop, worstOf } from '../state/loop';
+import type { Loop } from '../state/loop';
 import { mapOf } from '../state/state';
 import { useAnswer } from './answered';
 import { usePage } from './context';
@@ -19,28 +21,15 @@ const HEIGHT = 170;
 /** The part of a slider's travel that is shown. */
 const PART = 0.06;
 
-interface Loop {
-  name: string;
-  at: Float64Array;
-  loop: Float64Array;
-  difference: Float64Array;
-  carry: Float64Array;
-  slope: Float64Array;
-}
-
 async function flyLoop(explorer: Explorer, name: string, step: number, difference: number): Promise<Loop | { refused: string } | undefined> {
   const { low, high } = explorer.travel(name);
   const middle = explorer.value(name) ?? (low + high) / 2;
   const half = (PART * (high - low)) / 2;
   const along = { name, low: middle - half, high: middle + half };
-  const request = { setup: explorer.setup(), along, nodes: NODES, step, difference };
-  const answer = await explorer.hand.calls('loop', [{ door: 'loop', request }]);
-  const first = answer?.numbers[0];
+  const call = loopCall(explorer.setup(), along, NODES, step, difference);
+  const first = (await explorer.hand.calls('loop', [call]))?.numbers[0];
   if (!first) return undefined;
-  if (isRefused(first)) return { refused: refusalOf(first).message };
-  const [at, loop, , slopes, carry, slope] = Array.from({ length: 6 }, (_, k) =>
-    first.block.subarray(k * NODES, (k + 1) * NODES));
-  return { name, at: at!, loop: loop!, difference: slopes!, carry: carry!, slope: slope! };
+  return isRefused(first) ? { refused: refusalOf(first).message } : readLoop(first);
 }
 
 export function LoopView() {
@@ -72,9 +61,30 @@ function Lecture({ explorer }: { explorer: Explorer }) {
   return (
     <>
       {slide('time step', step * 1000, 1, 50, 1, `${digits(step * 1000, 0)} ms`, (value) => setStep(value / 1000))}
+      <Overlay step={step} name={name} />
       {slide('difference over', power, -6, 0, 0.5, `${(10 ** power).toPrecision(2)} ${symbolOf(unit)}`, setPower)}
       {found && ('refused' in found ? <p class="message">{found.refused}</p> : <Pictures explorer={explorer} loop={found} />)}
     </>
+  );
+}
+
+/** Whether the loop is laid over the map and the slider, while this view is open. */
+function Overlay({ step, name }: { step: number; name: string }) {
+  const { explorer } = usePage();
+  const [isOver, setOver] = useState(false);
+  useEffect(() => {
+    explorer.loopStep.value = isOver ? step : null;
+  }, [isOver, step]);
+  useEffect(() => () => { explorer.loopStep.value = null; }, []);
+  const isCarry = explorer.state.value.goal === 'carry';
+  return (
+    <p>
+      <label>
+        <input type="checkbox" checked={isOver} onChange={() => setOver(!isOver)} />
+        {' '}lay the loop over the slider of the {labelOf(name)} and over the map
+        {isCarry ? '' : ', which has no totals of it'}
+      </label>
+    </p>
   );
 }
 
@@ -86,7 +96,7 @@ function Pictures({ explorer, loop }: { explorer: Explorer; loop: Loop }) {
   const carries = [loop.loop, loop.carry].map((values) => Array.from(values, (value) => inLength(value, units)));
   const slopes = [loop.difference, loop.slope].map((values) => Array.from(values, (value) => value * per));
   const at = Array.from(loop.at, (value) => fromSI(value, unit));
-  const worst = Math.max(...carries[0]!.map((carry, k) => Math.abs(carry - carries[1]![k]!)).filter(Number.isFinite));
+  const worst = inLength(worstOf(loop), units);
   const steepest = slopes[0]!.filter(Number.isFinite).reduce((most, slope) => (Math.abs(slope) > Math.abs(most) ? slope : most), 0);
   const middle = slopes[1]![Math.floor(NODES / 2)] ?? NaN;
   const symbol = symbolOf(unit);

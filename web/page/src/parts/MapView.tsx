@@ -10,7 +10,9 @@ import { usePage } from './context';
 import { useSteady } from './steady';
 import { Figure } from './Figure';
 import { inLength, length, lengthUnit } from './lengths';
+import { LoopLines, useLoop } from './LoopMap';
 import { Areas, HEIGHT, MapScales, planOf, TOP } from './MapPicture';
+import type { Grid } from './MapPicture';
 import { MARGIN } from './scale';
 import { useWidth } from './size';
 
@@ -29,15 +31,24 @@ export function MapView() {
     ? `The longest ${map.goal} over ${labelOf(across)} and ${labelOf(up)} is `
       + `${length(best?.flight[map.goal] ?? most, units)}${bestText ? `, at ${bestText}` : ''}.`
     : 'No map yet.';
+  const over = useLoop(map);
+  const said = over ? `${sentence} ${over.sentence}` : sentence;
   return (
-    <Figure name="map" title="Map" sentence={sentence} place={ref} below={<Axes />}
+    <Figure name="map" title="Map" sentence={said} place={ref} below={<Axes />}
       table={() => (map ? tableOf(map, units, explorer) : { head: [], rows: [] })}>
-      {map && <Picture map={map} width={width} sentence={sentence} />}
+      {map && <Picture map={map} width={width} sentence={said} loop={over?.loop ?? null} />}
     </Figure>
   );
 }
 
-function Picture({ map, width, sentence }: { map: MapData; width: number; sentence: string }) {
+interface PictureProps {
+  map: MapData;
+  width: number;
+  sentence: string;
+  loop: Grid | null;
+}
+
+function Picture({ map, width, sentence, loop }: PictureProps) {
   const { explorer } = usePage();
   const plan = planOf(map, width);
   const best = explorer.mapBest.value;
@@ -71,6 +82,7 @@ function Picture({ map, width, sentence }: { map: MapData; width: number; senten
     <svg width={width} height={HEIGHT} role="img" aria-label={`Map. ${sentence}`}
       onPointerDown={take} onPointerMove={move} onPointerUp={() => explorer.release()}>
       <Areas map={map} width={width} />
+      {loop && <LoopLines loop={loop} map={map} width={width} />}
       <MapScales map={map} plan={plan} />
       {theirs.every(Number.isFinite) && <Star x={plan.x(theirs[0])} y={plan.y(theirs[1])} />}
       {yours.every(Number.isFinite)

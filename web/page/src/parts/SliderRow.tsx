@@ -9,6 +9,7 @@ import { varyOf } from '../state/state';
 import type { Explorer } from '../state/explorer';
 import { usePage } from './context';
 import { useSteady } from './steady';
+import { LoopTrack } from './LoopTrack';
 import { Track } from './Track';
 
 interface Props {
@@ -37,6 +38,7 @@ export function SliderRow({ name, isInGroup = false }: Props) {
         <button type="button" class="ask" aria-expanded={isAsked} aria-label={`about ${label}`}
           onClick={() => setAsked(!isAsked)}>?</button>
       </div>
+      <LoopTrack name={name} />
       <Track name={name} travel={travel}>
         <input type="range" id={`slide-${id}`} min={fromSI(travel.low, unit)}
           max={fromSI(travel.high, unit)} step={travel.step / (toSI(1, unit) - toSI(0, unit))}

@@ -58,6 +58,8 @@ export class Explorer {
   /** What a long command does, while it runs. */
   readonly working = signal<string | null>(null);
   readonly aimMessage = signal<string | null>(null);
+  /** The time step of the loop that lies over the map and a slider, s; null without it. */
+  readonly loopStep = signal<number | null>(null);
   /** The group of further sliders that is open. */
   readonly openGroup = signal<string | null>(null);
   /** Milliseconds of the last drive in the worker. */
