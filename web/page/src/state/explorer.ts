@@ -5,7 +5,7 @@ import type { Call, Reply } from '../core/messages';
 import type { Drive, Refusal, Slope } from '../drive/drive';
 import { isRefused, readDrive, readMissing, readSlopes, refusalOf } from '../drive/drive';
 import type { Design } from '../setup/design';
-import { NONE, WHEN_UNSET, firstOf, hasLaunch, lawOf, numberOf, together, withValues } from '../setup/design';
+import { WHEN_UNSET, firstOf, hasLaunch, lawOf, numberOf, setupOf, together, withValues } from '../setup/design';
 import type { Catalog, Parameter } from '../setup/parameters';
 import { AIR_FIRST, groupOf, labelOf } from '../setup/parameters';
 import type { Travel } from '../setup/travel';
@@ -178,9 +178,8 @@ export class Explorer {
     const isStated = 'flight.step' in design.set || 'flight.method' in design.set;
     const chosen = this.#integration && !isStated
       ? { 'flight.method': this.#integration.method, 'flight.step': this.#integration.step } : {};
-    const stated = Object.fromEntries(
-      Object.entries(design.set).map(([name, text]) => [name, text === NONE ? null : text]));
-    return { preset: design.preset, set: { ...chosen, ...stated } };
+    const { preset, set } = setupOf(design);
+    return { preset, set: { ...chosen, ...set } };
   }
 
   #look() {
