@@ -34,7 +34,7 @@ async function visit(address, options, steps, script) {
 
 /** Runs steps in a page that several tests share, since to load the core takes most of a test. */
 async function stay(steps) {
-  shared ??= await open(browser, file, {}, trapWhenTold);
+  shared ??= await open(browser, file, {}, exhaustWhenTold);
   await shared.page.setViewportSize({ width: 1280, height: 1400 });
   await shared.page.evaluate(() => { location.hash = '1&tour-average'; });
   await settle(shared.page);
@@ -174,33 +174,82 @@ test('a drive that does not fly says why', async () => {
   });
 });
 
-/** Lets a test ask a worker for a function that the core does not have. */
-function trapWhenTold() {
+/**
+ * Counts what is sent to the workers, and lets a test exhaust the memory of one: it grows to the 4 GB that it can have, so
+ * that the core's next larger allocation fails.
+ */
+function exhaustWhenTold() {
+  const inWorker = () => {
+    const instantiate = WebAssembly.instantiate;
+    let instance;
+    WebAssembly.instantiate = async (...given) => (instance = await instantiate.apply(WebAssembly, given));
+    addEventListener('message', event => {
+      if (event.data.kind !== 'exhaust') return;
+      event.stopImmediatePropagation();
+      for (let pages = 65536; pages >= 1;) {
+        try {
+          instance.exports.memory.grow(pages);
+        } catch {
+          pages >>= 1;
+        }
+      }
+    });
+  };
+  const Plain = window.Blob;
+  window.Blob = class extends Plain {
+    constructor(parts, options) {
+      super(options?.type === 'text/javascript' ? [`(${inWorker})();`, ...parts] : parts, options);
+    }
+  };
   const post = Worker.prototype.postMessage;
   Worker.prototype.postMessage = function sent(message, ...rest) {
     window.sent = (window.sent ?? 0) + 1;
-    if (window.trapNext && message.kind === 'calls') {
-      window.trapNext = false;
-      return post.call(this, { ...message, calls: [{ door: 'trap', request: {} }] }, ...rest);
-    }
-    return post.call(this, message, ...rest);
+    const { exhaust } = window;
+    if (message.kind !== exhaust?.kind) return post.call(this, message, ...rest);
+    window.exhaust = null;
+    post.call(this, { kind: 'exhaust' });
+    return post.call(this, { ...message, ...exhaust }, ...rest);
   };
 }
 
-test('after an internal error the worker begins anew, and nothing typed is lost', async () => {
+/** Asserts that the page tells a trap, keeps what was typed, and answers the next move. */
+async function recovers(page) {
+  await page.locator('.notices .message').waitFor();
+  assert.match(await page.locator('.notices').textContent(), /Internal error in the core, which has begun anew; your values are as they were\. RuntimeError: unreachable/);
+  await settle(page);
+  assert.equal(await field(page, 'club.loft').inputValue(), '11');
+  const before = await answer(page, 'carry', 1);
+  await slider(page, 'swing.speed').press('PageUp');
+  await settle(page);
+  assert.ok(await answer(page, 'carry', 1) > before);
+  await page.locator('.notices').getByRole('button', { name: 'close' }).click();
+}
+
+test('a drag whose worker has no memory left traps, and a new worker goes on', async () => {
   await stay(async ({ page }) => {
     await type(page, 'club.loft', '11');
     await settle(page);
-    await page.evaluate(() => { window.trapNext = true; });
+    // the largest map that the core allows
+    await page.evaluate(() => {
+      const range = (name, low, high) => ({ name, low, high });
+      const request = { setup: {}, of: ['carry'], across: range('club.loft', 0.1, 0.2), up: range('swing.speed', 40, 50), nodes: [500, 500] };
+      window.exhaust = { kind: 'calls', calls: [{ door: 'map', request }] };
+    });
     await slider(page, 'swing.speed').press('ArrowRight');
-    await page.locator('.notices .message').waitFor();
-    assert.match(await page.locator('.notices').textContent(), /Internal error/);
+    await recovers(page);
+  });
+});
+
+test('a file whose worker has no memory left traps, and a new worker reads the next one', async () => {
+  await stay(async ({ page }) => {
+    await type(page, 'club.loft', '11');
     await settle(page);
-    assert.equal(await field(page, 'club.loft').inputValue(), '11');
-    const before = await answer(page, 'carry', 1);
-    await slider(page, 'swing.speed').press('PageUp');
-    await settle(page);
-    assert.ok(await answer(page, 'carry', 1) > before);
+    await page.evaluate(() => { window.exhaust = { kind: 'command' }; });
+    const large = Buffer.alloc(8e6, `${readFileSync(shots, 'utf8').trim().split('\n').at(-1)}\n`);
+    await page.locator('.shots input[type=file]').setInputFiles({ name: 'large.csv', mimeType: 'text/csv', buffer: large });
+    await recovers(page);
+    await page.locator('.shots input[type=file]').setInputFiles(shots);
+    await page.locator('.shots [role=status]').filter({ hasText: '12 of 12 shots of shots.csv' }).waitFor();
   });
 });
 
