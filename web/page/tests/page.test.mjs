@@ -455,14 +455,42 @@ test('a parameter without a price has the reason at its slider', async () => {
   });
 });
 
+/** The content of the file that a button of a part saves. */
+async function saved(page, part, button) {
+  const waiting = page.waitForEvent('download');
+  await page.locator(part).getByRole('button', { name: button }).click();
+  return readFileSync(await (await waiting).path(), 'utf8');
+}
+
 test('pictures and tables can be saved', async () => {
   await stay(async ({ page }) => {
-    await page.locator('.map .data summary').click();
-    for (const [button, start] of [['picture (SVG)', /^<svg[^>]*xmlns/], ['table (CSV)', /^carry \[yd\],/]]) {
-      const waiting = page.waitForEvent('download');
-      await page.locator('.map').getByRole('button', { name: button }).click();
-      assert.match(readFileSync(await (await waiting).path(), 'utf8'), start);
+    await page.locator('.optimizer > summary').click();
+    await page.locator('.steps svg .model').first().waitFor();
+    for (const [part, head] of [['.map', /^carry \[yd\],/], ['.face-view', /^strike,value \[mm\]\r\nto toe,0\.0\r\nhigh,6\.0$/], ['.steps', /^iteration,loft \[°\],carry \[yd\],/]]) {
+      if (part !== '.steps') await page.locator(`${part} .data summary`).click();
+      const picture = await saved(page, part, 'picture (SVG)');
+      assert.match(picture, /^<svg[^>]*xmlns/);
+      // a file that other programs read
+      const error = await page.evaluate(text => new DOMParser().parseFromString(text, 'image/svg+xml').querySelector('parsererror')?.textContent, picture);
+      assert.equal(error, undefined);
+      assert.match(await saved(page, part, 'table (CSV)'), head);
     }
+    await page.locator('.optimizer > summary').click();
+  });
+});
+
+test('the numbers beside each other can be saved', async () => {
+  await stay(async ({ page }) => {
+    assert.match(await saved(page, '.panel', 'table (CSV)'), /^,yours,best\r\nball speed,169\.4 mph,/);
+    const { yours, best } = JSON.parse(await saved(page, '.panel', 'numbers (JSON)'));
+    assert.ok(Math.abs(yours.carry / 0.9144 - 286.0) < 0.05 && best.carry > yours.carry);
+    await page.getByRole('button', { name: /keep this design/ }).click();
+    await type(page, 'club.loft', '12');
+    await settle(page);
+    assert.match(await saved(page, '.compare', 'table (CSV)'), /^,A,B\r\nloft,8\.8°,12\.0°\r\n/);
+    const { A, B } = JSON.parse(await saved(page, '.compare', 'numbers (JSON)'));
+    assert.deepEqual([A.preset, A.set, B.set], ['tour-average', {}, { 'club.loft': '12 deg' }]);
+    assert.ok(B.outcomes.carry < A.outcomes.carry && B.outcomes.launch_angle > A.outcomes.launch_angle);
   });
 });
 

@@ -9,9 +9,9 @@ import { settingsOf } from '../setup/words';
 import { DESIGN_NAMES, MOST_DESIGNS } from '../state/state';
 import { useAnswer } from './answered';
 import { usePage } from './context';
-import { TableView } from './Figure';
+import { TableFiles, TableView } from './Figure';
 import { lengthChange } from './lengths';
-import { ROWS, shown } from './outcomes';
+import { outcomesOf, ROWS, shown } from './outcomes';
 
 const isDrive = (drive: Drive | Refusal | null | undefined): drive is Drive =>
   drive !== null && drive !== undefined && 'outcomes' in drive;
@@ -83,7 +83,17 @@ function Beside() {
       }),
     ]),
   ];
-  return <TableView head={['', ...designs.map((_, at) => DESIGN_NAMES[at]!)]} rows={rows} />;
+  const table = { head: ['', ...designs.map((_, at) => DESIGN_NAMES[at]!)], rows };
+  const numbers = () => Object.fromEntries(designs.map((design, at) => {
+    const drive = drives[at];
+    return [DESIGN_NAMES[at]!, { ...design, outcomes: isDrive(drive) ? outcomesOf(drive) : null }] as const;
+  }));
+  return (
+    <>
+      <TableView {...table} />
+      <TableFiles name="designs" table={() => table} numbers={numbers} />
+    </>
+  );
 }
 
 interface Share {
