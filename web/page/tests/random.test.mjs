@@ -12,7 +12,7 @@ import { launch, open, settle } from './browser.mjs';
 import { Chance } from './random.mjs';
 
 const isAll = process.env.LONGDRIVE_RANDOM === 'all';
-const COUNT = isAll ? { links: 10_000, files: 1000, shots: 1000, inBrowser: 1000 } : { links: 600, files: 40, shots: 60, inBrowser: 120 };
+const COUNT = isAll ? { links: 10_000, files: 1000, shots: 1000, inBrowser: 1000 } : { links: 400, files: 40, shots: 60, inBrowser: 60 };
 /** Files and CSVs that are opened in the browser. */
 const OPENED = isAll ? 100 : 4;
 
@@ -122,8 +122,9 @@ function setupFile(chance) {
   return text(chance.mutated(chance.pick(FILES), { separator: '\n', known }));
 }
 
+/** The page writes ten digits after the point. */
 const isSame = (one, other) => (typeof one === 'number' && typeof other === 'number'
-  ? Math.abs(one - other) <= 1e-9 * Math.max(Math.abs(one), Math.abs(other)) : one === other);
+  ? Math.abs(one - other) <= Math.max(1e-10, 1e-9 * Math.max(Math.abs(one), Math.abs(other))) : one === other);
 
 /** The values of a setup by name, with its law. */
 function valuesOf({ law, parameters }) {
@@ -232,7 +233,19 @@ async function trapsOf(tab) {
 
 /** Gives a file to a part of the page, and waits until it is read. */
 async function give(tab, part, file) {
+  await tab.evaluate(() => {
+    window.worked = new Promise(done => {
+      let began = false;
+      new MutationObserver((_, observer) => {
+        const isWorking = document.querySelector('.working') !== null;
+        began ||= isWorking;
+        if (!began || isWorking) return;
+        observer.disconnect();
+        done();
+      }).observe(document.body, { childList: true, subtree: true });
+    });
+  });
   await tab.locator(`${part} input[type=file]`).setInputFiles(file);
-  await tab.locator('.working').waitFor({ state: 'detached' });
+  await tab.evaluate(() => window.worked);
   await settle(tab);
 }
