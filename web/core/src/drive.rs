@@ -43,12 +43,10 @@ struct Head<'a> {
     warnings: Vec<String>,
 }
 
-/// A value or derivative that does not exist.
+/// An outcome without a value or derivative, or a parameter without derivatives.
 #[derive(Serialize)]
 struct Missing {
-    /// The outcome; none, if no outcome can be differentiated by the parameter.
     of: Option<&'static str>,
-    /// The parameter; none, if the outcome has no value, or no derivative by any parameter.
     wrt: Option<String>,
     message: String,
 }
@@ -119,7 +117,6 @@ struct Columns {
     missing: Vec<Missing>,
 }
 
-#[derive(Clone, Copy)]
 struct Column {
     at: usize,
     parameter: &'static Parameter,
@@ -148,12 +145,13 @@ impl Columns {
         Ok(columns)
     }
 
-    /// Derivatives by some parameters in the columns of all, NaN for the others.
-    fn widened(&self, some: &[Column], taylor: &Taylor) -> Taylor {
+    /// Derivatives by the known parameters in the columns of all, NaN for the others.
+    fn widened(&self, taylor: &Taylor) -> Taylor {
+        let known = &self.known;
         let mut wide = undefined(self.count);
-        for (i, row) in some.iter().enumerate() {
+        for (i, row) in known.iter().enumerate() {
             wide.gradient[row.at] = taylor.gradient[i];
-            for (k, column) in some.iter().enumerate().take(taylor.hessian.len()) {
+            for (k, column) in known.iter().enumerate().take(taylor.hessian.len()) {
                 wide.hessian[row.at][column.at] = taylor.hessian[i][k];
             }
         }
@@ -186,11 +184,10 @@ impl Derivatives<'_> {
 
     /// The derivatives of each outcome. An outcome without a value does not prevent the others.
     fn each(&self, of: &[Outcome], missing: &mut Vec<Missing>) -> Result<Vec<Taylor>, Refusal> {
-        let known = &self.columns.known;
-        if known.is_empty() {
+        if self.columns.known.is_empty() {
             return Ok(vec![undefined(self.columns.count); of.len()]);
         }
-        match self.evaluated(of, known) {
+        match self.evaluated(of) {
             Ok(taylors) => Ok(taylors),
             Err(error) if error.is_an_outcome() => {
                 Ok(of.iter().map(|of| self.one(*of, missing)).collect())
@@ -199,47 +196,25 @@ impl Derivatives<'_> {
         }
     }
 
-    /// The derivatives of one outcome. A parameter without a derivative does not prevent the
-    /// others.
     fn one(&self, of: Outcome, missing: &mut Vec<Missing>) -> Taylor {
-        let known = self.columns.known.as_slice();
-        let missed = |wrt: Option<Column>, error: &Error| Missing {
-            of: Some(of.name()),
-            wrt: wrt.map(|column| column.parameter.name.to_owned()),
-            message: self.checked.refused(error).message,
-        };
-        let error = match self.evaluated(&[of], known) {
-            Ok(mut taylors) => return taylors.swap_remove(0),
-            Err(error) => error,
-        };
-        let mut some = vec![];
-        let mut others = vec![];
-        if matches!(error, Error::Undefined { .. }) {
-            for column in known {
-                match self.evaluated(&[of], &[*column]) {
-                    Ok(_) => some.push(*column),
-                    Err(error) => others.push(missed(Some(*column), &error)),
-                }
-            }
-        }
-        match self.evaluated(&[of], &some) {
-            Ok(mut taylors) if !some.is_empty() => {
-                missing.extend(others);
-                taylors.swap_remove(0)
-            }
-            _ => {
-                missing.push(missed(None, &error));
+        match self.evaluated(&[of]) {
+            Ok(mut taylors) => taylors.swap_remove(0),
+            Err(error) => {
+                missing.push(Missing {
+                    of: Some(of.name()),
+                    wrt: None,
+                    message: self.checked.refused(&error).message,
+                });
                 undefined(self.columns.count)
             }
         }
     }
 
-    fn evaluated(&self, of: &[Outcome], by: &[Column]) -> Result<Vec<Taylor>, Error> {
-        let wrt: Vec<_> = by.iter().map(|column| column.parameter).collect();
+    fn evaluated(&self, of: &[Outcome]) -> Result<Vec<Taylor>, Error> {
+        let known = self.columns.known.iter();
+        let wrt: Vec<_> = known.map(|column| column.parameter).collect();
         let taylors = evaluate(&self.checked.setup, of, &wrt, self.order)?;
-        let wide = taylors
-            .iter()
-            .map(|taylor| self.columns.widened(by, taylor));
+        let wide = taylors.iter().map(|taylor| self.columns.widened(taylor));
         Ok(wide.collect())
     }
 }

@@ -52,6 +52,13 @@ const LINKS = [
   '1&mae494&aero.law=lyu&c:preset=tour-average&d:ground.slope=-2deg&b:swing.speed=',
 ];
 
+/** Values that are numbers, but no pixels. */
+const EXTREME = [
+  '1&tour-average&strike.high=1e308m&strike.toe=-1e308m',
+  '1&tour-average&club.loft=1e308deg&swing.attack_angle=-1e308deg',
+  '1&tour-average&map=strike.high,club.loft&strike.high=1e308m',
+];
+
 /** A random fragment of an address. */
 function link(chance) {
   if (chance.is(0.05)) return chance.text(chance.below(200));
@@ -196,9 +203,10 @@ test(`${COUNT.inBrowser} random links and ${2 * OPENED} files leave the page who
   const { errors } = await trapsOf(tab);
   await settle(tab);
   const loaded = requests.filter(url => !url.startsWith('blob:')).length;
-  for (let k = 0; k < COUNT.inBrowser; k += 1) {
-    await tab.evaluate(fragment => { location.hash = fragment; }, link(chance));
-    if (k % 100 === 0) await settle(tab);
+  const links = [...EXTREME, ...Array.from({ length: COUNT.inBrowser }, () => link(chance))];
+  for (const [k, fragment] of links.entries()) {
+    await tab.evaluate(text => { location.hash = text; }, fragment);
+    if (k < EXTREME.length || k % 100 === 0) await settle(tab);
   }
   await tab.evaluate(() => { location.hash = '1&tour-average&swing.speed=95mph'; });
   await settle(tab);

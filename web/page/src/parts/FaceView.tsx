@@ -11,13 +11,19 @@ const SCALE = 2200;
 const WIDTH = 2 * HALF[0] * SCALE + 20;
 const HEIGHT = 2 * HALF[1] * SCALE + 20;
 
+/** A strike beside the face is drawn at its edge. */
+const inside = (pixel: number, end: number) => Math.min(end, Math.max(0, pixel));
+
 export function FaceView() {
   const { explorer } = usePage();
   const toe = explorer.value('strike.toe') ?? 0;
   const high = explorer.value('strike.high') ?? 0;
   if (Number.isNaN(toe) || Number.isNaN(high)) return null;
   // looked at from the front, a right-hander's toe is to the left
-  const [x, y] = [WIDTH / 2 - toe * SCALE, HEIGHT / 2 - high * SCALE];
+  const [x, y] = [
+    inside(WIDTH / 2 - toe * SCALE, WIDTH),
+    inside(HEIGHT / 2 - high * SCALE, HEIGHT),
+  ];
   const move = (event: PointerEvent, isFinal: boolean) => {
     const svg = event.currentTarget as SVGSVGElement;
     if (!svg.hasPointerCapture(event.pointerId) && event.type !== 'pointerdown') return;

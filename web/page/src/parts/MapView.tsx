@@ -53,10 +53,9 @@ function Picture({ map, width, sentence, loop }: PictureProps) {
   const plan = planOf(map, width);
   const best = explorer.mapBest.value;
   const at = (name: string) => explorer.value(name) ?? NaN;
-  const [yours, theirs] = [
-    [at(map.across), at(map.up)] as const,
-    [best?.values[map.across] ?? NaN, best?.values[map.up] ?? NaN] as const,
-  ];
+  const pixel = (across: number, up: number) => [plan.x(across), plan.y(up)] as const;
+  const yours = pixel(at(map.across), at(map.up));
+  const theirs = pixel(best?.values[map.across] ?? NaN, best?.values[map.up] ?? NaN);
   const move = (event: PointerEvent) => {
     const svg = event.currentTarget as SVGSVGElement;
     if (!svg.hasPointerCapture(event.pointerId)) return;
@@ -84,9 +83,8 @@ function Picture({ map, width, sentence, loop }: PictureProps) {
       <Areas map={map} width={width} />
       {loop && <LoopLines loop={loop} map={map} width={width} />}
       <MapScales map={map} plan={plan} />
-      {theirs.every(Number.isFinite) && <Star x={plan.x(theirs[0])} y={plan.y(theirs[1])} />}
-      {yours.every(Number.isFinite)
-        && <circle class="on-map" cx={plan.x(yours[0])} cy={plan.y(yours[1])} r={6} />}
+      {theirs.every(Number.isFinite) && <Star x={theirs[0]} y={theirs[1]} />}
+      {yours.every(Number.isFinite) && <circle class="on-map" cx={yours[0]} cy={yours[1]} r={6} />}
     </svg>
   );
 }
