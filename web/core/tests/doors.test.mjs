@@ -243,6 +243,21 @@ test('same models and gains of the steps as of drives, and the same end as the p
   close(last.value, value, 1e-9, 'best carry');
 });
 
+test('a better drive of the sample begins a second search, which ends as that of the program', () => {
+  const vary = [range('club.loft', 0, 0.45), range('swing.shaft_lean', -0.1, 0.1)];
+  const set = { 'aero.law': 'lyu', 'wind.downrange': '8 m/s', 'flight.method': 'dp8', 'flight.step': '0.4 s', 'club.loft': '0.77 deg', 'swing.shaft_lean': '-2.1 deg' };
+  const setup = { preset: 'lpga-average', set };
+  const { list } = steps({ setup, of: 'total', vary });
+  const second = list.findIndex(({ search }) => search === 1);
+  const [end, start, last] = [list[second - 1], list[second], list.at(-1)];
+  assert.ok(second > 1 && Number.isNaN(end.accepted) && start.iteration === 0);
+  assert.ok(start.value > end.value && last.value > start.value);
+  const words = ['optimize', ...wordsOf(setup), '--maximize', 'total', '--vary', 'club.loft=0rad..0.45rad', '--vary', 'swing.shaft_lean=-0.1rad..0.1rad', '--json'];
+  const found = JSON.parse(run(words).stdout);
+  assert.equal(found.sample.improved, true);
+  close(last.value, found.value, 1e-9, 'best total');
+});
+
 test('the steps of a search without a parameter have the message of the program', () => {
   const loft = range('club.loft', 4 * DEG, 20 * DEG);
   const nothing = core.steps({ setup: {}, of: 'carry', vary: [] }).head;

@@ -105,8 +105,10 @@ function sentenceOf(step: Step, steps: Steps, explorer: Explorer, isLast: boolea
   const { trial } = step;
   if (!trial) return `${here} ${isLast ? `The search ends: ${steps.message}.` : 'This search ends here.'}`;
   const model = trial.isReflected ? 'The model has no maximum, so its curvature is reflected; it' : 'The quadratic model';
+  const drive = Number.isFinite(trial.actual)
+    ? `the drive there brings ${gainOf(trial.actual, explorer)}` : 'there is no drive';
   return `${here} ${model} predicts ${gainOf(trial.predicted, explorer)} for ${placeOf(trial.x, steps, explorer)}; `
-    + `the drive there brings ${gainOf(trial.actual, explorer)}: the step is ${trial.isAccepted ? 'accepted' : 'not accepted'}.`;
+    + `${drive}: the step is ${trial.isAccepted ? 'accepted' : 'not accepted'}.`;
 }
 
 function tableOf(steps: Steps, explorer: Explorer) {
@@ -117,6 +119,7 @@ function tableOf(steps: Steps, explorer: Explorer) {
     const symbol = withUnit('', explorer.field(name).unit).trim();
     return `${labelOf(name)}${symbol ? ` [${symbol}]` : ''}`;
   });
+  const gain = (metres = NaN) => (Number.isFinite(metres) ? inLength(metres, units).toExponential(3) : '–');
   const hasTwo = steps.list.some(({ search: number }) => number > 0);
   return {
     head: ['iteration', ...parameters, `${goal} [${unit}]`, 'at bounds', 'KKT residual',
@@ -131,8 +134,8 @@ function tableOf(steps: Steps, explorer: Explorer) {
         bounds || 'none',
         step.residual.toExponential(1),
         `${value(steps.names[0]!, step.low[0])} to ${value(steps.names[0]!, step.high[0])}`,
-        trial ? inLength(trial.predicted, units).toExponential(3) : '–',
-        trial ? inLength(trial.actual, units).toExponential(3) : '–',
+        gain(trial?.predicted),
+        gain(trial?.actual),
         trial ? (trial.isAccepted ? 'accepted' : 'not accepted') : 'end',
       ];
     }),
