@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs';
 import { WASI } from 'node:wasi';
 import { fileURLToPath } from 'node:url';
 import { gunzipSync } from 'node:zlib';
-import { build } from 'esbuild';
+import { build } from 'vite';
 import { Core } from '../../core/core.mjs';
 import { launch, open, settle } from './browser.mjs';
 import { Chance } from './random.mjs';
@@ -21,10 +21,9 @@ const text = words => new TextEncoder().encode(words);
 
 /** The modules of the page that read what comes from outside. */
 async function pageModules() {
-  const names = ['setup/design', 'setup/file', 'setup/parameters', 'setup/travel', 'setup/words', 'state/fragment', 'state/state'];
-  const contents = names.map(name => `export * from './${name}';`).join('\n');
-  const { outputFiles } = await build({ stdin: { contents, resolveDir: at('../src') }, bundle: true, write: false, format: 'esm' });
-  return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString('base64')}`);
+  const lib = { entry: at('modules.ts'), formats: ['es'], fileName: 'modules' };
+  const [{ output }] = [await build({ configFile: false, logLevel: 'warn', build: { write: false, target: 'es2022', lib } })].flat();
+  return import(`data:text/javascript;base64,${Buffer.from(output[0].code).toString('base64')}`);
 }
 
 let page;

@@ -10,6 +10,7 @@ import { loopCall, readLoop, worstOf } from '../state/loop';
 import type { Loop } from '../state/loop';
 import { mapOf } from '../state/state';
 import { useAnswer } from './answered';
+import { ChartScales } from './ChartScales';
 import { usePage } from './context';
 import { Figure } from './Figure';
 import { inLength, lengthUnit, ticks } from './lengths';
@@ -139,15 +140,9 @@ function Chart({ name, title, at, curves, unit, across, sentence }: ChartProps) 
   return (
     <Figure name={name} title={title} sentence={sentence} table={table} place={ref}>
       <svg width={width} height={HEIGHT} role="img" aria-label={`${title}. ${sentence}`}>
-        {ticks(first, last, width / 110).map((tick) => (
-          <text class="tick" key={tick} x={x(tick)} y={HEIGHT - 14} text-anchor="middle">{Number(tick.toFixed(3))}</text>
-        ))}
-        {ticks(low, high, 3).map((tick) => (
-          <g key={tick}>
-            <line class="grid" x1={MARGIN.left} x2={width - MARGIN.right} y1={y(tick)} y2={y(tick)} />
-            <text class="tick" x={MARGIN.left - 6} y={y(tick) + 4} text-anchor="end">{Number(tick.toPrecision(4))}</text>
-          </g>
-        ))}
+        <ChartScales width={width} bottom={HEIGHT - 14}
+          across={{ ticks: ticks(first, last, width / 110), place: x, text: (tick) => String(Number(tick.toFixed(3))) }}
+          up={{ ticks: ticks(low, high, 3), place: y, text: (tick) => String(Number(tick.toPrecision(4))) }} />
         <polyline class="ghost teeth-line" points={points(curves[0]!)} />
         <polyline class="yours" points={points(curves[1]!)} />
       </svg>

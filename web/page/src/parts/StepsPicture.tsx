@@ -11,6 +11,7 @@ import { mapOf } from '../state/state';
 import type { Step, Steps } from '../state/steps';
 import { modelAt } from '../state/steps';
 import { useAnswer } from './answered';
+import { ChartScales } from './ChartScales';
 import { usePage } from './context';
 import { inLength, lengthUnit, ticks } from './lengths';
 import { Areas, HEIGHT, levelsOf, linesOf, MapScales, planOf, TOP } from './MapPicture';
@@ -157,6 +158,8 @@ const Legend = ({ width }: { width: number }) => (
   </g>
 );
 
+const tickText = (tick: number) => digits(tick, Number.isInteger(tick) ? 0 : 1);
+
 /** Room above the curve and below it, as a part of its height. */
 const ROOM = 0.15;
 
@@ -187,15 +190,9 @@ function CurvePicture({ steps, at, width, sentence, map }: Props & { map: MapDat
   return (
     <svg width={width} height={HEIGHT} role="img" aria-label={`Optimizer. ${sentence}`}>
       <rect class="region" x={left} y={TOP} width={right - left} height={HEIGHT - TOP - MARGIN.bottom} />
-      {ticks(fromSI(low, unit), fromSI(high, unit), width / 110).map((tick) => (
-        <text class="tick" key={tick} x={x(toSI(tick, unit))} y={HEIGHT - 20} text-anchor="middle">{digits(tick, Number.isInteger(tick) ? 0 : 1)}</text>
-      ))}
-      {ticks(inLength(bottom, units), inLength(top, units), 4).map((tick) => (
-        <g key={tick}>
-          <line class="grid" x1={MARGIN.left} x2={width - MARGIN.right} y1={y(toSI(tick, length))} y2={y(toSI(tick, length))} />
-          <text class="tick" x={MARGIN.left - 6} y={y(toSI(tick, length)) + 4} text-anchor="end">{tick}</text>
-        </g>
-      ))}
+      <ChartScales width={width} bottom={HEIGHT - 20}
+        across={{ ticks: ticks(fromSI(low, unit), fromSI(high, unit), width / 110), place: (tick) => x(toSI(tick, unit)), text: tickText }}
+        up={{ ticks: ticks(inLength(bottom, units), inLength(top, units), 4), place: (tick) => y(toSI(tick, length)), text: String }} />
       <text class="tick" x={width - MARGIN.right} y={HEIGHT - 4} text-anchor="end">{labelOf(name)}{symbol ? ` [${symbol}]` : ''}</text>
       <text class="tick" x={4} y={14}>{map.goal} [{length}]</text>
       <polyline class="yours" points={line(exact)} />
