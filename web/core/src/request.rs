@@ -150,13 +150,21 @@ impl CheckedSetup<'_> {
         in_page_words(&message.in_units(self.system))
     }
 
-    /// The outcomes of these names.
+    /// The outcomes of these names, each at most once, so that a request cannot exhaust the memory.
     ///
     /// # Errors
-    /// For an unknown name.
+    /// For an unknown name, and a name that is given twice.
     pub fn outcomes(&self, names: &[String]) -> Result<Vec<Outcome>, Refusal> {
         let named = |name: &String| Outcome::named(name).map_err(|error| self.refused(&error));
-        names.iter().map(named).collect()
+        let outcomes: Vec<_> = names.iter().map(named).collect::<Result<_, _>>()?;
+        let is_twice = |at: &usize| outcomes[..*at].contains(&outcomes[*at]);
+        match (0..outcomes.len()).find(is_twice) {
+            None => Ok(outcomes),
+            Some(at) => {
+                let why = format!("{} is given twice in of; name it once", names[at]);
+                Err(Refusal::of_request(&why))
+            }
+        }
     }
 
     /// The range of a parameter.

@@ -329,6 +329,14 @@ test('progress of a long command is told while it runs', async () => {
   assert.ok(told.length > 2 && done === of, JSON.stringify(told.at(-1)));
 });
 
+test('an outcome that is given twice gets a message', () => {
+  const of = Array(3000).fill('carry');
+  const loft = range('club.loft', 0.1, 0.2);
+  for (const answer of [core.drive({ of }), core.map({ of, across: loft, up: range('swing.speed', 40, 50), nodes: [500, 500] })]) {
+    assert.deepEqual([answer.head.status, answer.head.message], ['error', 'the request: carry is given twice in of; name it once']);
+  }
+});
+
 test('malformed input gets a message and never a trap', async () => {
   const next = random(4);
   const doors = ['ask', 'drive', 'map', 'aim', 'loop', 'step', 'steps'];
