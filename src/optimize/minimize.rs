@@ -89,6 +89,7 @@ fn run(
         domain: domain.clone(),
         options: options.clone(),
         interrupt: observer.interrupt.clone(),
+        has_models: observer.models,
         progress: Progress::default(),
     };
     let fresh = SqpState::new()
@@ -267,12 +268,15 @@ impl IterationObserver {
         };
         let mut x = std::mem::take(&mut self.current.x);
         x.clone_from(at);
-        let &IterationInfo {
+        let IterationInfo {
             kkt_residual,
             violation,
             radius,
             accepted,
-        } = info;
+            predicted_reduction,
+            actual_reduction,
+            model,
+        } = info.clone();
         self.current = Iteration {
             number,
             value: state.get_cost(),
@@ -281,6 +285,9 @@ impl IterationObserver {
             violation,
             radius,
             accepted,
+            predicted_reduction,
+            actual_reduction,
+            model,
         };
         (self.callback)(&self.current);
     }

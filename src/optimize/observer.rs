@@ -19,6 +19,9 @@ pub struct Observer {
     pub save: Option<Box<SaveSnapshot>>,
     /// Snapshot to resume from.
     pub resume: Option<Snapshot>,
+    /// True if every iteration has the quadratic model at its iterate, which costs a copy of the
+    /// search's state and a quadratic program.
+    pub models: bool,
 }
 
 /// Saves a snapshot.
@@ -41,6 +44,7 @@ impl Default for Observer {
             interrupt: Arc::default(),
             save: None,
             resume: None,
+            models: false,
         }
     }
 }

@@ -1,6 +1,6 @@
 use super::domain::{Bounds, Domain};
 use super::kink::Kink;
-use super::model::lagrangian_hessian;
+use super::quadratic_model::{QuadraticModel, unscaled_hessian};
 use super::scaling::{Point, Residual};
 use super::sqp::Progress;
 use super::state::{Effort, State};
@@ -232,28 +232,6 @@ fn constraint_values(search: &State, limits: &Bounds) -> Vec<ConstraintValue> {
         .collect()
 }
 
-/// Hessian of the Lagrangian in the problem's own units; empty if the problem has no Hessians.
-fn unscaled_hessian(search: &State) -> Vec<Vec<f64>> {
-    let State {
-        scaling,
-        point,
-        multipliers,
-        ..
-    } = search;
-    // return the objective's Hessian itself: scaling and unscaling would round it
-    if multipliers.iter().all(|multiplier| *multiplier == 0.0) {
-        return point.f.objective.hessian.clone();
-    }
-    let Some(scaled) = lagrangian_hessian(scaling, point, multipliers) else {
-        return vec![];
-    };
-    let n = point.x.len();
-    let entry = |i: usize, j: usize| scaled[(i, j)] / (scaling.scale[i] * scaling.scale[j]);
-    (0..n)
-        .map(|i| (0..n).map(|j| entry(i, j)).collect())
-        .collect()
-}
-
 /// One iteration, as observers receive it.
 #[derive(Clone, Debug, Default)]
 pub struct Iteration {
@@ -271,4 +249,12 @@ pub struct Iteration {
     pub radius: f64,
     /// True if the step was accepted.
     pub accepted: bool,
+    /// Reduction of the merit function (of f if there are no constraints) that the model predicted
+    /// for the step; 0 at the start.
+    pub predicted_reduction: f64,
+    /// Actual reduction of the merit function by the step: −∞ where the functions are undefined; 0
+    /// at the start.
+    pub actual_reduction: f64,
+    /// The model at the iterate, for an observer with [`models`](super::Observer::models).
+    pub model: Option<QuadraticModel>,
 }

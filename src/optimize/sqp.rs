@@ -4,10 +4,12 @@ use super::domain::Domain;
 use super::kink::Kink;
 use super::options::Options;
 use super::problem::{Evaluation, Problem};
+use super::quadratic_model::QuadraticModel;
 use super::scaling::{Residual, Scaling};
 use super::start::first_point;
 use super::state::{Evaluate, State};
 use super::status::{Status, Verdict};
+use super::trial_step::Reduction;
 use argmin::core::{
     Error, IterState, KV, Problem as Counted, Solver, TerminationReason, TerminationStatus,
 };
@@ -19,7 +21,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub type SqpState = IterState<Vec<f64>, (), (), (), IterationInfo, f64>;
 
 /// Residuals and trust region after one iteration.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct IterationInfo {
     /// Relative KKT residual.
     pub kkt_residual: f64,
@@ -29,6 +31,31 @@ pub struct IterationInfo {
     pub radius: f64,
     /// True if the step was accepted.
     pub accepted: bool,
+    /// Predicted reduction of the merit function by the step; 0 at the start.
+    pub predicted_reduction: f64,
+    /// Actual reduction of the merit function by the step; 0 at the start.
+    pub actual_reduction: f64,
+    /// The model at the iterate, if it is observed.
+    pub model: Option<QuadraticModel>,
+}
+
+/// The ratio test of a step.
+#[derive(Clone, Copy, Debug)]
+struct StepTest {
+    is_accepted: bool,
+    reduction: Reduction,
+}
+
+impl StepTest {
+    /// The test of the start, to which no step leads.
+    const START: Self = Self {
+        is_accepted: true,
+        reduction: Reduction {
+            actual: 0.0,
+            predicted: 0.0,
+            size: 0.0,
+        },
+    };
 }
 
 /// Shared reference to the problem. argmin takes ownership of its problem, but several runs use the
@@ -42,6 +69,8 @@ pub struct Sqp {
     pub(super) domain: Domain,
     pub(super) options: Options,
     pub(super) interrupt: Arc<AtomicBool>,
+    /// True if the model at each iterate is observed.
+    pub(super) has_models: bool,
     pub(super) progress: Progress,
 }
 
@@ -78,8 +107,12 @@ impl Progress {
 impl Sqp {
     /// One iteration: Nocedal & Wright (2006), algorithm 18.4, with the merit function φ = f +
     /// ν‖v‖₂ of the constraint violations v, second-order corrections, and the trust-region update
-    /// of Conn, Gould & Toint (2000), algorithm 6.1.1. Returns true if the step was accepted.
-    fn iterate(&mut self, state: &mut State, evaluate: &mut Evaluate<'_>) -> Result<bool, Error> {
+    /// of Conn, Gould & Toint (2000), algorithm 6.1.1.
+    fn iterate(
+        &mut self,
+        state: &mut State,
+        evaluate: &mut Evaluate<'_>,
+    ) -> Result<StepTest, Error> {
         // linearise the constraints, convexify the Hessian, solve the quadratic program: minimise ½
         // dᵀB d + ∇f·d with c + ∇c·d within limits, x + d within bounds, ‖d‖∞ ≤ Δ
         let mut step = state.trial_step();
@@ -103,6 +136,7 @@ impl Sqp {
         // λ ← multipliers of the quadratic program, also after a rejected step: the multipliers
         // bring the curvature of newly active constraints into the next model
         state.multipliers.clone_from(&trial.step.multipliers);
+        let reduction = trial.reduction;
         // x ← x + d
         let other = match trial.point {
             Some(point) if is_accepted => Some(state.move_to(point)),
@@ -112,7 +146,10 @@ impl Sqp {
         state.kink_sides.update(&state.scaling, &state.point, other);
 
         self.apply_stopping_tests(state, Some(&trial.step), evaluate)?;
-        Ok(is_accepted)
+        Ok(StepTest {
+            is_accepted,
+            reduction,
+        })
     }
 
     pub(super) fn is_interrupted(&self) -> bool {
@@ -134,6 +171,30 @@ impl Sqp {
             Some(state.residual.largest()),
         ));
         Ok(())
+    }
+
+    /// Writes the iterate and its iteration info to argmin's state.
+    fn with_iteration_info(&self, mut info: SqpState, state: &State, test: StepTest) -> SqpState {
+        // reuse the allocation of the previous point
+        let mut x = info.take_param().unwrap_or_default();
+        x.clone_from(&state.point.x);
+        let Residual {
+            feasibility: violation,
+            ..
+        } = state.residual;
+        let kkt_residual = state.residual.largest();
+        let iteration = IterationInfo {
+            kkt_residual,
+            violation,
+            radius: state.radius,
+            accepted: test.is_accepted,
+            predicted_reduction: test.reduction.predicted,
+            actual_reduction: test.reduction.actual,
+            model: self.has_models.then(|| QuadraticModel::of(state)),
+        };
+        info.param(x)
+            .cost(state.point.f.objective.value)
+            .residuals(iteration)
     }
 }
 
@@ -182,7 +243,7 @@ impl Solver<ProblemRef<'_>, SqpState> for Sqp {
         if let Err(error) = self.apply_stopping_tests(&mut state, None, &mut evaluate) {
             self.interrupted_by(error, &state, 0)?;
         }
-        let info = with_iteration_info(info, &state, true);
+        let info = self.with_iteration_info(info, &state, StepTest::START);
         self.progress.state = Some(state);
         Ok((info, None))
     }
@@ -198,7 +259,7 @@ impl Solver<ProblemRef<'_>, SqpState> for Sqp {
         let (m, interrupt) = (self.domain.constraints.dimension(), self.interrupt.clone());
         let mut evaluate = |x: &[f64]| evaluate(problem, &interrupt, x, m);
         let info = match self.iterate(&mut state, &mut evaluate) {
-            Ok(is_accepted) => with_iteration_info(info, &state, is_accepted),
+            Ok(test) => self.with_iteration_info(info, &state, test),
             Err(error) => {
                 self.interrupted_by(error, &state, info.iter)?;
                 self.progress.is_interrupted_within = true;
@@ -231,27 +292,6 @@ impl Solver<ProblemRef<'_>, SqpState> for Sqp {
             )),
         }
     }
-}
-
-/// Writes the iterate and its iteration info to argmin's state.
-fn with_iteration_info(mut info: SqpState, state: &State, accepted: bool) -> SqpState {
-    // reuse the allocation of the previous point
-    let mut x = info.take_param().unwrap_or_default();
-    x.clone_from(&state.point.x);
-    let Residual {
-        feasibility: violation,
-        ..
-    } = state.residual;
-    let kkt_residual = state.residual.largest();
-    let iteration = IterationInfo {
-        kkt_residual,
-        violation,
-        radius: state.radius,
-        accepted,
-    };
-    info.param(x)
-        .cost(state.point.f.objective.value)
-        .residuals(iteration)
 }
 
 /// Evaluates the functions at x. The inner error means that they are undefined there (a wrong shape

@@ -66,6 +66,7 @@ fn stopped_after(most: u64) -> (Solution, Option<Snapshot>) {
             Ok(())
         })),
         resume: None,
+        models: false,
     };
     let solution = minimize_observed(
         &Exact(Valley),
@@ -155,6 +156,7 @@ fn no_block_is_begun_after_cancellation_and_the_search_ends_with_a_complete_poin
                 Ok(())
             })),
             resume: None,
+            models: false,
         };
         let stopped =
             minimize_observed(&problem, &disc(), &START, &Options::default(), observer).unwrap();

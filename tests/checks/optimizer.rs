@@ -596,6 +596,44 @@ fn iterations_are_shown_in_order_and_never_get_worse() {
 }
 
 #[test]
+fn exact_models_of_the_iterations_predict_their_steps() {
+    let seen = Rc::new(RefCell::new(vec![]));
+    let shown = Rc::clone(&seen);
+    let observer = Observer {
+        models: true,
+        ..Observer::showing(move |i| shown.borrow_mut().push(i.clone()))
+    };
+    let bounds = Domain::new(vec![-5.0; 2], vec![0.5, 5.0]).unwrap();
+    let start = [-1.2, 1.0];
+    let options = Options::default();
+    minimize_observed(&rosenbrock, &bounds, &start, &options, observer).unwrap();
+    let seen = seen.borrow();
+    assert!(seen.iter().any(|i| i.number > 0 && !i.accepted));
+    for pair in seen.windows(2) {
+        let [here, next] = pair else { unreachable!() };
+        let model = here.model.as_ref().unwrap();
+        let exact = rosenbrock(&here.x).unwrap().objective;
+        assert_eq!(model.gradient, exact.gradient);
+        assert_eq!(model.hessian, exact.hessian);
+        let d = [0, 1].map(|k| model.trial[k] - here.x[k]);
+        let of_row = |row: &Vec<f64>| row[0] * d[0] + row[1] * d[1];
+        let second: f64 = (0..2).map(|k| d[k] * of_row(&exact.hessian[k])).sum();
+        let change = of_row(&exact.gradient) + 0.5 * second;
+        let size = 1.0 + here.value;
+        close(next.predicted_reduction, -change, size, 1e-12, "predicted");
+        let there = rosenbrock(&model.trial).unwrap().objective.value;
+        assert_eq!(next.actual_reduction, here.value - there);
+        let end = if next.accepted { &model.trial } else { &here.x };
+        assert_eq!(next.x, *end);
+        for k in 0..2 {
+            let bound = [-5.0, [0.5, 5.0][k]];
+            assert!(bound[0] <= model.low[k] && model.high[k] <= bound[1]);
+            assert!(model.low[k] <= model.trial[k] && model.trial[k] <= model.high[k]);
+        }
+    }
+}
+
+#[test]
 fn bounds_starts_and_options_that_make_no_sense_are_errors() {
     assert!(Domain::new(vec![1.0], vec![0.0]).is_err());
     assert!(Domain::new(vec![f64::NAN], vec![0.0]).is_err());

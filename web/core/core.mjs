@@ -109,6 +109,15 @@ export class Core {
   }
 
   /**
+   * The iterations of the search for the best drive.
+   * @param {Request} request
+   * @returns {Numbers}
+   */
+  steps(request) {
+    return this.#numbers('steps', request);
+  }
+
+  /**
    * @param {string} door
    * @param {Request} request
    * @returns {Numbers}

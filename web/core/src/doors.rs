@@ -76,6 +76,11 @@ extern "C" fn step() -> usize {
     answer(Door::Step)
 }
 
+#[unsafe(no_mangle)]
+extern "C" fn steps() -> usize {
+    answer(Door::Steps)
+}
+
 /// Answers the request, and returns the bytes of the answer.
 fn answer(door: Door) -> usize {
     let request = REQUEST.take();

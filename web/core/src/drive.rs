@@ -7,7 +7,7 @@ use longdrive::derivative::{Order, Taylor, evaluate};
 use longdrive::flight::{Flight, Trajectory, trajectory};
 use longdrive::number::Vector;
 use longdrive::parameters::Parameter;
-use longdrive::{Drive, Outcome};
+use longdrive::{Drive, Error, Outcome};
 use serde::{Deserialize, Serialize};
 
 /// The request.
@@ -43,10 +43,11 @@ struct Head<'a> {
     warnings: Vec<String>,
 }
 
-/// An outcome without a value or derivative.
+/// An outcome without a value or derivative, or a parameter without derivatives.
 #[derive(Serialize)]
 struct Missing {
-    of: &'static str,
+    of: Option<&'static str>,
+    wrt: Option<String>,
     message: String,
 }
 
@@ -57,8 +58,11 @@ struct Missing {
 pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
     let checked = request.setup.read(request.units)?;
     let of = checked.outcomes(&request.of)?;
-    let wrt = checked.variables(&request.wrt)?;
-    let order = order(request)?;
+    let derivatives = Derivatives {
+        checked: &checked,
+        order: order(request)?,
+        columns: Columns::read(&checked, &request.wrt)?,
+    };
     let setup = &checked.setup;
     let drive = Drive::new(setup).map_err(|error| checked.refused(&error))?;
     let mut warnings = drive.warnings_about(setup, Outcome::ALL);
@@ -67,7 +71,7 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         .iter()
         .map(|outcome| outcome.of(&drive).unwrap_or(f64::NAN))
         .collect();
-    let missing = differentiate(&checked, &of, &wrt, order, &mut numbers)?;
+    let missing = derivatives.append(&of, &mut numbers)?;
     let mut head = Head {
         status: "landed",
         message: None,
@@ -104,46 +108,115 @@ fn order(request: &Request) -> Result<Order, Refusal> {
     }
 }
 
-/// Appends gradients and Hessians, NaN where they do not exist. Returns the outcomes without them.
-fn differentiate(
-    checked: &CheckedSetup<'_>,
-    of: &[Outcome],
-    wrt: &[&'static Parameter],
-    order: Order,
-    numbers: &mut Vec<f64>,
-) -> Result<Vec<Missing>, Refusal> {
-    if of.is_empty() || wrt.is_empty() || order == Order::Value {
-        return Ok(vec![]);
+/// The parameters of the columns, and those without derivatives in this setup.
+struct Columns {
+    /// The number of columns.
+    count: usize,
+    /// The parameters with derivatives, and their columns.
+    known: Vec<Column>,
+    missing: Vec<Missing>,
+}
+
+struct Column {
+    at: usize,
+    parameter: &'static Parameter,
+}
+
+impl Columns {
+    /// # Errors
+    /// For an unknown name.
+    fn read(checked: &CheckedSetup<'_>, names: &[String]) -> Result<Self, Refusal> {
+        let mut columns = Self {
+            count: names.len(),
+            known: vec![],
+            missing: vec![],
+        };
+        for (at, name) in names.iter().enumerate() {
+            match checked.setup.variable(name) {
+                Ok(parameter) => columns.known.push(Column { at, parameter }),
+                Err(error @ Error::NotVariable { .. }) => columns.missing.push(Missing {
+                    of: None,
+                    wrt: Some(name.clone()),
+                    message: checked.refused(&error).message,
+                }),
+                Err(error) => return Err(checked.refused(&error)),
+            }
+        }
+        Ok(columns)
     }
-    let evaluated = |of: &[Outcome]| evaluate(&checked.setup, of, wrt, order);
-    let refused = |error| checked.refused(&error);
-    let each: Vec<_> = match evaluated(of) {
-        // an outcome without a value does not prevent the others
-        Err(error) if error.is_an_outcome() => of.iter().map(|of| evaluated(&[*of])).collect(),
-        all => all
-            .map_err(refused)?
-            .into_iter()
-            .map(|one| Ok(vec![one]))
-            .collect(),
-    };
-    let mut missing = vec![];
-    for (of, taylors) in of.iter().zip(each) {
-        let taylors = taylors.unwrap_or_else(|error| {
-            let message = checked.refused(&error).message;
-            missing.push(Missing {
-                of: of.name(),
-                message,
-            });
-            vec![undefined(wrt.len())]
-        });
-        for taylor in taylors {
+
+    /// Derivatives by the known parameters in the columns of all, NaN for the others.
+    fn widened(&self, taylor: &Taylor) -> Taylor {
+        let known = &self.known;
+        let mut wide = undefined(self.count);
+        for (i, row) in known.iter().enumerate() {
+            wide.gradient[row.at] = taylor.gradient[i];
+            for (k, column) in known.iter().enumerate().take(taylor.hessian.len()) {
+                wide.hessian[row.at][column.at] = taylor.hessian[i][k];
+            }
+        }
+        wide
+    }
+}
+
+/// The derivatives of one drive.
+struct Derivatives<'a> {
+    checked: &'a CheckedSetup<'a>,
+    order: Order,
+    columns: Columns,
+}
+
+impl Derivatives<'_> {
+    /// Appends gradients and Hessians, NaN where they do not exist. Returns what is missing.
+    fn append(mut self, of: &[Outcome], numbers: &mut Vec<f64>) -> Result<Vec<Missing>, Refusal> {
+        if of.is_empty() || self.columns.count == 0 || self.order == Order::Value {
+            return Ok(vec![]);
+        }
+        let mut missing = std::mem::take(&mut self.columns.missing);
+        for taylor in self.each(of, &mut missing)? {
             numbers.extend(taylor.gradient);
-            if order == Order::Second {
+            if self.order == Order::Second {
                 numbers.extend(taylor.hessian.into_iter().flatten());
             }
         }
+        Ok(missing)
     }
-    Ok(missing)
+
+    /// The derivatives of each outcome. An outcome without a value does not prevent the others.
+    fn each(&self, of: &[Outcome], missing: &mut Vec<Missing>) -> Result<Vec<Taylor>, Refusal> {
+        if self.columns.known.is_empty() {
+            return Ok(vec![undefined(self.columns.count); of.len()]);
+        }
+        match self.evaluated(of) {
+            Ok(taylors) => Ok(taylors),
+            Err(error) if error.is_an_outcome() => {
+                Ok(of.iter().map(|of| self.one(*of, missing)).collect())
+            }
+            Err(error) => Err(self.checked.refused(&error)),
+        }
+    }
+
+    fn one(&self, of: Outcome, missing: &mut Vec<Missing>) -> Taylor {
+        match self.evaluated(&[of]) {
+            Ok(mut taylors) => taylors.swap_remove(0),
+            Err(error) => {
+                missing.push(Missing {
+                    of: Some(of.name()),
+                    wrt: None,
+                    message: self.checked.refused(&error).message,
+                });
+                undefined(self.columns.count)
+            }
+        }
+    }
+
+    fn evaluated(&self, of: &[Outcome]) -> Result<Vec<Taylor>, Error> {
+        let known = self.columns.known.iter();
+        let wrt: Vec<_> = known.map(|column| column.parameter).collect();
+        let taylors = evaluate(&self.checked.setup, of, &wrt, self.order)?;
+        let wide = taylors.iter().map(|taylor| self.columns.widened(taylor));
+        Ok(wide.collect())
+    }
 }
 
 /// Derivatives that do not exist.

@@ -1,4 +1,4 @@
-//! The core of the explorer: longdrive for WebAssembly, behind six functions.
+//! The core of the explorer: longdrive for WebAssembly, behind seven functions.
 //!
 //! `README.md` has their requests and answers. A function reads a [`message`], calls the library,
 //! and writes a message; nothing is kept between two calls.
@@ -13,6 +13,7 @@ pub mod message;
 pub mod refusal;
 pub mod request;
 pub mod step;
+pub mod steps;
 pub mod while_loop;
 pub mod words;
 
@@ -36,6 +37,8 @@ pub enum Door {
     Loop,
     /// The step of the integration.
     Step,
+    /// The iterations of the search for the best drive.
+    Steps,
 }
 
 /// Answers a request. A request that cannot be answered has an answer with the reason.
@@ -47,6 +50,7 @@ pub fn answered(door: Door, request: &[u8], show: ShowProgress) -> Vec<u8> {
         Door::Aim => aim::answer(&head(&request)?),
         Door::Loop => while_loop::answer(&head(&request)?),
         Door::Step => step::answer(&head(&request)?),
+        Door::Steps => steps::answer(&head(&request)?),
     });
     answer.unwrap_or_else(|refusal| message::written(&refusal, &[]))
 }

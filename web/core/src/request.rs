@@ -2,7 +2,7 @@
 
 use crate::refusal::Refusal;
 use crate::words::in_page_words;
-use longdrive::parameters::{DEFAULT_PRESET, Parameter, SetupFile, UNSET, Vary};
+use longdrive::parameters::{DEFAULT_PRESET, SetupFile, UNSET, Vary};
 use longdrive::units::{Message, System};
 use longdrive::{Error, Outcome, Setup};
 use serde::Deserialize;
@@ -150,25 +150,21 @@ impl CheckedSetup<'_> {
         in_page_words(&message.in_units(self.system))
     }
 
-    /// The outcomes of these names.
+    /// The outcomes of these names, each at most once, so that a request cannot exhaust the memory.
     ///
     /// # Errors
-    /// For an unknown name.
+    /// For an unknown name, and a name that is given twice.
     pub fn outcomes(&self, names: &[String]) -> Result<Vec<Outcome>, Refusal> {
         let named = |name: &String| Outcome::named(name).map_err(|error| self.refused(&error));
-        names.iter().map(named).collect()
-    }
-
-    /// The parameters of these names, by which outcomes can be differentiated.
-    ///
-    /// # Errors
-    /// For an unknown name, and a parameter without a value.
-    pub fn variables(&self, names: &[String]) -> Result<Vec<&'static Parameter>, Refusal> {
-        let named = |name: &String| {
-            let found = self.setup.variable(name);
-            found.map_err(|error| self.refused(&error))
-        };
-        names.iter().map(named).collect()
+        let outcomes: Vec<_> = names.iter().map(named).collect::<Result<_, _>>()?;
+        let is_twice = |at: &usize| outcomes[..*at].contains(&outcomes[*at]);
+        match (0..outcomes.len()).find(is_twice) {
+            None => Ok(outcomes),
+            Some(at) => {
+                let why = format!("{} is given twice in of; name it once", names[at]);
+                Err(Refusal::of_request(&why))
+            }
+        }
     }
 
     /// The range of a parameter.

@@ -77,6 +77,23 @@ test('a ball that does not land has a status and the outcomes of its launch', ()
   assert.deepEqual(head.missing.map(({ of }) => of), ['carry']);
 });
 
+test('a parameter without derivatives has a reason, and does not prevent the others', () => {
+  const setup = { set: { 'air.altitude': '1000 ft' } };
+  const wrt = ['club.loft', 'air.density', 'swing.speed'];
+  const all = drive({ setup, of: ['carry', 'total'], wrt, order: 2 });
+  const some = drive({ setup, of: ['carry', 'total'], wrt: [wrt[0], wrt[2]], order: 2 });
+  assert.deepEqual(all.head.missing.map(({ of, wrt: by }) => [of, by]), [[null, 'air.density']]);
+  assert.match(all.head.missing[0].message, /^air\.density cannot be varied, and has no derivatives: air\.altitude is given/);
+  all.derivatives.forEach(({ gradient, hessian }, k) => {
+    const { gradient: slopes, hessian: seconds } = some.derivatives[k];
+    assert.deepEqual([...gradient], [slopes[0], NaN, slopes[1]]);
+    assert.deepEqual([...hessian], [seconds[0], NaN, seconds[1], NaN, NaN, NaN, seconds[2], NaN, seconds[3]]);
+  });
+  const none = drive({ setup, of: ['carry'], wrt: ['air.density'], order: 1 });
+  assert.deepEqual([...none.derivatives[0].gradient], [NaN]);
+  assert.equal(drive({ setup, of: ['carry'], wrt: ['air.densty'], order: 1 }).head.status, 'error');
+});
+
 test('same values and gradients of a map as of drives', () => {
   const setup = { preset: 'tour-average', set: { 'wind.right': '3 m/s' } };
   const [across, up] = [range('club.loft', '6 deg', '16 deg'), range('swing.attack_angle', -0.05, 0.05)];
@@ -178,6 +195,78 @@ test('the step of a session keeps to its tolerance, as that of the program', () 
   assert.equal(core.step({ setup: { preset }, tolerance: 0 }).status, 'error');
 });
 
+/** The answer of `steps` as objects. */
+function steps(request) {
+  const { head, block } = core.steps(request);
+  const n = head.parameters.length;
+  let at = 0;
+  const take = count => block.subarray(at, at += count);
+  const list = Array.from({ length: head.steps }, () => {
+    const [search, iteration, value, residual, accepted, predicted, actual, reflected] = take(8);
+    const [x, bounds, gradient, hessian, low, high, trial] = [n, n, n, n * n, n, n, n].map(take);
+    return { search, iteration, value, residual, accepted, predicted, actual, reflected, x, bounds, gradient, hessian, low, high, trial };
+  });
+  assert.equal(at, block.length);
+  return { head, list };
+}
+
+test('same models and gains of the steps as of drives, and the same end as the program', () => {
+  const vary = [range('club.loft', 4 * DEG, 20 * DEG), range('swing.attack_angle', -10 * DEG, 10 * DEG)];
+  const wrt = vary.map(({ name }) => name);
+  const set = { 'flight.method': 'dp8', 'flight.step': '0.4 s', 'wind.right': '2 m/s' };
+  const preset = 'tour-average';
+  const { head, list } = steps({ setup: { preset, set }, of: 'carry', vary });
+  assert.match(head.message, /^KKT residual/);
+  list.forEach((step, k) => {
+    const at = x => ({ preset, set: { ...set, ...Object.fromEntries(wrt.map((name, i) => [name, x[i]])) } });
+    const { outcomes, derivatives: [{ gradient, hessian }] } = drive({ setup: at(step.x), of: ['carry'], wrt, order: 2 });
+    close(step.value, outcomes.carry, 1e-9, 'carry');
+    step.gradient.forEach((slope, i) => close(slope, gradient[i], 1e-6, `slope ${i}`));
+    step.hessian.forEach((second, i) => close(second, hessian[i], 1e-4, `second derivative ${i}`));
+    step.x.forEach((x, i) => {
+      const { low, high } = vary[i];
+      assert.ok(low <= step.low[i] && step.low[i] <= x && x <= step.high[i] && step.high[i] <= high);
+      assert.equal(step.bounds[i], x === high ? 1 : x === low ? -1 : 0);
+    });
+    if (k === list.length - 1) return;
+    const d = step.trial.map((to, i) => to - step.x[i]);
+    const model = d.reduce((sum, by, i) => sum + by * (step.gradient[i] + 0.5 * d.reduce((row, other, j) => row + other * step.hessian[2 * i + j], 0)), 0);
+    close(step.predicted, model, 1e-9, 'predicted');
+    close(step.actual, drive({ setup: at(step.trial) }).outcomes.carry - step.value, 1e-9, 'actual');
+    if (step.accepted) assert.deepEqual(list[k + 1].x, step.trial);
+  });
+  const last = list.at(-1);
+  assert.ok(last.residual <= 1e-10 && Number.isNaN(last.accepted));
+  const words = ['optimize', ...wordsOf({ preset, set }), '--vary', 'club.loft=4deg..20deg', '--vary', 'swing.attack_angle=-10deg..10deg', '--json'];
+  const { optimum, value } = JSON.parse(run(words).stdout);
+  wrt.forEach((name, i) => close(last.x[i], optimum[name], 1e-8, name));
+  close(last.value, value, 1e-9, 'best carry');
+});
+
+test('a better drive of the sample begins a second search, which ends as that of the program', () => {
+  const vary = [range('club.loft', 0, 0.45), range('swing.shaft_lean', -0.1, 0.1)];
+  const set = { 'aero.law': 'lyu', 'wind.downrange': '8 m/s', 'flight.method': 'dp8', 'flight.step': '0.4 s', 'club.loft': '0.77 deg', 'swing.shaft_lean': '-2.1 deg' };
+  const setup = { preset: 'lpga-average', set };
+  const { list } = steps({ setup, of: 'total', vary });
+  const second = list.findIndex(({ search }) => search === 1);
+  const [end, start, last] = [list[second - 1], list[second], list.at(-1)];
+  assert.ok(second > 1 && Number.isNaN(end.accepted) && start.iteration === 0);
+  assert.ok(start.value > end.value && last.value > start.value);
+  const words = ['optimize', ...wordsOf(setup), '--maximize', 'total', '--vary', 'club.loft=0rad..0.45rad', '--vary', 'swing.shaft_lean=-0.1rad..0.1rad', '--json'];
+  const found = JSON.parse(run(words).stdout);
+  assert.equal(found.sample.improved, true);
+  close(last.value, found.value, 1e-9, 'best total');
+});
+
+test('the steps of a search without a parameter have the message of the program', () => {
+  const loft = range('club.loft', 4 * DEG, 20 * DEG);
+  const nothing = core.steps({ setup: {}, of: 'carry', vary: [] }).head;
+  assert.deepEqual([nothing.status, nothing.message], ['error', 'nothing to vary: name at least one parameter with a range wider than a single value']);
+  const twice = core.steps({ setup: {}, of: 'carry', vary: [loft, loft] }).head;
+  assert.equal(twice.status, 'error');
+  assert.match(twice.message, /club\.loft/);
+});
+
 test('files are read from memory and written into it', () => {
   const shots = 'Club Speed (mph),Ball Speed (mph),Launch Angle (deg),Spin Rate (rpm),Carry (yd)\n105,155,12,2600,255\n95,140,14,3000,225\n';
   const utf16 = Uint8Array.from([0xff, 0xfe, ...[...shots].flatMap(c => [c.charCodeAt(0), 0])]);
@@ -240,9 +329,17 @@ test('progress of a long command is told while it runs', async () => {
   assert.ok(told.length > 2 && done === of, JSON.stringify(told.at(-1)));
 });
 
+test('an outcome that is given twice gets a message', () => {
+  const of = Array(3000).fill('carry');
+  const loft = range('club.loft', 0.1, 0.2);
+  for (const answer of [core.drive({ of }), core.map({ of, across: loft, up: range('swing.speed', 40, 50), nodes: [500, 500] })]) {
+    assert.deepEqual([answer.head.status, answer.head.message], ['error', 'the request: carry is given twice in of; name it once']);
+  }
+});
+
 test('malformed input gets a message and never a trap', async () => {
   const next = random(4);
-  const doors = ['ask', 'drive', 'map', 'aim', 'loop', 'step'];
+  const doors = ['ask', 'drive', 'map', 'aim', 'loop', 'step', 'steps'];
   const loft = range('club.loft', 0.1, 0.2);
   const good = {
     ask: { words: ['simulate', 'tour-average', '--set', 'club.loft=10deg'] },
@@ -251,6 +348,7 @@ test('malformed input gets a message and never a trap', async () => {
     aim: { setup: {}, vary: [loft, range('swing.face_angle', -0.1, 0.1)], carry: 200, lateral: 1 },
     loop: { setup: {}, along: loft, nodes: 3, step: 0.01, difference: 1e-3 },
     step: { setup: {}, of: ['carry'], ranges: [loft], tolerance: 1e-3 },
+    steps: { setup: {}, of: 'carry', vary: [loft] },
   };
   const values = [null, -1, 0, 1e308, -1e308, 1e-320, '', 'deg', '10 deg', 'none', [], {}, [1, 2], true, '\u0000', 'inf', '-inf', 'nan', '..'];
   const pick = from => from[Math.floor(next() * from.length)];

@@ -70,13 +70,26 @@ export interface Slope {
   second: number;
 }
 
-/** The derivatives of the first outcome of `of` by each parameter. */
+interface Missing {
+  of: string | null;
+  wrt: string | null;
+  message: string;
+}
+
+/** Why the first outcome of `of` has no derivative by a parameter. */
+export function readMissing({ head }: Numbers): Map<string, string> {
+  const { missing } = head as unknown as { missing: Missing[] };
+  return new Map(missing.flatMap(({ wrt, message }) => (wrt === null ? [] : [[wrt, message] as const])));
+}
+
+/** The derivatives of the first outcome of `of` by each parameter that has them. */
 export function readSlopes({ head, block }: Numbers): Map<string, Slope> {
   const { outcomes, wrt } = head as unknown as DriveHead;
   const n = wrt.length;
   const begin = outcomes.length;
-  return new Map(wrt.map((name, k) => [name, {
+  const slopes = wrt.map((name, k) => [name, {
     first: block[begin + k] ?? NaN,
     second: block[begin + n + k * n + k] ?? NaN,
-  }]));
+  }] as const);
+  return new Map(slopes.filter(([, { first }]) => Number.isFinite(first)));
 }

@@ -13,6 +13,7 @@ import { Panel } from './Panel';
 import { Shots } from './Shots';
 import { SideView } from './SideView';
 import { Sliders } from './Sliders';
+import { StepsView } from './StepsView';
 import { TopView } from './TopView';
 
 /** The views of a narrow screen, which shows one at a time. */
@@ -53,6 +54,7 @@ export function App() {
           <Shots />
           <Files />
           <LoopView />
+          <StepsView />
         </div>
       </main>
       <footer>

@@ -1,5 +1,4 @@
 // Up to four designs beside each other, and the causes of a difference.
-import { useEffect, useState } from 'preact/hooks';
 import type { Drive, Refusal } from '../drive/drive';
 import { labelOf } from '../setup/parameters';
 import type { Design } from '../setup/design';
@@ -8,10 +7,11 @@ import { withUnit } from '../setup/units';
 import type { Explorer } from '../state/explorer';
 import { settingsOf } from '../setup/words';
 import { DESIGN_NAMES, MOST_DESIGNS } from '../state/state';
+import { useAnswer } from './answered';
 import { usePage } from './context';
-import { TableView } from './Figure';
+import { TableFiles, TableView } from './Figure';
 import { lengthChange } from './lengths';
-import { ROWS, shown } from './outcomes';
+import { outcomesOf, ROWS, shown } from './outcomes';
 
 const isDrive = (drive: Drive | Refusal | null | undefined): drive is Drive =>
   drive !== null && drive !== undefined && 'outcomes' in drive;
@@ -83,7 +83,17 @@ function Beside() {
       }),
     ]),
   ];
-  return <TableView head={['', ...designs.map((_, at) => DESIGN_NAMES[at]!)]} rows={rows} />;
+  const table = { head: ['', ...designs.map((_, at) => DESIGN_NAMES[at]!)], rows };
+  const numbers = () => Object.fromEntries(designs.map((design, at) => {
+    const drive = drives[at];
+    return [DESIGN_NAMES[at]!, { ...design, outcomes: isDrive(drive) ? outcomesOf(drive) : null }] as const;
+  }));
+  return (
+    <>
+      <TableView {...table} />
+      <TableFiles name="designs" table={() => table} numbers={numbers} />
+    </>
+  );
 }
 
 interface Share {
@@ -102,25 +112,15 @@ interface Difference {
 function Causes({ first, second, name }: { first: Design; second: Design; name: string }) {
   const { explorer } = usePage();
   const { goal, units } = explorer.state.value;
-  const [difference, setDifference] = useState<Difference | null>(null);
   const key = JSON.stringify([first, second, goal]);
-  useEffect(() => {
-    let isCurrent = true;
-    const words = ['compare', first.preset, second.preset, ...settingsOf(first, '--set-a'),
-      ...settingsOf(second, '--set-b'), '--of', goal, '--json'];
-    const timer = setTimeout(() => {
-      void explorer.desk.command('compare', words).then((reply) => {
-        if (!isCurrent || !reply) return;
-        const found = reply.exit === 0
-          ? (JSON.parse(reply.answer) as { outcomes: Difference[] }).outcomes[0] : null;
-        setDifference(found ?? null);
-      });
-    }, 300);
-    return () => {
-      isCurrent = false;
-      clearTimeout(timer);
-    };
-  }, [key]);
+  const words = ['compare', first.preset, second.preset, ...settingsOf(first, '--set-a'),
+    ...settingsOf(second, '--set-b'), '--of', goal, '--json'];
+  const difference = useAnswer(key, 300, async () => {
+    const reply = await explorer.desk.command('compare', words);
+    if (!reply) return undefined;
+    const found = reply.exit === 0 ? (JSON.parse(reply.answer) as { outcomes: Difference[] }).outcomes[0] : null;
+    return found ?? null;
+  });
   if (!difference) return null;
   const list = (shares: Share[] | undefined) => (shares ?? [])
     .map(({ cause, share }) => `${labelOf(cause)} ${lengthChange(share, units)}`).join(', ') || 'none';

@@ -2,6 +2,7 @@
 import { withValues } from '../setup/design';
 import { digits, fromSI, textOf } from '../setup/units';
 import { usePage } from './context';
+import { Figure } from './Figure';
 
 /** Half of the width and height of the face that is drawn, m. */
 const HALF = [0.05, 0.028] as const;
@@ -10,13 +11,19 @@ const SCALE = 2200;
 const WIDTH = 2 * HALF[0] * SCALE + 20;
 const HEIGHT = 2 * HALF[1] * SCALE + 20;
 
+/** A strike beside the face is drawn at its edge. */
+const inside = (pixel: number, end: number) => Math.min(end, Math.max(0, pixel));
+
 export function FaceView() {
   const { explorer } = usePage();
   const toe = explorer.value('strike.toe') ?? 0;
   const high = explorer.value('strike.high') ?? 0;
   if (Number.isNaN(toe) || Number.isNaN(high)) return null;
   // looked at from the front, a right-hander's toe is to the left
-  const [x, y] = [WIDTH / 2 - toe * SCALE, HEIGHT / 2 - high * SCALE];
+  const [x, y] = [
+    inside(WIDTH / 2 - toe * SCALE, WIDTH),
+    inside(HEIGHT / 2 - high * SCALE, HEIGHT),
+  ];
   const move = (event: PointerEvent, isFinal: boolean) => {
     const svg = event.currentTarget as SVGSVGElement;
     if (!svg.hasPointerCapture(event.pointerId) && event.type !== 'pointerdown') return;
@@ -38,19 +45,25 @@ export function FaceView() {
     (event.currentTarget as SVGSVGElement).setPointerCapture(event.pointerId);
     move(event, false);
   };
-  const millimetres = (metres: number) => digits(fromSI(Math.abs(metres), 'mm'), 1);
-  const name = `Strike point on the face, ${millimetres(toe)} mm towards the ${toe < 0 ? 'heel' : 'toe'}, `
-    + `${millimetres(high)} mm ${high < 0 ? 'below' : 'above'} the sweet spot`;
+  const millimetres = (metres: number) => digits(fromSI(metres, 'mm'), 1);
+  const sentence = `The ball is struck ${millimetres(Math.abs(toe))} mm towards the ${toe < 0 ? 'heel' : 'toe'}, `
+    + `${millimetres(Math.abs(high))} mm ${high < 0 ? 'below' : 'above'} the sweet spot.`;
+  const table = () => ({
+    head: ['strike', 'value [mm]'],
+    rows: [['to toe', millimetres(toe)], ['high', millimetres(high)]],
+  });
   return (
-    <svg class="face" viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={name}
-      onPointerDown={take} onPointerMove={(event) => move(event, false)}
-      onPointerUp={() => explorer.release()}>
-      <rect class="head" x={10} y={10} width={WIDTH - 20} height={HEIGHT - 20} rx={48} />
-      <line class="grid" x1={WIDTH / 2} x2={WIDTH / 2} y1={12} y2={HEIGHT - 12} />
-      <line class="grid" x1={12} x2={WIDTH - 12} y1={HEIGHT / 2} y2={HEIGHT / 2} />
-      <text class="tick" x={22} y={HEIGHT / 2 - 5}>toe</text>
-      <text class="tick" x={WIDTH - 22} y={HEIGHT / 2 - 5} text-anchor="end">heel</text>
-      <circle class="yours" cx={x} cy={y} r={7} />
-    </svg>
+    <Figure name="face-view" title="Face" sentence={sentence} table={table}>
+      <svg class="face" viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={`Strike point on the face. ${sentence}`}
+        onPointerDown={take} onPointerMove={(event) => move(event, false)}
+        onPointerUp={() => explorer.release()}>
+        <rect class="head" x={10} y={10} width={WIDTH - 20} height={HEIGHT - 20} rx={48} />
+        <line class="grid" x1={WIDTH / 2} x2={WIDTH / 2} y1={12} y2={HEIGHT - 12} />
+        <line class="grid" x1={12} x2={WIDTH - 12} y1={HEIGHT / 2} y2={HEIGHT / 2} />
+        <text class="tick" x={22} y={HEIGHT / 2 - 5}>toe</text>
+        <text class="tick" x={WIDTH - 22} y={HEIGHT / 2 - 5} text-anchor="end">heel</text>
+        <circle class="yours" cx={x} cy={y} r={7} />
+      </svg>
+    </Figure>
   );
 }

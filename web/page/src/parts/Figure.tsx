@@ -1,4 +1,4 @@
-// A picture with its name, a sentence and a table that say the same, and its file.
+// Pictures with their name, a sentence and a table that say the same, and tables; both with their files.
 import type { ComponentChildren, Ref } from 'preact';
 import { useState } from 'preact/hooks';
 import { download, pictureOf } from './download';
@@ -14,9 +14,16 @@ interface Props {
   sentence: string;
   /** Made only where it is seen. */
   table: () => Table;
-  place: Ref<HTMLDivElement>;
+  /** The place of a picture that takes its width. */
+  place?: Ref<HTMLDivElement>;
   children: ComponentChildren;
   below?: ComponentChildren;
+  /** The sentence is told when it changes. */
+  isLive?: boolean;
+  /** The table is seen at first. */
+  isOpen?: boolean;
+  /** The row of the table that the picture shows. */
+  at?: number;
 }
 
 const csvField = (text: string) => (/[",\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
@@ -24,8 +31,8 @@ const csvField = (text: string) => (/[",\n]/.test(text) ? `"${text.replace(/"/g,
 const csvOf = ({ head, rows }: Table) =>
   [head, ...rows].map((row) => row.map(csvField).join(',')).join('\r\n');
 
-export function Figure({ name, title, sentence, table, place, children, below }: Props) {
-  const [isOpen, setOpen] = useState(false);
+export function Figure({ name, title, sentence, table, place, children, below, ...more }: Props) {
+  const [isOpen, setOpen] = useState(more.isOpen ?? false);
   const save = (event: Event) => {
     const svg = (event.currentTarget as Element).closest('figure')?.querySelector('svg');
     if (svg) download(`${name}.svg`, pictureOf(svg), 'image/svg+xml');
@@ -33,31 +40,55 @@ export function Figure({ name, title, sentence, table, place, children, below }:
   return (
     <figure class={`picture ${name}`} aria-label={title}>
       <h2>{title}</h2>
-      <div ref={place}>{children}</div>
-      <figcaption>{sentence}</figcaption>
+      <div ref={place ?? null}>{children}</div>
+      <figcaption aria-live={more.isLive ? 'polite' : undefined}>{sentence}</figcaption>
       {below}
-      <details class="data" onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <details class="data" open={isOpen} onToggle={(event) => setOpen(event.currentTarget.open)}>
         <summary>table and files of the {title.toLowerCase()}</summary>
         <p class="buttons">
           <button type="button" onClick={save}>picture (SVG)</button>
-          <button type="button" onClick={() => download(`${name}.csv`, csvOf(table()), 'text/csv')}>
-            table (CSV)
-          </button>
+          <TableButton name={name} table={table} />
         </p>
-        {isOpen && <TableView {...table()} />}
+        {isOpen && <TableView {...table()} at={more.at} />}
       </details>
     </figure>
   );
 }
 
-export function TableView({ head, rows }: Table) {
+interface SavedProps {
+  name: string;
+  table: () => Table;
+  /** The numbers of the table, SI. */
+  numbers: () => unknown;
+}
+
+/** The files of a table that is seen without a picture. */
+export function TableFiles({ name, table, numbers }: SavedProps) {
+  return (
+    <p class="buttons">
+      <TableButton name={name} table={table} />
+      <button type="button"
+        onClick={() => download(`${name}.json`, `${JSON.stringify(numbers(), null, 2)}\n`, 'application/json')}>
+        numbers (JSON)
+      </button>
+    </p>
+  );
+}
+
+const TableButton = ({ name, table }: Pick<SavedProps, 'name' | 'table'>) => (
+  <button type="button" onClick={() => download(`${name}.csv`, csvOf(table()), 'text/csv')}>
+    table (CSV)
+  </button>
+);
+
+export function TableView({ head, rows, at }: Table & { at?: number | undefined }) {
   return (
     <div class="scroll" tabIndex={0} role="region" aria-label="table">
       <table>
         <thead><tr>{head.map((text) => <th scope="col" key={text}>{text}</th>)}</tr></thead>
         <tbody>
-          {rows.map((row) => (
-            <tr key={row.join()}>{row.map((text, k) => <td key={k}>{text}</td>)}</tr>
+          {rows.map((row, k) => (
+            <tr key={row.join()} aria-current={k === at ? 'step' : undefined}>{row.map((text, column) => <td key={column}>{text}</td>)}</tr>
           ))}
         </tbody>
       </table>

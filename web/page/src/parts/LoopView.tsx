@@ -2,10 +2,15 @@
 // late, so its carry has teeth, and differences of it are no derivatives.
 import { useComputed } from '@preact/signals';
 import { useEffect, useState } from 'preact/hooks';
+import { isRefused, refusalOf } from '../drive/drive';
 import { labelOf } from '../setup/parameters';
 import { digits, fromSI, sizeOf, symbolOf } from '../setup/units';
 import type { Explorer } from '../state/explorer';
+import { loopCall, readLoop, worstOf } from '../state/loop';
+import type { Loop } from '../state/loop';
 import { mapOf } from '../state/state';
+import { useAnswer } from './answered';
+import { ChartScales } from './ChartScales';
 import { usePage } from './context';
 import { Figure } from './Figure';
 import { inLength, lengthUnit, ticks } from './lengths';
@@ -17,34 +22,22 @@ const HEIGHT = 170;
 /** The part of a slider's travel that is shown. */
 const PART = 0.06;
 
-interface Loop {
-  name: string;
-  at: Float64Array;
-  loop: Float64Array;
-  difference: Float64Array;
-  carry: Float64Array;
-  slope: Float64Array;
-}
-
-async function flyLoop(explorer: Explorer, name: string, step: number, difference: number): Promise<Loop | null> {
+async function flyLoop(explorer: Explorer, name: string, step: number, difference: number): Promise<Loop | { refused: string } | undefined> {
   const { low, high } = explorer.travel(name);
   const middle = explorer.value(name) ?? (low + high) / 2;
   const half = (PART * (high - low)) / 2;
   const along = { name, low: middle - half, high: middle + half };
-  const request = { setup: explorer.setup(), along, nodes: NODES, step, difference };
-  const answer = await explorer.hand.calls('loop', [{ door: 'loop', request }]);
-  const first = answer?.numbers[0];
-  if (!first || first.head.status !== 'done') return null;
-  const [at, loop, , slopes, carry, slope] = Array.from({ length: 6 }, (_, k) =>
-    first.block.subarray(k * NODES, (k + 1) * NODES));
-  return { name, at: at!, loop: loop!, difference: slopes!, carry: carry!, slope: slope! };
+  const call = loopCall(explorer.setup(), along, NODES, step, difference);
+  const first = (await explorer.hand.calls('loop', [call]))?.numbers[0];
+  if (!first) return undefined;
+  return isRefused(first) ? { refused: refusalOf(first).message } : readLoop(first);
 }
 
 export function LoopView() {
   const { explorer } = usePage();
   const [isOpen, setOpen] = useState(false);
   return (
-    <details class="lecture" onToggle={(event) => setOpen(event.currentTarget.open)}>
+    <details class="lecture loop" onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>for lectures: a loop of time steps beside the exact drive</summary>
       {isOpen && <Lecture explorer={explorer} />}
     </details>
@@ -56,21 +49,9 @@ function Lecture({ explorer }: { explorer: Explorer }) {
   const { unit } = explorer.field(name);
   const [step, setStep] = useState(0.01);
   const [power, setPower] = useState(-2);
-  const [found, setFound] = useState<Loop | null>(null);
   const difference = 10 ** power * sizeOf(unit);
   const key = JSON.stringify([explorer.design.value, name, step, power]);
-  useEffect(() => {
-    let isCurrent = true;
-    const timer = setTimeout(() => {
-      void flyLoop(explorer, name, step, difference).then((loop) => {
-        if (isCurrent) setFound(loop);
-      });
-    }, 100);
-    return () => {
-      isCurrent = false;
-      clearTimeout(timer);
-    };
-  }, [key]);
+  const found = useAnswer(key, 100, () => flyLoop(explorer, name, step, difference));
   const slide = (label: string, value: number, low: number, high: number, by: number, text: string, set: (value: number) => void) => (
     <label class="lecture-slider">
       {label} {text}
@@ -81,9 +62,30 @@ function Lecture({ explorer }: { explorer: Explorer }) {
   return (
     <>
       {slide('time step', step * 1000, 1, 50, 1, `${digits(step * 1000, 0)} ms`, (value) => setStep(value / 1000))}
+      <Overlay step={step} name={name} />
       {slide('difference over', power, -6, 0, 0.5, `${(10 ** power).toPrecision(2)} ${symbolOf(unit)}`, setPower)}
-      {found ? <Pictures explorer={explorer} loop={found} /> : <p>The loop has no answer here.</p>}
+      {found && ('refused' in found ? <p class="message">{found.refused}</p> : <Pictures explorer={explorer} loop={found} />)}
     </>
+  );
+}
+
+/** Whether the loop is laid over the map and the slider, while this view is open. */
+function Overlay({ step, name }: { step: number; name: string }) {
+  const { explorer } = usePage();
+  const [isOver, setOver] = useState(false);
+  useEffect(() => {
+    explorer.loopStep.value = isOver ? step : null;
+  }, [isOver, step]);
+  useEffect(() => () => { explorer.loopStep.value = null; }, []);
+  const isCarry = explorer.state.value.goal === 'carry';
+  return (
+    <p>
+      <label>
+        <input type="checkbox" checked={isOver} onChange={() => setOver(!isOver)} />
+        {' '}lay the loop over the slider of the {labelOf(name)} and over the map
+        {isCarry ? '' : ', which has no totals of it'}
+      </label>
+    </p>
   );
 }
 
@@ -95,7 +97,7 @@ function Pictures({ explorer, loop }: { explorer: Explorer; loop: Loop }) {
   const carries = [loop.loop, loop.carry].map((values) => Array.from(values, (value) => inLength(value, units)));
   const slopes = [loop.difference, loop.slope].map((values) => Array.from(values, (value) => value * per));
   const at = Array.from(loop.at, (value) => fromSI(value, unit));
-  const worst = Math.max(...carries[0]!.map((carry, k) => Math.abs(carry - carries[1]![k]!)).filter(Number.isFinite));
+  const worst = inLength(worstOf(loop), units);
   const steepest = slopes[0]!.filter(Number.isFinite).reduce((most, slope) => (Math.abs(slope) > Math.abs(most) ? slope : most), 0);
   const middle = slopes[1]![Math.floor(NODES / 2)] ?? NaN;
   const symbol = symbolOf(unit);
@@ -138,15 +140,9 @@ function Chart({ name, title, at, curves, unit, across, sentence }: ChartProps) 
   return (
     <Figure name={name} title={title} sentence={sentence} table={table} place={ref}>
       <svg width={width} height={HEIGHT} role="img" aria-label={`${title}. ${sentence}`}>
-        {ticks(first, last, width / 110).map((tick) => (
-          <text class="tick" key={tick} x={x(tick)} y={HEIGHT - 14} text-anchor="middle">{Number(tick.toFixed(3))}</text>
-        ))}
-        {ticks(low, high, 3).map((tick) => (
-          <g key={tick}>
-            <line class="grid" x1={MARGIN.left} x2={width - MARGIN.right} y1={y(tick)} y2={y(tick)} />
-            <text class="tick" x={MARGIN.left - 6} y={y(tick) + 4} text-anchor="end">{Number(tick.toPrecision(4))}</text>
-          </g>
-        ))}
+        <ChartScales width={width} bottom={HEIGHT - 14}
+          across={{ ticks: ticks(first, last, width / 110), place: x, text: (tick) => String(Number(tick.toFixed(3))) }}
+          up={{ ticks: ticks(low, high, 3), place: y, text: (tick) => String(Number(tick.toPrecision(4))) }} />
         <polyline class="ghost teeth-line" points={points(curves[0]!)} />
         <polyline class="yours" points={points(curves[1]!)} />
       </svg>

@@ -1,41 +1,20 @@
 // The outcome over two parameters, with contours, your drive and the optimum.
-import { contours } from 'd3-contour';
 import { useMemo } from 'preact/hooks';
 import { hasLaunch, lawOf, withValues } from '../setup/design';
 import { labelOf } from '../setup/parameters';
-import { digits, fromSI, symbolOf, textOf, toSI } from '../setup/units';
+import { digits, fromSI, symbolOf, textOf } from '../setup/units';
 import type { MapData } from '../state/map';
 import { mapOf } from '../state/state';
 import type { Explorer } from '../state/explorer';
 import { usePage } from './context';
 import { useSteady } from './steady';
 import { Figure } from './Figure';
-import { inLength, length, lengthUnit, ticks } from './lengths';
+import { inLength, length, lengthUnit } from './lengths';
+import { LoopLines, useLoop } from './LoopMap';
+import { Areas, HEIGHT, MapScales, planOf, TOP } from './MapPicture';
+import type { Grid } from './MapPicture';
 import { MARGIN } from './scale';
 import { useWidth } from './size';
-
-const HEIGHT = 300;
-const LEVELS = 14;
-/** The least distance of two labels, pixels. */
-const LABEL = 30;
-/** Space above for the name of the axis. */
-const TOP = 28;
-
-interface Plan {
-  x: (value: number) => number;
-  y: (value: number) => number;
-  width: number;
-}
-
-function planOf({ ranges: [across, up] }: MapData, width: number): Plan {
-  const wide = width - MARGIN.left - MARGIN.right;
-  const tall = HEIGHT - TOP - MARGIN.bottom;
-  return {
-    x: (value) => MARGIN.left + ((value - across.low) / (across.high - across.low)) * wide,
-    y: (value) => TOP + ((up.high - value) / (up.high - up.low)) * tall,
-    width,
-  };
-}
 
 export function MapView() {
   const { explorer } = usePage();
@@ -52,25 +31,31 @@ export function MapView() {
     ? `The longest ${map.goal} over ${labelOf(across)} and ${labelOf(up)} is `
       + `${length(best?.flight[map.goal] ?? most, units)}${bestText ? `, at ${bestText}` : ''}.`
     : 'No map yet.';
+  const over = useLoop(map);
+  const said = over ? `${sentence} ${over.sentence}` : sentence;
   return (
-    <Figure name="map" title="Map" sentence={sentence} place={ref} below={<Axes />}
+    <Figure name="map" title="Map" sentence={said} place={ref} below={<Axes />}
       table={() => (map ? tableOf(map, units, explorer) : { head: [], rows: [] })}>
-      {map && <Picture map={map} width={width} sentence={sentence} />}
+      {map && <Picture map={map} width={width} sentence={said} loop={over?.loop ?? null} />}
     </Figure>
   );
 }
 
-function Picture({ map, width, sentence }: { map: MapData; width: number; sentence: string }) {
+interface PictureProps {
+  map: MapData;
+  width: number;
+  sentence: string;
+  loop: Grid | null;
+}
+
+function Picture({ map, width, sentence, loop }: PictureProps) {
   const { explorer } = usePage();
-  const units = explorer.units.value;
   const plan = planOf(map, width);
-  const areas = useMemo(() => contoursOf(map, units, planOf(map, width)), [map, units, width]);
   const best = explorer.mapBest.value;
   const at = (name: string) => explorer.value(name) ?? NaN;
-  const [yours, theirs] = [
-    [at(map.across), at(map.up)] as const,
-    [best?.values[map.across] ?? NaN, best?.values[map.up] ?? NaN] as const,
-  ];
+  const pixel = (across: number, up: number) => [plan.x(across), plan.y(up)] as const;
+  const yours = pixel(at(map.across), at(map.up));
+  const theirs = pixel(best?.values[map.across] ?? NaN, best?.values[map.up] ?? NaN);
   const move = (event: PointerEvent) => {
     const svg = event.currentTarget as SVGSVGElement;
     if (!svg.hasPointerCapture(event.pointerId)) return;
@@ -95,17 +80,11 @@ function Picture({ map, width, sentence }: { map: MapData; width: number; senten
   return (
     <svg width={width} height={HEIGHT} role="img" aria-label={`Map. ${sentence}`}
       onPointerDown={take} onPointerMove={move} onPointerUp={() => explorer.release()}>
-      {areas.map(({ level, path, label }, k) => (
-        <path key={level} d={path} class="area" fill-opacity={0.1 + (0.75 * k) / LEVELS}>
-          <title>{label}</title>
-        </path>
-      ))}
-      {areas.map(({ level, spot, label }) => spot
-        && <text class="level" key={level} x={spot[0]} y={spot[1]} text-anchor="middle">{label}</text>)}
+      <Areas map={map} width={width} />
+      {loop && <LoopLines loop={loop} map={map} width={width} />}
       <MapScales map={map} plan={plan} />
-      {theirs.every(Number.isFinite) && <Star x={plan.x(theirs[0])} y={plan.y(theirs[1])} />}
-      {yours.every(Number.isFinite)
-        && <circle class="on-map" cx={plan.x(yours[0])} cy={plan.y(yours[1])} r={6} />}
+      {theirs.every(Number.isFinite) && <Star x={theirs[0]} y={theirs[1]} />}
+      {yours.every(Number.isFinite) && <circle class="on-map" cx={yours[0]} cy={yours[1]} r={6} />}
     </svg>
   );
 }
@@ -113,87 +92,6 @@ function Picture({ map, width, sentence }: { map: MapData; width: number; senten
 const Star = ({ x, y }: { x: number; y: number }) => (
   <path class="ghost star" d={`M${x - 7},${y}H${x + 7}M${x},${y - 7}V${y + 7}`} />
 );
-
-function MapScales({ map, plan }: { map: MapData; plan: Plan }) {
-  const { explorer } = usePage();
-  const [across, up] = [map.across, map.up].map((name, axis) => {
-    const { unit } = explorer.field(name);
-    const { low, high } = map.ranges[axis]!;
-    const count = axis === 0 ? plan.width / 80 : 5;
-    const symbol = symbolOf(unit);
-    return {
-      unit,
-      ticks: ticks(fromSI(low, unit), fromSI(high, unit), count),
-      text: `${labelOf(name)}${symbol ? ` [${symbol}]` : ''}`,
-    };
-  });
-  return (
-    <>
-      {across!.ticks.map((tick) => (
-        <text class="tick" key={tick} x={plan.x(toSI(tick, across!.unit))} y={HEIGHT - 20} text-anchor="middle">
-          {digits(tick, Number.isInteger(tick) ? 0 : 1)}
-        </text>
-      ))}
-      {up!.ticks.map((tick) => (
-        <text class="tick" key={tick} x={MARGIN.left - 6} y={plan.y(toSI(tick, up!.unit)) + 4} text-anchor="end">
-          {digits(tick, Number.isInteger(tick) ? 0 : 1)}
-        </text>
-      ))}
-      <text class="tick" x={plan.width - MARGIN.right} y={HEIGHT - 4} text-anchor="end">{across!.text}</text>
-      <text class="tick" x={4} y={14}>{up!.text}</text>
-    </>
-  );
-}
-
-interface Area {
-  level: number;
-  label: string;
-  path: string;
-  /** The place of the label. */
-  spot: readonly [number, number] | null;
-}
-
-function contoursOf(map: MapData, units: 'us' | 'metric', plan: Plan): Area[] {
-  const { columns, rows } = map;
-  const unit = lengthUnit(units);
-  const values = Array.from(map.values, (value) => (Number.isFinite(value) ? value : -1));
-  const landed = values.filter((value) => value >= 0);
-  if (landed.length === 0) return [];
-  const [low, high] = [Math.min(...landed), Math.max(...landed)];
-  // the best part of the map has the closest contours
-  const from = Math.max(low, high - 0.35 * high);
-  const levels = ticks(fromSI(from, unit), fromSI(high, unit), LEVELS).map((level) => toSI(level, unit));
-  const pixel = ([column, row]: readonly number[]) => {
-    const [across, up] = map.ranges;
-    const u = ((column ?? 0) - 0.5) / (columns - 1);
-    const v = ((row ?? 0) - 0.5) / (rows - 1);
-    const inside = (part: number) => Math.min(1, Math.max(0, part));
-    return [
-      plan.x(across.low + inside(u) * (across.high - across.low)),
-      plan.y(up.low + inside(v) * (up.high - up.low)),
-    ] as const;
-  };
-  const spots: (readonly [number, number])[] = [];
-  return contours().size([columns, rows]).thresholds(levels)(values).map(({ value, coordinates }) => {
-    const rings = coordinates.flat().map((ring) => ring.map(pixel));
-    const path = rings.map((ring) =>
-      `M${ring.map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`).join('L')}Z`).join('');
-    const place = spotOf(rings, plan);
-    const isFree = place && spots.every(([x, y]) => Math.hypot(x - place[0], y - place[1]) > LABEL);
-    if (isFree) spots.push(place);
-    return { level: value, label: digits(fromSI(value, unit), 0), path, spot: isFree ? place : null };
-  });
-}
-
-/** The lowest point of the longest ring that is inside of the picture. */
-function spotOf(rings: readonly (readonly (readonly [number, number])[])[], plan: Plan) {
-  const longest = rings.reduce<readonly (readonly [number, number])[]>(
-    (best, ring) => (ring.length > best.length ? ring : best), []);
-  const inner = longest.filter(([x, y]) => x > MARGIN.left + 20 && x < plan.width - MARGIN.right - 20
-    && y > TOP + 14 && y < HEIGHT - MARGIN.bottom - 8);
-  if (inner.length < 6) return null;
-  return inner.reduce((lowest, point) => (point[1] > lowest[1] ? point : lowest));
-}
 
 /** Every twelfth or so value of the map. */
 function tableOf(map: MapData, units: 'us' | 'metric', explorer: Explorer) {

@@ -1,7 +1,7 @@
 // The numbers of a launch monitor: yours beside the best drive.
 import { usePage } from './context';
-import { TableView } from './Figure';
-import { ROWS, shown } from './outcomes';
+import { TableFiles, TableView } from './Figure';
+import { outcomesOf, ROWS, shown } from './outcomes';
 
 export function Panel() {
   const { explorer } = usePage();
@@ -13,10 +13,13 @@ export function Panel() {
     drive ? shown(row, drive, units) : '–',
     ghost ? shown(row, ghost, units) : '–',
   ]);
+  const table = { head: ['', 'yours', 'best'], rows };
+  const numbers = () => ({ yours: drive && outcomesOf(drive), best: ghost && outcomesOf(ghost) });
   return (
     <section class="panel" aria-label="launch monitor">
       <h2>Launch and flight</h2>
-      <TableView head={['', 'yours', 'best']} rows={rows} />
+      <TableView {...table} />
+      <TableFiles name="launch-and-flight" table={() => table} numbers={numbers} />
     </section>
   );
 }

@@ -9,6 +9,7 @@ import { varyOf } from '../state/state';
 import type { Explorer } from '../state/explorer';
 import { usePage } from './context';
 import { useSteady } from './steady';
+import { LoopTrack } from './LoopTrack';
 import { Track } from './Track';
 
 interface Props {
@@ -37,6 +38,7 @@ export function SliderRow({ name, isInGroup = false }: Props) {
         <button type="button" class="ask" aria-expanded={isAsked} aria-label={`about ${label}`}
           onClick={() => setAsked(!isAsked)}>?</button>
       </div>
+      <LoopTrack name={name} />
       <Track name={name} travel={travel}>
         <input type="range" id={`slide-${id}`} min={fromSI(travel.low, unit)}
           max={fromSI(travel.high, unit)} step={travel.step / (toSI(1, unit) - toSI(0, unit))}
@@ -109,7 +111,8 @@ function PriceLine({ name, id, at, isUnset }: { name: string; id: string; at: nu
   const { units, unit, decimals, travel } = useSteady(() => explorer.rowKey(name), () => ({
     ...explorer.field(name), units: explorer.state.value.units, travel: explorer.travel(name),
   }));
-  if (!slope) return <p class="price" id={`price-${id}`}>{isUnset ? 'not stated' : '\u00a0'}</p>;
+  const why = explorer.noSlope.value.get(name);
+  if (!slope) return <p class="price" id={`price-${id}`}>{why ?? (isUnset ? 'not stated' : '\u00a0')}</p>;
   const { low, high } = bandOf(at, slope, LOSS[units]);
   const end = (value: number) => withUnit(digits(fromSI(value, unit), decimals), unit);
   const from = low <= travel.low ? null : end(low);

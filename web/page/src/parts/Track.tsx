@@ -6,7 +6,7 @@ import { usePage } from './context';
 import { useSteady } from './steady';
 
 /** Half of the width of a slider's knob, pixels. */
-const KNOB = 8;
+export const KNOB = 8;
 
 const place = (part: number) => `calc(${KNOB}px + ${part} * (100% - ${2 * KNOB}px))`;
 

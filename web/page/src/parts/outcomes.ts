@@ -35,6 +35,10 @@ export const ROWS: readonly Row[] = [
   row('flight_time', 'flight time', both('s'), 2),
 ];
 
+/** All outcomes of a drive, SI; null where there is none. */
+export const outcomesOf = ({ outcomes }: Drive) =>
+  Object.fromEntries(Object.entries(outcomes).map(([name, value]) => [name, Number.isFinite(value) ? value : null]));
+
 /** An outcome as it is printed. */
 export function shown({ unit, decimals, name }: Row, drive: Drive, system: System): string {
   const number = drive.outcomes[name] ?? NaN;

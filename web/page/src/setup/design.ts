@@ -12,6 +12,13 @@ export interface Design {
   readonly set: Readonly<Record<string, string>>;
 }
 
+/** The setup of a request to the core. */
+export const setupOf = ({ preset, set }: Design) => ({
+  preset,
+  set: Object.fromEntries(
+    Object.entries(set).map(([name, text]) => [name, text === NONE ? null : text] as const)),
+});
+
 export const hasLaunch = ({ set }: Design) =>
   Object.entries(set).some(([name, text]) => name.startsWith('launch.') && text !== NONE);
 

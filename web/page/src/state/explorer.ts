@@ -3,9 +3,9 @@ import { batch, computed, signal } from '@preact/signals';
 import type { Lane, Progress } from '../core/lane';
 import type { Call, Reply } from '../core/messages';
 import type { Drive, Refusal, Slope } from '../drive/drive';
-import { isRefused, readDrive, readSlopes, refusalOf } from '../drive/drive';
+import { isRefused, readDrive, readMissing, readSlopes, refusalOf } from '../drive/drive';
 import type { Design } from '../setup/design';
-import { NONE, WHEN_UNSET, firstOf, hasLaunch, lawOf, numberOf, together, withValues } from '../setup/design';
+import { WHEN_UNSET, firstOf, hasLaunch, lawOf, numberOf, setupOf, together, withValues } from '../setup/design';
 import type { Catalog, Parameter } from '../setup/parameters';
 import { AIR_FIRST, groupOf, labelOf } from '../setup/parameters';
 import type { Travel } from '../setup/travel';
@@ -43,6 +43,8 @@ export class Explorer {
   readonly drive = signal<Drive | null>(null);
   readonly refusal = signal<Refusal | null>(null);
   readonly slopes = signal<ReadonlyMap<string, Slope>>(new Map());
+  /** Why a parameter has no derivative in this setup, for example where another takes its place. */
+  readonly noSlope = signal<ReadonlyMap<string, string>>(new Map());
   readonly best = signal<Best | null>(null);
   readonly bestMessage = signal<string | null>(null);
   readonly ghost = signal<Drive | null>(null);
@@ -56,6 +58,8 @@ export class Explorer {
   /** What a long command does, while it runs. */
   readonly working = signal<string | null>(null);
   readonly aimMessage = signal<string | null>(null);
+  /** The time step of the loop that lies over the map and a slider, s; null without it. */
+  readonly loopStep = signal<number | null>(null);
   /** The group of further sliders that is open. */
   readonly openGroup = signal<string | null>(null);
   /** Milliseconds of the last drive in the worker. */
@@ -65,9 +69,6 @@ export class Explorer {
   readonly units = computed(() => this.state.value.units);
   readonly isLaunch = computed(() => hasLaunch(this.design.value));
 
-  /** Parameters that have no derivative in this setup, for example where another takes their place. */
-  #fixed = new Set<string>();
-  #fixedKey = '';
   #mapKey = '';
   #traps = 0;
   readonly #rest = new Later(REST);
@@ -177,9 +178,8 @@ export class Explorer {
     const isStated = 'flight.step' in design.set || 'flight.method' in design.set;
     const chosen = this.#integration && !isStated
       ? { 'flight.method': this.#integration.method, 'flight.step': this.#integration.step } : {};
-    const stated = Object.fromEntries(
-      Object.entries(design.set).map(([name, text]) => [name, text === NONE ? null : text]));
-    return { preset: design.preset, set: { ...chosen, ...stated } };
+    const { preset, set } = setupOf(design);
+    return { preset, set: { ...chosen, ...set } };
   }
 
   #look() {
@@ -200,25 +200,18 @@ export class Explorer {
   #priced(): string[] {
     const design = this.design.value;
     const open = this.openGroup.value;
-    const isLaunch = hasLaunch(design);
     const more = this.catalog.of(lawOf(design, this.catalog))
       .map(({ parameter }) => parameter)
       .filter((name) => groupOf(name) === open);
     const isFree = (name: string) => {
       const value = this.value(name);
-      return value !== null && Number.isFinite(value) && !this.#fixed.has(name)
-        && !(isLaunch && /^(swing|club|strike|impact)\./.test(name));
+      return value !== null && Number.isFinite(value);
     };
     return [...new Set([...firstOf(design), ...AIR_FIRST, ...more])].filter(isFree);
   }
 
   async #fly() {
     const { goal, units } = this.state.value;
-    const key = JSON.stringify([this.design.value.preset, Object.keys(this.design.value.set)]);
-    if (key !== this.#fixedKey) {
-      this.#fixed.clear();
-      this.#fixedKey = key;
-    }
     const setup = this.setup();
     const wrt = this.#priced();
     const calls: Call[] = [{ door: 'drive', request: { setup, units, path: true, order: 0 } }];
@@ -243,21 +236,11 @@ export class Explorer {
       this.drive.value = drive;
       this.refusal.value = drive.status === 'landed' ? null
         : { message: drive.message ?? drive.status, parameters: [] };
-      const slopes = new Map<string, Slope>();
-      for (const numbers of more) {
-        if (!isRefused(numbers)) readSlopes(numbers).forEach((slope, name) => slopes.set(name, slope));
-      }
-      this.slopes.value = slopes;
+      const known = more.filter((numbers) => !isRefused(numbers));
+      this.slopes.value = new Map(known.flatMap((numbers) => [...readSlopes(numbers)]));
+      this.noSlope.value = new Map(known.flatMap((numbers) => [...readMissing(numbers)]));
     });
-    this.#withoutFixed(more.slice(0, unset ? -1 : undefined).filter(isRefused).map(refusalOf));
     this.#mapIfOther();
-  }
-
-  /** Leaves out parameters that the core cannot differentiate by, and flies again. */
-  #withoutFixed(refusals: Refusal[]) {
-    const before = this.#fixed.size;
-    refusals.forEach(({ parameters: [name] }) => name && this.#fixed.add(name));
-    if (this.#fixed.size > before) void this.#fly();
   }
 
   /** Prices of wind and air that are not stated: those of the values that they have then. */
@@ -330,7 +313,7 @@ export class Explorer {
     const key = mapKey(this.design.value, axes);
     const isKnown = key === this.#mapKey && (this.map.value?.columns ?? 0) >= nodes;
     if (isKnown || this.refusal.value) return;
-    const answer = await this.hand.calls('map', [mapCall(axes, this.setup(), nodes)]);
+    const answer = await this.hand.calls('map', [mapCall(axes, this.setup(), [nodes, nodes])]);
     const first = answer?.numbers[0];
     if (!first) return;
     if (isRefused(first)) {

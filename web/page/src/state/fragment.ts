@@ -9,9 +9,12 @@ const VERSION = '1';
 const PREFIXES = ['', 'b:', 'c:', 'd:'];
 const SYSTEMS = ['us', 'metric'] as const;
 
+/** Half a character, which cannot be encoded. */
+const LONE = /\p{Surrogate}/gu;
+
 /** Characters that a reader of an address may see as they are. */
 const escape = (text: string) =>
-  encodeURIComponent(text).replace(/%2C/g, ',').replace(/%3A/g, ':').replace(/%2F/g, '/');
+  encodeURIComponent(text.replace(LONE, '\ufffd')).replace(/%2C/g, ',').replace(/%3A/g, ':').replace(/%2F/g, '/');
 
 const compact = (text: string) => text.replace(/^([-+.\de]+) /i, '$1');
 

@@ -26,12 +26,14 @@ export function mapKey({ preset, set }: Design, { across, up, goal }: MapAxes): 
 }
 
 /** The request for a map with so many columns and rows. */
-export function mapCall({ across, up, ranges, goal }: MapAxes, setup: unknown, nodes: number): Call {
+export function mapCall(
+  { across, up, ranges, goal }: MapAxes, setup: unknown, nodes: readonly [number, number],
+): Call {
   const [first, second] = [across, up].map((name, axis) => {
     const { low, high } = ranges[axis]!;
     return { name, low, high };
   });
-  const request = { setup, of: [goal], across: first, up: second, nodes: [nodes, nodes] };
+  const request = { setup, of: [goal], across: first, up: second, nodes };
   return { door: 'map', request };
 }
 

@@ -1,0 +1,70 @@
+// Contours of the loop's carry over the map of the exact one.
+import { useMemo } from 'preact/hooks';
+import { isRefused } from '../drive/drive';
+import { digits } from '../setup/units';
+import type { Explorer } from '../state/explorer';
+import { loopMapCalls, readLoop, worstOf } from '../state/loop';
+import type { MapData } from '../state/map';
+import { mapKey } from '../state/map';
+import { useAnswer } from './answered';
+import { usePage } from './context';
+import { inLength, lengthUnit } from './lengths';
+import { levelsOf, linesOf, planOf } from './MapPicture';
+import type { Grid } from './MapPicture';
+
+/** Nodes along a side: few at once, then more. */
+const COARSE = 16;
+const FINE = 48;
+
+interface LoopMap extends Grid {
+  key: string;
+  /** The largest distance from the exact carry, m. */
+  worst: number;
+}
+
+async function fly(explorer: Explorer, map: MapData, nodes: number, step: number, key: string): Promise<LoopMap | null | undefined> {
+  const calls = loopMapCalls(map, explorer.setup(), nodes, step);
+  const answer = await explorer.desk.calls(`loop map ${nodes}`, calls);
+  if (!answer) return undefined;
+  if (answer.numbers.some(isRefused)) return null;
+  const rows = answer.numbers.map(readLoop);
+  const values = rows.flatMap(({ loop }) => [...loop]);
+  return { key, columns: nodes, rows: nodes, values, worst: Math.max(...rows.map(worstOf)) };
+}
+
+/** The loop over the map, and what it says; null where the loop is not over it. */
+export function useLoop(map: MapData | null) {
+  const { explorer } = usePage();
+  const step = explorer.loopStep.value;
+  const isOver = map !== null && step !== null && map.goal === 'carry';
+  const key = isOver ? `${step} ${mapKey(explorer.design.value, map)}` : '';
+  const ask = (nodes: number) => async () => (isOver ? fly(explorer, map, nodes, step, key) : null);
+  const [coarse, fine] = [useAnswer(key, 150, ask(COARSE)), useAnswer(key, 150, ask(FINE))];
+  const loop = [fine, coarse].find((each) => each?.key === key);
+  if (!isOver || !loop) return null;
+  const units = explorer.units.value;
+  const sentence = `Dashed: the loop of ${digits(step * 1000, 0)} ms, at the same levels, up to `
+    + `${digits(inLength(loop.worst, units), 1)} ${lengthUnit(units)} from the exact carry.`;
+  return { loop, sentence };
+}
+
+interface Props {
+  loop: Grid;
+  map: MapData;
+  width: number;
+}
+
+export function LoopLines({ loop, map, width }: Props) {
+  const { explorer } = usePage();
+  const units = explorer.units.value;
+  const path = useMemo(() => linesOf(loop, levelsOf(map, units), map, planOf(map, width)), [loop, map, units, width]);
+  return (
+    <>
+      <path class="loop" d={path} data-nodes={loop.columns} />
+      <g class="legend">
+        <line class="loop" x1={width - 160} x2={width - 136} y1={10} y2={10} />
+        <text class="tick" x={width - 132} y={14}>loop of time steps</text>
+      </g>
+    </>
+  );
+}

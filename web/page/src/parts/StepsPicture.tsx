@@ -1,0 +1,212 @@
+// One iteration of the optimizer: the iterate, the model of the outcome, the trust region, the step.
+import { useMemo } from 'preact/hooks';
+import { labelOf } from '../setup/parameters';
+import type { Travel } from '../setup/travel';
+import { digits, fromSI, symbolOf, toSI } from '../setup/units';
+import { isRefused } from '../drive/drive';
+import type { Explorer } from '../state/explorer';
+import type { MapAxes, MapData } from '../state/map';
+import { mapCall, mapKey, readMap } from '../state/map';
+import { mapOf } from '../state/state';
+import type { Step, Steps } from '../state/steps';
+import { modelAt } from '../state/steps';
+import { useAnswer } from './answered';
+import { ChartScales } from './ChartScales';
+import { usePage } from './context';
+import { inLength, lengthUnit, ticks } from './lengths';
+import { Areas, HEIGHT, levelsOf, linesOf, MapScales, planOf, TOP } from './MapPicture';
+import type { Plan } from './MapPicture';
+import { line, MARGIN } from './scale';
+
+/** Nodes of the map along a side, and of a curve. */
+const NODES = 40;
+const CURVE = 121;
+
+interface Props {
+  steps: Steps;
+  at: number;
+  width: number;
+  sentence: string;
+}
+
+export function StepsPicture(props: Props) {
+  const { explorer } = usePage();
+  const { names } = props.steps;
+  const axes = axesOf(props.steps, explorer);
+  const isCurve = names.length === 1;
+  const design = explorer.design.value;
+  const map = useAnswer(`${mapKey(design, axes)} ${JSON.stringify([names, design.set[axes.up]])}`, 0, async () => {
+    const nodes = isCurve ? [CURVE, 2] as const : [NODES, NODES] as const;
+    const first = (await explorer.desk.calls('steps map', [mapCall(axes, explorer.setup(), nodes)]))?.numbers[0];
+    if (!first) return undefined;
+    return isRefused(first) ? null : readMap(first, axes);
+  });
+  // the map of other parameters, until the new one comes
+  if (!map || map.across !== axes.across || (!isCurve && map.up !== axes.up)) return null;
+  return isCurve ? <CurvePicture {...props} map={map} /> : <PlanePicture {...props} map={map} />;
+}
+
+/** The parameters of the picture: those that vary, or those of the map. */
+function axesOf({ names, ranges }: Steps, explorer: Explorer): MapAxes {
+  const { goal } = explorer.state.value;
+  const ofMap = mapOf(explorer.state.value);
+  if (names.length === 1) {
+    // a map with one value of a parameter that every setup has is a curve
+    const up = names[0] === 'gravity' ? 'ball.mass' : 'gravity';
+    const value = explorer.value(up) ?? NaN;
+    return { across: names[0]!, up, ranges: [ranges[0]!, { low: value, high: value, step: 0 }], goal };
+  }
+  const [across, up] = names.length === 2 ? names as [string, string] : ofMap;
+  const range = (name: string): Travel => ranges[names.indexOf(name)] ?? explorer.travel(name);
+  return { across, up, ranges: [range(across), range(up)], goal };
+}
+
+/** A value of each iterate on an axis: your own one, if the parameter does not vary. */
+function coordinate(x: ArrayLike<number>, { names }: Steps, name: string, explorer: Explorer): number {
+  const varied = names.indexOf(name);
+  return varied < 0 ? explorer.value(name) ?? NaN : x[varied] ?? NaN;
+}
+
+/** The ends of the trust region on an axis. */
+function region(step: Step, { names }: Steps, name: string, { low, high }: Travel): [number, number] {
+  const varied = names.indexOf(name);
+  return varied < 0 ? [low, high] : [step.low[varied] ?? low, step.high[varied] ?? high];
+}
+
+function PlanePicture({ steps, at, width, sentence, map }: Props & { map: MapData }) {
+  const { explorer } = usePage();
+  const units = explorer.units.value;
+  const plan = planOf(map, width);
+  const step = steps.list[at]!;
+  const model = useMemo(() => modelLines(step, steps, map, planOf(map, width), levelsOf(map, units)), [step, map, width, units]);
+  const pixel = (x: ArrayLike<number>) => [
+    plan.x(coordinate(x, steps, map.across, explorer)),
+    plan.y(coordinate(x, steps, map.up, explorer)),
+  ] as const;
+  const [left, right] = region(step, steps, map.across, map.ranges[0]).map(plan.x) as [number, number];
+  const [bottom, top] = region(step, steps, map.up, map.ranges[1]).map(plan.y) as [number, number];
+  const way = steps.list.slice(0, at + 1).filter(({ search }) => search === step.search).map(({ x }) => pixel(x));
+  const here = pixel(step.x);
+  const to = step.trial && pixel(step.trial.x);
+  return (
+    <svg width={width} height={HEIGHT} role="img" aria-label={`Optimizer. ${sentence}`}>
+      <Areas map={map} width={width} />
+      <path class="model" d={model} />
+      <rect class="region" x={left} y={top} width={right - left} height={bottom - top} />
+      <ActiveBounds step={step} steps={steps} map={map} plan={plan} />
+      <polyline class="way" points={line(way)} />
+      {way.slice(0, -1).map(([x, y], k) => <circle class="before" key={k} cx={x} cy={y} r={3} />)}
+      {to && <TrialMark from={here} to={to} isAccepted={step.trial!.isAccepted} />}
+      <circle class="on-map" cx={here[0]} cy={here[1]} r={6} />
+      <MapScales map={map} plan={plan} />
+      <Legend width={width} />
+    </svg>
+  );
+}
+
+/** Contours of the quadratic model; parameters that are not on an axis are those of the iterate. */
+function modelLines(step: Step, { names }: Steps, map: MapData, plan: Plan, levels: number[]): string {
+  const [across, up] = [map.across, map.up].map((name) => names.indexOf(name)) as [number, number];
+  const values = Array.from({ length: NODES * NODES }, (_, node) => {
+    const part = [node % NODES, Math.floor(node / NODES)].map((k) => k / (NODES - 1)) as [number, number];
+    const x = step.x.slice();
+    [across, up].forEach((varied, axis) => {
+      const { low, high } = map.ranges[axis as 0 | 1];
+      if (varied >= 0) x[varied] = low + part[axis as 0 | 1] * (high - low);
+    });
+    return modelAt(step, x);
+  });
+  return linesOf({ columns: NODES, rows: NODES, values }, levels, map, plan);
+}
+
+/** A bar at each bound that holds the iterate. */
+function ActiveBounds({ step, steps, map, plan }: { step: Step; steps: Steps; map: MapData; plan: Plan }) {
+  const [left, right] = [map.ranges[0].low, map.ranges[0].high].map(plan.x) as [number, number];
+  const [bottom, top] = [map.ranges[1].low, map.ranges[1].high].map(plan.y) as [number, number];
+  const side = (name: string) => step.bounds[steps.names.indexOf(name)] ?? 0;
+  const [across, up] = [side(map.across), side(map.up)];
+  const x = across < 0 ? left : right;
+  const y = up < 0 ? bottom : top;
+  return (
+    <>
+      {across !== 0 && <line class="bound" x1={x} x2={x} y1={top} y2={bottom} />}
+      {up !== 0 && <line class="bound" x1={left} x2={right} y1={y} y2={y} />}
+    </>
+  );
+}
+
+interface TrialProps {
+  from: readonly [number, number];
+  to: readonly [number, number];
+  isAccepted: boolean;
+}
+
+const TrialMark = ({ from, to: [x, y], isAccepted }: TrialProps) => (
+  <>
+    <line class={isAccepted ? 'trial' : 'trial refused'} x1={from[0]} y1={from[1]} x2={x} y2={y} />
+    <path class="ghost star" d={isAccepted ? `M${x - 6},${y}H${x + 6}M${x},${y - 6}V${y + 6}`
+      : `M${x - 5},${y - 5}L${x + 5},${y + 5}M${x - 5},${y + 5}L${x + 5},${y - 5}`} />
+  </>
+);
+
+const Legend = ({ width }: { width: number }) => (
+  <g class="legend">
+    <line class="model" x1={width - 236} x2={width - 212} y1={10} y2={10} />
+    <text class="tick" x={width - 208} y={14}>model</text>
+    <line class="region" x1={width - 160} x2={width - 136} y1={10} y2={10} />
+    <text class="tick" x={width - 132} y={14}>trust region</text>
+  </g>
+);
+
+const tickText = (tick: number) => digits(tick, Number.isInteger(tick) ? 0 : 1);
+
+/** Room above the curve and below it, as a part of its height. */
+const ROOM = 0.15;
+
+function CurvePicture({ steps, at, width, sentence, map }: Props & { map: MapData }) {
+  const { explorer } = usePage();
+  const units = explorer.units.value;
+  const [step, name] = [steps.list[at]!, steps.names[0]!];
+  const { unit } = explorer.field(name);
+  const { low, high } = map.ranges[0];
+  const values = map.values.subarray(0, map.columns);
+  const known = values.filter(Number.isFinite);
+  const [least, most] = [Math.min(...known), Math.max(...known)];
+  const room = ROOM * (most - least || 1);
+  const [bottom, top] = [least - room, most + room];
+  const x = (value: number) => MARGIN.left + ((value - low) / (high - low)) * (width - MARGIN.left - MARGIN.right);
+  const y = (value: number) => TOP + ((top - value) / (top - bottom)) * (HEIGHT - TOP - MARGIN.bottom);
+  const places = Array.from({ length: map.columns }, (_, k) => low + ((high - low) * k) / (map.columns - 1));
+  const exact = places.flatMap((place, k) => (Number.isFinite(values[k]) ? [[x(place), y(values[k]!)] as const] : []));
+  const model = places.map((place) => [place, modelAt(step, [place])] as const)
+    .filter(([, value]) => value >= bottom && value <= top)
+    .map(([place, value]) => [x(place), y(value)] as const);
+  const [left, right] = [x(step.low[0]!), x(step.high[0]!)];
+  const bound = step.bounds[0] ?? 0;
+  const end = x(bound < 0 ? low : high);
+  const { trial } = step;
+  const length = lengthUnit(units);
+  const symbol = symbolOf(unit);
+  return (
+    <svg width={width} height={HEIGHT} role="img" aria-label={`Optimizer. ${sentence}`}>
+      <rect class="region" x={left} y={TOP} width={right - left} height={HEIGHT - TOP - MARGIN.bottom} />
+      <ChartScales width={width} bottom={HEIGHT - 20}
+        across={{ ticks: ticks(fromSI(low, unit), fromSI(high, unit), width / 110), place: (tick) => x(toSI(tick, unit)), text: tickText }}
+        up={{ ticks: ticks(inLength(bottom, units), inLength(top, units), 4), place: (tick) => y(toSI(tick, length)), text: String }} />
+      <text class="tick" x={width - MARGIN.right} y={HEIGHT - 4} text-anchor="end">{labelOf(name)}{symbol ? ` [${symbol}]` : ''}</text>
+      <text class="tick" x={4} y={14}>{map.goal} [{length}]</text>
+      <polyline class="yours" points={line(exact)} />
+      <polyline class="model" points={line(model)} />
+      {bound !== 0 && <line class="bound" x1={end} x2={end} y1={TOP} y2={HEIGHT - MARGIN.bottom} />}
+      {steps.list.slice(0, at).filter(({ search }) => search === step.search).map((before) => (
+        <circle class="before" key={before.iteration} cx={x(before.x[0]!)} cy={y(before.value)} r={3} />
+      ))}
+      {trial && (
+        <TrialMark from={[x(step.x[0]!), y(step.value)]} isAccepted={trial.isAccepted}
+          to={[x(trial.x[0]!), y(Math.min(top, Math.max(bottom, step.value + trial.predicted)))]} />
+      )}
+      <circle class="on-map" cx={x(step.x[0]!)} cy={y(step.value)} r={6} />
+      <Legend width={width} />
+    </svg>
+  );
+}

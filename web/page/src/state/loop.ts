@@ -1,0 +1,57 @@
+// The while-loop of the MAE 494 report beside the exact drive, along a parameter or over two.
+import type { Call, Numbers } from '../core/messages';
+import type { MapAxes } from './map';
+
+/** Values at the nodes, SI; NaN without a landing. */
+export interface Loop {
+  name: string;
+  at: Float64Array;
+  /** Carry of the loop, and the difference of it that takes the place of a derivative. */
+  loop: Float64Array;
+  difference: Float64Array;
+  /** Carry of the exact drive, and its derivative. */
+  carry: Float64Array;
+  slope: Float64Array;
+}
+
+interface Along {
+  name: string;
+  low: number;
+  high: number;
+}
+
+/** The columns of an answer: loop, its interpolated landing, difference, exact carry and slope. */
+const COLUMNS = 6;
+
+export const loopCall = (
+  setup: unknown, along: Along, nodes: number, step: number, difference: number,
+): Call => ({ door: 'loop', request: { setup, along, nodes, step, difference } });
+
+export function readLoop({ head, block }: Numbers): Loop {
+  const nodes = Number(head.nodes);
+  const [at, loop, , difference, carry, slope] = Array.from({ length: COLUMNS }, (_, k) =>
+    block.subarray(k * nodes, (k + 1) * nodes));
+  return { name: String(head.parameter), at: at!, loop: loop!, difference: difference!, carry: carry!, slope: slope! };
+}
+
+/** The largest distance of the loop from the exact carry. */
+export function worstOf({ loop, carry }: Pick<Loop, 'loop' | 'carry'>): number {
+  return loop.reduce((most, value, k) => {
+    const distance = Math.abs(value - carry[k]!);
+    return Number.isFinite(distance) ? Math.max(most, distance) : most;
+  }, 0);
+}
+
+interface LoopSetup {
+  set: Record<string, unknown>;
+}
+
+/** The calls for the loop over a map: one for each row, from the lowest. */
+export function loopMapCalls({ across, up, ranges }: MapAxes, setup: LoopSetup, nodes: number, step: number): Call[] {
+  const [along, { low, high }] = ranges;
+  return Array.from({ length: nodes }, (_, row) => {
+    const value = low + ((high - low) * row) / (nodes - 1);
+    const moved = { ...setup, set: { ...setup.set, [up]: value } };
+    return loopCall(moved, { name: across, low: along.low, high: along.high }, nodes, step, along.step);
+  });
+}

@@ -1,0 +1,93 @@
+// The iterations of the search for the best drive, each with its quadratic model.
+import type { Call, Numbers } from '../core/messages';
+import type { Travel } from '../setup/travel';
+
+/** One iterate, SI. Arrays have a number for each parameter that is varied. */
+export interface Step {
+  /** 0 from your drive, 1 from a better drive of a sample. */
+  search: number;
+  iteration: number;
+  value: number;
+  /** Relative KKT residual. */
+  residual: number;
+  /** The step from here; null at the end of a search. */
+  trial: Trial | null;
+  x: Float64Array;
+  /** The bound of each parameter: −1 the lower, 1 the upper, 0 none. */
+  bounds: Float64Array;
+  gradient: Float64Array;
+  /** By rows. */
+  hessian: Float64Array;
+  /** The trust region within the ranges. */
+  low: Float64Array;
+  high: Float64Array;
+}
+
+export interface Trial {
+  x: Float64Array;
+  isAccepted: boolean;
+  /** Gains of the outcome, by the model and by the drive. */
+  predicted: number;
+  actual: number;
+  /** True where the model has no maximum, and the step is that of one with its curvature reflected. */
+  isReflected: boolean;
+}
+
+export interface Steps {
+  names: readonly string[];
+  ranges: readonly Travel[];
+  /** How the search ended. */
+  message: string;
+  list: readonly Step[];
+}
+
+export function stepsCall(
+  setup: unknown, of: string, units: string, names: readonly string[], ranges: readonly Travel[],
+): Call {
+  const vary = names.map((name, k) => ({ name, low: ranges[k]!.low, high: ranges[k]!.high }));
+  return { door: 'steps', request: { setup, units, of, vary } };
+}
+
+export function readSteps({ head, block }: Numbers, ranges: readonly Travel[]): Steps {
+  const names = head.parameters ?? [];
+  const n = names.length;
+  let at = 0;
+  const number = () => block[at++] ?? NaN;
+  const numbers = (count: number) => block.subarray(at, at += count);
+  const list = Array.from({ length: Number(head.steps) }, (): Step => {
+    const [search, iteration, value, residual] = [number(), number(), number(), number()];
+    const [accepted, predicted, actual, reflected] = [number(), number(), number(), number()];
+    const x = numbers(n);
+    const bounds = numbers(n);
+    const gradient = numbers(n);
+    const hessian = numbers(n * n);
+    const [low, high, trial] = [numbers(n), numbers(n), numbers(n)];
+    return {
+      search,
+      iteration,
+      value,
+      residual,
+      trial: Number.isNaN(accepted) ? null
+        : { x: trial, isAccepted: accepted === 1, predicted, actual, isReflected: reflected === 1 },
+      x,
+      bounds,
+      gradient,
+      hessian,
+      low,
+      high,
+    };
+  });
+  return { names, ranges, message: head.message ?? '', list };
+}
+
+/** The quadratic model of a step at another point. */
+export function modelAt({ value, x, gradient, hessian }: Step, at: ArrayLike<number>): number {
+  const n = x.length;
+  let sum = value;
+  for (let i = 0; i < n; i += 1) {
+    const d = at[i]! - x[i]!;
+    sum += gradient[i]! * d;
+    for (let k = 0; k < n; k += 1) sum += 0.5 * d * hessian[i * n + k]! * (at[k]! - x[k]!);
+  }
+  return sum;
+}

@@ -1,0 +1,8 @@
+// The modules of the page that read what comes from outside, for tests under Node.
+export * from '../src/setup/design';
+export * from '../src/setup/file';
+export * from '../src/setup/parameters';
+export * from '../src/setup/travel';
+export * from '../src/setup/words';
+export * from '../src/state/fragment';
+export * from '../src/state/state';
