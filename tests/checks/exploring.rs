@@ -47,3 +47,31 @@ fn without_its_feature_the_command_names_what_to_type() {
         wrong.err
     );
 }
+
+/// A report of a drive, in a folder.
+fn report(folder: &std::path::Path, args: &[&str]) -> String {
+    let words = [&["report", "-o", folder.to_str().unwrap()], args].concat();
+    let said = crate::command_line::longdrive(&words);
+    assert_eq!(said.status, 0, "{}", said.err);
+    std::fs::read_to_string(folder.join("index.html")).unwrap()
+}
+
+#[test]
+fn a_report_leads_to_the_explorer_of_its_drive() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path().join("drive");
+    let page = report(&place, &["--speed", "100mph", "--set", "club.loft=10 deg"]);
+    let file = place.join("explorer.html");
+    if cfg!(feature = "explore") {
+        let link = "<a href=\"explorer.html#1&amp;tour-average&amp;swing.speed=100mph&amp;\
+                    club.loft=10deg\">the explorer</a>";
+        assert!(page.contains(link), "{page}");
+        let dist = concat!(env!("CARGO_MANIFEST_DIR"), "/../web/dist/explorer.html");
+        assert!(std::fs::read(file).unwrap() == std::fs::read(dist).unwrap());
+    } else {
+        let line = "Drag it: <code>longdrive explore tour-average --set 'club.loft=10 deg' --set \
+                    swing.speed=100mph</code>";
+        assert!(page.contains(line), "{page}");
+        assert!(!file.exists());
+    }
+}

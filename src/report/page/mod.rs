@@ -9,7 +9,7 @@ mod lofts;
 mod numbers;
 mod sections;
 
-pub use findings::{Findings, SETUP_FILE};
+pub use findings::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE};
 
 use super::figures::{
     At, Causes, OnMap, View, capital, chart_figures, face_figure, fairway_figure, launches_figure,
@@ -251,7 +251,11 @@ fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
     };
     Ok(html! {
         (answer::answer(findings))
-        section { h2 { "What was asked" } (asked::asked(findings)?) }
+        section {
+            h2 { "What was asked" }
+            (asked::asked(findings)?)
+            @if let Some(explorer) = findings.explorer { (sections::explorer(explorer)) }
+        }
         @for remark in findings.remarks.iter().filter(|remark| !is_told(remark)) { p.warning { (both(|system| shown::spoken(&remark.in_units(system)))) } }
         section {
             h2 { "The drive" }
