@@ -251,11 +251,7 @@ fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
     };
     Ok(html! {
         (answer::answer(findings))
-        section {
-            h2 { "What was asked" }
-            (asked::asked(findings)?)
-            @if let Some(explorer) = findings.explorer { (sections::explorer(explorer)) }
-        }
+        section { h2 { "What was asked" } (asked::asked(findings)?) }
         @for remark in findings.remarks.iter().filter(|remark| !is_told(remark)) { p.warning { (both(|system| shown::spoken(&remark.in_units(system)))) } }
         section {
             h2 { "The drive" }
@@ -263,6 +259,7 @@ fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
             @for [metric, us] in &plots.left_out {
                 p.faint { (both(|system| capital(if system == System::Us { us } else { metric }))) "." }
             }
+            @if let Some(explorer) = findings.explorer { (sections::explorer(explorer)) }
             (pictures(&plots.strike)?)
             h3 { "As set up, on a launch monitor" }
             (sections::panel(findings))
