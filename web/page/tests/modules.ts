@@ -1,5 +1,8 @@
-// The modules of the page that tests run under Node.
-export { designOf, writeSetup } from '../src/setup/file';
-export { Catalog } from '../src/setup/parameters';
-export { setupWords } from '../src/setup/words';
-export { read, write } from '../src/state/fragment';
+// The modules of the page that read what comes from outside, for tests under Node.
+export * from '../src/setup/design';
+export * from '../src/setup/file';
+export * from '../src/setup/parameters';
+export * from '../src/setup/travel';
+export * from '../src/setup/words';
+export * from '../src/state/fragment';
+export * from '../src/state/state';
