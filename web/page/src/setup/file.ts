@@ -1,6 +1,6 @@
 // Setup files of the program, down and up.
 import type { Design } from './design';
-import { NONE, OF_STRIKE } from './design';
+import { NONE } from './design';
 import type { Catalog, Choice, Parameter } from './parameters';
 import type { System } from './units';
 import { textOf, unitIn } from './units';
@@ -35,10 +35,8 @@ export function designOf(values: FileValues, catalog: Catalog, system: System): 
   const follows = (name: string) =>
     (FROM_WEATHER.includes(name) && WEATHER.some((each) => stated.has(each)))
     || (FROM_WIND.includes(name) && stated.has('wind.speed'));
-  const isLaunch = [...stated].some((name) => name.startsWith('launch.'));
   const isUsed = (name: string) =>
-    !follows(name) && !(isLaunch && OF_STRIKE.test(name))
-    && (values.states_step || !OF_STEP.includes(name));
+    !follows(name) && (values.states_step || !OF_STEP.includes(name));
   const rows = values.parameters.filter(({ law, parameter }) =>
     (law === null || law === values.law) && isUsed(parameter));
   const choices = values.choices.filter(({ choice }) => catalog.choice(choice) && isUsed(choice));
