@@ -12,3 +12,7 @@ pub fn how_to_get(feature: &str) -> String {
          --path . --features {feature}"
     )
 }
+
+/// Message for the command `explore` without its feature.
+pub const HOW_TO_EXPLORE: &str = "this longdrive is built without the feature explore; build the page, then the program with \
+     it: web/build, then cargo run --release --features explore -- explore";

@@ -72,7 +72,7 @@ impl Pair {
                 source: source.into(),
             });
         }
-        let source_a = Source::read(&self.setup_args.setup).map_err(of_a)?;
+        let source_a = Source::read(&self.setup_args.drive.setup).map_err(of_a)?;
         let source_b = match &self.other {
             Some(other) => Source::read(other).map_err(of_b)?,
             None => source_a.clone(),
@@ -94,7 +94,7 @@ impl Pair {
     /// The settings of a drive: its own settings, and the common settings that they do not replace.
     fn settings(&self, own_set: Vec<Setting>, own_launch: Vec<Setting>) -> Result<Vec<Setting>> {
         let own = [own_set, own_launch].concat();
-        let common = self.setup_args.settings()?;
+        let common = self.setup_args.drive.settings()?;
         refuse_duplicates(&common)?;
         let is_replaced =
             |setting: &Setting| own.iter().any(|own| own.parameter == setting.parameter);

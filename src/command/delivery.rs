@@ -427,9 +427,10 @@ struct Requests {
 
 impl Requests {
     fn new(args: &DeliveryArgs) -> Result<Self> {
-        let source = Source::read(&args.setup_args.setup)?;
+        let source = Source::read(&args.setup_args.drive.setup)?;
         let (mut of_launch, of_club): (Vec<_>, Vec<_>) = args
             .setup_args
+            .drive
             .settings()?
             .into_iter()
             .partition(Setting::is_of_launch);

@@ -2,8 +2,8 @@ use super::args::Args;
 use clap::{Arg, ArgAction, Command, CommandFactory};
 use serde_json::{Value, json};
 
-/// Commands that concern the program itself.
-const OF_THE_PROGRAM: [&str; 3] = ["completions", "man", "help"];
+/// Commands that only the program in a terminal has a use for.
+const OF_THE_PROGRAM: [&str; 4] = ["completions", "explore", "man", "help"];
 
 /// Every command with its options, as JSON. Bindings for another language can be generated from
 /// it.

@@ -51,6 +51,11 @@ pub trait Host: Send + Sync {
         false
     }
 
+    /// True for a terminal, in which a person can end a command by Ctrl-C.
+    fn is_terminal(&self) -> bool {
+        false
+    }
+
     /// True if the host receives the details of the computation without `--verbose`.
     fn receives_details(&self) -> bool {
         false

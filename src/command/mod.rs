@@ -39,12 +39,14 @@ mod date;
 mod delivery;
 mod described;
 mod design;
+mod explore;
 mod files;
 mod fly;
 mod gradient;
 mod host;
 mod interrupt;
 mod laws;
+mod listener;
 #[cfg(feature = "cli")]
 mod man;
 mod mention;
@@ -168,6 +170,7 @@ fn answer(command: &Command) -> Result<Answer> {
         Command::Chart(args) => chart::run(args),
         Command::Pareto(args) => pareto::run(args),
         Command::Robust(args) => robust::run(args),
+        Command::Explore(args) => explore::run(args),
         Command::Plot(args) => plot::run(args),
         Command::Report(args) => report::run(args),
         Command::Sweep(args) => sweep::run(args),

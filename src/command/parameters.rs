@@ -26,10 +26,10 @@ impl Parameters {
     /// unless it names a setup.
     fn setup_and_word(&self) -> (SetupArgs, Option<String>) {
         let mut setup_args = self.setup_args.clone();
-        if self.word.is_some() || Source::is_named_by(&setup_args.setup) {
+        if self.word.is_some() || Source::is_named_by(&setup_args.drive.setup) {
             return (setup_args, self.word.clone());
         }
-        let word = std::mem::replace(&mut setup_args.setup, SETUP.into());
+        let word = std::mem::replace(&mut setup_args.drive.setup, SETUP.into());
         (setup_args, Some(word))
     }
 }

@@ -1,5 +1,6 @@
 use crate::command::args::Report;
 use crate::command::date::today;
+use crate::command::explore::page::compiled_in;
 use crate::command::files::Rule;
 use crate::command::names::usual;
 use crate::command::output::{Answer, bar, command_line, system, tell, warn};
@@ -10,8 +11,10 @@ use crate::command::running::running;
 use crate::command::wording::in_words_of_the_host;
 use crate::flight::Flight;
 use crate::optimize::{Observer, Status};
-use crate::report::page::{Document, Findings, SETUP_FILE, report_documents};
-use crate::report::{Origin, Reply};
+use crate::report::page::{
+    Document, EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE, report_documents,
+};
+use crate::report::{Origin, Reply, explorer_state};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{Row, certify};
 use crate::study::{
@@ -22,6 +25,7 @@ use crate::study::{
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use serde::Serialize;
+use std::ffi::OsString;
 use std::path::Path;
 
 /// The typical number of optima in a chart, for the progress bar.
@@ -32,8 +36,14 @@ pub fn run(args: &Report) -> Result<Answer> {
     let inputs = Inputs::new(args, &request)?;
     let date = today()?;
     // check the folder before the work, not after it
-    let folder = Rule::new(request.inputs(), args.overwrite)
-        .folder(&args.output, &["index.html", SETUP_FILE])?;
+    let explorer = explorer_link(&request, &inputs.stated);
+    let explorer_page = match &explorer {
+        Some(ExplorerLink::State(_)) => compiled_in(),
+        _ => None,
+    };
+    let mut names = vec!["index.html", SETUP_FILE];
+    names.extend(explorer_page.map(|_| EXPLORER_FILE));
+    let folder = Rule::new(request.inputs(), args.overwrite).folder(&args.output, &names)?;
 
     let bar = bar("parts");
     bar.set_length(USUAL_POINTS + 5);
@@ -48,23 +58,38 @@ pub fn run(args: &Report) -> Result<Answer> {
         &results,
         &remarks,
         why_none.as_ref(),
+        explorer.as_ref(),
         &date,
     )?;
-    folder.write(
-        documents
-            .iter()
-            .map(|Document { name, text }| (name.as_str(), text.as_bytes())),
-    )?;
+    let files: Vec<_> = documents
+        .iter()
+        .map(|Document { name, text }| (name.as_str(), text.as_bytes()))
+        .chain(explorer_page.map(|page| (EXPLORER_FILE, page)))
+        .collect();
+    folder.write(files.iter().copied())?;
     bar.finish();
     remarks.extend(why_none);
     warn(&remarks);
     tell(&format!(
         "{} ({})",
         args.output.join("index.html").display(),
-        counted(documents.len() as u64, "file")
+        counted(files.len() as u64, "file")
     ));
     let origin = request.origin();
-    Ok(answer(args, &origin, &results.drives, &documents, remarks))
+    let names = files.iter().map(|(name, _)| *name).collect();
+    Ok(answer(args, &origin, &results.drives, names, remarks))
+}
+
+/// The way to the explorer: its page with the drive as set up, or the command that serves it.
+/// `None` for a setup that the explorer cannot have.
+fn explorer_link(request: &Request, setup: &Setup<f64>) -> Option<ExplorerLink> {
+    let state = explorer_state(setup, request.source().preset(), system()).ok()?;
+    if compiled_in().is_some() {
+        return Some(ExplorerLink::State(state));
+    }
+    let words = [vec!["explore".to_owned()], request.as_arguments(&[])].concat();
+    let words: Vec<_> = words.into_iter().map(OsString::from).collect();
+    Some(ExplorerLink::Command(command_line(&words)))
 }
 
 /// The drive and the search of a report.
@@ -186,6 +211,7 @@ fn documents(
     results: &Results,
     remarks: &[Message],
     why_none: Option<&Message>,
+    explorer: Option<&ExplorerLink>,
     date: &str,
 ) -> Result<Vec<Document>> {
     let Results {
@@ -220,6 +246,7 @@ fn documents(
         at_best: slopes.at_best.as_ref(),
         rows: &slopes.rows,
         loops: &while_loop(&inputs.setup, &slopes.rows),
+        explorer,
         system: system(),
         remarks,
         command: &command_line(running().words()),
@@ -239,7 +266,7 @@ fn answer(
     args: &Report,
     origin: &Origin,
     drives: &Drives,
-    documents: &[Document],
+    files: Vec<&str>,
     remarks: Vec<Message>,
 ) -> Answer {
     let own = &drives.flown[0].drive;
@@ -250,10 +277,9 @@ fn answer(
             (Flight::Landed(_), None) => ("done", None),
             (Flight::Landed(_), Some(found)) => (found.status(), Some(found.message().to_string())),
         };
-        let names = documents.iter().map(|document| document.name.as_str());
         let body = ReportFiles {
             folder: args.output.display().to_string(),
-            files: names.collect(),
+            files,
         };
         let reply = Reply::done("report", remarks, body).about(origin);
         Answer::json(&reply.ended(status, message))

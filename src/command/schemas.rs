@@ -48,7 +48,7 @@ fn schemas() -> BTreeMap<&'static str, Schema> {
         Answers::of::<LawsReport>(),
         Answers::new("optimize").or::<OptimumReport>(&found),
         Answers::new("optimum-sensitivity").or::<SensitivityReport>(&analysed),
-        Answers::of::<ParametersReport<'_>>(),
+        Answers::of::<ParametersReport>(),
         Answers::of::<ParetoReport<'_>>(),
         Answers::new("plot").or::<PlotFile<'_>>(&["done"]),
         Answers::of::<PresetsReport>(),

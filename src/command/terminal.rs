@@ -116,6 +116,10 @@ impl Host for Terminal {
         io::stdout().is_terminal()
     }
 
+    fn is_terminal(&self) -> bool {
+        true
+    }
+
     fn width(&self) -> usize {
         width::of_answers()
     }

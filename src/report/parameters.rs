@@ -3,8 +3,8 @@ use super::json::Number;
 use super::reply::Report;
 use crate::atmosphere::in_effect;
 use crate::parameters::{
-    GOLFER, Kind, LAW, Law, METHOD, Method, PRESETS, Parameter, SPEED_OF, Setup, TABLE, TABLE_LAW,
-    TURF, TURFS, UNSET,
+    GOLFER, Golfer, Kind, LAW, Law, METHOD, Method, PRESETS, Parameter, SPEED_OF, Setup, SpeedOf,
+    TABLE, TABLE_LAW, TURF, TURFS, UNSET,
 };
 use crate::units::System;
 use crate::{Error, Result};
@@ -13,15 +13,18 @@ use serde::Serialize;
 /// Every parameter with its value in a setup.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ParametersReport<'a> {
-    #[serde(skip)]
-    setup: &'a Setup<f64>,
+pub struct ParametersReport {
     /// The law of drag and lift of the setup.
     pub law: &'static str,
     /// All laws.
     pub laws: &'static [&'static str],
     /// The parameters of the setup, then the parameters of the other laws.
     pub parameters: Vec<ParameterReport>,
+    /// The choices of a setup that are no numbers, except the law.
+    pub choices: Vec<ChoiceReport>,
+    /// True if the setup states `flight.method` or `flight.step`. Otherwise a command that flies
+    /// many drives chooses both.
+    pub states_step: bool,
     /// The word that selects the parameters and choices.
     #[serde(skip)]
     word: Option<String>,
@@ -57,6 +60,22 @@ pub struct ParameterReport {
     pub doc: &'static str,
 }
 
+/// A choice of a setup that is no number.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct ChoiceReport {
+    /// The dotted name.
+    pub choice: &'static str,
+    /// The name that the setup has; `null` if its numbers are those of no name.
+    pub value: Option<&'static str>,
+    /// The name by default.
+    pub default: Option<&'static str>,
+    /// All names.
+    pub names: Vec<&'static str>,
+    /// The meaning.
+    pub doc: String,
+}
+
 /// The range of a parameter.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -71,10 +90,10 @@ pub struct ParameterRange {
     pub high_included: bool,
 }
 
-impl<'a> ParametersReport<'a> {
+impl ParametersReport {
     /// The report of a setup: its parameters with their values in the drive, then the parameters of
     /// the other laws.
-    pub fn new(setup: &'a Setup<f64>) -> Self {
+    pub fn new(setup: &Setup<f64>) -> Self {
         let effective = &in_effect(setup);
         let own = effective
             .parameters()
@@ -84,10 +103,11 @@ impl<'a> ParametersReport<'a> {
             .filter(|row| row.law != Some(effective.law.name()))
             .map(|row| ParameterReport::new(row, row.default_value()));
         Self {
-            setup,
             law: setup.law.name(),
             laws: Law::NAMES,
             parameters: own.chain(others).collect(),
+            choices: choices(setup).into(),
+            states_step: setup.states_step,
             word: None,
         }
     }
@@ -97,13 +117,14 @@ impl<'a> ParametersReport<'a> {
     /// # Errors
     /// [`Error::Unknown`] if none does.
     pub fn with_word(mut self, word: &str) -> Result<Self> {
-        let mut choices = CHOICES.iter().chain([&LAW]);
+        let mut choices = self.choices.iter().map(|one| one.choice).chain([LAW]);
         let is_choice = choices.any(|name| has_word(name, word));
         let names: Vec<_> = self.parameters.iter().map(|one| one.parameter).collect();
         if !is_choice && !names.iter().any(|name| has_word(name, word)) {
             return Err(unknown_word(word, &names));
         }
         self.parameters.retain(|one| has_word(one.parameter, word));
+        self.choices.retain(|one| has_word(one.choice, word));
         self.word = Some(word.into());
         Ok(self)
     }
@@ -115,9 +136,8 @@ impl<'a> ParametersReport<'a> {
             let all: Vec<_> = self.parameters.iter().collect();
             document.add(listing("parameter", &all, system));
         }
-        let choices = CHOICES.into_iter().zip(choices(self.setup));
-        for (_, text) in choices.filter(|(name, _)| has_word(name, word)) {
-            document.list([Line::item(text)]);
+        for choice in &self.choices {
+            document.list([Line::item(choice.text())]);
         }
         if has_word(LAW, word) {
             document.list([Line::item(format!(
@@ -173,7 +193,7 @@ impl ParameterReport {
     }
 }
 
-impl Report for ParametersReport<'_> {
+impl Report for ParametersReport {
     const COMMAND: &'static str = "parameters";
 
     /// The values by group; then a row with the numbers of each parameter, with symbol and meaning
@@ -189,7 +209,7 @@ impl Report for ParametersReport<'_> {
     }
 }
 
-impl ParametersReport<'_> {
+impl ParametersReport {
     /// The parameters of the setup with their values, a row for each group.
     fn values(&self, system: System) -> Table {
         let mut groups: Vec<(&str, Vec<String>)> = vec![];
@@ -220,8 +240,8 @@ impl ParametersReport<'_> {
             .partition(|one| one.law.is_none_or(|law| law == self.law));
         let mut document = Document::default();
         document.add(listing("parameter", &own, system));
-        for choice in choices(self.setup) {
-            document.list([Line::item(choice)]);
+        for choice in &self.choices {
+            document.list([Line::item(choice.text())]);
         }
         document.list([Line::item(format!(
             "{LAW} = {} here; the coefficients of the other laws:",
@@ -247,41 +267,73 @@ impl ParametersReport<'_> {
     }
 }
 
-/// Names of the choices of [`choices`].
-const CHOICES: [&str; 4] = [METHOD, GOLFER, SPEED_OF, TURF];
+impl ChoiceReport {
+    fn text(&self) -> String {
+        if self.choice == TURF {
+            return format!("{TURF} {}", self.doc);
+        }
+        format!(
+            "{} = {} here; {}",
+            self.choice,
+            self.value.unwrap_or(UNSET),
+            self.doc
+        )
+    }
+}
 
-/// The choices of a setup that are not numbers, each with the alternatives.
-fn choices(setup: &Setup<f64>) -> [String; 4] {
+/// The choices of a setup that are no numbers, each with the alternatives.
+fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
+    let usual = Setup::default();
     let methods = Method::ALL
         .iter()
         .map(|method| format!("{} (order {})", method.name(), method.order()));
+    [
+        ChoiceReport {
+            choice: METHOD,
+            value: Some(setup.method.name()),
+            default: Some(usual.method.name()),
+            names: Method::ALL.iter().map(|one| one.name()).collect(),
+            doc: format!("the methods are {}", methods.collect::<Vec<_>>().join(", ")),
+        },
+        ChoiceReport {
+            choice: GOLFER,
+            value: Some(setup.golfer.name()),
+            default: Some(usual.golfer.name()),
+            names: Golfer::ALL.iter().map(|one| one.name()).collect(),
+            doc: "right or left, by the hand: swing, strike and club of a left-hander are the \
+                  mirror image of a right-hander's"
+                .into(),
+        },
+        ChoiceReport {
+            choice: SPEED_OF,
+            value: Some(setup.speed_of.name()),
+            default: Some(usual.speed_of.name()),
+            names: SpeedOf::ALL.iter().map(|one| one.name()).collect(),
+            doc: "centre-of-mass or face-centre, the point of the head whose speed, attack angle \
+                  and path the swing states (they differ where swing.closure turns the head)"
+                .into(),
+        },
+        turf_choice(setup, &usual),
+    ]
+}
+
+/// The choice of the turf, which sets numbers of the ground.
+fn turf_choice(setup: &Setup<f64>, usual: &Setup<f64>) -> ChoiceReport {
     let turfs = TURFS
         .iter()
         .map(|turf| format!("{} ({})", turf.name, turf.about));
-    [
-        format!(
-            "{METHOD} = {} here; the methods are {}",
-            setup.method.name(),
-            methods.collect::<Vec<_>>().join(", ")
-        ),
-        format!(
-            "{GOLFER} = {} here; right or left, by the hand: swing, strike and club of a \
-             left-hander are the mirror image of a right-hander's",
-            setup.golfer.name()
-        ),
-        format!(
-            "{SPEED_OF} = {} here; centre-of-mass or face-centre, the point of the head whose \
-             speed, attack angle and path the swing states (they differ where swing.closure turns \
-             the head)",
-            setup.speed_of.name()
-        ),
-        format!(
-            "{TURF} sets ground.restitution, ground.friction, ground.compliance and \
-             ground.rolling at once ({} here): {}",
+    ChoiceReport {
+        choice: TURF,
+        value: setup.turf().map(|turf| turf.name),
+        default: usual.turf().map(|turf| turf.name),
+        names: TURFS.iter().map(|turf| turf.name).collect(),
+        doc: format!(
+            "sets ground.restitution, ground.friction, ground.compliance and ground.rolling at \
+             once ({} here): {}",
             setup.turf().map_or("none of them", |turf| turf.name),
             turfs.collect::<Vec<_>>().join("; ")
         ),
-    ]
+    }
 }
 
 /// Parameters with value, default and range; symbol and meaning below each.

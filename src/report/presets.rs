@@ -285,6 +285,9 @@ pub struct PresetReport {
     pub about: &'static str,
     /// Every parameter by its dotted name, SI and radians.
     pub setup: Settings,
+    /// True if the preset states `flight.method` or `flight.step`. Otherwise a command that flies
+    /// many drives chooses both.
+    pub states_step: bool,
     /// The source of each parameter.
     pub sources: ByName<Cow<'static, str>>,
 }
@@ -315,6 +318,7 @@ impl PresetReport {
             name: preset.name,
             about: preset.about,
             setup: settings(&setup),
+            states_step: setup.states_step,
             sources: sources.map(|row| (row.name, row.source)).collect(),
         })
     }

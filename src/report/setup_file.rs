@@ -69,7 +69,7 @@ fn rows(
             .map(|(_, remark)| remark.clone().into());
         SourcedValue {
             name: row.name,
-            value: exact(parameter, setup.value(parameter)),
+            value: exact(parameter, setup.value(parameter), parameter.unit),
             source: remark.unwrap_or(row.source),
         }
     };
@@ -100,15 +100,15 @@ pub fn preset_toml(name: &str) -> Result<String> {
     ))
 }
 
-/// The shortest text in the parameter's display unit that is parsed to exactly this value; in SI if
-/// rounding prevents it.
-fn exact(parameter: &Parameter, value: Option<f64>) -> String {
+/// The shortest text in this unit that is parsed to exactly this value; in SI if rounding prevents
+/// it.
+pub(super) fn exact(parameter: &Parameter, value: Option<f64>, unit: &str) -> String {
     let Some(value) = value else {
         return UNSET.into();
     };
-    let number = parameter.quantity.number_in(value, parameter.unit);
+    let number = parameter.quantity.number_in(value, unit);
     let text = |digits: usize| {
-        format!("{} {}", significant(number, digits), parameter.unit)
+        format!("{} {unit}", significant(number, digits))
             .trim_end()
             .to_owned()
     };
@@ -193,7 +193,7 @@ mod tests {
                     setup.set_value(parameter, Some(value)).unwrap();
                     assert_eq!(
                         parameter
-                            .read(&exact(parameter, Some(value)), false)
+                            .read(&exact(parameter, Some(value), parameter.unit), false)
                             .unwrap(),
                         Some(value)
                     );

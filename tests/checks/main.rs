@@ -27,6 +27,9 @@ mod differences;
 mod directions;
 mod documents;
 mod drawn;
+mod exploring;
+#[cfg(feature = "explore")]
+mod exploring_served;
 mod fast_paths;
 mod flight;
 mod ground;

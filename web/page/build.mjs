@@ -41,6 +41,8 @@ const policy = ({ script, style, connect }) => [
   "default-src 'none'",
   `script-src ${script} 'wasm-unsafe-eval'`,
   `style-src ${style}`,
+  // the icon: without one a browser asks the server of the page for it
+  'img-src data:',
   // a worker made of a text in the page
   'worker-src blob:',
   `connect-src ${connect}`,
@@ -57,6 +59,7 @@ const page = ({ charset, rules, head, foot }) => ascii(`<!doctype html>
 <meta http-equiv="Content-Security-Policy" content="${rules}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>longdrive: the explorer</title>
+<link rel="icon" href="data:,">
 `) + head + ascii(`
 </head>
 <body>
@@ -83,9 +86,9 @@ mkdirSync(site, { recursive: true });
 writeFileSync(join(site, 'index.html'), page({
   charset: 'utf-8',
   rules: policy({ script: "'self'", style: "'self'", connect: "'self'" }),
-  head: '<link rel="icon" href="data:,"><link rel="stylesheet" href="page.css">',
+  head: '<link rel="stylesheet" href="page.css">',
   foot: '<script src="page.js"></script>\n',
-}).replace("default-src 'none'", "default-src 'none'; img-src data:"));
+}));
 writeFileSync(join(site, 'page.js'), code);
 writeFileSync(join(site, 'page.css'), style);
 writeFileSync(join(site, 'longdrive_core.bin'), compressed);

@@ -6,7 +6,9 @@ use crate::report::wrapped;
 const GROUPS: [(&str, &[&str]); 5] = [
     (
         "Your drive",
-        &["simulate", "compare", "optimize", "chart", "report", "plot"],
+        &[
+            "simulate", "compare", "optimize", "chart", "explore", "report", "plot",
+        ],
     ),
     ("Your shots", &["fly", "delivery", "calibrate"]),
     (

@@ -37,7 +37,9 @@ pub use robust::RobustArgs;
 pub use search::{
     ChartArgs, DesignArgs, Optimize, OptimumSensitivity, SearchArgs, SwingsArgs, WorkArgs,
 };
-pub use setup::{Gradient, Laws, OwnLaw, Parameters, Presets, SETUP, SetupArgs, Simulate};
+pub use setup::{
+    DriveArgs, Explore, Gradient, Laws, OwnLaw, Parameters, Presets, SETUP, SetupArgs, Simulate,
+};
 
 use super::width;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -102,6 +104,11 @@ pub enum Command {
     ///
     /// Several models of impact and flight are compared.
     Robust(RobustArgs),
+    /// Open the drive as a page with sliders.
+    ///
+    /// Serves the explorer on this machine until Ctrl-C, and prints its address. The page computes
+    /// by itself; it sends nothing.
+    Explore(Explore),
     /// Draw a plot as SVG or PNG, or write its data as CSV.
     Plot(Plot),
     /// Write a page: drive, optimum, map, sensitivities.
@@ -223,6 +230,7 @@ impl Command {
             Self::Chart(args) => ("chart", args.setup_args.json),
             Self::Pareto(args) => ("pareto", args.setup_args.json),
             Self::Robust(args) => ("robust", args.setup_args.json),
+            Self::Explore(_) => ("explore", false),
             Self::Plot(args) => ("plot", args.kind.setup_args().json),
             Self::Report(args) => ("report", args.setup_args.json),
             Self::Sweep(args) => ("sweep", args.setup_args.json),

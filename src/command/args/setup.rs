@@ -5,9 +5,9 @@ pub use crate::parameters::DEFAULT_PRESET as SETUP;
 /// Heading of the options of the setup in help texts.
 const YOUR_DRIVE: &str = "Your drive";
 
-/// Arguments about the setup, of every command with drives.
+/// Arguments that give a drive.
 #[derive(Clone, clap::Args)]
-pub struct SetupArgs {
+pub struct DriveArgs {
     /// A preset's name, a TOML file, or - to read TOML from standard input. A file that names no
     /// preset starts from tour-average.
     #[arg(value_name = "SETUP", default_value = SETUP)]
@@ -32,6 +32,13 @@ pub struct SetupArgs {
         help_heading = YOUR_DRIVE
     )]
     pub launch: Vec<String>,
+}
+
+/// Arguments about the setup, of every command with drives.
+#[derive(Clone, clap::Args)]
+pub struct SetupArgs {
+    #[command(flatten)]
+    pub drive: DriveArgs,
 
     /// Choose the cheapest method and time step with which every requested length is within this
     /// length of its exact value (1um if no length is given). The choice is made once, before the
@@ -129,6 +136,12 @@ impl ShortNames {
         .into_iter()
         .filter_map(|(option, parameter, value)| Some((option, parameter, value.as_deref()?)))
     }
+}
+
+#[derive(clap::Args)]
+pub struct Explore {
+    #[command(flatten)]
+    pub drive: DriveArgs,
 }
 
 #[derive(clap::Args)]

@@ -2,8 +2,9 @@
 
 use super::request::{asked, followed, setup};
 use crate::batch::Status;
-use crate::command::args::{Fly, SETUP, SetupArgs};
+use crate::command::args::{Fly, SETUP};
 use crate::command::interrupt;
+use crate::command::listener::Listener;
 use crate::command::output::{Answer, Warnings, tell};
 use crate::command::request::Request;
 use crate::report::{Reply, open_connect_answer};
@@ -12,26 +13,17 @@ use crate::units::counted;
 use crate::{Error, Result};
 use serde::Serialize;
 use std::io::{self, ErrorKind, Read, Write};
-use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::net::{SocketAddr, TcpStream};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::time::Duration;
 
-/// Read timeout: the wait for the rest of a message, and the interval of checks for Ctrl-C.
-const PATIENCE: Duration = Duration::from_millis(200);
-/// Interval of checks for a new connection.
-const PAUSE: Duration = Duration::from_millis(20);
-/// Maximum number of simultaneous connections.
-const MOST: u64 = 64;
 /// The answer to a connection above the maximum.
 const TOO_MANY: &[u8] =
     b"{\"Code\":503,\"Message\":\"there are too many connections; close one\"}\n";
 
-/// Counts of connections and of messages by answer.
+/// Counts of messages by answer.
 #[derive(Default)]
 struct Counts {
-    connections: AtomicU64,
-    open: AtomicU64,
     flown: AtomicU64,
     others: AtomicU64,
     refused: AtomicU64,
@@ -77,17 +69,21 @@ pub fn run(args: &Fly, port: u16) -> Result<Answer> {
     })?;
     let mut warnings = Warnings::default();
     warnings.add(setup.warnings());
-    let listener = listen(SocketAddr::new(args.address, port))?;
+    let wanted = SocketAddr::new(args.address, port);
+    let listener = Listener::bind(wanted).map_err(|error| refused(wanted, &error))?;
     let stop = interrupt::stops("ending after the messages under way");
     tell(&format!(
         "listening on {} for messages of GSPro Open Connect; Ctrl-C ends",
         listener.address
     ));
-    let counts = accept(&listener.listener, &flying, &stop);
+    let counts = Counts::default();
+    let connections = listener.serve(&stop, TOO_MANY, |stream| {
+        serve(stream, &flying, &stop, &counts)
+    });
     let count = |of: &AtomicU64| of.load(Ordering::Relaxed);
     let summary = MessageCounts {
         address: listener.address.to_string(),
-        connections: count(&counts.connections),
+        connections,
         flown: count(&counts.flown),
         others: count(&counts.others),
         refused: count(&counts.refused),
@@ -108,60 +104,17 @@ pub fn run(args: &Fly, port: u16) -> Result<Answer> {
 /// The request of a listener. The first argument is the setup, because no file of shots is read.
 fn request(args: &Fly) -> Result<Request> {
     let shots = args.shots.as_ref();
-    if let Some(shots) = shots.filter(|_| args.setup_args.setup != SETUP) {
+    if let Some(shots) = shots.filter(|_| args.setup_args.drive.setup != SETUP) {
         return Err(both_given(shots, "a setup is given after it"));
     }
-    let setup_args = SetupArgs {
-        setup: shots.map_or_else(
-            || args.setup_args.setup.clone(),
-            |setup| setup.display().to_string(),
-        ),
-        ..args.setup_args.clone()
-    };
+    let mut setup_args = args.setup_args.clone();
+    if let Some(setup) = shots {
+        setup_args.drive.setup = setup.display().to_string();
+    }
     setup_args.request().map_err(|error| match (shots, error) {
         (Some(shots), Error::Toml { message, .. }) => both_given(shots, &message),
         (_, error) => error,
     })
-}
-
-/// A listener with its address.
-struct Listener {
-    listener: TcpListener,
-    address: SocketAddr,
-}
-
-fn listen(wanted: SocketAddr) -> Result<Listener> {
-    let failed = |error: io::Error| refused(wanted, &error);
-    let listener = TcpListener::bind(wanted).map_err(failed)?;
-    listener.set_nonblocking(true).map_err(failed)?;
-    let address = listener.local_addr().map_err(failed)?;
-    Ok(Listener { listener, address })
-}
-
-/// Serves connections until Ctrl-C.
-fn accept(listener: &TcpListener, flying: &Flying, stop: &AtomicBool) -> Counts {
-    let counts = Counts::default();
-    std::thread::scope(|scope| {
-        while !stop.load(Ordering::Relaxed) {
-            match listener.accept() {
-                Ok((stream, _)) if counts.open.load(Ordering::Relaxed) < MOST => {
-                    counts.connections.fetch_add(1, Ordering::Relaxed);
-                    counts.open.fetch_add(1, Ordering::Relaxed);
-                    let counts = &counts;
-                    scope.spawn(move || {
-                        // a client that closes its connection is no error
-                        let _ = serve(stream, flying, stop, counts);
-                        counts.open.fetch_sub(1, Ordering::Relaxed);
-                    });
-                }
-                Ok((mut stream, _)) => {
-                    let _ = stream.write_all(TOO_MANY);
-                }
-                Err(_) => std::thread::sleep(PAUSE),
-            }
-        }
-    });
-    counts
 }
 
 /// Answers the messages of a connection until the client closes it.
@@ -171,10 +124,6 @@ fn serve(
     stop: &AtomicBool,
     counts: &Counts,
 ) -> io::Result<()> {
-    stream.set_nonblocking(false)?;
-    stream.set_nodelay(true)?;
-    stream.set_read_timeout(Some(PATIENCE))?;
-    stream.set_write_timeout(Some(10 * PATIENCE))?;
     let mut objects = Objects::default();
     let mut bytes = vec![0; 1 << 14];
     while !stop.load(Ordering::Relaxed) {

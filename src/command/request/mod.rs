@@ -11,7 +11,7 @@ use setting::read_tolerance;
 pub use setting::{Setting, refuse_duplicates};
 pub use source::Source;
 
-use crate::command::args::{OwnLaw, SetupArgs};
+use crate::command::args::{DriveArgs, OwnLaw, SetupArgs};
 use crate::command::output::{system, tell};
 use crate::parameters::{GOLFER, Law, Parameter, SPEED_OF, TABLE, Vary, follows_from};
 use crate::report::{Origin, parameter_text};
@@ -40,8 +40,18 @@ impl SetupArgs {
     /// # Errors
     /// For an unreadable setup, and a setting that does not apply to it.
     pub fn request(&self) -> Result<Request> {
-        let source = Source::read(&self.setup)?;
-        Request::new(source, self.settings()?, self)
+        let source = Source::read(&self.drive.setup)?;
+        Request::new(source, self.drive.settings()?, self)
+    }
+}
+
+impl DriveArgs {
+    /// Reads the setup and the settings, for a command without options of the integration.
+    ///
+    /// # Errors
+    /// The errors of [`SetupArgs::request`].
+    pub fn request(&self) -> Result<Request> {
+        Request::of_drive(Source::read(&self.setup)?, self.settings()?)
     }
 
     /// The settings of `--set`, of options such as `--speed`, and of `--launch`.
@@ -67,15 +77,24 @@ impl Request {
     /// # Errors
     /// For two settings of one parameter, and a setting that does not apply.
     pub fn new(source: Source, stated: Vec<Setting>, args: &SetupArgs) -> Result<Self> {
-        refuse_duplicates(&stated)?;
         let tolerance = args.tolerance.as_deref().map(read_tolerance).transpose()?;
+        Ok(Self {
+            tolerance,
+            own_step: args.own_step,
+            is_json: args.json,
+            ..Self::of_drive(source, stated)?
+        })
+    }
+
+    fn of_drive(source: Source, stated: Vec<Setting>) -> Result<Self> {
+        refuse_duplicates(&stated)?;
         let mut request = Self {
             setup: *source.setup(),
             source,
             stated,
-            tolerance,
-            own_step: args.own_step,
-            is_json: args.json,
+            tolerance: None,
+            own_step: false,
+            is_json: false,
         };
         request.apply_settings()?;
         request.refuse_given_twice(&request.setup, &[])?;

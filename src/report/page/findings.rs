@@ -12,6 +12,17 @@ use crate::units::{Message, System};
 /// The setup file of a report, with the optimal drive or else the drive as set up.
 pub const SETUP_FILE: &str = "setup.toml";
 
+/// The file of the explorer beside a report.
+pub const EXPLORER_FILE: &str = "explorer.html";
+
+/// The way from a report to the explorer of its drive as set up.
+pub enum ExplorerLink {
+    /// [`EXPLORER_FILE`] with this state, what follows `#`.
+    State(String),
+    /// The command that serves the explorer.
+    Command(String),
+}
+
 /// The contents of a page. The page omits missing sections; `remarks` has the reasons.
 pub struct Findings<'a> {
     /// The name of the setup.
@@ -62,6 +73,8 @@ pub struct Findings<'a> {
     pub rows: &'a [Row],
     /// Finite differences of the MAE 494 report's while-loop.
     pub loops: &'a [LoopRow],
+    /// The explorer; `None` for a setup that it cannot have.
+    pub explorer: Option<&'a ExplorerLink>,
     /// The units shown when the page opens.
     pub system: System,
     /// Warnings.

@@ -9,7 +9,7 @@ mod lofts;
 mod numbers;
 mod sections;
 
-pub use findings::{Findings, SETUP_FILE};
+pub use findings::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE};
 
 use super::figures::{
     At, Causes, OnMap, View, capital, chart_figures, face_figure, fairway_figure, launches_figure,
@@ -259,6 +259,7 @@ fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
             @for [metric, us] in &plots.left_out {
                 p.faint { (both(|system| capital(if system == System::Us { us } else { metric }))) "." }
             }
+            @if let Some(explorer) = findings.explorer { (sections::explorer(explorer)) }
             (pictures(&plots.strike)?)
             h3 { "As set up, on a launch monitor" }
             (sections::panel(findings))

@@ -1,6 +1,6 @@
 //! The sections of a page with texts and tables.
 
-use super::findings::{Findings, SETUP_FILE};
+use super::findings::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE};
 use super::numbers::{loss, outcome, parameter};
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
@@ -289,6 +289,21 @@ fn source_of(findings: &Findings<'_>, row: &SourcedValue) -> String {
             format!("not needed: {} is given", shown::words(spin.name))
         }
         _ => row.source.to_string(),
+    }
+}
+
+/// The line about the explorer.
+pub(super) fn explorer(link: &ExplorerLink) -> Markup {
+    html! {
+        p {
+            "Drag it: "
+            @match link {
+                ExplorerLink::State(state) => {
+                    a href=(format!("{EXPLORER_FILE}#{state}")) { "the explorer" } " has sliders for this drive."
+                }
+                ExplorerLink::Command(command) => code { (command) },
+            }
+        }
     }
 }
 

@@ -9,7 +9,7 @@ import { Core } from '../core.mjs';
 
 const project = fileURLToPath(new URL('../../..', import.meta.url));
 const file = process.env.LONGDRIVE_CORE ?? join(project, 'target/wasm32-wasip1/debug/longdrive_core.wasm');
-const program = process.env.LONGDRIVE_PROGRAM ?? join(project, 'target/debug/longdrive');
+export const program = process.env.LONGDRIVE_PROGRAM ?? join(project, 'target/debug/longdrive');
 for (const needed of [file, program]) {
   if (!existsSync(needed)) throw new Error(`${needed} is missing; web/core/README.md says how to build it`);
 }

@@ -8,7 +8,7 @@ import type { Integration } from './state/explorer';
 import { Explorer } from './state/explorer';
 import { Address } from './state/address';
 import { read } from './state/fragment';
-import type { Parameter, Preset } from './setup/parameters';
+import type { Choice, Parameter, Preset } from './setup/parameters';
 import { Catalog } from './setup/parameters';
 import { travelOf } from './setup/travel';
 import './style.css';
@@ -22,10 +22,9 @@ async function catalogOf(desk: Lane): Promise<Catalog> {
   const parameters = await desk.command('parameters', ['parameters', '--json']);
   const presets = await desk.command('presets', ['presets', '--json']);
   if (!parameters || !presets) throw new Error('the core does not answer');
-  return new Catalog(
-    (JSON.parse(parameters.answer) as { parameters: Parameter[] }).parameters,
-    (JSON.parse(presets.answer) as { presets: Preset[] }).presets,
-  );
+  const listed = JSON.parse(parameters.answer) as { parameters: Parameter[]; choices: Choice[] };
+  const { presets: all } = JSON.parse(presets.answer) as { presets: Preset[] };
+  return new Catalog(listed.parameters, all, listed.choices);
 }
 
 /** The longest accurate step for the ranges of the sliders. */

@@ -276,6 +276,45 @@ test('a setup file goes down and up', async () => {
   });
 });
 
+test('a setup file keeps the golfer, the point of the speed, the step and what is unset', async () => {
+  const text = `preset = "modern-driver"
+golfer = "left"
+[swing]
+speed_of = "face-centre"
+path = "2 deg"
+[wind]
+speed = "4.4704 m/s"
+from = "90 deg"
+[flight]
+method = "dp8"
+step = "20 ms"
+[ground]
+restitution = "none"
+`;
+  await stay(async ({ page }) => {
+    await page.locator('.files input[type=file]').setInputFiles({ name: 'mine.toml', mimeType: 'text/plain', buffer: Buffer.from(text) });
+    await page.waitForFunction(() => /golfer=left/.test(location.hash));
+    await settle(page);
+    assert.equal(await page.getByLabel('golfer').inputValue(), 'left');
+    assert.equal(await page.getByLabel('point of the club speed').inputValue(), 'face-centre');
+    assert.equal(await page.getByLabel('method of integration').inputValue(), 'dp8');
+    const waiting = page.waitForEvent('download');
+    await page.getByRole('button', { name: 'save the setup file' }).click();
+    const saved = readFileSync(await (await waiting).path(), 'utf8');
+    for (const line of ['preset = "modern-driver"', 'golfer = "left"', 'swing.speed_of = "face-centre"',
+      'flight.method = "dp8"', 'flight.step = "0.02 s"', 'wind.speed = "10 mph"', 'ground.restitution = "none"']) {
+      assert.ok(saved.includes(`${line}\n`), `${line} in ${saved}`);
+    }
+    // the other hand lands on the other side
+    const side = await page.locator('.panel').textContent();
+    await page.getByLabel('golfer').selectOption('right');
+    await page.getByLabel('method of integration').selectOption('');
+    await settle(page);
+    assert.doesNotMatch(await fragment(page), /golfer|flight/);
+    assert.notEqual(await page.locator('.panel').textContent(), side);
+  });
+});
+
 test('shots of a launch monitor are flown', async () => {
   await stay(async ({ page }) => {
     await type(page, 'club.loft', '12');
@@ -306,6 +345,11 @@ test('a measured launch replaces swing and club', async () => {
     assert.ok(Math.abs(await answer(page, 'carry', 1) - 286.0) <= 0.3);
     assert.equal(await slider(page, 'launch.backspin').count(), 1);
     assert.equal(await slider(page, 'club.loft').count(), 0);
+    // a changed club has no effect, and the best launch is still found
+    await page.evaluate(() => { location.hash += '&club.loft=12deg'; });
+    await settle(page);
+    assert.equal(await page.locator('.answer .message').count(), 0);
+    await page.evaluate(() => { location.hash = location.hash.replace('&club.loft=12deg', ''); });
     await page.getByLabel('swing and club').check();
     await settle(page);
     assert.equal(await answer(page, 'carry', 1), 286.0);

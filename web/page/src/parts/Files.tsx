@@ -1,8 +1,7 @@
 // Setup file, command, answers as JSON, report.
 import { useState } from 'preact/hooks';
-import { designOf, lostKey, writeSetup } from '../setup/file';
+import { designOf, writeSetup } from '../setup/file';
 import type { FileValues } from '../setup/file';
-import { NONE } from '../setup/design';
 import { commandLine } from '../setup/words';
 import { bestWords } from '../state/best';
 import { messageOf } from '../state/explorer';
@@ -35,13 +34,8 @@ export function Files() {
       setMessage(messageOf(reply).replace(/setup\.toml/g, file.name));
       return;
     }
-    const lost = lostKey(new TextDecoder().decode(bytes));
-    if (lost) {
-      setMessage(`${file.name} states ${lost}, which the explorer does not have yet: use the program for this file, or remove that line`);
-      return;
-    }
     const values = JSON.parse(reply.answer) as FileValues;
-    explorer.changeDesign(designOf(values, explorer.catalog));
+    explorer.changeDesign(designOf(values, explorer.catalog, explorer.state.value.units));
   };
   const choose = (event: Event) => {
     const input = event.currentTarget as HTMLInputElement;
@@ -63,7 +57,6 @@ export function Files() {
     if (page) download('drive.html', new Uint8Array(page), 'text/html');
     else setMessage(messageOf(reply));
   };
-  const isReadable = !Object.values(design.set).includes(NONE);
   return (
     <section class="files" aria-label="files and command">
       <h2>Files and command</h2>
@@ -72,7 +65,7 @@ export function Files() {
           open a setup file
           <input type="file" accept=".toml,text/plain" onChange={choose} />
         </label>
-        <button type="button" disabled={!isReadable}
+        <button type="button"
           onClick={() => download('setup.toml', writeSetup(design), 'application/toml')}>
           save the setup file
         </button>

@@ -3,6 +3,7 @@ import { useState } from 'preact/hooks';
 import { firstOf, hasLaunch, lawOf, withValues } from '../setup/design';
 import { AIR_FIRST, LAUNCH_FIRST, groupOf, labelOf } from '../setup/parameters';
 import { textOf } from '../setup/units';
+import { Choices } from './Choices';
 import { usePage } from './context';
 import { useSteady } from './steady';
 import { FaceView } from './FaceView';
@@ -20,6 +21,7 @@ export function Sliders() {
       {first.map((name) => <SliderRow name={name} key={name} />)}
       {!isLaunch && <FaceView />}
       {AIR_FIRST.map((name) => <SliderRow name={name} key={name} />)}
+      <Choices />
       <Others />
     </section>
   );

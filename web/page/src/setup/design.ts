@@ -22,6 +22,9 @@ export const setupOf = ({ preset, set }: Design) => ({
 export const hasLaunch = ({ set }: Design) =>
   Object.entries(set).some(([name, text]) => name.startsWith('launch.') && text !== NONE);
 
+/** Parameters and choices that have no effect where a launch is given. */
+export const OF_STRIKE = /^(swing|club|strike|impact)\.|^golfer$/;
+
 /** The sliders of the first screen that belong to the ball's start. */
 export const firstOf = (design: Design) => (hasLaunch(design) ? LAUNCH_FIRST : CLUB_FIRST);
 

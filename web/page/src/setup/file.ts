@@ -1,8 +1,9 @@
 // Setup files of the program, down and up.
 import type { Design } from './design';
 import { NONE } from './design';
-import type { Catalog, Parameter } from './parameters';
-import { textOf } from './units';
+import type { Catalog, Choice, Parameter } from './parameters';
+import type { System } from './units';
+import { textOf, unitIn } from './units';
 
 /** A setup file. Dotted names are keys of TOML. */
 export function writeSetup(design: Design): string {
@@ -19,28 +20,39 @@ const FROM_WIND = ['wind.right', 'wind.downrange'];
 export interface FileValues {
   law: string;
   parameters: (Parameter & { value: number | string | null })[];
+  choices: Choice[];
+  /** Whether the file or its preset states method and step, which the page chooses otherwise. */
+  states_step: boolean;
 }
 
-/** The first key of a file that the page cannot show, so that it would be lost; null if there is none. */
-export function lostKey(toml: string): string | null {
-  return /^\s*(?:\w+\.)?(golfer|speed_of|method)\s*=/m.exec(toml)?.[1] ?? null;
-}
+/** Method and step, which are stated together or not at all. */
+const OF_STEP = ['flight.method', 'flight.step'];
 
 /** The design of a file: the preset nearest to it, and all values that differ. */
-export function designOf(values: FileValues, catalog: Catalog): Design {
+export function designOf(values: FileValues, catalog: Catalog, system: System): Design {
   const stated = new Set(values.parameters
     .filter(({ value }) => value !== null).map(({ parameter }) => parameter));
   const follows = (name: string) =>
     (FROM_WEATHER.includes(name) && WEATHER.some((each) => stated.has(each)))
     || (FROM_WIND.includes(name) && stated.has('wind.speed'));
+  const isUsed = (name: string) =>
+    !follows(name) && (values.states_step || !OF_STEP.includes(name));
   const rows = values.parameters.filter(({ law, parameter }) =>
-    (law === null || law === values.law) && !follows(parameter));
-  const candidates = catalog.presets.map((preset): Design => {
+    (law === null || law === values.law) && isUsed(parameter));
+  const choices = values.choices.filter(({ choice }) => catalog.choice(choice) && isUsed(choice));
+  // a step of the preset would be stated in place of the page's or the program's choice
+  const presets = catalog.presets.filter((preset) => values.states_step || !preset.states_step);
+  const candidates = presets.map((preset): Design => {
     const set: Record<string, string> = {};
     if (preset.setup['aero.law'] !== values.law) set['aero.law'] = values.law;
+    const isOfPreset = (name: string) => preset.states_step || !OF_STEP.includes(name);
+    for (const { choice, value } of choices) {
+      const isKept = isOfPreset(choice) && preset.setup[choice] === value;
+      if (value !== null && !isKept) set[choice] = value;
+    }
     for (const { parameter, value, shown_in } of rows) {
-      if (same(preset.setup[parameter] ?? null, value)) continue;
-      set[parameter] = typeof value === 'number' ? textOf(value, shown_in, 10) : value ?? NONE;
+      if (isOfPreset(parameter) && same(preset.setup[parameter] ?? null, value)) continue;
+      set[parameter] = typeof value === 'number' ? textOf(value, unitIn(system, shown_in), 10) : value ?? NONE;
     }
     return { preset: preset.name, set };
   });

@@ -13,23 +13,40 @@ export interface Parameter {
   range: { low: number | string; high: number | string } | null;
 }
 
+/** A choice that is no number, such as the hand of the golfer. */
+export interface Choice {
+  choice: string;
+  value: string | null;
+  default: string | null;
+  names: string[];
+  doc: string;
+}
+
 export type Value = number | string | null;
 
 export interface Preset {
   name: string;
   about: string;
   setup: Record<string, Value>;
+  /** Whether it states method and step, which the page chooses otherwise. */
+  states_step: boolean;
   sources: Record<string, string>;
 }
 
 export class Catalog {
   readonly parameters: readonly Parameter[];
   readonly presets: readonly Preset[];
+  /** Choices that presets state, in their order; a kind of turf is its numbers. */
+  readonly choices: readonly Choice[];
   readonly #byName = new Map<string, Parameter[]>();
 
-  constructor(parameters: readonly Parameter[], presets: readonly Preset[]) {
+  constructor(
+    parameters: readonly Parameter[], presets: readonly Preset[], choices: readonly Choice[],
+  ) {
     this.parameters = parameters;
     this.presets = presets;
+    const names = Object.keys(presets[0]?.setup ?? {});
+    this.choices = names.flatMap((name) => choices.filter(({ choice }) => choice === name));
     for (const row of parameters) {
       this.#byName.set(row.parameter, [...(this.#byName.get(row.parameter) ?? []), row]);
     }
@@ -37,6 +54,10 @@ export class Catalog {
 
   preset(name: string): Preset | undefined {
     return this.presets.find((preset) => preset.name === name);
+  }
+
+  choice(name: string): Choice | undefined {
+    return this.choices.find(({ choice }) => choice === name);
   }
 
   /** The parameter with the law of a preset: laws share names such as aero.cd0. */
@@ -68,6 +89,9 @@ const NAMED: Readonly<Record<string, string>> = {
   'air.altitude': 'altitude',
   'air.temperature': 'temperature',
   gravity: 'gravity',
+  golfer: 'golfer',
+  'swing.speed_of': 'point of the club speed',
+  'flight.method': 'method of integration',
 };
 
 const spaced = (text: string) => text.replace(/[._]/g, ' ');

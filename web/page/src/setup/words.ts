@@ -1,13 +1,17 @@
 // A design as the words of the command line.
 import type { Design } from './design';
+import { OF_STRIKE, hasLaunch } from './design';
 import type { Parameter } from './parameters';
 import type { Travel } from './travel';
 import { textOf } from './units';
 
 const compact = (text: string) => text.replace(/^([-+.\de]+) /i, '$1');
 
-export function settingsOf({ set }: Design, option = '--set'): string[] {
-  return Object.entries(set).flatMap(([name, text]) => [option, `${name}=${text}`]);
+export function settingsOf(design: Design, option = '--set'): string[] {
+  // the program refuses settings of a club that strikes no ball
+  const isUsed = (name: string) => !(hasLaunch(design) && OF_STRIKE.test(name));
+  return Object.entries(design.set).filter(([name]) => isUsed(name))
+    .flatMap(([name, text]) => [option, `${name}=${text}`]);
 }
 
 export const setupWords = (design: Design) => [design.preset, ...settingsOf(design)];

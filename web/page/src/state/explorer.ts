@@ -175,7 +175,8 @@ export class Explorer {
 
   /** The setup of a request to the core. */
   setup(design: Design = this.design.value) {
-    const isStated = 'flight.step' in design.set || 'flight.method' in design.set;
+    const isStated = 'flight.step' in design.set || 'flight.method' in design.set
+      || this.catalog.preset(design.preset)?.states_step === true;
     const chosen = this.#integration && !isStated
       ? { 'flight.method': this.#integration.method, 'flight.step': this.#integration.step } : {};
     const { preset, set } = setupOf(design);

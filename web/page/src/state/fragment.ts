@@ -143,8 +143,5 @@ class Reader {
   }
 }
 
-/** Choices that are no numbers. */
-const CHOICES = ['aero.law', 'golfer', 'swing.speed_of', 'flight.method'];
-
 const isParameter = (name: string, catalog: Catalog) =>
-  CHOICES.includes(name) || catalog.parameter(name) !== undefined;
+  name === 'aero.law' || (catalog.choice(name) ?? catalog.parameter(name)) !== undefined;

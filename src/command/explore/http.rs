@@ -1,0 +1,125 @@
+//! Requests and responses of HTTP/1.1, as far as a server of one page needs them.
+
+use httparse::{EMPTY_HEADER, Error, Header, Request, Status};
+
+/// The longest head of a request, bytes.
+pub const MOST_BYTES: usize = 16 << 10;
+/// Maximum number of headers of a request.
+const MOST_HEADERS: usize = 64;
+
+/// The response to a connection above the maximum number.
+pub const TOO_MANY: &[u8] =
+    b"HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n";
+
+/// A response: its head and its body.
+#[derive(Debug, PartialEq)]
+pub struct Response<'a> {
+    pub head: String,
+    pub body: &'a [u8],
+}
+
+/// One page at one path of this machine.
+pub struct Site<'a> {
+    pub port: u16,
+    /// The path of the page, which nobody else knows.
+    pub path: String,
+    pub page: &'a [u8],
+    /// The content security policy of the page.
+    pub policy: &'a str,
+}
+
+/// The response to requests without the page, with its status and text.
+fn refusal(status: &str, more: &str, text: &'static str) -> Response<'static> {
+    Response {
+        head: head(status, "text/plain; charset=utf-8", text.len(), more),
+        body: text.as_bytes(),
+    }
+}
+
+fn head(status: &str, kind: &str, length: usize, more: &str) -> String {
+    format!(
+        "HTTP/1.1 {status}\r\n\
+         Content-Type: {kind}\r\n\
+         Content-Length: {length}\r\n\
+         Cache-Control: no-store\r\n\
+         X-Content-Type-Options: nosniff\r\n\
+         Referrer-Policy: no-referrer\r\n\
+         Cross-Origin-Resource-Policy: same-origin\r\n\
+         {more}\
+         Connection: close\r\n\r\n"
+    )
+}
+
+/// The response to a request that does not end in time, or whose connection ends within it.
+pub fn incomplete() -> Response<'static> {
+    refusal("408 Request Timeout", "", "The request does not end.\n")
+}
+
+impl Site<'_> {
+    /// The response to the bytes of a request so far; `None` while its head is incomplete.
+    pub fn response(&self, bytes: &[u8]) -> Option<Response<'_>> {
+        let mut headers = [EMPTY_HEADER; MOST_HEADERS];
+        let mut request = Request::new(&mut headers);
+        match request.parse(bytes) {
+            Ok(Status::Complete(_)) => Some(self.answer(&request)),
+            Ok(Status::Partial) if bytes.len() < MOST_BYTES => None,
+            Ok(Status::Partial) | Err(Error::TooManyHeaders) => Some(refusal(
+                "431 Request Header Fields Too Large",
+                "",
+                "The request is too long.\n",
+            )),
+            Err(_) => Some(refusal("400 Bad Request", "", "This is not HTTP.\n")),
+        }
+    }
+
+    fn answer(&self, request: &Request<'_, '_>) -> Response<'_> {
+        let is_head = request.method == Some("HEAD");
+        let response = if !is_head && request.method != Some("GET") {
+            let text = "Only GET and HEAD are answered here.\n";
+            refusal("405 Method Not Allowed", "Allow: GET, HEAD\r\n", text)
+        } else if !self.is_own_host(request.headers) {
+            let text = "The host is another one; open the address that longdrive has printed.\n";
+            refusal("403 Forbidden", "", text)
+        } else if request.path != Some(&self.path) {
+            let text = "There is nothing here; open the address that longdrive has printed.\n";
+            refusal("404 Not Found", "", text)
+        } else {
+            self.page()
+        };
+        if is_head {
+            return Response {
+                body: b"",
+                ..response
+            };
+        }
+        response
+    }
+
+    /// True for a request with one `Host`, this server. The check protects against DNS rebinding:
+    /// a page of another host cannot have its own name lead here.
+    fn is_own_host(&self, headers: &[Header<'_>]) -> bool {
+        let own = ["127.0.0.1", "localhost"].map(|name| format!("{name}:{}", self.port));
+        let is_host = |header: &&Header<'_>| header.name.eq_ignore_ascii_case("host");
+        let mut hosts = headers.iter().filter(is_host);
+        let host = hosts.next().map(|header| header.value);
+        hosts.next().is_none() && own.iter().any(|own| host == Some(own.as_bytes()))
+    }
+
+    fn page(&self) -> Response<'_> {
+        // a frame of another page could be clicked without being seen
+        let more = format!(
+            "Content-Security-Policy: {}; frame-ancestors 'none'\r\n",
+            self.policy
+        );
+        Response {
+            // the encoding of the file, in which each byte of the core is a character
+            head: head(
+                "200 OK",
+                "text/html; charset=windows-1252",
+                self.page.len(),
+                &more,
+            ),
+            body: self.page,
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! Serves the explorer, a page with sliders, on this machine.
+
+#[cfg(feature = "explore")]
+mod http;
+pub mod page;
+mod refusal;
+#[cfg(feature = "explore")]
+mod server;
+
+#[cfg(feature = "explore")]
+use server::serve;
+
+use super::args::Explore;
+use super::output::{Answer, system, warn};
+use super::running::running;
+use crate::Result;
+use crate::report::explorer_state;
+use refusal::refused;
+
+pub fn run(args: &Explore) -> Result<Answer> {
+    if !running().host.is_terminal() {
+        let why = "it serves a page until Ctrl-C, for which there is no terminal here; type it in \
+                   a terminal: longdrive explore";
+        return Err(refused(why));
+    }
+    let request = args.drive.request()?;
+    let setup = request.setup()?;
+    let state = explorer_state(&setup, request.source().preset(), system())?;
+    warn(&setup.warnings());
+    serve(&state)?;
+    Ok(Answer::text(String::new()))
+}
+
+#[cfg(not(feature = "explore"))]
+fn serve(_: &str) -> Result<()> {
+    Err(refused(crate::features::HOW_TO_EXPLORE))
+}

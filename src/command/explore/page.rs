@@ -1,0 +1,27 @@
+//! The page of the explorer.
+
+/// The page, one file with the core inside.
+#[cfg(feature = "explore")]
+pub const PAGE: &[u8] = include_bytes!("../../../web/dist/explorer.html"); // if it is missing: run web/build
+
+/// The page, if it is compiled in.
+pub fn compiled_in() -> Option<&'static [u8]> {
+    #[cfg(feature = "explore")]
+    return Some(PAGE);
+    #[cfg(not(feature = "explore"))]
+    None
+}
+
+/// The start of the page's content security policy.
+#[cfg(feature = "explore")]
+const POLICY: &[u8] = b"http-equiv=\"Content-Security-Policy\" content=\"";
+
+/// The content security policy that the page states.
+#[cfg(feature = "explore")]
+pub fn policy(page: &[u8]) -> Option<&str> {
+    let at = page.windows(POLICY.len()).position(|text| text == POLICY)?;
+    let policy = page[at + POLICY.len()..]
+        .split(|byte| *byte == b'"')
+        .next()?;
+    std::str::from_utf8(policy).ok()
+}

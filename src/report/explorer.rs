@@ -1,0 +1,207 @@
+//! The address of the explorer, whose part after `#` is a setup.
+
+use super::setup_file::exact;
+use crate::error::{Error, Result};
+use crate::parameters::{
+    GOLFER, LAW, METHOD, Parameter, Preset, SPEED_OF, Setup, TABLE, is_of_step,
+};
+use crate::units::System;
+
+/// Version of the address.
+const VERSION: &str = "1";
+
+/// A setup as the state of the explorer, what follows `#` in its address: the preset, and each
+/// value that differs from it, as after `--set`.
+///
+/// ```
+/// use longdrive::{Setup, parameters::Preset, report::explorer_state, units::System};
+/// let mut setup = Setup::preset("tour-average").unwrap();
+/// setup.set_all([("swing.speed", "100 mph"), ("club.loft", "10.5 deg")]).unwrap();
+/// let preset = Preset::named("tour-average").unwrap();
+/// let state = explorer_state(&setup, preset, System::Us).unwrap();
+/// assert_eq!(state, "1&tour-average&swing.speed=100mph&club.loft=10.5deg");
+/// ```
+///
+/// # Errors
+/// [`Error::Unreadable`] for a user's own table of drag and lift, which an address cannot hold.
+pub fn explorer_state(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<String> {
+    if let Some(table) = setup.law.table() {
+        let source = "the explorer has no tables of your own; leave it out, or use a published law";
+        return Err(Error::Unreadable {
+            name: format!("{TABLE} {}", table.file()),
+            source: source.into(),
+        });
+    }
+    let base = Setup::preset(preset.name)?;
+    let units = (system == System::Metric).then(|| ("units", "metric".to_owned()));
+    let values = changed_choices(setup, &base)
+        .chain(changed_numbers(setup, base, system)?)
+        .chain(units);
+    let parts: Vec<_> = values
+        .map(|(name, value)| format!("&{name}={}", encoded(&compact(&value))))
+        .collect();
+    Ok(format!("{VERSION}&{}{}", preset.name, parts.concat()))
+}
+
+/// The choices that differ from those of the preset.
+fn changed_choices(
+    setup: &Setup<f64>,
+    base: &Setup<f64>,
+) -> impl Iterator<Item = (&'static str, String)> {
+    let is_struck = !setup.launch.is_given();
+    let is_other_step = setup.states_step && !base.states_step || setup.method != base.method;
+    [
+        (LAW, setup.law.name(), setup.law.name() != base.law.name()),
+        (
+            GOLFER,
+            setup.golfer.name(),
+            is_struck && setup.golfer != base.golfer,
+        ),
+        (
+            SPEED_OF,
+            setup.speed_of.name(),
+            is_struck && setup.speed_of != base.speed_of,
+        ),
+        (METHOD, setup.method.name(), is_other_step),
+    ]
+    .into_iter()
+    .filter(|(.., is_changed)| *is_changed)
+    .map(|(name, own, _)| (name, own.to_owned()))
+}
+
+/// The numbers that differ from those of the preset.
+fn changed_numbers(
+    setup: &Setup<f64>,
+    mut base: Setup<f64>,
+    system: System,
+) -> Result<impl Iterator<Item = (&'static str, String)>> {
+    let states_step = setup.states_step && !base.states_step;
+    // the coefficients of another law are compared with the published ones
+    base.set_law(setup.law.name())?;
+    // the program refuses settings of a club that strikes no ball
+    let is_used = |row: &Parameter| {
+        setup.why_replaced(row).is_none() && !(setup.launch.is_given() && row.is_of_strike())
+    };
+    let is_changed = move |row: &&'static Parameter| {
+        is_used(row) && setup.value(row) != base.value(row) || states_step && is_of_step(row.name)
+    };
+    let rows = setup.parameters().into_iter().filter(is_changed);
+    Ok(rows.map(move |row| {
+        (
+            row.name,
+            exact(row, setup.value(row), system.unit(row.unit)),
+        )
+    }))
+}
+
+/// A value without the space before its unit: "10.5deg".
+fn compact(value: &str) -> String {
+    let is_of_number = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);
+    match value.split_once(' ') {
+        Some((number, unit)) if number.chars().all(is_of_number) => number.to_owned() + unit,
+        _ => value.to_owned(),
+    }
+}
+
+/// A text with escapes for the characters that an address does not have, and for those that
+/// separate its parts (RFC 3986).
+fn encoded(text: &str) -> String {
+    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.~,:/".contains(&byte);
+    let encoded = |byte: u8| match is_plain(byte) {
+        true => char::from(byte).to_string(),
+        false => format!("%{byte:02X}"),
+    };
+    text.bytes().map(encoded).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::explorer_state;
+    use crate::parameters::{Preset, Setup};
+    use crate::units::System;
+
+    fn state(preset: &str, changes: &[(&str, &str)], system: System) -> String {
+        let mut setup = Setup::preset(preset).unwrap();
+        setup.set_all(changes.iter().copied()).unwrap();
+        explorer_state(&setup, Preset::named(preset).unwrap(), system).unwrap()
+    }
+
+    #[test]
+    fn exact_addresses_have_only_what_differs_from_the_preset() {
+        let of = |changes: &[_]| state("tour-average", changes, System::Us);
+        assert_eq!(of(&[]), "1&tour-average");
+        let same = [("golfer", "right"), ("impact.friction", "none")];
+        assert_eq!(of(&same), "1&tour-average");
+        assert_eq!(
+            of(&[("golfer", "left"), ("swing.speed_of", "face-centre")]),
+            "1&tour-average&golfer=left&swing.speed_of=face-centre"
+        );
+        let wind = [("wind.speed", "10 mph"), ("wind.from", "90 deg")];
+        assert_eq!(
+            state("mae494", &wind, System::Us),
+            "1&mae494&wind.speed=10mph&wind.from=90deg"
+        );
+        assert_eq!(
+            state("mae494", &wind, System::Metric),
+            "1&mae494&wind.speed=4.4704m/s&wind.from=90deg&units=metric"
+        );
+    }
+
+    #[test]
+    fn exact_address_of_a_launch_has_no_club() {
+        let launch = [
+            ("golfer", "left"),
+            ("club.loft", "12 deg"),
+            ("launch.ball_speed", "160 mph"),
+            ("launch.launch_angle", "12 deg"),
+            ("launch.backspin", "2600 rpm"),
+        ];
+        assert_eq!(
+            state("tour-average", &launch, System::Us),
+            "1&tour-average&launch.ball_speed=160mph&launch.launch_angle=12deg&launch.backspin=2600rpm"
+        );
+    }
+
+    #[test]
+    fn exact_escapes_of_units_signs_and_unset_values() {
+        let of = |changes: &[_]| state("tour-average", changes, System::Us);
+        assert_eq!(
+            of(&[("club.inertia.xx", "4500 g cm^2")]),
+            "1&tour-average&club.inertia.xx=4500g%20cm%5E2"
+        );
+        assert_eq!(
+            of(&[
+                ("swing.attack_angle", "-2 deg"),
+                ("wind.speed", "0 mph"),
+                ("wind.from", "90 deg")
+            ]),
+            "1&tour-average&swing.attack_angle=-2deg&wind.speed=0mph&wind.from=90deg"
+        );
+        assert_eq!(
+            of(&[("ground.turf", "wet")]),
+            "1&tour-average&ground.restitution=none"
+        );
+    }
+
+    #[test]
+    fn exact_coefficients_of_another_law_are_compared_with_the_published_ones() {
+        let of = |changes: &[_]| state("tour-average", changes, System::Us);
+        assert_eq!(
+            of(&[("aero.law", "linear")]),
+            "1&tour-average&aero.law=linear"
+        );
+        assert_eq!(
+            of(&[("aero.law", "linear"), ("aero.cd", "0.3")]),
+            "1&tour-average&aero.law=linear&aero.cd=0.3"
+        );
+    }
+
+    #[test]
+    fn a_stated_step_is_in_the_address_also_where_it_is_the_default() {
+        let stated = [("flight.method", "rk4"), ("flight.step", "10 ms")];
+        assert_eq!(
+            state("tour-average", &stated, System::Us),
+            "1&tour-average&flight.method=rk4&flight.step=0.01s"
+        );
+    }
+}

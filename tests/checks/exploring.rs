@@ -1,0 +1,77 @@
+//! The command `explore` where it serves nothing.
+
+use longdrive::command::{Host, Kind, run};
+use std::io;
+use std::sync::{Arc, Mutex};
+
+/// A host without a terminal.
+#[derive(Default)]
+struct NoTerminal {
+    said: Mutex<String>,
+}
+
+impl Host for NoTerminal {
+    fn print(&self, _: &str) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn say(&self, _: Kind, text: &str) {
+        self.said.lock().unwrap().push_str(text);
+    }
+}
+
+#[test]
+fn a_host_without_a_terminal_serves_nothing() {
+    let host = Arc::new(NoTerminal::default());
+    let words = ["longdrive", "explore", "mae494"];
+    assert_eq!(run(words.map(Into::into).to_vec(), host.clone()), 2);
+    let said = host.said.lock().unwrap();
+    let expected = "explore: it serves a page until Ctrl-C, for which there is no terminal here; \
+                    type it in a terminal: longdrive explore";
+    assert_eq!(*said, expected);
+}
+
+#[cfg(not(feature = "explore"))]
+#[test]
+fn without_its_feature_the_command_names_what_to_type() {
+    let said = crate::command_line::longdrive(&["explore"]);
+    let err = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(said.status, 2, "{err}");
+    let advice = "web/build, then cargo run --release --features explore -- explore";
+    assert!(err.ends_with(advice), "{err}");
+    // what is wrong with the setup is said first
+    let wrong = crate::command_line::longdrive(&["explore", "tour"]);
+    assert!(
+        wrong.err.contains("did you mean 'tour-average'?"),
+        "{}",
+        wrong.err
+    );
+}
+
+/// A report of a drive, in a folder.
+fn report(folder: &std::path::Path, args: &[&str]) -> String {
+    let words = [&["report", "-o", folder.to_str().unwrap()], args].concat();
+    let said = crate::command_line::longdrive(&words);
+    assert_eq!(said.status, 0, "{}", said.err);
+    std::fs::read_to_string(folder.join("index.html")).unwrap()
+}
+
+#[test]
+fn a_report_leads_to_the_explorer_of_its_drive() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path().join("drive");
+    let page = report(&place, &["--speed", "100mph", "--set", "club.loft=10 deg"]);
+    let file = place.join("explorer.html");
+    if cfg!(feature = "explore") {
+        let link = "<a href=\"explorer.html#1&amp;tour-average&amp;swing.speed=100mph&amp;\
+                    club.loft=10deg\">the explorer</a>";
+        assert!(page.contains(link), "{page}");
+        let dist = concat!(env!("CARGO_MANIFEST_DIR"), "/../web/dist/explorer.html");
+        assert!(std::fs::read(file).unwrap() == std::fs::read(dist).unwrap());
+    } else {
+        let line = "Drag it: <code>longdrive explore tour-average --set 'club.loft=10 deg' --set \
+                    swing.speed=100mph</code>";
+        assert!(page.contains(line), "{page}");
+        assert!(!file.exists());
+    }
+}

@@ -1,0 +1,163 @@
+// Setups between the program and the page: the address that the program prints, and setup files.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { build } from 'vite';
+
+// the core and the program, or why one of them is missing
+const common = await import('../../core/tests/common.mjs').catch(({ message }) => message);
+const skip = typeof common === 'string' && `NOT CHECKED: ${common}`;
+
+const COUNT = 300;
+/** To list the parameters takes longer than a drive. */
+const FILES = 60;
+let page;
+let core;
+let catalog;
+let setups;
+let addresses;
+
+before(async () => {
+  if (skip) return;
+  page = await modules();
+  setups = randomSetups();
+  // before the core: a process with its memory takes long to begin another one
+  addresses = await addressesOf(setups);
+  core = await common.start();
+  const listed = core.ask({ words: ['parameters', '--json'] }).head.answer;
+  const { presets } = JSON.parse(core.ask({ words: ['presets', '--json'] }).head.answer);
+  const { parameters, choices } = JSON.parse(listed);
+  catalog = new page.Catalog(parameters, presets, choices);
+});
+
+/** The page's modules, compiled for Node. */
+async function modules() {
+  const entry = fileURLToPath(new URL('modules.ts', import.meta.url));
+  const [{ output }] = [await build({
+    configFile: false,
+    logLevel: 'warn',
+    build: { write: false, minify: false, lib: { entry, formats: ['es'] } },
+  })].flat();
+  const script = Buffer.from(output[0].code).toString('base64');
+  return import(`data:text/javascript;base64,${script}`);
+}
+
+/** Random setups that state also what is no number, what follows from others, and what is unset. */
+function randomSetups() {
+  const next = common.random(9);
+  const pick = list => list[Math.floor(next() * list.length)];
+  const between = (low, high) => low + next() * (high - low);
+  return Array.from({ length: COUNT }, () => {
+    const { preset, set } = common.randomSetup(next);
+    const without = start => Object.keys(set).filter(name => name.startsWith(start)).forEach(name => { delete set[name]; });
+    if (next() < 0.2) set.golfer = pick(['left', 'right']);
+    if (next() < 0.2) set['swing.speed_of'] = pick(['face-centre', 'centre-of-mass']);
+    if (next() < 0.2) set['club.inertia.xx'] = `${between(3500, 5800).toFixed(1)} g cm^2`;
+    if (next() < 0.2) set['impact.friction'] = pick(['0.4', 'none']);
+    if (next() < 0.2) set['ground.turf'] = pick(['firm', 'average', 'soft', 'wet']);
+    if (next() < 0.2) set['flight.step'] = '10 ms';
+    if (next() < 0.3) {
+      without('wind.');
+      Object.assign(set, { 'wind.speed': `${between(0, 20)} mph`, 'wind.from': `${between(-180, 180)} deg` });
+    }
+    if (next() < 0.3) {
+      without('air.');
+      Object.assign(set, { 'air.temperature': `${between(0, 40)} degC`, 'air.altitude': `${between(0, 5000)} ft` });
+    }
+    if (next() < 0.1) {
+      ['swing.', 'club.', 'strike.', 'impact.', 'golfer'].forEach(without);
+      Object.assign(set, {
+        'launch.ball_speed': `${between(120, 180)} mph`,
+        'launch.launch_angle': `${between(8, 16)} deg`,
+        'launch.spin': `${between(1500, 4000)} rpm`,
+        'launch.spin_axis': `${between(-20, 20)} deg`,
+      });
+    }
+    return { preset, set };
+  });
+}
+
+/** Everything that a setup states, by words or in a file. */
+function stated(words, files = {}) {
+  const { exit, answer, said } = core.ask({ words: ['parameters', ...words, '--json'] }, files).head;
+  assert.equal(exit, 0, JSON.stringify([words, files, said]));
+  return JSON.parse(answer);
+}
+
+/** The drive of a setup, with its numbers to the last bit. */
+function flown({ preset, set }) {
+  const texts = Object.entries(set).map(([name, text]) => [name, text === 'none' ? null : text]);
+  const { head, block } = core.drive({ setup: { preset, set: Object.fromEntries(texts) } });
+  return { ...head, numbers: [...block] };
+}
+
+/** What a setup states, by name. */
+function valuesOf({ law, parameters, choices, states_step: statesStep }) {
+  const own = parameters.filter(row => row.law === null || row.law === law);
+  const values = own.map(({ parameter, value }) => [parameter, value]);
+  const names = choices.map(({ choice, value }) => [choice, value]);
+  return { law, statesStep, ...Object.fromEntries([...values, ...names]) };
+}
+
+/** The address that the program prints for a setup; null without the feature. */
+async function addressOf(words) {
+  const child = spawn(common.program, ['explore', ...words], { stdio: ['ignore', 'pipe', 'pipe'] });
+  let [said, printed] = ['', ''];
+  child.stderr.on('data', text => { said += text; });
+  for await (const text of child.stdout) {
+    printed += text;
+    if (printed.includes('\n')) break;
+  }
+  child.kill();
+  if (/without the feature explore/.test(said.replace(/\s+/g, ' '))) return null;
+  assert.match(printed, /^http:\/\/127\.0\.0\.1:\d+\/[0-9a-f]{32}#/, said);
+  return new URL(printed.trim());
+}
+
+/** The addresses of setups; null without the feature. */
+async function addressesOf(setups) {
+  const all = [];
+  for (const setup of setups) {
+    const address = await addressOf(common.wordsOf(setup));
+    if (!address) return null;
+    all.push(address);
+  }
+  return all;
+}
+
+test(`the page reads each address that the program prints as the same drive: ${COUNT} setups`, { skip }, t => {
+  if (!addresses) {
+    t.skip('NOT CHECKED: the program is built without the feature explore');
+    return;
+  }
+  setups.forEach((setup, at) => {
+    const { hash } = addresses[at];
+    const { state, unknown } = page.read(hash, catalog);
+    assert.deepEqual(unknown, [], hash);
+    assert.deepEqual(flown(state.designs[0]), flown(setup), hash);
+    // the page writes the same link
+    assert.equal(page.write(state), hash.slice(1));
+  });
+});
+
+test(`a setup file is opened and saved as the same setup: ${FILES} setups`, { skip }, () => {
+  setups.slice(0, FILES).forEach((setup, at) => {
+    const words = common.wordsOf(setup);
+    const original = stated(words);
+    const opened = page.designOf(original, catalog, at % 2 ? 'us' : 'metric');
+    const file = page.writeSetup(opened);
+    const saved = stated(['setup.toml'], { 'setup.toml': new TextEncoder().encode(file) });
+    near(valuesOf(saved), valuesOf(original), `${words.join(' ')}\n${file}`);
+  });
+});
+
+/** Compares two setups whose numbers may have been rounded to the digits of a field. */
+function near(ours, theirs, about) {
+  for (const name of Object.keys(theirs)) {
+    const [one, other] = [ours[name], theirs[name]];
+    const isNear = typeof one === 'number' && typeof other === 'number'
+      && Math.abs(one - other) <= 1e-9 * Math.max(Math.abs(other), 1e-6);
+    assert.ok(isNear || one === other, `${name}: ${one} and ${other} of ${about}`);
+  }
+}
