@@ -77,6 +77,16 @@ pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Ways> {
         .collect()
 }
 
+/// True if a parameter is in one of the [`Ways`], and both setups use the same parameters of it with
+/// the same values.
+pub(crate) fn is_given_alike([a, b]: [&Setup<f64>; 2], parameter: &Parameter) -> bool {
+    let Some(ways) = WAYS.iter().find(|ways| ways.has(parameter)) else {
+        return false;
+    };
+    let given = ways.given_in(a);
+    given == ways.given_in(b) && given.into_iter().all(|row| a.value(row) == b.value(row))
+}
+
 impl<T> Air<T> {
     /// True if the weather is set, from which density and viscosity follow.
     #[inline(always)]

@@ -19,6 +19,8 @@ mod vary;
 mod weights;
 
 pub use air::Ways;
+#[cfg(feature = "studies")]
+pub(crate) use air::is_given_alike;
 pub(crate) use air::{
     DEFAULT_TEMPERATURE, LAPSE_RATE, SEA_LEVEL_TEMPERATURE, given_otherwise, refuse_replaced,
 };

@@ -2,7 +2,7 @@
 
 use super::presets::{SourcedValue, sourced, sources};
 use crate::error::Result;
-use crate::parameters::{Parameter, Preset, Setup, TABLE, UNSET, is_of_step};
+use crate::parameters::{Parameter, Preset, Setup, TABLE, UNSET, is_given_alike, is_of_step};
 use crate::units::significant;
 
 /// Significant digits that distinguish all double-precision numbers.
@@ -11,6 +11,7 @@ const MOST_DIGITS: usize = 17;
 /// A setup as a setup file in TOML: its preset, then every parameter with its source. `about` are
 /// the first lines of the file. A remark in `remarks` replaces the source of its parameter. Method
 /// and step are in the file only if the setup states them: a program that reads it may choose them.
+/// Air and wind of the preset are comments, so that another weather can be given with the file.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::Preset, report::setup_toml};
@@ -29,7 +30,13 @@ pub fn setup_toml(
     about: &[String],
     remarks: &[(&'static Parameter, String)],
 ) -> Result<String> {
-    Ok(toml(preset, about, &rows(setup, preset, remarks)?))
+    let of_preset = Setup::preset(preset.name)?;
+    let is_of_preset = |row: &SourcedValue| {
+        let parameter = setup.parameter(row.name);
+        parameter.is_ok_and(|parameter| is_given_alike([setup, &of_preset], parameter))
+    };
+    let rows = rows(setup, preset, remarks)?;
+    Ok(toml(preset, about, &rows, is_of_preset))
 }
 
 /// The keys of method and step in a setup file of this program.
@@ -97,6 +104,7 @@ pub fn preset_toml(name: &str) -> Result<String> {
         preset,
         &[preset.name.into(), preset.about.into()],
         &stated(sourced(preset, &setup), &setup).collect::<Vec<_>>(),
+        |_| false,
     ))
 }
 
@@ -125,8 +133,13 @@ pub(super) fn exact(parameter: &Parameter, value: Option<f64>, unit: &str) -> St
     })
 }
 
-/// A setup file: these first lines, the preset, then the values by TOML table.
-fn toml(preset: &Preset, about: &[String], rows: &[SourcedValue]) -> String {
+/// A setup file: these first lines, the preset, then the values by TOML table, some as comments.
+fn toml(
+    preset: &Preset,
+    about: &[String],
+    rows: &[SourcedValue],
+    is_comment: impl Fn(&SourcedValue) -> bool,
+) -> String {
     // control characters may occur in file names
     let remark = |text: &str| text.replace(char::is_control, " ");
     let mut text: String = about
@@ -149,7 +162,8 @@ fn toml(preset: &Preset, about: &[String], rows: &[SourcedValue]) -> String {
         for row in rows.iter().filter(|row| table_of(row.name) == table) {
             let key = row.name.split_once('.').map_or(row.name, |(_, key)| key);
             let (value, remark) = (quoted(&row.value), remark(&row.source));
-            text += &format!("{key} = {value} # {remark}\n");
+            let begin = if is_comment(row) { "# " } else { "" };
+            text += &format!("{begin}{key} = {value} # {remark}\n");
         }
     }
     text

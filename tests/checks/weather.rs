@@ -214,6 +214,23 @@ fn same_drive_by_weather_and_by_its_density_and_by_wind_components() {
 }
 
 #[test]
+fn same_drive_in_other_weather_from_a_written_setup_and_from_its_preset() {
+    let preset = Preset::named("tour-average").unwrap();
+    let setup = Setup::preset(preset.name).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("me.toml").display().to_string();
+    fs::write(&file, setup_toml(&setup, preset, &[], &[]).unwrap()).unwrap();
+    let carry = |from: &str| {
+        let weather = ["--temperature", "40degF", "--wind", "10mph"];
+        let words = [&["simulate", from, "--set", "wind.from=0deg"], &weather[..]].concat();
+        let (status, found) = json(&words);
+        assert_eq!(status, 0, "{found}");
+        number(&found["flight"]["carry"])
+    };
+    assert_eq!(carry(&file), carry(preset.name));
+}
+
+#[test]
 fn differences_certify_every_derivative_by_weather_and_wind() {
     let stations = [
         ("air.temperature", "8 degC"),
