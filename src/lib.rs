@@ -11,8 +11,8 @@
 //! ([`impact`]) and that flies through air with drag, lift and spin decay ([`flight`]). Both are
 //! written once, generic over a [`Number`](number::Number): `f64` gives values, dual numbers give
 //! exact gradients and Hessians ([`derivative`]), which the optimizer ([`optimize`]) and every
-//! study ([`study`]) use. Without default features the library ends with the optimizer: the feature
-//! `studies` adds the studies, tables and reports.
+//! study ([`study`]) use. Without default features the library ends with the optimizer: the
+//! features `studies` and `reports` add the rest.
 //!
 //! ```
 //! use longdrive::{Outcome, Setup, derivative};
@@ -38,8 +38,8 @@
 //! |---|---|
 //! | the commands of the program (feature `commands`) | `command` |
 //! | the parts of a sweep that is divided among processes and machines (feature `parquet`) | `parts` |
-//! | results to bytes (feature `studies`) | [`report`] |
-//! | published studies, computed anew (feature `studies`) | [`reproduce`] |
+//! | results to bytes (feature `reports`) | [`report`] |
+//! | published studies, computed anew (feature `reports`) | [`reproduce`] |
 //! | studies of a drive; measured shots (feature `studies`) | [`study`], [`shots`] |
 //! | tables of points; statistics of a sweep (feature `studies`) | [`table`], [`statistics`] |
 //! | method and step of the integration for a tolerance | [`integration`] |
@@ -83,9 +83,9 @@ pub mod optimize;
 pub mod parameters;
 #[cfg(feature = "parquet")]
 pub mod parts;
-#[cfg(feature = "studies")]
+#[cfg(feature = "reports")]
 pub mod report;
-#[cfg(feature = "studies")]
+#[cfg(feature = "reports")]
 pub mod reproduce;
 #[cfg(feature = "studies")]
 pub mod shots;

@@ -19,7 +19,7 @@ mod vary;
 mod weights;
 
 pub use air::Ways;
-#[cfg(feature = "studies")]
+#[cfg(feature = "reports")]
 pub(crate) use air::is_given_alike;
 pub(crate) use air::{
     DEFAULT_TEMPERATURE, LAPSE_RATE, SEA_LEVEL_TEMPERATURE, given_otherwise, refuse_replaced,
