@@ -19,6 +19,7 @@ const GOAL: &str = "mean(carry) - 0.5*rms(lateral)";
 pub fn run(args: &DesignArgs) -> Result<Answer> {
     let search = &args.optimize;
     let request = search.setup_args.request()?;
+    refuse_unnamed_preset(&request)?;
     let setup = request.setup()?;
     refuse_launch(&request, &setup)?;
     let swings = if search.swings.is_given() {
@@ -75,6 +76,20 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
         Answer::document_about(document, &request.origin())
     };
     Ok(answer.found(found.is_found()))
+}
+
+/// Refuses a file that names no preset: the default preset of the other commands is above the Rules
+/// of Golf, so this command has another one.
+fn refuse_unnamed_preset(request: &Request) -> Result<()> {
+    if request.source().names_preset() {
+        return Ok(());
+    }
+    let source = "it names no preset; name the one that it starts from in its first line, as in \
+                  preset = \"modern-driver\"";
+    Err(Error::Unreadable {
+        name: request.source().name().into(),
+        source: source.into(),
+    })
 }
 
 /// Refuses a setup that gives the launch.

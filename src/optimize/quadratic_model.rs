@@ -27,7 +27,7 @@ pub struct QuadraticModel {
 }
 
 impl QuadraticModel {
-    /// The model with which the next iteration begins. The state stays as it is.
+    /// The model with which the next iteration begins.
     pub(super) fn of(state: &State) -> Self {
         let State {
             scaling,

@@ -459,3 +459,18 @@ fn assumptions_of_a_design_are_printed() {
         free.out
     );
 }
+
+/// The other commands start from their default preset and say so. That preset is above a rule.
+#[test]
+fn a_file_that_names_no_preset_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.toml");
+    std::fs::write(&path, "[swing]\nspeed = \"95 mph\"\n").unwrap();
+    let file = path.display().to_string();
+    let said = longdrive(&["design", &file]);
+    assert_eq!(said.status, 2, "{}", said.out);
+    assert!(said.err.contains("it names no preset"), "{}", said.err);
+    let said = longdrive(&["simulate", &file]);
+    let title = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(title.contains("mine.toml (tour-average)"), "{title}");
+}

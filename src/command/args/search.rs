@@ -127,7 +127,9 @@ pub struct Optimize {
 
 #[derive(clap::Args)]
 #[command(
-    mut_arg("setup", |arg| arg.default_value("modern-driver")),
+    mut_arg("setup", |arg| arg.default_value("modern-driver").help(
+        "A preset's name, a TOML file that names its preset, or - to read TOML from standard input"
+    )),
     mut_arg("maximize", |arg| arg.help("The goal to maximize, e.g. \"mean(carry)\" [default: \
                                         \"mean(carry) - 0.5*rms(lateral)\", unless --minimize is \
                                         given]")),

@@ -90,10 +90,15 @@ impl Source {
         }
     }
 
+    /// True for a preset, and for a file that names its preset.
+    pub fn names_preset(&self) -> bool {
+        self.content.names_preset
+    }
+
     /// The name for the title of an answer, with the preset that a file starts from without naming
     /// it: "mine.toml (tour-average)".
     pub fn title(&self) -> String {
-        if self.content.names_preset {
+        if self.names_preset() {
             return self.name().into();
         }
         format!("{} ({})", self.name(), self.preset().name)
