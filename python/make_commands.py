@@ -74,16 +74,19 @@ from __future__ import annotations
 __all__ = [{names}]
 '''
 
-IMPORTS = """from typing import Any, Literal
+IMPORTS = """from typing import TYPE_CHECKING, Any, Literal
 
 from .optimum import Optimum, optimum
 from .picture import Picture, picture
-from .progress import Progress
 from .replies import {replies}
-from .reply import Reply, as_reply
-from .rows import flown
-from .run_command import run_command
-from .types import Amount, AngleUnit, Given, Goals, Names, PathLike, SetupLike, TableLike"""
+from .reply import Reply, as_reply, with_rows
+from .run_command import run_command"""
+
+# annotations are not evaluated
+TYPES = """
+if TYPE_CHECKING:
+    from .progress import Progress
+    from .types import Amount, AngleUnit, Given, Goals, Names, PathLike, SetupLike, TableLike"""
 
 
 def main() -> int:
@@ -128,7 +131,7 @@ def read(path: Path) -> str:
 
 def module(title: str, commands: list[dict[str, Any]], before: str) -> str:
     functions = "\n\n".join(function(command, before) for command in commands)
-    imports = IMPORTS.format(replies=", ".join(map(class_of, REPLIES)))
+    imports = IMPORTS.format(replies=", ".join(map(class_of, REPLIES))) + "\n" + TYPES
     lines = [kept(line, functions) for line in imports.split("\n")]
     used = "\n".join(line for line in lines if line is not None).strip()
     return HEAD.format(title=title, imports=used, names=listed(map(name, commands))) + (
@@ -142,14 +145,20 @@ def listed(names: Any) -> str:
 
 def kept(line: str, text: str) -> str | None:
     """An import with the names that the text uses; None without any."""
-    if not line:
+    if not line or line == "if TYPE_CHECKING:":
         return line
     source, names = line.split(" import ")
-    used = [name for name in names.split(", ") if re.search(rf"\b{name}\b", text)]
-    short = f"{source} import {', '.join(sorted(used))}"
+    used = [name for name in names.split(", ") if is_used(name, text)]
+    short = f"{source} import {', '.join(used)}"
     if len(short) > WIDTH:
         return f"{source} import (\n" + "".join(f"    {name},\n" for name in sorted(used)) + ")"
     return short if used else None
+
+
+def is_used(name: str, text: str) -> bool:
+    # docstrings contain the word `optimum`, too
+    pattern = rf"\b{name}\b" if name[0].isupper() else rf"(, |return ){name}[()]"
+    return name == "TYPE_CHECKING" or re.search(pattern, text) is not None
 
 
 def class_of(command: str) -> str:
@@ -353,7 +362,7 @@ def answer(command: dict[str, Any], before: str) -> tuple[str, str]:
     if own in SEARCHES:
         return "Optimum", "optimum"
     if own == "fly":
-        return "FlyReply", "flown"
+        return "FlyReply", "with_rows(FlyReply)"
     kind = class_of(own) if own in REPLIES else "Reply"
     return kind, f"as_reply({kind})"
 

@@ -1,4 +1,4 @@
-//! Requests from Python: the typed values of `longdrive.values`.
+//! Requests from Python: the typed values of `longdrive.conversion`.
 
 use crate::boundary::{Answer, Failure, answer, kind_of};
 use longdrive::command::{Call, Value};

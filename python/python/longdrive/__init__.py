@@ -42,7 +42,7 @@ from .commands import (
     verify,
 )
 from .derivatives import Gradient, Hessian, Jacobian, gradient, hessian, jacobian, objective
-from .drive import Drive, simulate
+from .drive import Drive, Trajectory, simulate
 from .errors import (
     Error,
     InputError,
@@ -57,7 +57,6 @@ from .picture import Picture
 from .reply import Reply
 from .sweeps import sweep
 from .table import Status, Table
-from .trajectory import Trajectory
 
 __all__ = [
     "Drive",

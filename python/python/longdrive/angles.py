@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,7 +12,9 @@ from . import _longdrive
 from .arguments import shown
 from .errors import InputError, warn_of
 from .quantities import contains_quantities, is_quantity
-from .types import AngleUnit
+
+if TYPE_CHECKING:
+    from .types import AngleUnit
 
 __all__ = [
     "BareAngles",

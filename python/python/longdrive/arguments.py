@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from . import _longdrive
 from .errors import InputError
 
 __all__ = [
@@ -18,6 +19,7 @@ __all__ = [
     "MOST_SEED",
     "count_of",
     "kind_of",
+    "nearest_outcome",
     "no_attribute",
     "one_name",
     "path_of",
@@ -67,6 +69,11 @@ def no_attribute(owner: object, name: str, advice: str) -> AttributeError:
     return AttributeError(
         f"a {type(owner).__name__} has no attribute '{name}'; {advice}", name=name, obj=owner
     )
+
+
+def nearest_outcome(name: str) -> str:
+    """An outcome for an example in a message: this one, or carry if there is no such outcome."""
+    return name if any(row["name"] == name for row in _longdrive.outcomes()) else "carry"
 
 
 def refuse_idle_seed(seed: Any, sample: Any) -> None:

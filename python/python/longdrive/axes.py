@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .errors import InputError
-from .types import Floats
+
+if TYPE_CHECKING:
+    from .types import Floats
 
 __all__ = ["check_axes", "draw"]
 

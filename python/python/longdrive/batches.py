@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
-
-import numpy as np
+from typing import TYPE_CHECKING, Any
 
 from . import _longdrive
 from ._longdrive import Setup
 from .angles import columns_in_radians, warnings_of_columns
 from .arguments import count_of, switch_of
 from .errors import InputError, Interrupted, interruptible, warn_of
-from .progress import Progress, follower
+from .progress import follower
 from .quantities import contains_quantities, elements_of, is_quantity, to_si, tolerance_of
 from .table import Table
 from .tables import columns_of
-from .types import AngleUnit, Names, PointsLike, SetupLike
+
+if TYPE_CHECKING:
+    from .progress import Progress
+    from .types import AngleUnit, Names, PointsLike, SetupLike
 
 __all__ = ["batch"]
 

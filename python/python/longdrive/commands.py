@@ -5,10 +5,9 @@ Written by make_commands.py; change it there.
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from .optimum import Optimum, optimum
-from .progress import Progress
 from .replies import (
     CalibrateReply,
     ChartReply,
@@ -24,10 +23,12 @@ from .replies import (
     ValidateReply,
     VerifyReply,
 )
-from .reply import as_reply
-from .rows import flown
+from .reply import as_reply, with_rows
 from .run_command import run_command
-from .types import Amount, AngleUnit, Given, Goals, Names, PathLike, SetupLike, TableLike
+
+if TYPE_CHECKING:
+    from .progress import Progress
+    from .types import Amount, AngleUnit, Given, Goals, Names, PathLike, SetupLike, TableLike
 
 __all__ = [
     "calibrate",
@@ -1194,7 +1195,7 @@ def fly(
     >>> len(flown.shots)
     4
     """
-    return run_command("fly", locals(), flown)
+    return run_command("fly", locals(), with_rows(FlyReply))
 
 
 def reproduce(

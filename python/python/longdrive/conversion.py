@@ -1,9 +1,11 @@
-"""Conversion of the values of arguments: numbers, pairs, dicts and quantities to typed values."""
+"""Conversion of arguments (numbers, pairs, dicts, quantities) to typed values, as the compiled
+module takes them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Set
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, Union
 
 from . import _longdrive
 from .angles import BareAngles
@@ -11,9 +13,57 @@ from .arguments import count_of, kind_of, path_of, shown, switch_of
 from .errors import InputError
 from .options import Option
 from .quantities import elements_of, is_quantity, number_of
-from .values import Distribution, Joined, Named, Number, Range, Value
 
-__all__ = ["Converter", "FILES", "refuse_empty"]
+__all__ = [
+    "Converter",
+    "Distribution",
+    "FILES",
+    "Joined",
+    "Named",
+    "Number",
+    "Range",
+    "Value",
+    "refuse_empty",
+]
+
+Number = Union[float, str]
+"""A number in SI units, or a text with its unit."""
+
+
+@dataclass(frozen=True)
+class Range:
+    """A range of a parameter; of a grid, with the number of values."""
+
+    low: Number
+    high: Number
+    count: int | None
+
+
+@dataclass(frozen=True)
+class Distribution:
+    """A distribution of a parameter: its kind and its numbers."""
+
+    kind: str
+    numbers: list[Number]
+
+
+@dataclass(frozen=True)
+class Named:
+    """The value of a parameter or an outcome."""
+
+    name: str
+    value: Number | Range | Distribution
+
+
+@dataclass(frozen=True)
+class Joined:
+    """Changes that make one model together."""
+
+    parts: list[Value]
+
+
+Value = Union[bool, int, float, str, Range, Distribution, Named, Joined, "list[Value]"]
+"""The value of an argument."""
 
 FILES = {"FILE": "file", "DIR": "folder", "DIR or FILE.csv": "folder or of a CSV file"}
 """Options that name a file or a folder, by the name of their value."""

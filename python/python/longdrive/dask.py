@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any
 from .arguments import count_of, kind_of
 from .errors import InputError
 from .parts import PartError, Parts, question_of
-from .types import SetupLike
 
 if TYPE_CHECKING:
     from distributed import Client
+
+    from .types import SetupLike
 
 __all__ = ["sweep"]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from os import PathLike
-from typing import Literal, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from . import _longdrive
 from .arguments import (
@@ -17,8 +17,9 @@ from .arguments import (
 )
 from .errors import InputError
 from .quantities import tolerance_of
-from .request import Request
-from .types import Amount, Floats, Given, Names, Sense, SetupLike
+
+if TYPE_CHECKING:
+    from .types import Amount, Floats, Given, Names, Sense, SetupLike
 
 __all__ = ["Gradient", "Hessian", "Jacobian", "gradient", "hessian", "jacobian", "objective"]
 
@@ -290,6 +291,9 @@ def objective(
     >>> abs(mean.fun([0.19]) - of_sample.fun([0.19])) < 0.1
     True
     """
+    # imported here: `import longdrive` does not need it
+    from .request import Request
+
     for name, file in (("swings", swings), ("strokes", strokes)):
         if not (file is None or isinstance(file, (str, PathLike))):
             advice = "" if name == "strokes" else "; distribution takes dicts of distributions"

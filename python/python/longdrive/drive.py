@@ -1,21 +1,67 @@
-"""One drive."""
+"""One drive: its outcomes and the path of the ball."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from html import escape
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from . import _longdrive
-from .arguments import no_attribute, switch_of
-from .errors import UnknownKeyError, warn_of
-from .options import nearest_outcome
-from .quantities import tolerance_of
-from .trajectory import Trajectory
-from .types import Amount, Names, SetupLike
+import numpy as np
 
-__all__ = ["Drive", "simulate"]
+from . import _longdrive
+from .arguments import nearest_outcome, no_attribute, switch_of
+from .errors import UnknownKeyError, warn_of
+from .quantities import tolerance_of
+
+if TYPE_CHECKING:
+    from .types import Amount, Floats, Names, SetupLike
+
+__all__ = ["Drive", "Trajectory", "simulate"]
+
+
+class Trajectory:
+    """The flight of a ball, SI, in the ground frame: x up, y right of the target, z to the target.
+
+    ``polars.DataFrame(path)``, ``pyarrow.table(path)`` and ``pandas.DataFrame.from_arrow(path)``
+    make a table of it.
+    """
+
+    def __init__(self, time: Floats, position: Floats, velocity: Floats, spin: Floats) -> None:
+        for array in (time, position, velocity, spin):
+            array.flags.writeable = False
+        self.time = time
+        """Time from the launch, s, shape (points,)."""
+        self.position = position
+        """Position, m, shape (points, 3)."""
+        self.velocity = velocity
+        """Velocity, m/s, shape (points, 3)."""
+        self.spin = spin
+        """Angular velocity, rad/s, shape (points, 3)."""
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    def to_dict(self) -> dict[str, Floats]:
+        """The columns by name: ``time``, ``position.x``, …, ``spin.z``."""
+        columns = {"time": self.time}
+        for name, array in self._vectors():
+            columns |= {f"{name}.{axis}": array[:, k] for k, axis in enumerate("xyz")}
+        return columns
+
+    def _vectors(self) -> list[tuple[str, Floats]]:
+        return [("position", self.position), ("velocity", self.velocity), ("spin", self.spin)]
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
+        units = {"time": "s", "position": "m", "velocity": "m/s", "spin": "rad/s"}
+        columns = [
+            (name, np.ascontiguousarray(column), units[name.partition(".")[0]])
+            for name, column in self.to_dict().items()
+        ]
+        metadata = {"longdrive": _longdrive.__version__}
+        return _longdrive.arrow_stream(columns, None, [], 0, metadata)
+
+    def __repr__(self) -> str:
+        return f"<longdrive.Trajectory of {len(self)} points, {self.time[-1]:.3g} s>"
 
 
 class Drive(Mapping[str, "float | None"]):
@@ -122,15 +168,9 @@ class Drive(Mapping[str, "float | None"]):
         return hash(tuple(self.outcomes.items()))
 
     def _repr_html_(self) -> str:
-        si = {row["name"]: row["si"] for row in _longdrive.outcomes()}
+        from .notebook import html_of_drive
 
-        def row(name: str, value: float | None) -> str:
-            shown = "" if value is None else f"{value:.6g} {si.get(name, '')}"
-            return f"<tr><td>{escape(name.replace('_', ' '))}</td><td>{escape(shown)}</td></tr>"
-
-        rows = "".join(row(name, value) for name, value in self.outcomes.items())
-        caption = escape(self.message or self.status)
-        return f"<table><caption>drive: {caption}</caption><tbody>{rows}</tbody></table>"
+        return html_of_drive(self)
 
 
 def simulate(

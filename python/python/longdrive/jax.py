@@ -6,13 +6,14 @@ Only these functions need JAX: ``pip install longdrive[jax]``.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .errors import InputError
-from .pointwise import NO_THIRD, OutcomeFunction, Pointwise
-from .types import Amount, Names, SetupLike
+
+if TYPE_CHECKING:
+    from .types import Amount, Names, SetupLike
 
 __all__ = ["outcome"]
 
@@ -75,6 +76,8 @@ def outcome(
     """
     import jax
     import jax.numpy as jnp
+
+    from .pointwise import NO_THIRD, OutcomeFunction, Pointwise
 
     point = Pointwise(setup, of, wrt, tolerance, own_step)
     outcomes, parameters = len(point.of), len(point.wrt)

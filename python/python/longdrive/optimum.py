@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ._longdrive import Setup
 from .derivatives import hessian
 from .reply import Reply
-from .request import Request
-from .types import Floats
+
+if TYPE_CHECKING:
+    from .request import Request
+    from .types import Floats
 
 __all__ = ["Optimum", "optimum"]
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from . import _longdrive
 
-__all__ = ["Option", "nearest_outcome", "options_of"]
+__all__ = ["Option", "options_of"]
 
 
 @dataclass(frozen=True)
@@ -65,8 +65,3 @@ def _option_of(described: dict[str, Any]) -> Option:
         default=described["default"],
         help=described["words"].removesuffix(". Repeatable").replace(". Repeatable [", " ["),
     )
-
-
-def nearest_outcome(name: str) -> str:
-    """An outcome for an example in a message: this one, or carry if there is no such outcome."""
-    return name if any(row["name"] == name for row in _longdrive.outcomes()) else "carry"

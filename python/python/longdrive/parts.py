@@ -8,23 +8,21 @@ and ``longdrive sweep --part K/M`` in a job array.
 
 from __future__ import annotations
 
-import json
 import math
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 from . import _longdrive
 from .arguments import count_of, kind_of, path_of, refuse_idle_seed
 from .errors import Error, InputError, Interrupted
 from .quantities import elements_of
-from .request import Request
-from .types import Amount, AngleUnit, Given, Names, SetupLike
-from .values import Value
 
 if TYPE_CHECKING:
     from concurrent.futures import Future
+
+    from .conversion import Value
+    from .types import Amount, AngleUnit, Given, Names, SetupLike
 
 __all__ = ["Over", "PartError", "Parts", "Question", "check", "merge", "sweep"]
 
@@ -47,8 +45,7 @@ class PartError(Error, RuntimeError):
         return (type(self), (str(self), self.part))
 
 
-@dataclass(frozen=True)
-class Question:
+class Question(NamedTuple):
     """A sweep in parts. It pickles, and any process may write any of its parts."""
 
     values: Mapping[str, Value]
@@ -152,6 +149,9 @@ class Question:
         >>> Question.of("tour-average", output="drives", parts=2, over=over).parts
         2
         """
+        # imported here: `import longdrive` does not need it
+        from .request import Request
+
         count_of("parts", parts, 1)
         count_of("threads", threads, 1)
         refuse_idle_seed(seed, sample)
@@ -249,16 +249,18 @@ _MANIFEST = (
 )
 
 
-@dataclass(frozen=True)
-class Parts:
+class Parts(NamedTuple):
     """A complete set of parts."""
 
     output: str
     """The folder."""
-    manifests: list[dict[str, Any]] = field(repr=False)
+    manifests: list[dict[str, Any]]
     """A row for each part: its file with SHA-256, its number of rows, and their statistics."""
-    summary: dict[str, Any] = field(repr=False)
+    summary: dict[str, Any]
     """Statistics of all rows: ``statuses``, ``moments``, ``histograms``, ``best``."""
+
+    def __repr__(self) -> str:
+        return f"Parts(output={self.output!r})"
 
     @property
     def rows(self) -> int:
@@ -339,7 +341,7 @@ def question_of(setup: SetupLike, question: Mapping[str, Any]) -> Question:
     found = Question.of(setup, **question)
     found.refuse_unsound()
     # workers may have been started in other folders
-    return replace(found, output=os.path.abspath(found.output))
+    return found._replace(output=os.path.abspath(found.output))
 
 
 def check(
@@ -403,6 +405,8 @@ def merge(manifests: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
     InputError
         For the name of a folder, and rows that are none.
     """
+    import json
+
     if isinstance(manifests, (str, os.PathLike)):
         raise InputError(
             f"manifests is {kind_of(manifests)}; expected the `manifests` of parts; "

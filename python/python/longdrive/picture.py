@@ -5,14 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from .arguments import path_of, switch_of
-from .axes import draw
 from .errors import InputError
 from .reply import Reply
-from .request import Request
-from .types import PathLike
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from .request import Request
+    from .types import PathLike
 
 __all__ = ["Picture", "picture"]
 
@@ -115,5 +115,7 @@ def picture(reply: Reply, request: Request) -> Picture:
     path = Path(reply["file"] or request.output)
     data = request.content or b"" if reply["file"] is None else path.read_bytes()
     if request.axes is not None:
+        from .axes import draw
+
         draw(request.axes, data, reply["title"])
     return Picture(reply, form=path.suffix.lower(), data=data)

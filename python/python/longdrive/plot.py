@@ -5,14 +5,14 @@ Written by make_commands.py; change it there.
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
-from .optimum import optimum
 from .picture import Picture, picture
-from .progress import Progress
-from .rows import flown
 from .run_command import run_command
-from .types import Amount, AngleUnit, Given, Goals, Names, PathLike, SetupLike, TableLike
+
+if TYPE_CHECKING:
+    from .progress import Progress
+    from .types import Amount, AngleUnit, Given, Goals, Names, PathLike, SetupLike, TableLike
 
 __all__ = [
     "chart",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,7 +12,9 @@ from .arguments import switch_of
 from .batches import computed
 from .errors import InputError
 from .quantities import tolerance_of
-from .types import Amount, Floats, Names, SetupLike
+
+if TYPE_CHECKING:
+    from .types import Amount, Floats, Names, SetupLike
 
 __all__ = ["NO_THIRD", "OutcomeFunction", "Pointwise"]
 

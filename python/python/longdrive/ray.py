@@ -5,11 +5,13 @@ Every task writes its own file and returns its row of the manifest.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .arguments import count_of
 from .parts import PartError, Parts, Question, question_of
-from .types import SetupLike
+
+if TYPE_CHECKING:
+    from .types import SetupLike
 
 __all__ = ["sweep"]
 

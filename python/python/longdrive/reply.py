@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from html import escape
 from typing import TYPE_CHECKING, Any, TypeVar
 
-__all__ = ["Reply", "as_reply"]
+if TYPE_CHECKING:
+    from .request import Request
+
+__all__ = ["Reply", "as_reply", "with_rows"]
 
 
 class Reply(dict[str, Any]):
@@ -48,8 +50,9 @@ class Reply(dict[str, Any]):
         return f"<{type(self).__name__}{lines}>"
 
     def _repr_html_(self) -> str:
-        rows = "".join(_row(key, value) for key, value in self.items())
-        return f"<table><tbody>{rows}</tbody></table>"
+        from .notebook import html_of_reply
+
+        return html_of_reply(self)
 
 
 R = TypeVar("R", bound=Reply)
@@ -60,42 +63,17 @@ def as_reply(kind: type[R]) -> Callable[[Reply, object], R]:
     return lambda reply, _request: kind(reply)
 
 
-def _row(key: str, value: Any) -> str:
-    style = "style='text-align:left'"
-    return f"<tr><th {style}>{escape(key)}</th><td {style}>{_cell(value)}</td></tr>"
+def with_rows(kind: type[R]) -> Callable[[Reply, Request], R]:
+    """The function that makes an answer of this class with the rows that stay in memory.
 
+    The answer of ``fly`` without a file has them under ``shots``, a dict each, SI.
+    """
 
-def _cell(value: Any) -> str:
-    if isinstance(value, Mapping):
-        inner = "".join(_row(str(key), part) for key, part in value.items())
-        if not value:
-            return ""
-        return (
-            f"<details><summary>{len(value)}</summary><table><tbody>{inner}</tbody></table>"
-            "</details>"
-        )
-    if isinstance(value, list):
-        if value and isinstance(value[0], Mapping):
-            return f"<details><summary>{len(value)}</summary>{_listed(value)}</details>"
-        return (
-            escape(", ".join(_text(part) for part in value[:12]))
-            + (", …" if len(value) > 12 else "")
-        )
-    return escape(_text(value))
+    def answer(reply: Reply, request: Request) -> R:
+        if reply["file"] is None and request.content:
+            import json
 
+            reply["shots"] = [json.loads(line) for line in request.content.splitlines()]
+        return kind(reply)
 
-def _listed(rows: list[Any]) -> str:
-    heads = list(rows[0])
-    head = "".join(f"<th>{escape(str(key))}</th>" for key in heads)
-    body = "".join(
-        f"<tr>{''.join(f'<td>{_cell(row.get(key))}</td>' for key in heads)}</tr>"
-        for row in rows
-        if isinstance(row, Mapping)
-    )
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
-
-
-def _text(value: Any) -> str:
-    if value is None:
-        return ""
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
+    return answer

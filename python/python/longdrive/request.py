@@ -5,19 +5,20 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import is_dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _longdrive
 from ._longdrive import Setup
 from .angles import BareAngles, check_unit
 from .arguments import kind_of, switch_of, whole_characters
 from .axes import check_axes
-from .conversion import FILES, Converter, refuse_empty
+from .conversion import FILES, Converter, Value, refuse_empty
 from .errors import InputError
 from .options import Option, options_of
 from .tables import csv_of
-from .types import AngleUnit
-from .values import Value
+
+if TYPE_CHECKING:
+    from .types import AngleUnit
 
 __all__ = ["Request"]
 

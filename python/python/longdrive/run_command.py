@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _longdrive
 from .errors import InputError, Interrupted, NoAnswerError, interruptible, warn_of
-from .interruption import interruption
-from .options import options_of
 from .progress import follower
 from .reply import Reply
-from .request import Request
+
+if TYPE_CHECKING:
+    from .request import Request
 
 __all__ = ["run_command"]
 
@@ -46,6 +46,9 @@ def run_command(
     """
     function = "longdrive." + command.replace("-", "_").replace(" ", ".")
     with interruptible(f"{function} was interrupted before it began"):
+        # imported here: `import longdrive` does not need it
+        from .request import Request
+
         request = Request(command, arguments)
         reply = _reply_to(function, request, arguments, answer_of)
         with interruptible(_too_late(function)):
@@ -96,6 +99,8 @@ def _reply_to(
             answer["file"] = None
         if raised is None:
             return _checked(status, answer)
+    from .interruption import interruption
+
     # a search that did not finish one point has no result
     has_result = (
         isinstance(answer, dict)
@@ -108,6 +113,8 @@ def _reply_to(
 
 
 def _how_to_continue(command: str, arguments: Mapping[str, Any]) -> str:
+    from .options import options_of
+
     checkpoint = arguments.get("checkpoint")
     if checkpoint is not None:
         return f"the same call goes on from the checkpoint '{checkpoint}'"

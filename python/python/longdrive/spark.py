@@ -5,18 +5,18 @@ Every row of the result is a row of the manifest.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from .arguments import kind_of
 from .errors import InputError
 from .parts import PartError, Parts, Question, question_of
-from .types import SetupLike
 
 if TYPE_CHECKING:
     import pyarrow
     from pyspark.sql import DataFrame, SparkSession
+
+    from .types import SetupLike
 
 __all__ = ["manifests", "sweep"]
 
@@ -27,6 +27,8 @@ def _writer(
     asked: Question,
 ) -> Callable[[Iterable[pyarrow.RecordBatch]], Iterable[pyarrow.RecordBatch]]:
     def write(batches: Iterable[pyarrow.RecordBatch]) -> Iterable[pyarrow.RecordBatch]:
+        import json
+
         import pyarrow
 
         for batch in batches:
@@ -103,6 +105,8 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
         raise ImportError(
             "longdrive.spark needs Spark, pandas and Arrow: pip install pyspark pandas pyarrow"
         ) from error
+    import json
+
     from py4j.protocol import Py4JError
 
     if not callable(getattr(spark, "range", None)):

@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Union, overload
+from typing import TYPE_CHECKING, Any, Union, overload
 
 from . import _longdrive
 from ._longdrive import Setup
 from .arguments import count_of, refuse_idle_seed, switch_of
 from .batches import computed
 from .errors import InputError, interruptible, warn_of
-from .progress import Progress, follower
+from .progress import follower
 from .replies import SweepReply
 from .reply import as_reply
-from .request import Request
 from .run_command import run_command
 from .table import Table
 from .tables import points_in_si
-from .types import Amount, AngleUnit, Given, Names, PathLike, SetupLike, TableLike
+
+if TYPE_CHECKING:
+    from .progress import Progress
+    from .types import Amount, AngleUnit, Given, Names, PathLike, SetupLike, TableLike
 
 __all__ = ["sweep"]
 
@@ -205,6 +207,9 @@ def _points(
     in_si = points_in_si(given["points"])
     if in_si is not None:
         return in_si, None, []
+    # imported here: `import longdrive` does not need it
+    from .request import Request
+
     request = Request("sweep", {name: given[name] for name in given if name != "sample"})
     over = request.texts("over")
     if given["sample"] is not None:

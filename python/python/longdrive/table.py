@@ -5,24 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from enum import IntEnum
 from functools import cached_property
-from html import escape
 from typing import TYPE_CHECKING, Any, Literal, Union, overload
 
 import numpy as np
-import numpy.typing as npt
 
 from . import _longdrive
-from ._longdrive import Setup
-from .arguments import kind_of, no_attribute
+from .arguments import kind_of, nearest_outcome, no_attribute
 from .errors import InputError, UnknownKeyError
-from .options import nearest_outcome
 from .quantities import elements_of
-from .types import Floats
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    from ._longdrive import Setup
+    from .types import Floats
 
 __all__ = ["Status", "Table"]
-
-_SHOWN = 10
-
 
 class Status(IntEnum):
     """The end of a drive of a table. A row with NaN has a status with the reason."""
@@ -377,26 +375,9 @@ class Table:
         return f"<longdrive.Table of {len(self)} drives ({counts or 'empty'}): {columns}>"
 
     def _repr_html_(self) -> str:
-        names = self.keys()
-        head = "".join(f"<th>{escape(name)}</th>" for name in names)
+        from .notebook import html_of_table
 
-        def cell(name: str, row: int) -> str:
-            if name == "status":
-                return Status(self.status[row]).label
-            number = self[name][row]
-            return "" if np.isnan(number) else f"{number:.6g}"
-
-        def line(row: int) -> str:
-            return (
-                "<tr>" + "".join(f"<td>{escape(cell(name, row))}</td>" for name in names) + "</tr>"
-            )
-
-        rows = "".join(line(row) for row in range(min(_SHOWN, len(self))))
-        caption = escape(repr(self).strip("<>"))
-        return (
-            f"<table><caption>{caption}</caption><thead><tr>{head}</tr></thead>"
-            f"<tbody>{rows}</tbody></table>"
-        )
+        return html_of_table(self)
 
 
 def _refuse_difference(first: Table, other: Table, number: int) -> None:

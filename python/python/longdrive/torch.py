@@ -8,13 +8,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from .arguments import kind_of
+from .errors import InputError
+
 if TYPE_CHECKING:
     import torch
 
-from .arguments import kind_of
-from .errors import InputError
-from .pointwise import NO_THIRD, OutcomeFunction, Pointwise
-from .types import Amount, Names, SetupLike
+    from .types import Amount, Names, SetupLike
 
 __all__ = ["outcome"]
 
@@ -74,6 +74,8 @@ def outcome(
     """
     import torch
     from torch.autograd import Function
+
+    from .pointwise import NO_THIRD, OutcomeFunction, Pointwise
 
     point = Pointwise(setup, of, wrt, tolerance, own_step)
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal, Union
-
-import numpy as np
-import numpy.typing as npt
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, Union
 
 if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
     from ._longdrive import Setup
 
 __all__ = [
@@ -26,7 +26,7 @@ __all__ = [
     "TableLike",
 ]
 
-Floats = npt.NDArray[np.float64]
+Floats: TypeAlias = "npt.NDArray[np.float64]"
 """An array of numbers in SI."""
 
 Names = Union[str, Sequence[str], "npt.NDArray[np.str_]"]
