@@ -302,6 +302,32 @@ def test_scipy_reaches_the_optimum_that_the_gradient_proves() -> None:
 
 
 @pytest.mark.parametrize(
+    "method", ["CG", "BFGS", "Newton-CG", "L-BFGS-B", "TNC", "SLSQP", "trust-constr"]
+)
+def test_same_optimum_by_every_method_of_scipy_that_takes_derivatives(method: str) -> None:
+    optimize = pytest.importorskip("scipy.optimize")
+    ranges = {"club.loft": (0.05, 0.45), "strike.high": (-0.015, 0.015)}
+    carry = longdrive.objective("tour-average", "carry", list(ranges), "max")
+    # in km: the first step of CG and BFGS is the gradient, and in m a rad it leaves all ranges
+    more: dict[str, Any] = {}
+    if method in ("Newton-CG", "trust-constr"):
+        more["hess"] = lambda x: carry.hess(x) / 1e3
+    if method not in ("CG", "BFGS", "Newton-CG"):
+        more["bounds"] = list(ranges.values())
+    found = optimize.minimize(
+        lambda x: carry.fun(x) / 1e3,
+        carry.x0,
+        jac=lambda x: carry.jac(x) / 1e3,
+        method=method,
+        tol=1e-10,
+        **more,
+    )
+    best = longdrive.optimize("tour-average", vary=ranges)
+    assert best.success and -1e3 * found.fun == pytest.approx(best.fun, abs=1e-6)
+    assert found.x == pytest.approx(best.x, abs=1e-5)
+
+
+@pytest.mark.parametrize(
     "method",
     [
         "SLSQP",
