@@ -13,8 +13,8 @@ use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::prelude::*;
 
 /// The values of a row as an array.
-pub fn vector(py: Python<'_>, values: Vec<f64>) -> Bound<'_, PyArray1<f64>> {
-    values.into_pyarray(py)
+pub fn vector<'py>(py: Python<'py>, values: &[f64]) -> Bound<'py, PyArray1<f64>> {
+    PyArray1::from_slice(py, values)
 }
 
 /// The rows of a matrix as an array.
@@ -88,7 +88,7 @@ pub fn gradient<'py>(
     answer(|| {
         let choice = step_choice(tolerance, own_step)?;
         let taylor = one(asked(setup, &[of.to_owned()], wrt, choice, Order::First)?)?;
-        Ok((taylor.value, vector(py, taylor.gradient)))
+        Ok((taylor.value, vector(py, &taylor.gradient)))
     })
 }
 
@@ -106,13 +106,13 @@ pub fn jacobian<'py>(
     answer(|| {
         let choice = step_choice(tolerance, own_step)?;
         let asked = asked(setup, &listed("of", of)?, wrt, choice, Order::First)?;
-        let values = asked.taylors.iter().map(|taylor| taylor.value).collect();
+        let values: Vec<_> = asked.taylors.iter().map(|taylor| taylor.value).collect();
         let rows: Vec<_> = asked
             .taylors
             .into_iter()
             .map(|taylor| taylor.gradient)
             .collect();
-        Ok((vector(py, values), matrix(py, &rows, asked.wrt.len())?))
+        Ok((vector(py, &values), matrix(py, &rows, asked.wrt.len())?))
     })
 }
 
@@ -134,7 +134,7 @@ pub fn hessian<'py>(
         let columns = taylor.gradient.len();
         Ok((
             taylor.value,
-            vector(py, taylor.gradient),
+            vector(py, &taylor.gradient),
             matrix(py, &taylor.hessian, columns)?,
         ))
     })

@@ -15,7 +15,7 @@ use longdrive::study::Goal;
 use longdrive::study::swings::{Correlation, GoalFunction, Rule, Scenarios, Strokes, Swings};
 use longdrive::study::uncertainty::Uncertain;
 use longdrive::{Error, Outcome};
-use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyUntypedArray};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PySequenceMethods, PyTuple};
 use std::path::PathBuf;
@@ -265,7 +265,7 @@ impl PyObjective {
             ))
         };
         let values = match x.cast::<PyArray1<f64>>() {
-            Ok(array) if array.hasattr("mask")? => return Err(refuse("is a masked array".into())),
+            Ok(array) if is_masked(array)? => return Err(refuse("is a masked array".into())),
             Ok(array) => match array.readonly().as_slice() {
                 Ok(values) => values.to_vec(),
                 Err(_) => array.to_owned_array().to_vec(),
@@ -305,14 +305,17 @@ impl PyObjective {
     }
 
     fn gradient<'py>(&self, py: Python<'py>, found: Option<&Taylor>) -> Bound<'py, PyArray1<f64>> {
-        vector(
-            py,
-            found.map_or_else(
-                || vec![f64::NAN; self.wrt().len()],
-                |taylor| taylor.gradient.clone(),
-            ),
-        )
+        match found {
+            Some(taylor) => vector(py, &taylor.gradient),
+            None => vector(py, &vec![f64::NAN; self.wrt().len()]),
+        }
     }
+}
+
+/// True for a masked array. NumPy's own class has no mask: looking for it would make an exception at
+/// each call.
+fn is_masked(array: &Bound<'_, PyArray1<f64>>) -> PyResult<bool> {
+    Ok(!array.is_exact_instance_of::<PyUntypedArray>() && array.hasattr("mask")?)
 }
 
 fn value(found: Option<&Taylor>) -> f64 {
@@ -498,7 +501,7 @@ impl PyObjective {
             .wrt()
             .iter()
             .map(|row| self.setup.setup.value(row).unwrap_or(f64::NAN));
-        vector(py, own.collect())
+        vector(py, &own.collect::<Vec<_>>())
     }
 
     /// The physical range of each parameter, a pair (low, high), SI: wider than what a golfer or
