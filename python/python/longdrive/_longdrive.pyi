@@ -15,8 +15,8 @@ from typing import Any, Literal, final
 import numpy as np
 import numpy.typing as npt
 
+from .conversion import Value
 from .types import AngleUnit, Floats, Names, Sense, SetupLike
-from .values import Value
 
 __all__ = [
     "Integration",
