@@ -401,6 +401,7 @@ outcomes! {
         instrument: Some(Instrument {
             sigma: "1 mph",
             source: AGREE,
+            // the fastest recorded ball speed is 241.7 mph (108 m/s)
             plausible: above(0.0, 270.0),
             heads: &["ball speed", "ballgeschwindigkeit"],
         }),
@@ -509,6 +510,7 @@ outcomes! {
         instrument: Some(Instrument {
             sigma: "100 rpm",
             source: OF_SPIN,
+            // a driver gives no topspin
             plausible: within(0.0, 20_000.0),
             heads: &["backspin", "back spin"],
         }),

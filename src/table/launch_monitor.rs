@@ -281,6 +281,11 @@ mod tests {
                 assert!(Setup::<f64>::default().variable(name).is_ok(), "{name}");
             }
         }
+        for of in Outcome::ALL.iter().filter(|of| of.needs_run()) {
+            for head in of.heads() {
+                assert!(seen.insert(head), "{head} is listed twice");
+            }
+        }
     }
 
     #[test]
