@@ -74,7 +74,7 @@ pub fn number(value: &Value) -> f64 {
 /// An outcome of an independent drive, over any number type. `printed` has the outcomes of the
 /// files and the parameters, by name. The other outcomes follow from these: the files have both
 /// components of the landing position, and their balls embed.
-fn outcome_from<T: DualNum + Copy>(of: Outcome, printed: impl Fn(&str) -> T) -> T {
+fn outcome_from<T: DualNum<Primitive = f64> + Copy>(of: Outcome, printed: impl Fn(&str) -> T) -> T {
     match of {
         Outcome::CarryDistance => {
             let [z, y] = ["carry", "lateral"].map(printed);
