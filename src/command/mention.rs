@@ -109,9 +109,7 @@ fn mention<'a>(program: &Command, inside: &'a str) -> Option<Mention<'a>> {
     let (name, value) = inside
         .split_once(' ')
         .map_or((inside, None), |(name, value)| (name, Some(value)));
-    let takes_value = option(program, &name.replace('_', "-"))?
-        .get_action()
-        .takes_values();
+    let takes_value = option(program, name)?.get_action().takes_values();
     Some(Mention::Argument(Argument {
         name,
         value,
@@ -119,14 +117,17 @@ fn mention<'a>(program: &Command, inside: &'a str) -> Option<Mention<'a>> {
     }))
 }
 
-/// The option with this name, of the program or any of its commands.
-fn option<'a>(program: &'a Command, name: &str) -> Option<&'a Arg> {
-    let mut options = program.get_arguments();
-    let own = options.find(|option| option.get_long() == Some(name));
+/// The option with this name, of a command or its subcommands; `name` has underscores.
+fn option<'a>(command: &'a Command, name: &str) -> Option<&'a Arg> {
+    let is_named = |option: &&Arg| {
+        let long = option.get_long();
+        long.is_some_and(|long| long.replace('-', "_") == name)
+    };
+    let own = command.get_arguments().find(is_named);
     own.or_else(|| {
-        program
+        command
             .get_subcommands()
-            .find_map(|command| option(command, name))
+            .find_map(|below| option(below, name))
     })
 }
 

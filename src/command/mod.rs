@@ -299,7 +299,8 @@ impl Program {
     /// For words that are no command line of this program, and for `--help` and `--version`.
     fn read(words: &[OsString]) -> Result<Self, clap::Error> {
         let width = width::of_answers();
-        let with_help = Self::command()
+        let with_help = program()
+            .clone()
             .term_width(width)
             .help_template(help::template(program(), &GROUPS, width));
         let matches = with_help.try_get_matches_from(words)?;

@@ -8,17 +8,6 @@ use crate::study::certificate::{Certificate, StepError, certify};
 use crate::{Drive, Result};
 use std::sync::atomic::Ordering;
 
-/// Reports the excluded outcomes, with the reasons.
-pub fn tell_left_out(certificate: &Certificate) {
-    let missing = certificate
-        .missing
-        .iter()
-        .map(|(of, why)| (of.name(), why.in_units(system())));
-    for line in by_reason(missing) {
-        tell(&format!("left out: {line}"));
-    }
-}
-
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]
@@ -41,6 +30,17 @@ pub struct Args {
         default_value = "all"
     )]
     pub wrt: Vec<String>,
+}
+
+/// Reports the excluded outcomes, with the reasons.
+pub fn tell_left_out(certificate: &Certificate) {
+    let missing = certificate
+        .missing
+        .iter()
+        .map(|(of, why)| (of.name(), why.in_units(system())));
+    for line in by_reason(missing) {
+        tell(&format!("left out: {line}"));
+    }
 }
 
 pub fn run(args: &Args) -> Result<Answer> {
