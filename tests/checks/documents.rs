@@ -1,6 +1,6 @@
 //! Numbers in README and docs, compared with the output of the program.
 
-use crate::command_line::longdrive;
+use crate::command_line::{commands, longdrive};
 use crate::reproduce::FOUND;
 use longdrive::parameters::PRESETS;
 use longdrive::reproduce::{Landing, Method};
@@ -244,6 +244,18 @@ fn the_costs_at_the_head_of_performance_md_are_those_of_its_tables() {
             "docs/performance.md should say: {} {}",
             row[1],
             row[0]
+        );
+    }
+}
+
+#[test]
+fn questions_md_has_every_command() {
+    let text = document("docs/questions.md");
+    let of_the_program = ["completions", "explore", "man"].map(str::to_owned);
+    for command in commands().into_iter().chain(of_the_program) {
+        assert!(
+            text.contains(&format!("longdrive {command}")),
+            "docs/questions.md should say which question `longdrive {command}` answers"
         );
     }
 }
