@@ -1,6 +1,7 @@
 """Writes ``commands.py``, ``plot.py`` and ``replies.py`` of the package.
 
-A function for each command, from its options; a class for each answer, from its JSON schema.
+A function for each command, from its options; a class for each answer, from its JSON schema. The
+example of a function is in ``make_examples.py``, if it needs arguments.
 
     python make_commands.py          writes them
     python make_commands.py --check  fails if they are not up to date
@@ -33,23 +34,8 @@ LEFT_OUT |= {"speed", "attack", "loft", "temperature", "wind", "altitude"}
 # only the program listens to a port
 OF_THE_PROGRAM = {"fly": {"listen", "address"}}
 SEARCHES = {"optimize", "optimum-sensitivity", "design", "robust"}
-# studies with an answer of their own class
-REPLIES = [
-    "calibrate",
-    "chart",
-    "compare",
-    "delivery",
-    "fly",
-    "laws",
-    "pareto",
-    "report",
-    "reproduce",
-    "sensitivity",
-    "sweep",
-    "uncertainty",
-    "validate",
-    "verify",
-]
+# commands whose answers have no class of their own
+NO_CLASS = BY_HAND - {"sweep"} | SEARCHES | {"plot"}
 
 TEXTS = {
     "tolerance": "the largest error of a length, m or a text; without it 1 um where many drives "
@@ -93,10 +79,11 @@ def main() -> int:
     commands = compiled().described()
     plots = next(command for command in commands if command["name"] == "plot")["commands"]
     studies = [command for command in commands if command["name"] not in BY_HAND | {"plot"}]
+    classes = sorted({str(command["name"]) for command in commands} - NO_CLASS)
     written = {
-        "commands.py": module("The studies: a function for each command.", studies, ""),
-        "plot.py": module("Plots, as pictures: a function for each kind.", plots, "plot "),
-        "replies.py": replies(),
+        "commands.py": module("The studies: a function for each command.", studies, "", classes),
+        "plot.py": module("Plots, as pictures: a function for each kind.", plots, "plot ", classes),
+        "replies.py": replies(classes),
     }
     stale = [name for name, text in written.items() if read(FOLDER / name) != text]
     if "--check" in sys.argv[1:]:
@@ -129,9 +116,9 @@ def read(path: Path) -> str:
     return path.read_text(encoding="utf-8") if path.exists() else ""
 
 
-def module(title: str, commands: list[dict[str, Any]], before: str) -> str:
+def module(title: str, commands: list[dict[str, Any]], before: str, classes: list[str]) -> str:
     functions = "\n\n".join(function(command, before) for command in commands)
-    imports = IMPORTS.format(replies=", ".join(map(class_of, REPLIES))) + "\n" + TYPES
+    imports = IMPORTS.format(replies=", ".join(map(class_of, classes))) + "\n" + TYPES
     lines = [kept(line, functions) for line in imports.split("\n")]
     used = "\n".join(line for line in lines if line is not None).strip()
     return HEAD.format(title=title, imports=used, names=listed(map(name, commands))) + (
@@ -166,10 +153,10 @@ def class_of(command: str) -> str:
     return "".join(word.title() for word in command.split("-")) + "Reply"
 
 
-def replies() -> str:
-    """The classes of answers with their keys as attributes."""
+def replies(commands: list[str]) -> str:
+    """The classes of the answers of these commands, with their keys as attributes."""
     classes = []
-    for command in REPLIES:
+    for command in commands:
         schema = json.loads((SCHEMAS / f"{command}.json").read_text(encoding="utf-8"))
         known = schema["$defs"]
         lines = [f"class {class_of(command)}(Reply):", f'    """The answer of ``{command}``."""', ""]
@@ -188,7 +175,7 @@ def replies() -> str:
         classes.append("\n".join(lines) + "\n")
     imports = "from typing import Any\n\nfrom .reply import Reply"
     title = "The answers of the studies: a class for each command."
-    head = HEAD.format(title=title, imports=imports, names=listed(map(class_of, REPLIES)))
+    head = HEAD.format(title=title, imports=imports, names=listed(map(class_of, commands)))
     return f"{head}\n\n" + "\n\n".join(classes)
 
 
@@ -363,7 +350,7 @@ def answer(command: dict[str, Any], before: str) -> tuple[str, str]:
         return "Optimum", "optimum"
     if own == "fly":
         return "FlyReply", "with_rows(FlyReply)"
-    kind = class_of(own) if own in REPLIES else "Reply"
+    kind = class_of(own)
     return kind, f"as_reply({kind})"
 
 
@@ -398,7 +385,8 @@ def docstring(command: dict[str, Any], options: list[dict[str, Any]], before: st
     lines += item("NoAnswerError", "", "For a sound question without an answer.")
     lines += item("Interrupted", "", "After Ctrl-C, with the result so far.")
     lines += section("Examples")
-    example = EXAMPLES[f"{before}{command['name']}"].strip("\n")
+    usual = f">>> longdrive.{name(command)}().status\n'done'"
+    example = EXAMPLES.get(f"{before}{command['name']}", usual).strip("\n")
     lines += [f"    {line}".rstrip() for line in ("import longdrive\n" + example).split("\n")]
     first = len(lines) - len(example.split("\n")) - 1
     lines[first] = f"    >>> {lines[first].strip()}"

@@ -1,4 +1,7 @@
-use crate::command::args::Calibrate;
+// these doc comments are help texts, in which "carry [yd]" is a column head, not a link
+#![allow(rustdoc::broken_intra_doc_links)]
+
+use crate::command::args::{SetupArgs, U32, whole};
 use crate::command::files::{Destination, Folder, Rule};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{Answer, Warnings, system, tell};
@@ -19,7 +22,88 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-pub fn run(args: &Calibrate) -> Result<Answer> {
+#[derive(clap::Args)]
+#[command(group = clap::ArgGroup::new("written").args(["output", "plot"]).multiple(true))]
+pub struct Args {
+    /// Measured shots as CSV, one row per shot; the head of each column names a parameter or an
+    /// outcome and its unit, as in "carry [yd]"; see docs/calibration.md.
+    #[arg(value_name = "DATA")]
+    pub data: PathBuf,
+
+    #[command(flatten)]
+    pub setup_args: SetupArgs,
+
+    /// Read only the rows with this text in a column, e.g. Club=Driver, in upper or lower case;
+    /// several texts of one column are alternatives. Repeatable.
+    #[arg(long, value_name = "COLUMN=VALUE")]
+    pub only: Vec<String>,
+
+    /// A parameter to fit, e.g. aero.cd0 or aero.cd0=0.1..0.4. Repeatable.
+    #[arg(
+        long,
+        value_name = "NAME[=LOW..HIGH]",
+        required = true,
+        allow_hyphen_values = true
+    )]
+    pub fit: Vec<String>,
+
+    /// Use Huber's loss: an outlier has no more influence than a residual of 1.345 σ.
+    #[arg(long)]
+    pub huber: bool,
+
+    /// Search from this many starts: the setup's own values, then points spread evenly over the
+    /// fitted ranges. State these ranges: the default is the whole allowed range, in which few
+    /// drives fly.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        value_parser = whole::<u32>(1..=U32, "`starts 8`"),
+        allow_negative_numbers = true,
+    )]
+    pub starts: u32,
+
+    /// Cross-validate: fit K times, each time without a K-th of the rows, and show the prediction
+    /// errors of the omitted rows.
+    #[arg(
+        long,
+        value_name = "K",
+        default_value_t = 0,
+        value_parser = whole::<u32>(0..=U32, "`folds 5`"),
+        allow_negative_numbers = true,
+    )]
+    pub folds: u32,
+
+    /// Compare with another aerodynamic law, as published and fitted, by its cross-validation
+    /// error. Repeatable.
+    #[arg(long, value_name = "LAW")]
+    pub compare: Vec<String>,
+
+    /// The largest number of iterations of a search.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 200,
+        value_parser = whole::<u64>(0..=u64::MAX, "`max_iterations 200`"),
+        allow_negative_numbers = true,
+    )]
+    pub max_iterations: u64,
+
+    /// Write the fitted setup into this file.
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// Write the report into this folder too: a page (index.html), Markdown, and plots of the
+    /// residuals with their data.
+    #[arg(long, value_name = "DIR")]
+    pub plot: Option<PathBuf>,
+
+    /// Replace files that exist.
+    #[arg(long, requires = "written")]
+    pub overwrite: bool,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let setup = request.setup()?;
     let outputs = Outputs::new(args, &request)?;
@@ -79,7 +163,7 @@ pub fn run(args: &Calibrate) -> Result<Answer> {
 }
 
 /// Refuses a setup with a launch: each row of the table has its own.
-fn refuse_launch(args: &Calibrate, request: &Request, setup: &Setup<f64>) -> Result<()> {
+fn refuse_launch(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<()> {
     if !setup.launch.is_given() {
         return Ok(());
     }
@@ -96,7 +180,7 @@ fn refuse_launch(args: &Calibrate, request: &Request, setup: &Setup<f64>) -> Res
 }
 
 /// Reads the measured shots, and refuses settings that they replace.
-fn read_shots(args: &Calibrate, request: &Request, setup: &Setup<f64>) -> Result<ShotTable> {
+fn read_shots(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<ShotTable> {
     let file = args.data.display();
     let filter = RowFilter::read(&args.only)?;
     let mut table = ShotTable::open_rows(setup, &args.data, filter)?;
@@ -126,7 +210,7 @@ struct Outputs {
 }
 
 impl Outputs {
-    fn new(args: &Calibrate, request: &Request) -> Result<Self> {
+    fn new(args: &Args, request: &Request) -> Result<Self> {
         let rule = Rule::new(request.inputs().chain([args.data.clone()]), args.overwrite);
         let folder = args
             .plot
@@ -145,7 +229,7 @@ impl Outputs {
     /// Writes the fitted setup; returns true if the file was written.
     fn write_setup(
         &self,
-        args: &Calibrate,
+        args: &Args,
         request: &Request,
         found: &Calibration,
         report: &CalibrationReport<'_>,
@@ -186,7 +270,7 @@ struct CrossValidation<'a> {
 impl<'a> CrossValidation<'a> {
     /// The cross-validation of `--folds` or `--compare`; `None` without them.
     fn new(
-        args: &'a Calibrate,
+        args: &'a Args,
         setup: &Setup<f64>,
         table: &ShotTable,
         plan: &FitPlan,

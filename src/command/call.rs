@@ -1,11 +1,11 @@
 //! Requests of programs that embed the library: a command with its arguments by name, as typed
 //! values. This module writes a request as the words of a command line, which clap reads.
 
-use super::args::Args;
+use super::program;
 use crate::parameters::{Law, Parameter};
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
-use clap::{Arg, ArgAction, CommandFactory};
+use clap::{Arg, ArgAction};
 use std::ffi::OsString;
 
 /// A request: a command with arguments.
@@ -92,11 +92,10 @@ impl Call {
             name: name.into(),
             source: what.into(),
         };
-        let mut command = Args::command();
+        let mut command = program();
         for name in self.command.split(' ') {
             command = command
                 .find_subcommand(name)
-                .cloned()
                 .ok_or_else(|| unknown(&self.command, "no command has this name".into()))?;
         }
         for (name, _) in &self.arguments {

@@ -1,9 +1,9 @@
-use crate::command::args::ChartArgs;
+use crate::command::args::{SearchArgs, SetupArgs};
+use crate::command::host::SharedProgress;
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{
     Answer, Warnings, spinner, stated_system, system, tell, tell_detail, tell_error,
 };
-use crate::command::progress::SharedProgress;
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
 use crate::study::{Chart, ChartObserver, Search, Vary, chart_at};
@@ -14,7 +14,35 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-pub fn run(args: &ChartArgs) -> Result<Answer> {
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(flatten)]
+    pub setup_args: SetupArgs,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+
+    /// The parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
+    #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
+    pub along: String,
+
+    /// The values of the parameter of --along at which the optimum is computed, separated by
+    /// commas, e.g. 90mph,100mph,110mph; --along then needs only the name [default: as many values
+    /// as the curve needs].
+    #[arg(
+        long,
+        value_name = "VALUE,…",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
+    pub at: Vec<String>,
+
+    /// Print the chart as CSV (SI units and radians).
+    #[arg(long, conflicts_with = "json")]
+    pub csv: bool,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let setup = request.setup_with_starts(&args.search.vary)?;
     let (along, at) = args.places(&setup)?;
@@ -135,7 +163,7 @@ fn progress(search: &Search, spinner: &SharedProgress) -> impl Fn(&Iteration) + 
     }
 }
 
-impl ChartArgs {
+impl Args {
     /// The parameter with its range, and the requested values in it.
     fn places(&self, setup: &Setup<f64>) -> Result<(Vary, Vec<f64>)> {
         if !self.along.contains('=') && self.at.is_empty() {

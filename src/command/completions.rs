@@ -1,10 +1,21 @@
 use crate::Result;
-use crate::command::args::{Args, Completions};
 use crate::command::output::Answer;
-use clap::CommandFactory;
+use crate::command::running::running;
 
-pub fn run(args: &Completions) -> Result<Answer> {
+#[derive(clap::Args)]
+pub struct Args {
+    /// The shell.
+    #[arg(value_enum, value_name = "SHELL")]
+    pub shell: clap_complete::Shell,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     let mut script = vec![];
-    clap_complete::generate(args.shell, &mut Args::command(), "longdrive", &mut script);
+    clap_complete::generate(
+        args.shell,
+        &mut running().program.clone(),
+        "longdrive",
+        &mut script,
+    );
     Ok(Answer::text(String::from_utf8_lossy(&script).into_owned()))
 }

@@ -1,4 +1,4 @@
-use crate::command::args::{DeliveryArgs, SetupArgs};
+use crate::command::args::SetupArgs;
 use crate::command::files::{Destination, Rule};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{Answer, command_line, system, tell, warn};
@@ -19,7 +19,79 @@ use crate::{Error, Result, Setup};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-pub fn run(args: &DeliveryArgs) -> Result<Answer> {
+#[derive(clap::Args)]
+#[command(group(clap::ArgGroup::new("written").args(["output", "swings"]).multiple(true)))]
+pub struct Args {
+    #[command(flatten)]
+    pub setup_args: SetupArgs,
+
+    /// The measured speed of the ball, e.g. 167mph.
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    pub ball_speed: Option<String>,
+
+    /// The measured angle of the launch above horizontal, e.g. 10.9deg.
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    pub launch_angle: Option<String>,
+
+    /// The measured direction of the launch, + right of the target line [default: not measured].
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    pub launch_direction: Option<String>,
+
+    /// The measured total spin, e.g. 2686rpm; with --spin-axis.
+    #[arg(long, value_name = "SPIN", allow_hyphen_values = true)]
+    pub spin: Option<String>,
+
+    /// The measured tilt of the spin axis, + for a ball that curves to the right [default: not
+    /// measured].
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    pub spin_axis: Option<String>,
+
+    /// The measured backspin, in place of --spin; with --sidespin.
+    #[arg(long, value_name = "SPIN", allow_hyphen_values = true)]
+    pub backspin: Option<String>,
+
+    /// The measured sidespin, + for a ball that curves to the right [default: not measured].
+    #[arg(long, value_name = "SPIN", allow_hyphen_values = true)]
+    pub sidespin: Option<String>,
+
+    /// Measured shots as CSV, one row per shot, as a launch monitor exports them or as calibrate
+    /// reads them. Club values in a row count as measured too.
+    #[arg(long, value_name = "FILE")]
+    pub shots: Option<PathBuf>,
+
+    /// Read only the rows with this text in a column, e.g. Club=Driver, in upper or lower case;
+    /// several texts of one column are alternatives. Repeatable.
+    #[arg(long, value_name = "COLUMN=VALUE", requires = "shots")]
+    pub only: Vec<String>,
+
+    /// A parameter to find and its range, e.g. club.loft=4deg..20deg. Repeatable [default: the
+    /// speed, attack angle, shaft lean, path and face angle of the swing, and the impact point on
+    /// the face].
+    #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
+    pub vary: Vec<String>,
+
+    /// The prior standard uncertainty of a parameter about its value in the setup, e.g.
+    /// swing.attack_angle=1deg. Repeatable.
+    #[arg(long, value_name = "NAME=AMOUNT")]
+    pub sigma: Vec<String>,
+
+    /// Write the setup with the delivery into this file; for several shots, with their mean
+    /// delivery.
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// Write the swings that explain the shots into this file, for "longdrive optimize --swings": a
+    /// table with a row for each shot (.csv), or distributions with correlations, without the
+    /// errors of the launch monitor (.toml).
+    #[arg(long, value_name = "FILE", requires = "shots")]
+    pub swings: Option<PathBuf>,
+
+    /// Replace files that exist.
+    #[arg(long, requires = "written")]
+    pub overwrite: bool,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     refuse_step(&args.setup_args)?;
     let requests = Requests::new(args)?;
     let outputs = Outputs::new(args, &requests.club)?;
@@ -181,11 +253,7 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
 
 /// The parameters to find, with the prior knowledge of each. A club value that the command line
 /// states has the uncertainty of a launch monitor, as a column has.
-fn read_unknowns(
-    args: &DeliveryArgs,
-    request: &Request,
-    setup: &Setup<f64>,
-) -> Result<Vec<Unknown>> {
+fn read_unknowns(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Vec<Unknown>> {
     let vary = args
         .vary
         .iter()
@@ -208,7 +276,7 @@ fn read_unknowns(
     Ok(all.into_iter().map(measured).collect())
 }
 
-fn answer(args: &DeliveryArgs, found: &Deliveries, warnings: Vec<Message>) -> Answer {
+fn answer(args: &Args, found: &Deliveries, warnings: Vec<Message>) -> Answer {
     let population = found
         .population
         .as_ref()
@@ -234,7 +302,7 @@ struct SwingsFile {
 }
 
 impl Outputs {
-    fn new(args: &DeliveryArgs, request: &Request) -> Result<Self> {
+    fn new(args: &Args, request: &Request) -> Result<Self> {
         let rule = Rule::new(request.inputs().chain(args.shots.clone()), args.overwrite);
         let setup = args
             .output
@@ -426,7 +494,7 @@ struct Requests {
 }
 
 impl Requests {
-    fn new(args: &DeliveryArgs) -> Result<Self> {
+    fn new(args: &Args) -> Result<Self> {
         let source = Source::read(&args.setup_args.drive.setup)?;
         let (mut of_launch, of_club): (Vec<_>, Vec<_>) = args
             .setup_args
@@ -464,7 +532,7 @@ impl Requests {
     }
 
     /// The setup with the measured launch. The shots of a table have their own launches.
-    fn setup_of_launch(&self, args: &DeliveryArgs) -> Result<Setup<f64>> {
+    fn setup_of_launch(&self, args: &Args) -> Result<Setup<f64>> {
         let options: Vec<_> = self
             .launched
             .settings()

@@ -1,5 +1,5 @@
-use super::args::Args;
-use clap::{Arg, ArgAction, Command, CommandFactory};
+use super::program;
+use clap::{Arg, ArgAction, Command};
 use serde_json::{Value, json};
 
 /// Commands that only the program in a terminal has a use for.
@@ -17,7 +17,7 @@ const OF_THE_PROGRAM: [&str; 4] = ["completions", "explore", "man", "help"];
 /// assert_eq!((&vary["takes"], &vary["value"]), (&"several".into(), &"NAME=LOW..HIGH".into()));
 /// ```
 pub fn described() -> Value {
-    let mut program = Args::command().disable_help_subcommand(true);
+    let mut program = program().clone().disable_help_subcommand(true);
     program.build();
     program
         .get_subcommands()

@@ -1,6 +1,6 @@
 //! The `design` command: the best head and face.
 
-use crate::command::args::{DesignArgs, Optimize};
+use crate::command::args::OptimizeArgs;
 use crate::command::interrupt;
 use crate::command::output::{Answer, system};
 use crate::command::ranges::DefaultRanges;
@@ -16,7 +16,42 @@ use crate::{Error, Result, Setup};
 /// The default objective.
 const GOAL: &str = "mean(carry) - 0.5*rms(lateral)";
 
-pub fn run(args: &DesignArgs) -> Result<Answer> {
+#[derive(clap::Args)]
+#[command(
+    mut_arg("setup", |arg| arg.default_value("modern-driver").help(
+        "A preset's name, a TOML file that names its preset, or - to read TOML from standard input"
+    )),
+    mut_arg("maximize", |arg| arg.help("The goal to maximize, e.g. \"mean(carry)\" [default: \
+                                        \"mean(carry) - 0.5*rms(lateral)\", unless --minimize is \
+                                        given]")),
+    mut_arg("minimize", |arg| arg.help("The goal to minimize, e.g. \"rms(lateral)\"")),
+    mut_arg("vary", |arg| arg.help(
+        "A parameter of the head to vary, with its range, e.g. club.bulge_radius=200mm..600mm or \
+         club.weight_1.toe=-50mm..50mm. \
+         Repeatable [default: bulge and roll 150 to 1000 mm, loft 6 to 16 deg]"
+    )),
+    mut_arg("subject_to", |arg| arg.help(
+        "A limit of a goal or of the head, e.g. \"std(lateral) <= 20yd\" or \"head_mass <= 205 \
+         g\"; or a relation with a name, linear in \
+         parameters, e.g. \"volume: 120 cm^3 + 80 cm^2*club.cg_depth <= 460 cm^3\". Repeatable"
+    )),
+    mut_arg("swings", |arg| arg.help(
+        "The swings to design for: a TOML file with [distributions] and [[correlations]], or a \
+         table (CSV, Parquet, Arrow) of recorded \
+         swings [default: a golfer whose drives were measured, about the setup's own swing]"
+    )),
+    mut_arg("output", |arg| arg.help("Write the setup with the best design into this setup file"))
+)]
+pub struct Args {
+    #[command(flatten)]
+    pub optimize: OptimizeArgs,
+
+    /// The rules for the design: golf (moment of inertia, volume, spring effect, ball) or none.
+    #[arg(long, value_name = "RULES", default_value = "golf", value_parser = ["golf", "none"])]
+    pub rules: String,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     let search = &args.optimize;
     let request = search.setup_args.request()?;
     refuse_unnamed_preset(&request)?;
@@ -38,8 +73,8 @@ pub fn run(args: &DesignArgs) -> Result<Answer> {
         &search.search,
         &search.swings,
         &request.with_starts(setup, &search.search.vary)?,
-        &|| Ok((Goal::read(GOAL, None)?, Sense::Maximize)),
-        &|setup| DefaultRanges::new(usual_vary(setup)?, &request).vary(),
+        || Ok((Goal::read(GOAL, None)?, Sense::Maximize)),
+        |setup| DefaultRanges::new(usual_vary(setup)?, &request).vary(),
     )?;
     request.note_starts(&setup, &asked.vary);
     let mut notes = notes_on_defaults(args, &asked);
@@ -106,8 +141,8 @@ fn refuse_launch(request: &Request, setup: &Setup<f64>) -> Result<()> {
 }
 
 /// Notes on the defaults for what the user did not state: swings, goal and varied parameters.
-fn notes_on_defaults(args: &DesignArgs, asked: &Search) -> Vec<String> {
-    let Optimize { search, swings, .. } = &args.optimize;
+fn notes_on_defaults(args: &Args, asked: &Search) -> Vec<String> {
+    let OptimizeArgs { search, swings, .. } = &args.optimize;
     let mut notes = vec![];
     if !swings.is_given() {
         notes.push(format!(
@@ -132,7 +167,7 @@ fn notes_on_defaults(args: &DesignArgs, asked: &Search) -> Vec<String> {
 
 /// The parameters whose distributions the user stated. A setting may override the parameters of the
 /// default golfer.
-fn distributed(args: &DesignArgs, swings: &Swings) -> Vec<&'static Parameter> {
+fn distributed(args: &Args, swings: &Swings) -> Vec<&'static Parameter> {
     if args.optimize.swings.is_given() {
         swings.parameters()
     } else {

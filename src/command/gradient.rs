@@ -1,11 +1,35 @@
-use crate::command::args::Gradient;
+use crate::command::args::SetupArgs;
 use crate::command::names::{outcomes, usual, variables};
 use crate::command::output::{Answer, bar, show, tell_error, warn};
 use crate::derivative::{Order, Taylor, evaluate_with};
 use crate::report::GradientReport;
 use crate::{Drive, Error, Result};
 
-pub fn run(args: &Gradient) -> Result<Answer> {
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(flatten)]
+    pub setup_args: SetupArgs,
+
+    /// The outcomes, separated by commas.
+    #[arg(
+        long,
+        value_name = "OUTCOME,…",
+        value_delimiter = ',',
+        default_value = "carry"
+    )]
+    pub of: Vec<String>,
+
+    /// The parameters, separated by commas; "all" for every one that has a value in this setup.
+    /// Without: loft and attack angle, or the launch conditions if they are given.
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    pub wrt: Vec<String>,
+
+    /// Compute the second derivatives (the Hessian) too.
+    #[arg(long)]
+    pub hessian: bool,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let setup = request.within_tolerance(request.setup()?)?;
     let of = outcomes(&args.of)?;

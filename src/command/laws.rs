@@ -1,9 +1,19 @@
 use crate::Result;
-use crate::command::args::Laws;
+use crate::command::args::OwnLaw;
 use crate::command::output::{Answer, system};
 use crate::report::{LawsReport, Line, Reply, Report};
 
-pub fn run(args: &Laws) -> Result<Answer> {
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(flatten)]
+    pub own: OwnLaw,
+
+    /// Print the laws as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     let report = LawsReport::new(args.own.law()?);
     if args.json {
         return Ok(Answer::json(&Reply::of(&report, vec![])));

@@ -1,12 +1,30 @@
-use crate::command::args::{Args, Man};
 use crate::command::files::Rule;
 use crate::command::output::{Answer, tell};
+use crate::command::running::running;
 use crate::units::counted;
 use crate::{Error, Result};
-use clap::{Command, CommandFactory};
+use clap::Command;
+use std::path::PathBuf;
 
-pub fn run(args: &Man) -> Result<Answer> {
-    let mut program = Args::command().disable_help_subcommand(true);
+#[derive(clap::Args)]
+pub struct Args {
+    /// The command whose page is printed, e.g. "optimize" or "plot contour"; without it, the page
+    /// of the program.
+    #[arg(value_name = "COMMAND")]
+    pub command: Vec<String>,
+
+    /// Write the page of every command into this folder instead, as longdrive.1,
+    /// longdrive-optimize.1, …. The folder is created if it does not exist.
+    #[arg(long, short, value_name = "DIR", conflicts_with = "command")]
+    pub output: Option<PathBuf>,
+
+    /// Replace files that exist.
+    #[arg(long, requires = "output", conflicts_with = "command")]
+    pub overwrite: bool,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
+    let mut program = running().program.clone().disable_help_subcommand(true);
     // `build` completes the names of subcommands and adds the options of every command
     program.build();
     let Some(folder) = &args.output else {

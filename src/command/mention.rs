@@ -5,10 +5,7 @@
 //! [`Host`](super::Host) of the command replaces both by its own syntax: the program writes `--vary
 //! club.loft=4deg..20deg`.
 
-use super::args::Args;
-use clap::CommandFactory;
-use std::collections::BTreeMap;
-use std::sync::OnceLock;
+use clap::{Arg, Command};
 
 /// An argument of a request, as it appears in a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,22 +47,19 @@ impl Mention<'_> {
     }
 }
 
-/// Formats the arguments and commands of a message with `write`.
-///
-/// ```
-/// use longdrive::command::{Mention, with_mentions};
-/// let message = "give a range, as in `vary club.loft=4deg..20deg`";
-/// let program = with_mentions(message, |mention| mention.in_words_of_the_program());
-/// assert_eq!(program, "give a range, as in --vary club.loft=4deg..20deg");
-/// ```
-pub fn with_mentions(message: &str, write: impl Fn(Mention<'_>) -> String) -> String {
+/// Formats the arguments and commands of a message with `write`; `program` has the arguments.
+pub fn with_mentions_of(
+    program: &Command,
+    message: &str,
+    write: impl Fn(Mention<'_>) -> String,
+) -> String {
     let mut written = String::with_capacity(message.len());
     let mut rest = message;
     while let Some((before, after)) = rest.split_once('`') {
         written.push_str(before);
         let mention = after
             .split_once('`')
-            .and_then(|(inside, behind)| Some((mention(inside)?, behind)));
+            .and_then(|(inside, behind)| Some((mention(program, inside)?, behind)));
         match mention {
             Some((mention, behind)) => {
                 written.push_str(&write(mention));
@@ -108,14 +102,14 @@ pub fn mark_options(help: &str) -> String {
 }
 
 /// The argument or command between two backquotes, if it exists.
-fn mention(inside: &str) -> Option<Mention<'_>> {
+fn mention<'a>(program: &Command, inside: &'a str) -> Option<Mention<'a>> {
     if let Some(command) = inside.strip_suffix("()") {
         return Some(Mention::Command(command));
     }
     let (name, value) = inside
         .split_once(' ')
         .map_or((inside, None), |(name, value)| (name, Some(value)));
-    let takes_value = *arguments().get(name)?;
+    let takes_value = option(program, name)?.get_action().takes_values();
     Some(Mention::Argument(Argument {
         name,
         value,
@@ -123,49 +117,39 @@ fn mention(inside: &str) -> Option<Mention<'_>> {
     }))
 }
 
-/// All arguments of all commands. The value is true if the argument takes a value.
-fn arguments() -> &'static BTreeMap<String, bool> {
-    static ARGUMENTS: OnceLock<BTreeMap<String, bool>> = OnceLock::new();
-    fn collect(command: &clap::Command, all: &mut BTreeMap<String, bool>) {
-        for argument in command.get_arguments() {
-            if let Some(option) = argument.get_long() {
-                all.insert(
-                    option.replace('-', "_"),
-                    argument.get_action().takes_values(),
-                );
-            }
-        }
-        for below in command.get_subcommands() {
-            collect(below, all);
-        }
-    }
-    ARGUMENTS.get_or_init(|| {
-        let mut all = BTreeMap::new();
-        collect(&Args::command(), &mut all);
-        all
+/// The option with this name, of a command or its subcommands; `name` has underscores.
+fn option<'a>(command: &'a Command, name: &str) -> Option<&'a Arg> {
+    let is_named = |option: &&Arg| {
+        let long = option.get_long();
+        long.is_some_and(|long| long.replace('-', "_") == name)
+    };
+    let own = command.get_arguments().find(is_named);
+    own.or_else(|| {
+        command
+            .get_subcommands()
+            .find_map(|below| option(below, name))
     })
 }
 
 /// The names of the commands that have an option, as on the command line: `plot laws`.
-pub(super) fn commands_with(option: &str) -> Vec<String> {
-    fn collect(command: &clap::Command, before: &str, option: &str, all: &mut Vec<String>) {
-        for below in command.get_subcommands() {
-            let name = format!("{before}{}", below.get_name());
-            let mut arguments = below.get_arguments();
-            if arguments.any(|argument| argument.get_long() == Some(option)) {
-                all.push(name.clone());
-            }
-            collect(below, &format!("{name} "), option, all);
-        }
-    }
+pub fn commands_with(program: &Command, option: &str) -> Vec<String> {
     let mut all = vec![];
-    collect(&Args::command(), "", option, &mut all);
+    for command in program.get_subcommands() {
+        let name = command.get_name();
+        let mut options = command.get_arguments();
+        if options.any(|other| other.get_long() == Some(option)) {
+            all.push(name.to_owned());
+        }
+        let below = commands_with(command, option);
+        all.extend(below.iter().map(|below| format!("{name} {below}")));
+    }
     all
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{mark_options, with_mentions};
+    use super::mark_options;
+    use crate::command::with_mentions;
 
     fn in_program(message: &str) -> String {
         with_mentions(message, |mention| mention.in_words_of_the_program())

@@ -43,6 +43,7 @@ mod explore;
 mod files;
 mod fly;
 mod gradient;
+mod help;
 mod host;
 mod interrupt;
 mod laws;
@@ -58,14 +59,13 @@ mod parameters;
 mod pareto;
 mod picture;
 mod plot;
-mod plot_drive;
 mod presets;
-mod progress;
 mod ranges;
 mod report;
 mod reproduce;
 mod request;
 mod robust;
+mod run;
 mod running;
 #[cfg(test)]
 mod schemas;
@@ -76,7 +76,6 @@ mod sweep;
 mod swings;
 #[cfg(feature = "cli")]
 mod terminal;
-mod threads;
 mod uncertainty;
 mod validate;
 mod verify;
@@ -86,106 +85,271 @@ mod wording;
 pub use crate::input_file::{MemoryFiles, with_memory_files};
 pub use call::{Call, Value, quantity_of, quantity_of_goal, with_degrees};
 pub use described::described;
-pub use host::{Hold, Host, Kind};
-pub use mention::{Argument, Mention, mark_options, with_mentions};
-pub use progress::{Progress, SharedProgress, Work};
+pub use host::{Hold, Host, Kind, Progress, SharedProgress, Work};
+pub use mention::{Argument, Mention, mark_options};
+pub use run::{call, run};
+#[cfg(feature = "cli")]
+pub use run::{main, run_in_terminal};
 
-use crate::{Error, Result};
-use args::{Args, Command};
-use output::Answer;
+use crate::Result;
+#[cfg(test)]
+use crate::report::*;
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
-use std::io::ErrorKind;
-#[cfg(feature = "cli")]
-use std::process::ExitCode;
-use std::sync::Arc;
-#[cfg(feature = "cli")]
-use terminal::Terminal;
+use std::sync::LazyLock;
 
-/// The program: runs the command line of the process in a terminal.
-#[cfg(feature = "cli")]
-pub fn main() -> ExitCode {
-    ExitCode::from(run_in_terminal(std::env::args_os().collect()))
+/// The groups of commands in the help, in the order of a user's questions.
+const GROUPS: [(&str, &[&str]); 5] = [
+    (
+        "Your drive",
+        &[
+            "simulate", "compare", "optimize", "chart", "explore", "report", "plot",
+        ],
+    ),
+    ("Your shots", &["fly", "delivery", "calibrate"]),
+    (
+        "What matters",
+        &[
+            "gradient",
+            "sensitivity",
+            "optimum-sensitivity",
+            "uncertainty",
+        ],
+    ),
+    ("Design", &["design", "pareto", "robust", "sweep"]),
+    (
+        "Reference",
+        &[
+            "parameters",
+            "presets",
+            "laws",
+            "reproduce",
+            "validate",
+            "verify",
+            "completions",
+            "man",
+        ],
+    ),
+];
+
+/// Declares the commands. Each has its help, its variant of [`Command`], its module with `Args` and
+/// `run`, and the types of its answers in JSON.
+macro_rules! commands {
+    ($(
+        $(#[doc = $help:tt])*
+        $(#[cfg($condition:meta)])?
+        $Name:ident($module:ident) $(: $($(#[cfg($of:meta)])? $Answer:ty),+)?;
+    )*) => {
+        #[derive(Subcommand)]
+        enum Command {
+            $($(#[doc = $help])* $(#[cfg($condition)])? $Name($module::Args),)*
+        }
+
+        impl Command {
+            fn answer(&self) -> Result<output::Answer> {
+                match self {
+                    $($(#[cfg($condition)])? Self::$Name(args) => $module::run(args),)*
+                }
+            }
+        }
+
+        #[cfg(test)]
+        fn answers() -> Vec<schemas::Answers> {
+            let mut all = vec![];
+            $($(#[cfg($condition)])? {
+                let answers = schemas::Answers::new(stringify!($module));
+                $($($(#[cfg($of)])? let answers = answers.or::<$Answer>();)+)?
+                all.push(answers);
+            })*
+            all
+        }
+    };
 }
 
-/// Runs the program for these arguments, its name first; returns the exit status.
-#[cfg(feature = "cli")]
-pub fn run_in_terminal(words: Vec<OsString>) -> u8 {
-    run(words, Arc::new(Terminal::default()))
+commands! {
+    /// Compute one drive: impact, launch, flight, landing.
+    Simulate(simulate): DriveReport<'_>;
+    /// Exact derivatives of outcomes by parameters.
+    Gradient(gradient): GradientReport<'_>;
+    /// Compare two drives, with the cause of each difference.
+    ///
+    /// The outcomes of both, and the share of each parameter and launch condition in the
+    /// difference.
+    Compare(compare): ComparisonReport<'_>;
+    /// Find the drive that carries farthest, or any best outcome.
+    ///
+    /// Finds the parameters that maximize or minimize an outcome: by default, the loft and attack
+    /// angle of the longest carry.
+    Optimize(optimize): OptimumReport;
+    /// Sensitivity of the optimum, and how flat it is.
+    ///
+    /// How the optimum depends on every other parameter, and the price of its bounds and
+    /// constraints.
+    OptimumSensitivity(optimum_sensitivity): SensitivityReport;
+    /// Design head and face under the Rules of Golf.
+    ///
+    /// For swings that vary: the best bulge, roll, loft, inertia or movable weights, with the price
+    /// of each rule.
+    Design(design): OptimumReport;
+    /// Fit parameters to measured shots.
+    ///
+    /// With their uncertainties, and the combinations of parameters that the data do not determine.
+    Calibrate(calibrate): CalibrationReport<'_>;
+    /// Find the swing and strike behind a measured launch.
+    ///
+    /// With the combinations of parameters that the launch does not determine.
+    Delivery(delivery): DeliveryReport<'_>;
+    /// The optimum along a parameter, such as club speed.
+    Chart(chart): ChartReport<'_>;
+    /// The best compromises between two goals.
+    ///
+    /// For example carry and dispersion, with the rate of exchange between them.
+    Pareto(pareto): ParetoReport<'_>;
+    /// The design that loses least, whichever model is true.
+    ///
+    /// Several models of impact and flight are compared.
+    Robust(robust): RobustReport<'_>;
+    /// Open the drive as a page with sliders.
+    ///
+    /// Serves the explorer on this machine until Ctrl-C, and prints its address. The page computes
+    /// by itself; it sends nothing.
+    Explore(explore);
+    /// Draw a plot as SVG or PNG, or write its data as CSV.
+    Plot(plot): picture::PlotFile<'_>;
+    /// Write a page: drive, optimum, map, sensitivities.
+    ///
+    /// An HTML page of the drive, the optimum, a map around it, sensitivities and uncertainties,
+    /// with plots and data.
+    Report(report): report::ReportFiles<'_>;
+    /// Compute very many drives to CSV, JSON Lines or Parquet.
+    ///
+    /// At the points of a grid, a quasi-random sequence or a table.
+    Sweep(sweep):
+        sweep::SweepSummary,
+        #[cfg(feature = "parquet")] sweep::parts::WrittenPart,
+        #[cfg(feature = "parquet")] sweep::parts::CheckedParts;
+    /// Fly the shots of a launch monitor.
+    ///
+    /// From a CSV export or GSPro Open Connect: predicted flights, compared with the measured
+    /// flights.
+    Fly(fly): ShotsReport<'_>, fly::listen::MessageCounts;
+    /// Reproduce a published study, number by number.
+    Reproduce(reproduce): Mae494Report<'_>, WinfieldTanReport<'_>;
+    /// Compare every law of flight with published drives.
+    ///
+    /// Bias and mean absolute error of carry, apex and descent.
+    Validate(validate): ValidationReport<'_>;
+    /// Check every derivative against finite differences.
+    ///
+    /// Also checks smoothness, convergence and the landing; exit status 1 if a check fails.
+    Verify(verify): CertificateReport<'_>;
+    /// Effect of each parameter on the outcomes.
+    ///
+    /// Slopes, elasticities, and the effect of the uncertainty of each parameter.
+    Sensitivity(sensitivity): EffectsReport<'_>;
+    /// Spread of the outcomes from uncertain parameters.
+    ///
+    /// By exact derivatives, and by a sample of drives.
+    Uncertainty(uncertainty): UncertaintyReport<'_>;
+    /// List the parameters: unit, range, default, meaning.
+    Parameters(parameters): ParametersReport;
+    /// List the presets, or print one as a setup file.
+    ///
+    /// With the source of each number.
+    Presets(presets): PresetsReport;
+    /// List the laws of drag and lift.
+    ///
+    /// Authors, formula, ball, source, and fitted range of each law.
+    Laws(laws): LawsReport;
+    /// Print a script for completion in a shell.
+    #[cfg(feature = "cli")]
+    Completions(completions);
+    /// Print a manual page, or write all of them.
+    #[cfg(feature = "cli")]
+    Man(man);
 }
 
-/// Runs a command line for a host; the first word is the name of the program. Returns the exit
-/// status: 0 done, 1 no answer, 2 bad input. The host receives the error message; with `--json` the
-/// answer contains it too.
-pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
-    run_words(words, host, &[])
+/// The longest golf drive, with exact derivatives.
+///
+/// Computes the impact (rigid bodies, ellipsoidal face), the flight (drag, lift, spin decay, wind)
+/// and the landing of a golf drive, and the exact derivatives of every outcome with respect to
+/// every parameter. Exit status: 0 done, 1 no answer (no flight, not converged), 2 bad input.
+#[derive(Parser)]
+#[command(version)]
+struct Program {
+    #[command(flatten)]
+    output: args::OutputOptions,
+
+    #[command(subcommand)]
+    command: Command,
+
+    /// The name of the command.
+    #[arg(skip)]
+    name: &'static str,
+
+    /// True for an answer in JSON.
+    #[arg(skip)]
+    is_json: bool,
 }
 
-/// Runs a request of a program that embeds the library, as [`run`] runs a command line.
-pub fn call(call: &Call, host: Arc<dyn Host>) -> u8 {
-    match call.command_line() {
-        Ok(line) => run_words(line.words, host, &line.bare_angles),
-        Err(error) => running::within(host, None, &[], || output::complain(&error, "", true)),
+impl Program {
+    /// Reads a command line.
+    ///
+    /// # Errors
+    /// For words that are no command line of this program, and for `--help` and `--version`.
+    fn read(words: &[OsString]) -> Result<Self, clap::Error> {
+        let width = width::of_answers();
+        let with_help = program()
+            .clone()
+            .term_width(width)
+            .help_template(help::template(program(), &GROUPS, width));
+        let matches = with_help.try_get_matches_from(words)?;
+        let command = matches
+            .subcommand_name()
+            .and_then(|name| program().find_subcommand(name));
+        Ok(Self {
+            name: command.map_or("", clap::Command::get_name),
+            is_json: asks_for_json(&matches),
+            ..Self::from_arg_matches(&matches)?
+        })
     }
 }
 
-/// Runs a command line. `bare_angles` are its angles that were given without a unit, rad.
-fn run_words(words: Vec<OsString>, host: Arc<dyn Host>, bare_angles: &[f64]) -> u8 {
-    let args = match Args::read(&words) {
-        Ok(args) => args,
-        Err(error) => {
-            let command = Command::named_in(words.get(1..).unwrap_or_default());
-            let is_json = words.iter().any(|word| word == "--json");
-            return running::within(host, None, &words, || {
-                output::explain(error, command, is_json)
-            });
-        }
+/// True if `--json` is among the arguments of the command.
+fn asks_for_json(matches: &ArgMatches) -> bool {
+    // an error for a command without this option
+    let json = matches.try_get_one::<bool>("json").ok().flatten();
+    let below = matches.subcommand();
+    json == Some(&true) || below.is_some_and(|(_, matches)| asks_for_json(matches))
+}
+
+/// The first command with answers in JSON among the words of a command line that is not valid.
+fn named_in(words: &[OsString]) -> Option<&'static str> {
+    let with_json = mention::commands_with(program(), "json");
+    let has_json = |name| {
+        let mut names = with_json.iter().map(|names| names.split(' ').next());
+        names.any(|other| other == Some(name))
     };
-    let (name, is_json) = (args.command.name(), args.command.is_json());
-    host.begin(name, is_json);
-    let files = host.files();
-    let work = || match answer(&args.command).and_then(Answer::print) {
-        Ok(status) => status,
-        // a broken pipe, as in `longdrive … | head`, is not an error
-        Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => 0,
-        Err(error) => {
-            let error = call::with_degrees(wording::with_argument(error), bare_angles);
-            output::complain(&error, name, is_json)
-        }
-    };
-    running::within(host, Some(args.shown.clone()), &words, || {
-        with_memory_files(files, work)
+    words.iter().find_map(|word| {
+        let mut names = program().get_subcommands().map(clap::Command::get_name);
+        names.find(|name| word == name && has_json(name))
     })
 }
 
-fn answer(command: &Command) -> Result<Answer> {
-    match command {
-        Command::Simulate(args) => simulate::run(args),
-        Command::Gradient(args) => gradient::run(args),
-        Command::Compare(args) => compare::run(args),
-        Command::Optimize(args) => optimize::run(args),
-        Command::OptimumSensitivity(args) => optimum_sensitivity::run(args),
-        Command::Design(args) => design::run(args),
-        Command::Calibrate(args) => calibrate::run(args),
-        Command::Delivery(args) => delivery::run(args),
-        Command::Chart(args) => chart::run(args),
-        Command::Pareto(args) => pareto::run(args),
-        Command::Robust(args) => robust::run(args),
-        Command::Explore(args) => explore::run(args),
-        Command::Plot(args) => plot::run(args),
-        Command::Report(args) => report::run(args),
-        Command::Sweep(args) => sweep::run(args),
-        Command::Fly(args) => fly::run(args),
-        Command::Reproduce(args) => reproduce::run(args),
-        Command::Validate(args) => validate::run(args),
-        Command::Verify(args) => verify::run(args),
-        Command::Sensitivity(args) => sensitivity::run(args),
-        Command::Uncertainty(args) => uncertainty::run(args),
-        Command::Parameters(args) => parameters::run(args),
-        Command::Presets(args) => presets::run(args),
-        Command::Laws(args) => laws::run(args),
-        #[cfg(feature = "cli")]
-        Command::Completions(args) => completions::run(args),
-        #[cfg(feature = "cli")]
-        Command::Man(args) => man::run(args),
-    }
+/// The program, with the options of all commands.
+fn program() -> &'static clap::Command {
+    static PROGRAM: LazyLock<clap::Command> = LazyLock::new(Program::command);
+    &PROGRAM
+}
+
+/// Formats the arguments and commands of a message with `write`.
+///
+/// ```
+/// use longdrive::command::{Mention, with_mentions};
+/// let message = "give a range, as in `vary club.loft=4deg..20deg`";
+/// let program = with_mentions(message, |mention| mention.in_words_of_the_program());
+/// assert_eq!(program, "give a range, as in --vary club.loft=4deg..20deg");
+/// ```
+pub fn with_mentions(message: &str, write: impl Fn(Mention<'_>) -> String) -> String {
+    mention::with_mentions_of(program(), message, write)
 }

@@ -1,5 +1,6 @@
+pub use crate::command::args::OptimizeArgs as Args;
+
 use crate::Result;
-use crate::command::args::Optimize;
 use crate::command::files::{Destination, Rule};
 use crate::command::output::{Answer, system, tell, warn};
 use crate::command::request::Request;
@@ -9,7 +10,7 @@ use crate::report::{OptimumReport, OverSwings, Surroundings, optimize_document};
 use crate::study::{club_alone, usual_loss, windows};
 use std::sync::atomic::AtomicBool;
 
-pub fn run(args: &Optimize) -> Result<Answer> {
+pub fn run(args: &Args) -> Result<Answer> {
     args.swings.refuse_stray()?;
     if args.swings.is_given() {
         return crate::command::swings::run(args);
@@ -66,7 +67,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
     Ok(answer.found(is_converged && optima.stopped() == 0))
 }
 
-impl Optimize {
+impl Args {
     /// The destination of the setup file of the optimum.
     pub fn destination(&self, request: &Request) -> Result<Option<Destination>> {
         let inputs = request.inputs().chain(self.work.checkpoint.clone());

@@ -1,4 +1,4 @@
-use crate::command::args::{Optimize, OptimumSensitivity, SwingsArgs};
+use crate::command::args::{OptimizeArgs, SwingsArgs};
 use crate::command::names::variables;
 use crate::command::output::{Answer, bar, show, spinner, system, tell, tell_error, warn};
 use crate::command::request::Request;
@@ -15,8 +15,34 @@ use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
 use std::sync::atomic::AtomicBool;
 
-pub fn run(args: &OptimumSensitivity) -> Result<Answer> {
-    let Optimize {
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(flatten)]
+    pub optimize: OptimizeArgs,
+
+    /// The parameters that the optimum depends on, separated by commas; "all" for every one that
+    /// has a value in this setup and is not varied.
+    #[arg(
+        long,
+        value_name = "NAME,…",
+        value_delimiter = ',',
+        default_value = "all"
+    )]
+    pub wrt: Vec<String>,
+
+    /// A change of a parameter, e.g. swing.speed=+5mph or air.density=-20% of its value: its effect
+    /// on the optimum is predicted, and compared with a new search. Repeatable.
+    #[arg(long, value_name = "NAME=AMOUNT", allow_hyphen_values = true)]
+    pub change: Vec<String>,
+
+    /// The loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for
+    /// a distance, or 1 % of the carry if that is below 10 yd; 1 % of the outcome otherwise].
+    #[arg(long, value_name = "AMOUNT", allow_hyphen_values = true)]
+    pub loss: Option<String>,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
+    let OptimizeArgs {
         setup_args,
         search,
         swings,
@@ -126,7 +152,7 @@ struct AnalysisRequest {
 }
 
 impl AnalysisRequest {
-    fn new(args: &OptimumSensitivity, setup: &Setup<f64>, search: &Search) -> Result<Self> {
+    fn new(args: &Args, setup: &Setup<f64>, search: &Search) -> Result<Self> {
         let wrt = variables(setup, &args.wrt, &search.outcomes())?;
         let changes = args
             .change

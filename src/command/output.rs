@@ -1,6 +1,6 @@
 use super::host::Kind;
+use super::host::{SharedProgress, Work};
 use super::mention::commands_with;
-use super::progress::{SharedProgress, Work};
 use super::running::running;
 use super::wording::{advice_on, in_words_of_the_host, name_in_words_of_the_host};
 use crate::report::{Document, Empty, Origin, Reply, Report};
@@ -289,7 +289,7 @@ fn is_misspelt(argument: &str, option: &str) -> bool {
 /// The tip about an option that this command does not have: the commands that have it.
 fn tip_of_unknown_option(argument: &str) -> String {
     let name = argument.split('=').next().unwrap_or(argument);
-    let commands = commands_with(name.trim_start_matches('-'));
+    let commands = commands_with(running().program, name.trim_start_matches('-'));
     let others = match commands.len() {
         0 | 6.. => String::new(),
         _ => format!("; it is an option of {}", commands.join(", ")),

@@ -1,10 +1,21 @@
 use crate::Result;
-use crate::command::args::{Parameters, SETUP, SetupArgs};
+use crate::command::args::{SETUP, SetupArgs};
 use crate::command::output::Answer;
 use crate::command::request::Source;
 use crate::report::ParametersReport;
 
-pub fn run(args: &Parameters) -> Result<Answer> {
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(flatten)]
+    pub setup_args: SetupArgs,
+
+    /// List only the parameters with this word in their names or groups, e.g. loft. Without a
+    /// SETUP it may be the first word: longdrive parameters swing.
+    #[arg(value_name = "WORD")]
+    pub word: Option<String>,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     let (setup_args, word) = args.setup_and_word();
     let request = setup_args.request()?;
     let setup = request.setup()?;
@@ -21,7 +32,7 @@ pub fn run(args: &Parameters) -> Result<Answer> {
     ))
 }
 
-impl Parameters {
+impl Args {
     /// The setup and the search word. If the command line has one argument only, it is the word,
     /// unless it names a setup.
     fn setup_and_word(&self) -> (SetupArgs, Option<String>) {

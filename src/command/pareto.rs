@@ -1,11 +1,11 @@
 //! The trade-off between two objectives: `pareto` and `plot pareto`.
 
-use crate::command::args::{ParetoArgs, ParetoAsked, PlotPareto, SearchArgs};
+use crate::command::args::{SearchArgs, SetupArgs, SwingsArgs, whole};
 use crate::command::files::{Destination, Rule, refused};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, stated_system, system, tell, warn};
-use crate::command::picture::Target;
+use crate::command::picture::{Drawing, Target};
 use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::running::running;
@@ -19,10 +19,84 @@ use crate::study::swings::{Pareto, ParetoSearch, Scenarios, pareto};
 use crate::study::{Goal, Search, Sense};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-pub fn run(args: &ParetoArgs) -> Result<Answer> {
+/// The two goals and the varied parameters.
+#[derive(clap::Args)]
+pub struct GoalArgs {
+    /// A goal to maximize: an outcome, or over many swings a statistic of it, e.g. "mean(carry)".
+    /// Give two goals in total, with --maximize and --minimize.
+    #[arg(long, value_name = "GOAL")]
+    pub maximize: Vec<String>,
+
+    /// A goal to minimize, e.g. "std(lateral)".
+    #[arg(long, value_name = "GOAL")]
+    pub minimize: Vec<String>,
+
+    /// A parameter to vary, with its range, e.g. club.loft=4deg..20deg. Repeatable [default: loft 4
+    /// to 20 deg; for one drive also attack angle -5 to 5 deg].
+    #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
+    pub vary: Vec<String>,
+
+    /// A constraint on a goal, e.g. "apex_height <= 35 yd", over many swings "mean(carry) >= 240
+    /// yd"; every limit with its unit. Repeatable.
+    #[arg(long, value_name = "CONSTRAINT", allow_hyphen_values = true)]
+    pub subject_to: Vec<String>,
+
+    /// The number of points, spread evenly from the optimum of one goal to the optimum of the
+    /// other.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 15,
+        value_parser = whole::<usize>(2..=1000, "`points 15`"),
+        allow_negative_numbers = true,
+    )]
+    pub points: usize,
+
+    /// The largest number of iterations of a search [default: 500].
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = whole::<u64>(0..=u64::MAX, "`max_iterations 200`"),
+        allow_negative_numbers = true,
+    )]
+    pub max_iterations: Option<u64>,
+
+    #[command(flatten)]
+    pub swings: SwingsArgs,
+}
+
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(flatten)]
+    pub setup_args: SetupArgs,
+
+    #[command(flatten)]
+    pub asked: GoalArgs,
+
+    /// Write the points into this file: .csv for all of them (SI units and radians), .toml for the
+    /// setup at one of them, which --at chooses.
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// The point whose setup is written: "knee", or its number in the table [default: knee].
+    #[arg(
+        long,
+        value_name = "POINT",
+        requires = "output",
+        allow_negative_numbers = true
+    )]
+    pub at: Option<String>,
+
+    /// Replace the file if it exists.
+    #[arg(long, requires = "output")]
+    pub overwrite: bool,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let output = Output::new(args, &request)?;
     let Followed {
@@ -47,11 +121,11 @@ pub fn run(args: &ParetoArgs) -> Result<Answer> {
     Ok(answer.found(is_whole))
 }
 
-/// Draws the front.
-pub fn draw(args: &PlotPareto) -> Result<Answer> {
-    let request = args.setup_args.request()?;
-    let target = Target::new(&request, &args.drawing)?;
-    let Followed { found, warnings } = followed(&request, &args.asked)?;
+/// Draws the front, for `plot pareto`.
+pub fn draw(setup_args: &SetupArgs, asked: &GoalArgs, drawing: &Drawing) -> Result<Answer> {
+    let request = setup_args.request()?;
+    let target = Target::new(&request, drawing)?;
+    let Followed { found, warnings } = followed(&request, asked)?;
     if found.interrupted {
         let message = "stopped before the whole front was found".into();
         return Err(Error::NotConverged {
@@ -61,7 +135,7 @@ pub fn draw(args: &PlotPareto) -> Result<Answer> {
     }
     target.put(
         request.is_json(),
-        &args.drawing,
+        drawing,
         &pareto_figure(&found, system()),
         warnings,
     )
@@ -73,7 +147,7 @@ struct Followed {
     warnings: Vec<Message>,
 }
 
-fn followed(request: &Request, asked: &ParetoAsked) -> Result<Followed> {
+fn followed(request: &Request, asked: &GoalArgs) -> Result<Followed> {
     asked.swings.refuse_stray()?;
     let (setup, search, scenarios) = if asked.swings.is_given() {
         over_swings(request, asked)?
@@ -125,7 +199,7 @@ fn followed(request: &Request, asked: &ParetoAsked) -> Result<Followed> {
 /// Objectives over many swings.
 fn over_swings(
     request: &Request,
-    asked: &ParetoAsked,
+    asked: &GoalArgs,
 ) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
     let (set_up, _, scenarios) = asked.swings.taken(request, false)?;
     let setup = request.with_starts(set_up, &asked.vary)?;
@@ -164,7 +238,7 @@ fn over_swings(
 /// Objectives of a single drive with this setup.
 fn of_one_drive(
     request: &Request,
-    asked: &ParetoAsked,
+    asked: &GoalArgs,
 ) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
     let setup = request.setup_with_starts(&asked.vary)?;
     let goals = asked.goals(|option, text| Ok(of_a_drive(option, text)?.into()))?;
@@ -195,7 +269,7 @@ fn of_one_drive(
     ))
 }
 
-impl ParetoAsked {
+impl GoalArgs {
     /// The two objectives, parsed by `read`.
     fn goals(
         &self,
@@ -251,7 +325,7 @@ struct Output {
 }
 
 impl Output {
-    fn new(args: &ParetoArgs, request: &Request) -> Result<Option<Self>> {
+    fn new(args: &Args, request: &Request) -> Result<Option<Self>> {
         let Some(path) = &args.output else {
             return Ok(None);
         };

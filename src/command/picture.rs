@@ -1,6 +1,6 @@
 //! Destinations of pictures, and their formats.
 
-use crate::command::args::Drawing;
+use crate::command::args::whole;
 use crate::command::files::{Destination, Rule};
 use crate::command::output::{Answer, stated_system, system, tell, warn};
 use crate::command::request::Request;
@@ -12,6 +12,44 @@ use crate::units::Message;
 use crate::{Drive, Error, Result, Setup};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+
+/// Options of a picture.
+#[derive(clap::Args)]
+pub struct Drawing {
+    /// The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+    #[arg(long, short, value_name = "FILE")]
+    pub output: PathBuf,
+
+    /// Replace files that exist.
+    #[arg(long)]
+    pub overwrite: bool,
+
+    /// Draw for a dark background.
+    #[arg(long)]
+    pub dark: bool,
+
+    /// The width of the picture in pixels; a PNG has twice the resolution. The size of the text
+    /// does not change [default: 480].
+    #[arg(
+        long,
+        value_name = "PIXELS",
+        value_parser = whole::<u32>(240..=4000, "`width 800`"),
+        allow_negative_numbers = true,
+    )]
+    pub width: Option<u32>,
+}
+
+impl Drawing {
+    /// The stated options on the appearance of a picture.
+    pub fn look(&self) -> Vec<&'static str> {
+        let given = [("`dark`", self.dark), ("`width`", self.width.is_some())];
+        given
+            .into_iter()
+            .filter(|(_, is_given)| *is_given)
+            .map(|(option, _)| option)
+            .collect()
+    }
+}
 
 /// The width of a picture, pixels.
 const WIDTH: u32 = 480;

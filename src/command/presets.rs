@@ -1,9 +1,19 @@
 use crate::Result;
-use crate::command::args::Presets;
 use crate::command::output::{Answer, system};
 use crate::report::{Line, PresetsReport, Reply, Report, preset_toml};
 
-pub fn run(args: &Presets) -> Result<Answer> {
+#[derive(clap::Args)]
+pub struct Args {
+    /// The preset to print as a setup file.
+    #[arg(value_name = "NAME")]
+    pub name: Option<String>,
+
+    /// Print the presets as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     if args.json {
         let report = PresetsReport::new(args.name.as_deref())?;
         return Ok(Answer::json(&Reply::of(&report, vec![])));

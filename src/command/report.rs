@@ -1,11 +1,11 @@
-use crate::command::args::Report;
+use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::date::today;
 use crate::command::explore::page::compiled_in;
 use crate::command::files::Rule;
+use crate::command::host::SharedProgress;
 use crate::command::names::usual;
 use crate::command::output::{Answer, bar, command_line, system, tell, warn};
 use crate::command::plot::limits;
-use crate::command::progress::SharedProgress;
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::wording::in_words_of_the_host;
@@ -26,12 +26,42 @@ use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use serde::Serialize;
 use std::ffi::OsString;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The typical number of optima in a chart, for the progress bar.
 const USUAL_POINTS: u64 = 24;
 
-pub fn run(args: &Report) -> Result<Answer> {
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(flatten)]
+    pub setup_args: SetupArgs,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+
+    /// The folder to write: index.html, the best drive as setup.toml, and each plot as
+    /// NAME-metric.svg, NAME-us.svg and NAME.csv. The folder is created if it does not exist; other
+    /// files in it are not touched.
+    #[arg(long, short, value_name = "DIR")]
+    pub output: PathBuf,
+
+    /// Replace files that exist.
+    #[arg(long)]
+    pub overwrite: bool,
+
+    /// The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%.
+    /// Repeatable; other parameters have the default uncertainties of "longdrive sensitivity".
+    #[arg(long, value_name = "NAME=AMOUNT")]
+    pub sigma: Vec<String>,
+
+    /// The parameter to follow the optimum along, with its range [default:
+    /// swing.speed=80mph..130mph; with --launch, launch.ball_speed=120mph..190mph; around the
+    /// drive's own speed if this is outside of the range].
+    #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
+    pub along: Option<String>,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let inputs = Inputs::new(args, &request)?;
     let date = today()?;
@@ -111,7 +141,7 @@ struct Inputs {
 }
 
 impl Inputs {
-    fn new(args: &Report, request: &Request) -> Result<Self> {
+    fn new(args: &Args, request: &Request) -> Result<Self> {
         let stated = request.setup()?;
         let of = args.search.sought()?.0;
         let reason = args.search.nothing_to_vary(request, &stated)?;
@@ -263,7 +293,7 @@ fn name_of(request: &Request) -> String {
 }
 
 fn answer(
-    args: &Report,
+    args: &Args,
     origin: &Origin,
     drives: &Drives,
     files: Vec<&str>,
@@ -453,7 +483,7 @@ impl Slopes {
     }
 }
 
-impl Report {
+impl Args {
     /// The search, and the parameter along which the chart runs.
     fn sought(&self, request: &Request, setup: &Setup<f64>) -> Result<(Search, Vary)> {
         let along = match &self.along {

@@ -1,15 +1,44 @@
 use crate::Result;
-use crate::command::args::{Published, Reproduce};
 use crate::command::files::{Folder, Rule};
 use crate::command::output::{Answer, stated_system, tell};
 use crate::report::{Document, Mae494Report, Reply, Report, WinfieldTanReport, document_files};
 use crate::reproduce::{Mae494, WinfieldTan, mae494, winfield_tan};
 use crate::units::{System, counted};
+use std::path::PathBuf;
 
 /// Names of the files that every document has.
 pub const DOCUMENT: [&str; 2] = ["report.md", "index.html"];
 
-pub fn run(args: &Reproduce) -> Result<Answer> {
+#[derive(clap::Args)]
+pub struct Args {
+    /// The study.
+    #[arg(value_enum, value_name = "STUDY")]
+    pub study: Published,
+
+    /// Print the answer as JSON (SI units and radians), and nothing else, to standard output.
+    #[arg(long)]
+    pub json: bool,
+
+    /// Write the study into this folder too: a page (index.html), Markdown, and every plot as SVG
+    /// with its data as CSV.
+    #[arg(long, short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+
+    /// Replace files that exist.
+    #[arg(long, requires = "output")]
+    pub overwrite: bool,
+}
+
+/// A study that can be reproduced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Published {
+    /// The student report "Optimization of a Golf Driver", MAE 494.
+    Mae494,
+    /// Winfield & Tan (1994), "Optimization of clubhead loft and swing elevation angles".
+    WinfieldTan,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     let rule = Rule::new([], args.overwrite);
     let folder = args
         .output

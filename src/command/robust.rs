@@ -1,6 +1,6 @@
 //! One design for several models of impact and flight.
 
-use crate::command::args::RobustArgs;
+use crate::command::args::{SearchArgs, SetupArgs, SwingsArgs, U32, whole};
 use crate::command::files::Rule;
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
@@ -13,11 +13,53 @@ use crate::study::swings::{Model, robust};
 use crate::study::{Goal, Search};
 use crate::units::{Message, Quantity};
 use crate::{Error, Result, Setup};
+use std::path::PathBuf;
 
 /// The default allowed loss of a distance: 1 yd, m.
 const YARD: f64 = 0.9144;
 
-pub fn run(args: &RobustArgs) -> Result<Answer> {
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(flatten)]
+    pub setup_args: SetupArgs,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+
+    #[command(flatten)]
+    pub swings: SwingsArgs,
+
+    /// Make each search from this many starts, spread evenly over the ranges (the first is the
+    /// setup's own).
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        value_parser = whole::<u32>(1..=U32, "`starts 8`"),
+        allow_negative_numbers = true,
+    )]
+    pub starts: u32,
+
+    /// A model in addition to the setup itself: changes of the setup, e.g. "aero.law=ferguson" or
+    /// "impact.friction=0.3,impact.gear_scale=0.5". Repeatable [default: the laws launch-monitor
+    /// and ferguson, a friction of 0.3 and half the gear effect, each as its own model].
+    #[arg(long, value_name = "NAME=VALUE,…", allow_hyphen_values = true)]
+    pub model: Vec<String>,
+
+    /// The allowed loss of each model against its own best design [default: 1 yd for a distance].
+    #[arg(long, value_name = "AMOUNT", allow_hyphen_values = true)]
+    pub within: Option<String>,
+
+    /// Write the setup with the robust design into this setup file.
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// Replace the file if it exists.
+    #[arg(long, requires = "output")]
+    pub overwrite: bool,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     args.swings.refuse_stray()?;
     let request = args.setup_args.request()?;
     let rule = Rule::new(request.inputs().chain(args.swings.inputs()), args.overwrite);
@@ -86,7 +128,7 @@ fn tell_models(models: &[Model]) {
     }
 }
 
-impl RobustArgs {
+impl Args {
     /// The setup, and the search with its objective and swings.
     fn search(&self, request: &Request) -> Result<(Setup<f64>, Search)> {
         if self.swings.is_given() {

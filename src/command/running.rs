@@ -1,18 +1,21 @@
-//! The command that runs on a thread: its `Host`, and its output options.
+//! The command that runs on a thread: its program, its `Host`, and its output options.
 
 use super::args::OutputOptions;
 use super::host::{Host, Kind};
-use super::mention::with_mentions;
+use super::mention::with_mentions_of;
 #[cfg(feature = "cli")]
 use super::terminal::Terminal;
 use crate::report::TextOptions;
 use crate::units::{Message, System};
+use clap::Command;
 use std::cell::RefCell;
 use std::ffi::OsString;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 /// A command with its host.
 pub struct Running {
+    /// The program, with the options of all commands.
+    pub program: &'static Command,
     pub host: Arc<dyn Host>,
     shown: Option<OutputOptions>,
     /// The arguments, without the name of the program.
@@ -42,13 +45,15 @@ impl Drop for PopOnDrop {
 
 /// Runs `work` as a command of this thread.
 pub fn within<T>(
+    program: &'static Command,
     host: Arc<dyn Host>,
     shown: Option<OutputOptions>,
     words: &[OsString],
     work: impl FnOnce() -> T,
 ) -> T {
     let words = words.get(1..).unwrap_or_default().to_vec();
-    RUNNING.with_borrow_mut(|all| all.push(Arc::new(Running::of(host, shown, words))));
+    let running = Running::of(program, host, shown, words);
+    RUNNING.with_borrow_mut(|all| all.push(Arc::new(running)));
     let _ended = PopOnDrop;
     work()
 }
@@ -79,14 +84,22 @@ fn default_host() -> Arc<dyn Host> {
 /// The innermost command of this thread, or one of the default host if this thread has no command.
 /// Threads that a command starts must get its `Running` explicitly.
 pub fn running() -> Arc<Running> {
+    /// The program of a thread without a command: it has no options.
+    static NO_COMMAND: LazyLock<Command> = LazyLock::new(|| Command::new("longdrive"));
     RUNNING
         .with_borrow(|all| all.last().cloned())
-        .unwrap_or_else(|| Arc::new(Running::of(default_host(), None, vec![])))
+        .unwrap_or_else(|| Arc::new(Running::of(&NO_COMMAND, default_host(), None, vec![])))
 }
 
 impl Running {
-    fn of(host: Arc<dyn Host>, shown: Option<OutputOptions>, words: Vec<OsString>) -> Self {
+    fn of(
+        program: &'static Command,
+        host: Arc<dyn Host>,
+        shown: Option<OutputOptions>,
+        words: Vec<OsString>,
+    ) -> Self {
         Self {
+            program,
             host,
             shown,
             words,
@@ -98,10 +111,7 @@ impl Running {
 
     /// The units that `--units` states, if any.
     pub fn stated_system(&self) -> Option<System> {
-        self.shown
-            .as_ref()
-            .and_then(|shown| shown.units)
-            .map(System::from)
+        self.shown.as_ref().and_then(|shown| shown.units)
     }
 
     /// The units of the results.
@@ -139,10 +149,8 @@ impl Running {
     /// Reports a remark or progress, unless `--quiet` is given.
     pub fn tell(&self, text: &str) {
         if !self.is_quiet() {
-            self.host.say(
-                Kind::Note,
-                &with_mentions(text, |mention| self.host.mention(mention)),
-            );
+            let text = with_mentions_of(self.program, text, |mention| self.host.mention(mention));
+            self.host.say(Kind::Note, &text);
         }
     }
 

@@ -2,10 +2,10 @@
 
 use crate::command::args::{SearchArgs, WorkArgs};
 use crate::command::files::Destination;
+use crate::command::host::{SharedProgress, Work};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{shown, system, tell, warn};
-use crate::command::progress::{SharedProgress, Work};
 use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::running::running;

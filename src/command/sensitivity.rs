@@ -1,4 +1,4 @@
-use crate::command::args::SensitivityArgs;
+use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::outcomes;
 use crate::command::output::{Answer, Warnings, bar, show, system, tell};
 use crate::command::request::Request;
@@ -12,7 +12,39 @@ use crate::study::{
 use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
 
-pub fn run(args: &SensitivityArgs) -> Result<Answer> {
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(flatten)]
+    pub setup_args: SetupArgs,
+
+    /// The outcomes, separated by commas; "all" for every one.
+    #[arg(
+        long,
+        value_name = "OUTCOME,…",
+        value_delimiter = ',',
+        default_value = "carry"
+    )]
+    pub of: Vec<String>,
+
+    /// The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5% of its
+    /// value. Repeatable.
+    #[arg(long, value_name = "NAME=AMOUNT")]
+    pub sigma: Vec<String>,
+
+    /// Use no default uncertainties: only parameters with a --sigma are uncertain.
+    #[arg(long)]
+    pub no_defaults: bool,
+
+    /// Compute the slopes and effects at the optimum of a search, and show the total derivatives of
+    /// the optimum too.
+    #[arg(long)]
+    pub at_optimum: bool,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let mut setup = request.within_tolerance(request.setup()?)?;
     let of = outcomes(&args.of)?;
@@ -55,11 +87,7 @@ pub fn run(args: &SensitivityArgs) -> Result<Answer> {
 }
 
 /// The optimum for `--at-optimum`; `None` without this option.
-fn find_optimum(
-    args: &SensitivityArgs,
-    request: &Request,
-    setup: &Setup<f64>,
-) -> Result<Option<Optimum>> {
+fn find_optimum(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Option<Optimum>> {
     if !args.at_optimum {
         return match args.search.given().first() {
             Some(option) => Err(Error::Unreadable {

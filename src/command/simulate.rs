@@ -1,11 +1,12 @@
-use crate::command::args::Simulate;
+pub use crate::command::args::SetupArgs as Args;
+
 use crate::command::output::{Answer, warn};
 use crate::flight::Flight;
 use crate::report::DriveReport;
 use crate::{Drive, Outcome, Result};
 
-pub fn run(args: &Simulate) -> Result<Answer> {
-    let request = args.setup_args.request()?;
+pub fn run(args: &Args) -> Result<Answer> {
+    let request = args.request()?;
     let setup = request.within_tolerance(request.setup()?)?;
     let drive = Drive::new(&setup);
     let mut warnings = drive.as_ref().map_or_else(

@@ -1,6 +1,6 @@
 //! The search for the best design over many swings.
 
-use crate::command::args::{Optimize, SearchArgs, SwingsArgs};
+use crate::command::args::{OptimizeArgs, SearchArgs, SwingsArgs};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, system, warn};
@@ -190,7 +190,7 @@ impl SwingsOptimum {
 }
 
 /// Searches over swings.
-pub fn run(args: &Optimize) -> Result<Answer> {
+pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let (setup, swings, scenarios) = args.swings.taken(&request, true)?;
     let started = request.with_starts(setup, &args.search.vary)?;
@@ -218,7 +218,7 @@ pub fn run(args: &Optimize) -> Result<Answer> {
 
 /// Runs the search, and writes the setup if a file is given. Ctrl-C can stop the work until
 /// [`interrupt::ends`].
-pub fn found(args: &Optimize, request: &Request, asked: SwingsSearch) -> Result<SwingsOptimum> {
+pub fn found(args: &OptimizeArgs, request: &Request, asked: SwingsSearch) -> Result<SwingsOptimum> {
     let SwingsSearch {
         setup,
         swings,
@@ -267,11 +267,6 @@ pub fn found(args: &Optimize, request: &Request, asked: SwingsSearch) -> Result<
     })
 }
 
-/// The default objective.
-type Usual<'a> = &'a dyn Fn() -> Result<(Goal, Sense)>;
-/// The default ranges to vary.
-type UsualVary<'a> = &'a dyn Fn(&Setup<f64>) -> Result<Vec<Vary>>;
-
 /// The search over swings. By default it maximizes the mean carry and varies the loft: the attack
 /// angle belongs to the golfer and varies from swing to swing.
 pub fn searched(
@@ -285,18 +280,18 @@ pub fn searched(
         search,
         swings,
         setup,
-        &|| Ok((Goal::mean(Outcome::Carry), Sense::Maximize)),
-        &loft,
+        || Ok((Goal::mean(Outcome::Carry), Sense::Maximize)),
+        loft,
     )
 }
 
-/// The objective and its sense.
+/// The search over swings, with a default objective and default ranges.
 pub fn sought(
     search: &SearchArgs,
     swings: &SwingsArgs,
     setup: &Setup<f64>,
-    usual: Usual<'_>,
-    usual_vary: UsualVary<'_>,
+    usual: impl Fn() -> Result<(Goal, Sense)>,
+    usual_vary: impl Fn(&Setup<f64>) -> Result<Vec<Vary>>,
 ) -> Result<Search> {
     search.refuse_two_goals()?;
     let strokes = swings.strokes()?;

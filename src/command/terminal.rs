@@ -6,7 +6,7 @@
 //! - A second Ctrl-C ends the program at once.
 
 use super::host::{Hold, Host, Kind};
-use super::progress::{Progress, SharedProgress, Work};
+use super::host::{Progress, SharedProgress, Work};
 use super::{colour, width};
 use crate::report::{Reply, remark};
 use indicatif::{ProgressBar, ProgressStyle};

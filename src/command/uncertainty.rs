@@ -1,4 +1,4 @@
-use crate::command::args::UncertaintyArgs;
+use crate::command::args::{SetupArgs, whole};
 use crate::command::names::outcomes;
 use crate::command::output::{Answer, bar, show, system, tell_detail, warn};
 use crate::command::request::Request;
@@ -7,7 +7,55 @@ use crate::study::uncertainty::{SamplePlan, Uncertain, uncertainty};
 use crate::study::{Sigma, given_twice, with_defaults};
 use crate::{Drive, Outcome, Result, Setup};
 
-pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(flatten)]
+    pub setup_args: SetupArgs,
+
+    /// The outcomes, separated by commas; "all" for every one. For carry and lateral together,
+    /// landing ellipses are computed.
+    #[arg(
+        long,
+        value_name = "OUTCOME,…",
+        value_delimiter = ',',
+        default_value = "carry,lateral"
+    )]
+    pub of: Vec<String>,
+
+    /// The standard deviation of a parameter that is normally distributed about its value, e.g.
+    /// swing.speed=1mph or air.density=0.5% of its value. Repeatable [default, without
+    /// --distribution: the uncertainties that "sensitivity" uses].
+    #[arg(long, value_name = "NAME=AMOUNT")]
+    pub sigma: Vec<String>,
+
+    /// The distribution of a parameter: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH),
+    /// NAME=triangular(LOW,MODE,HIGH) or NAME=truncated(MEAN,DEVIATION,LOW,HIGH). Repeatable.
+    #[arg(long, value_name = "NAME=KIND(…)")]
+    pub distribution: Vec<String>,
+
+    /// The number of points N of the sample; with k uncertain parameters, N (k + 2) drives are
+    /// computed.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 4096,
+        value_parser = whole::<u64>(2..=1_000_000, "`samples 4096`"),
+        allow_negative_numbers = true,
+    )]
+    pub samples: u64,
+
+    /// The seed of the sample; the same seed gives the same sample.
+    #[arg(
+        long,
+        value_name = "SEED",
+        default_value_t = 0,
+        value_parser = whole::<u64>(0..=u64::MAX, "`seed 7`"),
+        allow_negative_numbers = true,
+    )]
+    pub seed: u64,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let setup = request.setup()?;
     let of = outcomes(&args.of)?;
@@ -51,7 +99,7 @@ pub fn run(args: &UncertaintyArgs) -> Result<Answer> {
 fn inputs(
     request: &Request,
     setup: &Setup<f64>,
-    args: &UncertaintyArgs,
+    args: &Args,
     of: &[Outcome],
 ) -> Result<Vec<Uncertain>> {
     let sigmas = args

@@ -1,16 +1,40 @@
 use crate::Result;
-use crate::command::args::Validate;
+use crate::command::args::OwnLaw;
 use crate::command::files::Rule;
 use crate::command::output::{Answer, system, tell};
 use crate::command::reproduce::{DOCUMENT, chosen, write};
 use crate::report::{Reply, Report, ValidationReport};
 use crate::study::validation::validation;
 use crate::units::System;
+use std::path::{Path, PathBuf};
 
-pub fn run(args: &Validate) -> Result<Answer> {
+#[derive(clap::Args)]
+pub struct Args {
+    /// Print the answer as JSON (SI units and radians), and nothing else, to standard output.
+    #[arg(long)]
+    pub json: bool,
+
+    /// Print every law on every drive as CSV (SI units and radians) to standard output.
+    #[arg(long, conflicts_with = "json")]
+    pub csv: bool,
+
+    /// Write the comparison to this folder, as a page (index.html) and Markdown with pictures and
+    /// their data; or, to a name that ends in .csv, every law on every drive.
+    #[arg(long, short, value_name = "DIR or FILE.csv")]
+    pub output: Option<PathBuf>,
+
+    /// Replace files that exist.
+    #[arg(long, requires = "output")]
+    pub overwrite: bool,
+
+    #[command(flatten)]
+    pub own: OwnLaw,
+}
+
+pub fn run(args: &Args) -> Result<Answer> {
     let rule = Rule::new([], args.overwrite);
     let own = args.own.law()?;
-    let is_csv = |path: &std::path::Path| {
+    let is_csv = |path: &Path| {
         path.extension()
             .is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
     };

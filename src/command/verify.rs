@@ -1,4 +1,4 @@
-use crate::command::args::Verify;
+use crate::command::args::SetupArgs;
 use crate::command::interrupt;
 use crate::command::names::{outcomes, variables};
 use crate::command::output::{Answer, bar, show, system, tell, warn};
@@ -7,6 +7,30 @@ use crate::reproduce::while_loop;
 use crate::study::certificate::{Certificate, StepError, certify};
 use crate::{Drive, Result};
 use std::sync::atomic::Ordering;
+
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(flatten)]
+    pub setup_args: SetupArgs,
+
+    /// The outcomes, separated by commas; "all" for every one.
+    #[arg(
+        long,
+        value_name = "OUTCOME,…",
+        value_delimiter = ',',
+        default_value = "carry,lateral"
+    )]
+    pub of: Vec<String>,
+
+    /// The parameters, separated by commas; "all" for every one that has a value in this setup.
+    #[arg(
+        long,
+        value_name = "NAME,…",
+        value_delimiter = ',',
+        default_value = "all"
+    )]
+    pub wrt: Vec<String>,
+}
 
 /// Reports the excluded outcomes, with the reasons.
 pub fn tell_left_out(certificate: &Certificate) {
@@ -19,7 +43,7 @@ pub fn tell_left_out(certificate: &Certificate) {
     }
 }
 
-pub fn run(args: &Verify) -> Result<Answer> {
+pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let setup = request.within_tolerance(request.setup()?)?;
     let of = outcomes(&args.of)?;

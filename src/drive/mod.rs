@@ -1,11 +1,15 @@
 //! One drive, from the setup to its outcomes: impact, launch, flight, landing.
 
+mod declaration;
 mod outcome;
+mod outcome_table;
 mod validity;
 mod warnings;
 
-pub(crate) use outcome::OutcomeInputs;
-pub use outcome::{Outcome, OutcomeGroup};
+pub(crate) use declaration::{ComputedFrom, Plausible, Sign};
+pub use declaration::{Instrument, OutcomeGroup};
+pub use outcome_table::Outcome;
+pub(crate) use outcome_table::OutcomeInputs;
 pub use validity::{CheckScope, ExceededCount, ExceededLimits, ExceededShare};
 pub(crate) use validity::{any_face, flat_landing_angle, is_outside_any_face};
 pub use warnings::FlownRange;

@@ -1,222 +1,86 @@
 use super::Drive;
+use super::declaration::{ComputedFrom, Instrument, OutcomeGroup, Plausible, Sign};
+use super::outcome_table::{Outcome, OutcomeInputs};
 use crate::error::{Error, Result};
-use crate::flight::{Flight, Landed};
-use crate::impact::Head;
-use crate::launch::Launch;
-use crate::number::{Number, Numbers};
+use crate::flight::Flight;
+use crate::number::Number;
 use crate::units::Quantity;
 use std::fmt;
 use std::str::FromStr;
 
-/// Part of a drive that an outcome describes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum OutcomeGroup {
-    /// The launch of the ball.
-    Launch,
-    /// The flight; undefined if the ball does not fly.
-    Flight,
-    /// The head with its movable weights.
-    Head,
-}
-
-/// Quantities that outcomes are computed from.
-#[derive(Clone, Copy)]
-pub(crate) struct OutcomeInputs<'a, T, Read> {
-    pub launch: &'a Launch<T>,
-    /// Speed of the head before impact, m/s, if there is a club.
-    pub club_speed: Option<T>,
-    pub landed: Option<&'a Landed<T>>,
-    /// The head, if there is a club and if an outcome of the head is requested.
-    pub head: Option<&'a Head<T>>,
-    /// Converts a number, for example to its value in one lane. It is only called for the numbers
-    /// that an outcome depends on.
-    pub read: Read,
-}
-
-impl<T: Numbers, U, Read: Fn(T) -> U + Copy> OutcomeInputs<'_, T, Read> {
-    #[inline(always)]
-    fn launch(&self) -> Launch<U> {
-        self.launch.map(self.read)
-    }
-
-    #[inline(always)]
-    fn club_speed(&self) -> Option<U> {
-        self.club_speed.map(self.read)
-    }
-
-    #[inline(always)]
-    fn landed(&self) -> Option<Landed<U>> {
-        Some(self.landed?.map(self.read))
-    }
-
-    #[inline(always)]
-    fn head(&self) -> Option<Head<U>> {
-        Some(self.head?.map(self.read))
-    }
-}
-
-/// Declares each outcome once: group, name, symbol, quantity, display unit, and formula.
-macro_rules! outcomes {
-    ($( $(#[doc = $doc:literal])+ $Group:ident $Outcome:ident = $name:literal, $symbol:literal, $quantity:ident in $unit:literal, |$drive:ident| $value:expr; )+) => {
-        /// An outcome of a drive.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub enum Outcome {
-            $( $(#[doc = $doc])+ #[doc = concat!("\n\n`", $name, "`, symbol ", $symbol, ".")] $Outcome, )+
-        }
-
-        impl Outcome {
-            /// Outcomes of drives, then outcomes of the head.
-            const EVERY: &'static [Self] = &[$( Self::$Outcome ),+];
-
-            /// The part of a drive that the outcome describes.
-            pub fn group(self) -> OutcomeGroup {
-                match self { $( Self::$Outcome => OutcomeGroup::$Group, )+ }
-            }
-
-            /// Name in JSON and on the command line: `carry`.
-            pub fn name(self) -> &'static str {
-                match self { $( Self::$Outcome => $name, )+ }
-            }
-
-            /// Symbol in docs/model.md.
-            pub fn symbol(self) -> &'static str {
-                match self { $( Self::$Outcome => $symbol, )+ }
-            }
-
-            /// One line of documentation.
-            pub fn doc(self) -> &'static str {
-                match self { $( Self::$Outcome => concat!($($doc),+).trim_ascii(), )+ }
-            }
-
-            /// Kind of quantity, with its SI unit.
-            pub fn quantity(self) -> Quantity {
-                match self { $( Self::$Outcome => Quantity::$quantity, )+ }
-            }
-
-            /// Display unit.
-            pub fn unit(self) -> &'static str {
-                match self { $( Self::$Outcome => $unit, )+ }
-            }
-
-            /// The outcome of a drive, SI, over the number type of the drive.
-            ///
-            /// # Errors
-            /// [`Error::NoFlight`] for an outcome of the flight if the ball does not land;
-            /// [`Error::Undefined`] for an outcome of the club if the setup gives the launch.
-            pub fn of<T: Number>(self, drive: &Drive<T>) -> Result<T> {
-                let landed = match &drive.flight {
-                    Flight::Landed(landed) => Some(landed),
-                    Flight::None(_) => None,
-                };
-                let (launch, club_speed, head) = (&drive.launch, drive.club_speed, drive.head.as_ref());
-                let inputs = OutcomeInputs { launch, club_speed, landed, head, read: |number| number };
-                self.evaluate(&inputs).ok_or_else(|| match &drive.flight {
-                    Flight::None(why) if self.group() == OutcomeGroup::Flight => Error::NoFlight { reason: why.message() },
-                    _ => self.unavailable(),
-                })
-            }
-
-            /// Error for an outcome that does not exist, although the ball lands.
-            pub(crate) fn unavailable(self) -> Error {
-                let reason = match self.group() {
-                    OutcomeGroup::Launch | OutcomeGroup::Head => "no club strikes the ball: the launch is given",
-                    OutcomeGroup::Flight => "the apex and the run of this flight were not computed",
-                };
-                Error::Undefined { what: self.name().into(), reason: reason.into() }
-            }
-
-            /// Evaluates the outcome; `None` if a quantity that it depends on is missing.
-            pub(crate) fn evaluate<T: Numbers, U: Number>(self, inputs: &OutcomeInputs<'_, T, impl Fn(T) -> U + Copy>) -> Option<U> {
-                match self { $( Self::$Outcome => { let $drive = inputs; Some($value) } )+ }
-            }
-        }
-    };
-}
-
-outcomes! {
-    /// Distance downrange at landing, along the target line; carry_distance includes the distance
-    /// to the side.
-    Flight Carry = "carry", "z_L", LENGTH in "yd", |drive| drive.landed()?.carry;
-    /// Horizontal distance from the tee to the landing, in any direction: the carry of launch
-    /// monitors.
-    Flight CarryDistance = "carry_distance", "√(z_L² + y_L²)", LENGTH in "yd", |drive| {
-        let landed = drive.landed()?;
-        (landed.carry * landed.carry + landed.lateral * landed.lateral).sqrt()
-    };
-    /// Distance right of the target line at landing.
-    Flight Lateral = "lateral", "y_L", LENGTH in "yd", |drive| drive.landed()?.lateral;
-    /// Time from launch to landing.
-    Flight FlightTime = "flight_time", "t_L", TIME in "s", |drive| drive.landed()?.flight_time;
-    /// Greatest height of the flight above the tee.
-    Flight ApexHeight = "apex_height", "x_A", LENGTH in "yd", |drive| drive.landed()?.apex?.height;
-    /// Time from launch to the apex.
-    Flight ApexTime = "apex_time", "t_A", TIME in "s", |drive| drive.landed()?.apex?.time;
-    /// Distance downrange of the apex.
-    Flight ApexDownrange = "apex_downrange", "z_A", LENGTH in "yd", |drive| drive.landed()?.apex?.downrange;
-    /// Angle of the path below horizontal at landing.
-    Flight DescentAngle = "descent_angle", "γ_L", ANGLE in "deg", |drive| {
-        let v = drive.landed()?.velocity;
-        (-v.x).atan2((v.y * v.y + v.z * v.z).sqrt())
-    };
-    /// Speed at landing.
-    Flight LandingSpeed = "landing_speed", "|v_L|", SPEED in "mph", |drive| drive.landed()?.velocity.norm();
-    /// Distance downrange where the ball rests, along the target line like carry; uncertain by at
-    /// least 10 yd, as the ground is not calibrated.
-    Flight Total = "total", "z_R", LENGTH in "yd", |drive| drive.landed()?.rest.as_ref()?.downrange;
-    /// Distance from landing to rest (bounces, sliding, rolling), along the target line; uncertain
-    /// by at least 10 yd, as the ground is not calibrated.
-    Flight Run = "run", "z_R − z_L", LENGTH in "yd", |drive| {
-        let landed = drive.landed()?;
-        landed.rest.as_ref()?.downrange - landed.carry
-    };
-    /// Distance right of the target line where the ball rests; the ground is not calibrated.
-    Flight LateralTotal = "lateral_total", "y_R", LENGTH in "yd", |drive| drive.landed()?.rest.as_ref()?.right;
-    /// Speed of the ball at launch.
-    Launch BallSpeed = "ball_speed", "|v_0|", SPEED in "mph", |drive| drive.launch().ball_speed();
-    /// Ball speed over club speed.
-    Launch SmashFactor = "smash_factor", "|v_0|/V", NUMBER in "", |drive| drive.launch().ball_speed() / drive.club_speed()?;
-    /// Angle of the launch above horizontal.
-    Launch LaunchAngle = "launch_angle", "γ_0", ANGLE in "deg", |drive| drive.launch().launch_angle();
-    /// Horizontal direction of the launch, + right.
-    Launch LaunchDirection = "launch_direction", "φ_0", ANGLE in "deg", |drive| drive.launch().launch_direction();
-    /// Spin at launch.
-    Launch Spin = "spin", "|ω_0|", ANGULAR_VELOCITY in "rpm", |drive| drive.launch().total_spin();
-    /// Backspin at launch.
-    Launch Backspin = "backspin", "ω_b", ANGULAR_VELOCITY in "rpm", |drive| drive.launch().backspin();
-    /// Sidespin at launch, + curves right.
-    Launch Sidespin = "sidespin", "ω_s", ANGULAR_VELOCITY in "rpm", |drive| drive.launch().sidespin();
-    /// Tilt of the spin axis at launch, + right.
-    Launch SpinAxis = "spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg", |drive| drive.launch().spin_axis();
-    /// Mass of the head with its movable weights.
-    Head HeadMass = "head_mass", "M", MASS in "g", |drive| drive.head()?.mass;
-    /// Moment of inertia of the head with its movable weights about the vertical axis through its
-    /// centre of mass, which the Rules of Golf limit.
-    Head HeadMoi = "head_moi", "I_xx", INERTIA in "g cm^2", |drive| drive.head()?.inertia[0][0];
-    /// First leading minor of the second moments of the head's mass: at least 0 for a rigid body.
-    Head HeadMinor1 = "head_minor_1", "S₁", INERTIA in "g cm^2", |drive| drive.head()?.minors()[0];
-    /// Second leading minor of the second moments of the head's mass, over their sum: at least 0
-    /// for a rigid body.
-    Head HeadMinor2 = "head_minor_2", "S₂", INERTIA in "g cm^2", |drive| drive.head()?.minors()[1];
-    /// Third leading minor of the second moments of the head's mass, over the square of their sum:
-    /// at least 0 for a rigid body.
-    Head HeadMinor3 = "head_minor_3", "S₃", INERTIA in "g cm^2", |drive| drive.head()?.minors()[2];
-}
-
 impl Outcome {
+    /// All outcomes of drives; the outcomes of the head are [`OF_HEAD`](Self::OF_HEAD).
+    pub const ALL: &'static [Self] = Self::EVERY.split_at(Self::count_of_drives()).0;
+
     /// Outcomes of the head, which do not depend on the swing. [`named`](Self::named) also finds
     /// them.
-    pub const OF_HEAD: &'static [Self] = &[
-        Self::HeadMass,
-        Self::HeadMoi,
-        Self::HeadMinor1,
-        Self::HeadMinor2,
-        Self::HeadMinor3,
-    ];
+    pub const OF_HEAD: &'static [Self] = Self::EVERY.split_at(Self::count_of_drives()).1;
 
-    /// All outcomes of drives; the outcomes of the head are [`OF_HEAD`](Self::OF_HEAD).
-    pub const ALL: &'static [Self] = Self::EVERY
-        .split_at(Self::EVERY.len() - Self::OF_HEAD.len())
-        .0;
+    const fn count_of_drives() -> usize {
+        let mut count = 0;
+        while !matches!(
+            Self::EVERY[count].declaration().computed_from,
+            ComputedFrom::Head
+        ) {
+            count += 1;
+        }
+        count
+    }
+
+    /// Name in JSON and on the command line: `carry`.
+    pub fn name(self) -> &'static str {
+        self.declaration().name
+    }
+
+    /// Symbol in docs/model.md.
+    pub fn symbol(self) -> &'static str {
+        self.declaration().symbol
+    }
+
+    /// One line of documentation.
+    pub fn doc(self) -> &'static str {
+        self.declaration().doc
+    }
+
+    /// Kind of quantity, with its SI unit.
+    pub fn quantity(self) -> Quantity {
+        self.declaration().quantity
+    }
+
+    /// Display unit.
+    pub fn unit(self) -> &'static str {
+        self.declaration().unit
+    }
+
+    /// Part of the drive that the formula reads.
+    pub(crate) fn computed_from(self) -> ComputedFrom {
+        self.declaration().computed_from
+    }
+
+    /// Sign of its values.
+    pub(crate) fn sign(self) -> Sign {
+        self.declaration().sign
+    }
+
+    /// The outcome as launch monitors measure it; `None` for an outcome of the head.
+    pub(crate) fn instrument(self) -> Option<&'static Instrument> {
+        self.declaration().instrument.as_ref()
+    }
+
+    /// Values that a drive can have, in the display unit; `None` if any value is accepted.
+    pub(crate) fn plausible(self) -> Option<Plausible> {
+        self.instrument()?.plausible
+    }
+
+    /// Column heads of exports, in lower case, without punctuation.
+    pub(crate) fn heads(self) -> &'static [&'static str] {
+        self.instrument().map_or(&[], |instrument| instrument.heads)
+    }
+
+    /// The part of a drive that the outcome describes.
+    pub fn group(self) -> OutcomeGroup {
+        self.computed_from().group()
+    }
 
     /// Outcomes of the launch, of the flight, or of the head.
     pub fn in_group(group: OutcomeGroup) -> impl Iterator<Item = Self> + Clone {
@@ -229,14 +93,26 @@ impl Outcome {
     /// True if the outcome depends on the apex.
     pub(crate) fn needs_apex(self) -> bool {
         matches!(
-            self,
-            Self::ApexHeight | Self::ApexTime | Self::ApexDownrange
+            self.computed_from(),
+            ComputedFrom::ApexHeight | ComputedFrom::ApexTime
         )
     }
 
     /// True if the outcome depends on the run of the ball on the ground after the landing.
     pub fn needs_run(self) -> bool {
-        matches!(self, Self::Total | Self::Run | Self::LateralTotal)
+        self.computed_from() == ComputedFrom::Rest
+    }
+
+    /// True for a distance to the right of the target line, which depends on launch direction and
+    /// spin axis.
+    pub(crate) fn is_lateral(self) -> bool {
+        self.sign() == Sign::Right && self.group() == OutcomeGroup::Flight
+    }
+
+    /// True for an angle to the right of the target line: it is between −180° and 180°, and jumps
+    /// between these ends.
+    fn is_direction(self) -> bool {
+        self.sign() == Sign::Right && self.quantity() == Quantity::ANGLE
     }
 
     /// Reason for a value that is not finite.
@@ -270,16 +146,50 @@ impl Outcome {
             })
     }
 
+    /// The outcome of a drive, SI, over the number type of the drive.
+    ///
+    /// # Errors
+    /// [`Error::NoFlight`] for an outcome of the flight if the ball does not land;
+    /// [`Error::Undefined`] for an outcome of the club if the setup gives the launch.
+    pub fn of<T: Number>(self, drive: &Drive<T>) -> Result<T> {
+        let landed = match &drive.flight {
+            Flight::Landed(landed) => Some(landed),
+            Flight::None(_) => None,
+        };
+        let inputs = OutcomeInputs {
+            launch: &drive.launch,
+            club_speed: drive.club_speed,
+            landed,
+            head: drive.head.as_ref(),
+            read: |number| number,
+        };
+        self.evaluate(&inputs).ok_or_else(|| match &drive.flight {
+            Flight::None(why) if self.group() == OutcomeGroup::Flight => Error::NoFlight {
+                reason: why.message(),
+            },
+            _ => self.unavailable(),
+        })
+    }
+
+    /// Error for an outcome that does not exist, although the ball lands.
+    pub(crate) fn unavailable(self) -> Error {
+        let reason = match self.group() {
+            OutcomeGroup::Launch | OutcomeGroup::Head => {
+                "no club strikes the ball: the launch is given"
+            }
+            OutcomeGroup::Flight => "the apex and the run of this flight were not computed",
+        };
+        Error::Undefined {
+            what: self.name().into(),
+            reason: reason.into(),
+        }
+    }
+
     /// The value of this outcome; `None` for an outcome of the flight without a landing, for an
     /// outcome of the club without a club, and for a value that is not finite, such as an angle
     /// whose direction does not exist (a vertical launch, no spin).
     pub fn value(self, drive: &Drive<f64>) -> Option<f64> {
         self.of(drive).ok().filter(|value| value.is_finite())
-    }
-
-    /// True if the outcome is an angle between −180° and 180°, which jumps between these ends.
-    fn is_direction(self) -> bool {
-        matches!(self, Self::LaunchDirection | Self::SpinAxis)
     }
 
     /// Unwraps a direction: brings it within half a turn of `reference`, so that differences and
@@ -335,5 +245,60 @@ impl FromStr for Outcome {
 
     fn from_str(name: &str) -> Result<Self> {
         Self::named(name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ComputedFrom, Drive, Flight, Outcome, OutcomeGroup};
+    use crate::flight::Landed;
+    use crate::number::Vector;
+    use crate::parameters::Setup;
+
+    /// Outcomes that have no value without a part of a drive.
+    fn lost(without: impl Fn(&mut Drive<f64>, &mut Landed<f64>)) -> Vec<Outcome> {
+        let mut drive = Drive::new(&Setup::default()).unwrap();
+        let mut landed = *drive.landed().unwrap();
+        without(&mut drive, &mut landed);
+        drive.flight = Flight::Landed(landed);
+        let every = Outcome::EVERY.iter().copied();
+        every.filter(|of| of.value(&drive).is_none()).collect()
+    }
+
+    fn declared(is: impl Fn(Outcome) -> bool) -> Vec<Outcome> {
+        Outcome::EVERY
+            .iter()
+            .copied()
+            .filter(|of| is(*of))
+            .collect()
+    }
+
+    #[test]
+    fn each_formula_reads_the_part_that_its_declaration_names() {
+        assert_eq!(lost(|_, _| {}), []);
+        assert_eq!(
+            lost(|_, landed| landed.apex = None),
+            declared(Outcome::needs_apex)
+        );
+        assert_eq!(
+            lost(|_, landed| landed.rest = None),
+            declared(Outcome::needs_run)
+        );
+        let unknown = Vector::new(f64::NAN, f64::NAN, f64::NAN);
+        assert_eq!(
+            lost(|_, landed| landed.velocity = unknown),
+            declared(|of| of.computed_from() == ComputedFrom::LandingVelocity)
+        );
+        assert_eq!(
+            lost(|drive, _| {
+                drive.launch.velocity = unknown;
+                drive.launch.spin = unknown;
+            }),
+            declared(|of| of.group() == OutcomeGroup::Launch)
+        );
+        assert_eq!(
+            lost(|drive, _| drive.head = None),
+            declared(|of| of.group() == OutcomeGroup::Head)
+        );
     }
 }

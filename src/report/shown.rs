@@ -1,7 +1,7 @@
 //! Numbers formatted for people: in the units of a system, with the digits of a launch monitor, and
 //! with R or L in place of a sign.
 
-use crate::drive::Outcome;
+use crate::drive::{Outcome, Sign};
 use crate::parameters::{Parameter, Setup, UNSET, Vary};
 use crate::study::{Active, Constraint, Goal, Search};
 use crate::units::{
@@ -53,22 +53,10 @@ pub(super) fn spoken(sentence: &str) -> String {
     sentence.split(' ').map(speak).collect::<Vec<_>>().join(" ")
 }
 
-/// True if positive values of the outcome are to the right.
-fn is_sideways(of: Outcome) -> bool {
-    matches!(
-        of,
-        Outcome::Lateral
-            | Outcome::LateralTotal
-            | Outcome::LaunchDirection
-            | Outcome::Sidespin
-            | Outcome::SpinAxis
-    )
-}
-
 /// The value of an outcome: "162.0 mph", "3.2 yd R".
 pub fn outcome(of: Outcome, value: f64, system: System) -> String {
     let unit = system.unit(of.unit());
-    if is_sideways(of) {
+    if of.sign() == Sign::Right {
         side(of.quantity(), unit, value)
     } else {
         of.quantity().read_off(value, unit)

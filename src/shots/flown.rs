@@ -4,7 +4,6 @@ use super::section::Section;
 use super::shot::Shot;
 use crate::batch::{Block, Status};
 use crate::drive::{ExceededLimits, Outcome};
-use crate::table::is_sideways;
 
 /// Flight status of a row that was not flown.
 pub(super) const REFUSED: &str = "refused";
@@ -114,7 +113,7 @@ impl Flown {
     pub fn residual(&self, row: usize, outcome: usize) -> Option<f64> {
         let (of, shot) = (self.of[outcome], &self.shots[row]);
         let has_no_ground = of.needs_run() && !self.is_on_their_ground;
-        if has_no_ground || is_sideways(of) && shot.is_straight_by_assumption {
+        if has_no_ground || of.is_lateral() && shot.is_straight_by_assumption {
             return None;
         }
         Some(self.predicted(row, outcome)? - shot.value(of)?.value)

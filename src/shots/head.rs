@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
     Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, club_column, given_air,
-    near_known, nearest_head, split_unit, words,
+    near_known, nearest_head, rest_of_head, split_unit, words,
 };
 use crate::units::Message;
 use std::ops::Range;
@@ -382,23 +382,8 @@ fn read_units(units: Option<&[String]>, at: usize) -> Option<&str> {
     (!unit.is_empty()).then_some(unit)
 }
 
-/// Column heads for the ball's rest position. `calibrate` ignores these columns, since the ground
-/// is unknown.
-const TOTALS: [(&str, Outcome); 11] = [
-    ("gesamtstrecke", Outcome::Total),
-    ("gesamtabweichungsdistanz", Outcome::LateralTotal),
-    ("total offline", Outcome::LateralTotal),
-    ("total", Outcome::Total),
-    ("total distance", Outcome::Total),
-    ("total length", Outcome::Total),
-    ("est total flat length", Outcome::Total),
-    ("total side", Outcome::LateralTotal),
-    ("side total", Outcome::LateralTotal),
-    ("total deviation distance", Outcome::LateralTotal),
-    ("est total flat side", Outcome::LateralTotal),
-];
-
-/// The column for a head in [`TOTALS`]; `None` for any other head.
+/// The column for a head of the ball's rest position; `None` for any other head. `calibrate` ignores
+/// these columns, since the ground is unknown.
 fn total(
     setup: &Setup<f64>,
     name: &str,
@@ -406,8 +391,7 @@ fn total(
     below: Option<&str>,
     format: Format,
 ) -> Result<Option<Column>> {
-    let plain = words(name);
-    let Some((_, of)) = TOTALS.iter().find(|(known, _)| *known == plain) else {
+    let Some(of) = rest_of_head(&words(name)) else {
         return Ok(None);
     };
     let unit = split_unit(head)

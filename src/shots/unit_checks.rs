@@ -69,9 +69,7 @@ impl Comparison {
                 continue;
             };
             let measured = predicted - residual;
-            if of.quantity() == Quantity::LENGTH
-                && [Outcome::Lateral, Outcome::LateralTotal].contains(of)
-            {
+            if of.is_lateral() {
                 if predicted.abs().min(measured.abs()) > STRAIGHT && *of == Outcome::Lateral {
                     self.sides[0] += 1;
                     self.sides[1] += usize::from(predicted * measured < 0.0);

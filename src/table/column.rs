@@ -4,7 +4,7 @@ use super::heads::Meaning;
 use super::launch_monitor;
 use super::numbers;
 use super::numbers::{Side, cell_number, unwrapped};
-use crate::drive::Outcome;
+use crate::drive::{Outcome, Sign};
 use crate::error::{Error, Result};
 use crate::parameters::{Golfer, Parameter, Setup};
 use crate::units::{Quantity, Unit, UnitError};
@@ -402,23 +402,16 @@ impl Column {
             Content::Input(parameter) => names.contains(&parameter.name),
             _ => false,
         };
-        let of_outcome = |all: &[Outcome]| match self.content {
-            Content::Outcome(outcome) => all.contains(&outcome),
+        let of_outcome = |is: fn(Outcome) -> bool| match self.content {
+            Content::Outcome(outcome) => is(outcome),
             _ => false,
         };
         match side {
             Side::OfTarget { .. } => {
-                of_parameter(&[PATH, FACE])
-                    || of_outcome(&[
-                        Outcome::Lateral,
-                        Outcome::LateralTotal,
-                        Outcome::LaunchDirection,
-                        Outcome::Sidespin,
-                        Outcome::SpinAxis,
-                    ])
+                of_parameter(&[PATH, FACE]) || of_outcome(|of| of.sign() == Sign::Right)
             }
             Side::UpDown { .. } => {
-                of_parameter(&["swing.attack_angle"]) || of_outcome(&[Outcome::LaunchAngle])
+                of_parameter(&["swing.attack_angle"]) || of_outcome(|of| of == Outcome::LaunchAngle)
             }
             Side::InOut { .. } => of_parameter(&[PATH]),
             Side::OpenClosed { .. } => of_parameter(&[FACE]),

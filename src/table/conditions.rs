@@ -61,11 +61,6 @@ pub(crate) fn is_straight_by_assumption(values: &Stated) -> bool {
     direction.is_none() || sidespin.is_none() && axis.is_none()
 }
 
-/// True for lateral outcomes, which need the launch direction and the spin tilt.
-pub(crate) fn is_sideways(of: Outcome) -> bool {
-    matches!(of, Outcome::Lateral | Outcome::LateralTotal)
-}
-
 /// Message for contradictory or unusable spin values of a row; `back` and `side` are the values
 /// used.
 pub(crate) fn contradiction(

@@ -11,140 +11,49 @@ pub(super) enum Meaning {
     Input(&'static str),
 }
 
-/// Known column heads in lower case without punctuation.
-pub(super) const HEADS: &[(&str, Meaning)] = &[
-    ("club speed", Meaning::Input("swing.speed")),
-    ("club head speed", Meaning::Input("swing.speed")),
-    ("clubhead speed", Meaning::Input("swing.speed")),
-    ("attack angle", Meaning::Input("swing.attack_angle")),
-    ("angle of attack", Meaning::Input("swing.attack_angle")),
-    ("aoa", Meaning::Input("swing.attack_angle")),
-    ("club path", Meaning::Input("swing.path")),
-    ("swing path", Meaning::Input("swing.path")),
-    ("face angle", Meaning::Input("swing.face_angle")),
-    ("club face", Meaning::Input("swing.face_angle")),
-    ("face to target", Meaning::Input("swing.face_angle")),
-    ("attack ang", Meaning::Input("swing.attack_angle")),
-    ("face ang", Meaning::Input("swing.face_angle")),
-    ("vert path", Meaning::Input("swing.attack_angle")),
-    ("horiz path", Meaning::Input("swing.path")),
-    ("ball speed", Meaning::Outcome(Outcome::BallSpeed)),
-    ("smash factor", Meaning::Outcome(Outcome::SmashFactor)),
-    ("smash", Meaning::Outcome(Outcome::SmashFactor)),
-    ("smash fac", Meaning::Outcome(Outcome::SmashFactor)),
-    ("launch angle", Meaning::Outcome(Outcome::LaunchAngle)),
-    ("launch ang", Meaning::Outcome(Outcome::LaunchAngle)),
-    ("launch v", Meaning::Outcome(Outcome::LaunchAngle)),
-    ("vertical launch", Meaning::Outcome(Outcome::LaunchAngle)),
-    (
-        "vertical launch angle",
-        Meaning::Outcome(Outcome::LaunchAngle),
-    ),
-    ("launch angle v", Meaning::Outcome(Outcome::LaunchAngle)),
-    ("v launch angle", Meaning::Outcome(Outcome::LaunchAngle)),
-    ("vla", Meaning::Outcome(Outcome::LaunchAngle)),
-    (
-        "launch direction",
-        Meaning::Outcome(Outcome::LaunchDirection),
-    ),
-    ("launch dir", Meaning::Outcome(Outcome::LaunchDirection)),
-    ("launch h", Meaning::Outcome(Outcome::LaunchDirection)),
-    (
-        "horizontal launch",
-        Meaning::Outcome(Outcome::LaunchDirection),
-    ),
-    (
-        "horizontal launch angle",
-        Meaning::Outcome(Outcome::LaunchDirection),
-    ),
-    ("launch angle h", Meaning::Outcome(Outcome::LaunchDirection)),
-    ("h launch angle", Meaning::Outcome(Outcome::LaunchDirection)),
-    ("hla", Meaning::Outcome(Outcome::LaunchDirection)),
-    ("push pull", Meaning::Outcome(Outcome::LaunchDirection)),
-    ("side angle", Meaning::Outcome(Outcome::LaunchDirection)),
-    ("azimuth", Meaning::Outcome(Outcome::LaunchDirection)),
-    ("spin rate", Meaning::Outcome(Outcome::Spin)),
-    ("total spin", Meaning::Outcome(Outcome::Spin)),
-    ("spin", Meaning::Outcome(Outcome::Spin)),
-    ("backspin", Meaning::Outcome(Outcome::Backspin)),
-    ("back spin", Meaning::Outcome(Outcome::Backspin)),
-    ("sidespin", Meaning::Outcome(Outcome::Sidespin)),
-    ("side spin", Meaning::Outcome(Outcome::Sidespin)),
-    ("spin axis", Meaning::Outcome(Outcome::SpinAxis)),
-    ("spin tilt axis", Meaning::Outcome(Outcome::SpinAxis)),
-    ("tilt angle", Meaning::Outcome(Outcome::SpinAxis)),
-    ("axis tilt", Meaning::Outcome(Outcome::SpinAxis)),
-    ("carry", Meaning::Outcome(Outcome::CarryDistance)),
-    ("carry distance", Meaning::Outcome(Outcome::CarryDistance)),
-    (
-        "carry flat length",
-        Meaning::Outcome(Outcome::CarryDistance),
-    ),
-    ("carry length", Meaning::Outcome(Outcome::CarryDistance)),
-    ("side", Meaning::Outcome(Outcome::Lateral)),
-    ("carry side", Meaning::Outcome(Outcome::Lateral)),
-    ("side carry", Meaning::Outcome(Outcome::Lateral)),
-    ("carry lateral distance", Meaning::Outcome(Outcome::Lateral)),
-    ("lateral landing", Meaning::Outcome(Outcome::Lateral)),
-    ("carry flat side", Meaning::Outcome(Outcome::Lateral)),
-    (
-        "carry deviation distance",
-        Meaning::Outcome(Outcome::Lateral),
-    ),
-    ("offline", Meaning::Outcome(Outcome::Lateral)),
-    ("lateral", Meaning::Outcome(Outcome::Lateral)),
-    ("apex", Meaning::Outcome(Outcome::ApexHeight)),
-    ("apex height", Meaning::Outcome(Outcome::ApexHeight)),
-    ("max height", Meaning::Outcome(Outcome::ApexHeight)),
-    ("max height height", Meaning::Outcome(Outcome::ApexHeight)),
-    ("ball apex", Meaning::Outcome(Outcome::ApexHeight)),
-    ("peak height", Meaning::Outcome(Outcome::ApexHeight)),
-    ("height", Meaning::Outcome(Outcome::ApexHeight)),
-    ("landing angle", Meaning::Outcome(Outcome::DescentAngle)),
-    ("landing ang", Meaning::Outcome(Outcome::DescentAngle)),
-    ("land ang", Meaning::Outcome(Outcome::DescentAngle)),
-    ("land angle", Meaning::Outcome(Outcome::DescentAngle)),
-    (
-        "carry flat land angle",
-        Meaning::Outcome(Outcome::DescentAngle),
-    ),
-    ("descent angle", Meaning::Outcome(Outcome::DescentAngle)),
-    ("descent v", Meaning::Outcome(Outcome::DescentAngle)),
-    ("descentv", Meaning::Outcome(Outcome::DescentAngle)),
-    ("angle of descent", Meaning::Outcome(Outcome::DescentAngle)),
-    (
-        "ball descent angle",
-        Meaning::Outcome(Outcome::DescentAngle),
-    ),
-    ("vertical descent", Meaning::Outcome(Outcome::DescentAngle)),
-    ("hang time", Meaning::Outcome(Outcome::FlightTime)),
-    ("flight time", Meaning::Outcome(Outcome::FlightTime)),
-    ("carry flat time", Meaning::Outcome(Outcome::FlightTime)),
-    (
-        "carry flat ball speed",
-        Meaning::Outcome(Outcome::LandingSpeed),
-    ),
-    ("max height dist", Meaning::Outcome(Outcome::ApexDownrange)),
+/// Column heads of the delivery, in lower case, without punctuation.
+const OF_DELIVERY: &[(&str, &str)] = &[
+    ("club speed", "swing.speed"),
+    ("club head speed", "swing.speed"),
+    ("clubhead speed", "swing.speed"),
+    ("attack angle", "swing.attack_angle"),
+    ("angle of attack", "swing.attack_angle"),
+    ("aoa", "swing.attack_angle"),
+    ("club path", "swing.path"),
+    ("swing path", "swing.path"),
+    ("face angle", "swing.face_angle"),
+    ("club face", "swing.face_angle"),
+    ("face to target", "swing.face_angle"),
+    ("attack ang", "swing.attack_angle"),
+    ("face ang", "swing.face_angle"),
+    ("vert path", "swing.attack_angle"),
+    ("horiz path", "swing.path"),
     // Garmin in German
-    ("schl gsch", Meaning::Input("swing.speed")),
-    ("anstellwinkel", Meaning::Input("swing.attack_angle")),
-    ("schwungbahn", Meaning::Input("swing.path")),
-    ("schlagfläche", Meaning::Input("swing.face_angle")),
-    ("ballgeschwindigkeit", Meaning::Outcome(Outcome::BallSpeed)),
-    ("abflugwinkel", Meaning::Outcome(Outcome::LaunchAngle)),
-    ("abflugrichtung", Meaning::Outcome(Outcome::LaunchDirection)),
-    ("drehrate", Meaning::Outcome(Outcome::Spin)),
-    ("drehachse", Meaning::Outcome(Outcome::SpinAxis)),
-    (
-        "höhe des scheitelpunkts",
-        Meaning::Outcome(Outcome::ApexHeight),
-    ),
-    ("carry distanz", Meaning::Outcome(Outcome::CarryDistance)),
-    (
-        "carry abweichungsdistanz",
-        Meaning::Outcome(Outcome::Lateral),
-    ),
+    ("schl gsch", "swing.speed"),
+    ("anstellwinkel", "swing.attack_angle"),
+    ("schwungbahn", "swing.path"),
+    ("schlagfläche", "swing.face_angle"),
 ];
+
+/// Known column heads with their meanings: those of the delivery, and those in the declarations of
+/// outcomes. An outcome of the rest position is only read where its ground is known:
+/// [`rest_of_head`].
+pub(super) fn heads() -> impl Iterator<Item = (&'static str, Meaning)> {
+    let of_delivery = OF_DELIVERY
+        .iter()
+        .map(|(head, parameter)| (*head, Meaning::Input(parameter)));
+    let of_outcomes = Outcome::ALL
+        .iter()
+        .filter(|of| !of.needs_run())
+        .flat_map(|of| of.heads().iter().map(|head| (*head, Meaning::Outcome(*of))));
+    of_delivery.chain(of_outcomes)
+}
+
+/// The outcome of the rest position with this column head, in lower case without punctuation.
+pub(crate) fn rest_of_head(words: &str) -> Option<Outcome> {
+    let mut of_rest = Outcome::ALL.iter().copied().filter(|of| of.needs_run());
+    of_rest.find(|of| of.heads().contains(&words))
+}
 
 /// Known column heads of launch monitors that are not used.
 pub(super) const NOT_USED: &[&str] = &[

@@ -1,6 +1,6 @@
 //! Column heads, units and separators as launch monitors write them.
 
-use super::heads::{HEADS, Meaning, NOT_USED};
+use super::heads::{Meaning, NOT_USED, heads};
 use super::numbers::{cell_number, is_unit};
 use super::records::cells;
 use crate::drive::Outcome;
@@ -14,10 +14,9 @@ pub(super) fn meaning(name: &str) -> Option<Meaning> {
         return None;
     }
     let known = |words: &str| {
-        HEADS
-            .iter()
+        heads()
             .find(|(head, _)| *head == words)
-            .map(|(_, meaning)| *meaning)
+            .map(|(_, meaning)| meaning)
     };
     known(&words(name)).or_else(|| known(&words(&split_camel_case(name))))
 }
@@ -58,9 +57,8 @@ pub(crate) fn words(name: &str) -> String {
 /// "ball speed" for `Ball Sped [mph]`.
 pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
     let words = words(split_unit(head).0);
-    let near = HEADS
-        .iter()
-        .map(|(known, _)| (strsim::levenshtein(&words, known), *known))
+    let near = heads()
+        .map(|(known, _)| (strsim::levenshtein(&words, known), known))
         .min()?;
     let is_known = NOT_USED.contains(&words.as_str());
     (words.len() > 4 && !is_known && (1..=2).contains(&near.0)).then_some(near.1)
@@ -121,7 +119,7 @@ pub(crate) fn split_unit(head: &str) -> (&str, Option<String>) {
     };
     let is_of_heads = |name: &str| {
         let words = words(&split_camel_case(name));
-        HEADS.iter().any(|(known, _)| *known == words)
+        heads().any(|(known, _)| known == words)
     };
     let last_word = [head.rsplit_once(' '), head.rsplit_once('_'), capital()]
         .into_iter()
@@ -277,10 +275,15 @@ mod tests {
     #[test]
     fn each_head_is_listed_once_and_names_a_parameter_or_an_outcome() {
         let mut seen = HashSet::new();
-        for (head, of) in super::HEADS.iter() {
+        for (head, of) in super::heads() {
             assert!(seen.insert(head), "{head} is listed twice");
             if let Meaning::Input(name) = of {
                 assert!(Setup::<f64>::default().variable(name).is_ok(), "{name}");
+            }
+        }
+        for of in Outcome::ALL.iter().filter(|of| of.needs_run()) {
+            for head in of.heads() {
+                assert!(seen.insert(head), "{head} is listed twice");
             }
         }
     }

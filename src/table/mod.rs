@@ -23,14 +23,13 @@ mod text;
 
 pub(crate) use air::{air_as_given, air_of_rows, air_of_setup, states_weather};
 pub(crate) use column::{Column, Content, Format, OF_FLOWN};
-pub(crate) use conditions::{
-    Fault, Stated, conditions, contradiction, is_sideways, is_straight_by_assumption,
-};
+pub(crate) use conditions::{Fault, Stated, conditions, contradiction, is_straight_by_assumption};
 pub(crate) use decimal_mark::{DecimalMark, DecimalMarkCheck};
 #[cfg(feature = "commands")]
 pub(crate) use export_columns::ASSUMED_UNITS;
 pub(crate) use export_columns::{ClubColumns, assume_units, given_air, in_degrees, near_known};
 pub(crate) use head::{Head, TableOptions};
+pub(crate) use heads::rest_of_head;
 pub(crate) use launch_monitor::{nearest_head, split_unit, words};
 pub(crate) use plausible::{
     implausible, implausible_club, implausible_launch, impossible, outside,

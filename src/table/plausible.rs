@@ -3,29 +3,9 @@
 
 use super::CONDITIONS;
 use super::conditions::{Stated, conditions, without_redundant_spins};
-use crate::drive::Outcome;
+use crate::drive::{Outcome, Plausible, Sign};
 use crate::units::Quantity;
 use std::sync::LazyLock;
-
-/// Range of each outcome in its unit. The fastest recorded ball speed is 241.7 mph (108 m/s); a
-/// driver gives no topspin.
-const RANGES: &[(Outcome, f64, f64, &str)] = &[
-    (Outcome::BallSpeed, 0.0, 270.0, "mph"),
-    (Outcome::LaunchAngle, -90.0, 90.0, "deg"),
-    (Outcome::LaunchDirection, -90.0, 90.0, "deg"),
-    (Outcome::Spin, 0.0, 20_000.0, "rpm"),
-    (Outcome::Backspin, 0.0, 20_000.0, "rpm"),
-    (Outcome::Sidespin, -20_000.0, 20_000.0, "rpm"),
-    (Outcome::SpinAxis, -180.0, 180.0, "deg"),
-    (Outcome::CarryDistance, 0.0, 600.0, "yd"),
-    (Outcome::Lateral, -600.0, 600.0, "yd"),
-    (Outcome::ApexHeight, 0.0, 150.0, "yd"),
-    (Outcome::FlightTime, 0.0, 20.0, "s"),
-    (Outcome::DescentAngle, 0.0, 90.0, "deg"),
-    (Outcome::LandingSpeed, 0.0, 270.0, "mph"),
-    (Outcome::Total, 0.0, 800.0, "yd"),
-    (Outcome::LateralTotal, -800.0, 800.0, "yd"),
-];
 
 /// Range of each club parameter. The fastest recorded club speed is below 170 mph (76 m/s).
 const OF_CLUB: &[(&str, f64, f64, &str)] = &[
@@ -73,30 +53,31 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
     ))
 }
 
-/// Outcomes whose value must exceed the lower end of the range: 0 means that it was not measured.
-const ABOVE: &[Outcome] = &[
-    Outcome::BallSpeed,
-    Outcome::Spin,
-    Outcome::CarryDistance,
-    Outcome::ApexHeight,
-    Outcome::FlightTime,
-    Outcome::DescentAngle,
-    Outcome::Total,
-];
+/// Plausible values of an outcome in SI.
+struct InSi {
+    of: Outcome,
+    low: f64,
+    high: f64,
+}
 
-/// Ranges in SI. Inclusive ends get a margin for the rounding of a unit conversion.
-static IN_SI: LazyLock<Vec<(Outcome, f64, f64)>> = LazyLock::new(|| {
-    let range = |(of, low, high, unit): &(Outcome, f64, f64, &str)| {
-        let size = of.quantity().size_of(unit).unwrap_or(1.0);
-        let slack = 1e-9 * high;
-        let low = if ABOVE.contains(of) {
+/// Plausible values in SI. Inclusive ends get a margin for the rounding of a unit conversion.
+static IN_SI: LazyLock<Vec<InSi>> = LazyLock::new(|| {
+    let in_si = |of: Outcome| {
+        let plausible = of.plausible()?;
+        let size = of.quantity().size_of(of.unit()).unwrap_or(1.0);
+        let slack = 1e-9 * plausible.high;
+        let low = if plausible.is_above_low {
             f64::MIN_POSITIVE
         } else {
-            low - slack
+            plausible.low - slack
         };
-        (*of, low * size, (high + slack) * size)
+        Some(InSi {
+            of,
+            low: low * size,
+            high: (plausible.high + slack) * size,
+        })
     };
-    RANGES.iter().map(range).collect()
+    Outcome::ALL.iter().copied().filter_map(in_si).collect()
 });
 
 /// Message for values that no drive has; `name` is the column head.
@@ -110,52 +91,35 @@ pub(crate) fn implausible(
 
 /// Message without the column head.
 pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
-    let (at, (_, lowest, highest)) = IN_SI
-        .iter()
-        .enumerate()
-        .find(|(_, (outcome, ..))| *outcome == of)?;
-    if (*lowest..=*highest).contains(&value) {
+    let in_si = IN_SI.iter().find(|in_si| in_si.of == of)?;
+    if (in_si.low..=in_si.high).contains(&value) {
         return None;
     }
-    let (_, low, high, unit) = RANGES[at];
-    let shown = of.quantity().show(value, unit);
-    let from = if ABOVE.contains(&of) { "above " } else { "" };
+    let Plausible {
+        low,
+        high,
+        is_above_low,
+    } = of.plausible()?;
+    let (shown, unit) = (of.show(value), of.unit());
+    let from = if is_above_low { "above " } else { "" };
     Some(format!(
         "{shown} is outside of what a drive has, {from}{low} to {high} {unit}; check the value and \
          its unit"
     ))
 }
 
-/// Outcomes that are positive: a negative value, and a length or time of 0, is an error of the
-/// table.
-const POSITIVE: &[Outcome] = &[
-    Outcome::Carry,
-    Outcome::CarryDistance,
-    Outcome::Total,
-    Outcome::ApexHeight,
-    Outcome::FlightTime,
-    Outcome::DescentAngle,
-    Outcome::LandingSpeed,
-    Outcome::BallSpeed,
-    Outcome::SmashFactor,
-];
-
-/// Message for values that no landed drive has.
+/// Message for values that no landed drive has: a negative value of an outcome that is positive, and
+/// 0 where it must be above 0.
 pub(crate) fn impossible(of: Outcome, value: f64) -> Option<String> {
-    let is_possible = if of == Outcome::Spin {
-        value >= 0.0
-    } else {
-        !POSITIVE.contains(&of) || value > 0.0
+    let (is_possible, least) = match of.sign() {
+        Sign::Positive => (value > 0.0, "above 0"),
+        Sign::NotNegative => (value >= 0.0, "0 or more"),
+        Sign::Right | Sign::Either => return None,
     };
     let advice = if value == 0.0 {
         "leave the cell empty where nothing was measured"
     } else {
         "check its sign"
-    };
-    let least = if of == Outcome::Spin {
-        "0 or more"
-    } else {
-        "above 0"
     };
     (!is_possible).then(|| {
         format!(

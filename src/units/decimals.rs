@@ -3,26 +3,7 @@
 use super::spelling::{leading_number, with_unit};
 use super::{Quantity, significant};
 
-/// Decimals by unit. A unit that is not listed has [`DIGITS`] significant digits.
-const DECIMALS: [(&str, usize); 14] = [
-    ("yd", 1),
-    ("m", 1),
-    ("ft", 0),
-    ("mm", 1),
-    ("in", 2),
-    ("mph", 1),
-    ("m/s", 1),
-    ("deg", 1),
-    ("rpm", 0),
-    ("rad/s", 1),
-    ("s", 2),
-    ("g", 1),
-    ("g cm^2", 0),
-    // ratios of two measured numbers, such as the smash factor
-    ("", 2),
-];
-
-/// Significant digits for a unit that is not listed in `DECIMALS`.
+/// Significant digits for a unit without decimals in the table of quantities.
 const DIGITS: usize = 5;
 
 /// Absolute value, in the displayed unit, below which a number is a rounding error.
@@ -41,7 +22,10 @@ impl Quantity {
     /// assert_eq!(Quantity::DENSITY.read_off(1.184, "kg/m^3"), "1.184 kg/m³");
     /// ```
     pub fn read_off(self, value: f64, unit: &str) -> String {
-        with_unit(&written(self.number_in(value, unit), unit, fixed), unit)
+        with_unit(
+            &self.written(self.number_in(value, unit), unit, fixed),
+            unit,
+        )
     }
 
     /// Like [`read_off`](Self::read_off), with one more decimal, for computed settings such as an
@@ -69,7 +53,7 @@ impl Quantity {
 
     /// The number of [`read_off_finely`](Self::read_off_finely), without its unit.
     pub(super) fn finely(self, value: f64, unit: &str) -> String {
-        written(self.number_in(value, unit), unit, |number, decimals| {
+        self.written(self.number_in(value, unit), unit, |number, decimals| {
             fixed(number, decimals + 1)
         })
     }
@@ -77,7 +61,7 @@ impl Quantity {
     /// The number of [`read_off_difference`](Self::read_off_difference), without its unit.
     pub(super) fn difference(self, value: f64, unit: &str) -> String {
         let number = value / self.size_of(unit).unwrap_or(1.0);
-        written(number, unit, |number, decimals| {
+        self.written(number, unit, |number, decimals| {
             let size = number.abs();
             let needed = if size < NOISE {
                 0
@@ -87,17 +71,13 @@ impl Quantity {
             fixed(number, needed.max(decimals + 1))
         })
     }
-}
 
-/// A number in a unit, with the decimals of the unit.
-fn written(number: f64, unit: &str, write: impl Fn(f64, usize) -> String) -> String {
-    let decimals = DECIMALS
-        .iter()
-        .find(|(known, _)| *known == unit)
-        .map(|(_, decimals)| *decimals);
-    match decimals {
-        Some(decimals) if number.abs() < LARGE => write(number, decimals),
-        _ => significant(number, DIGITS),
+    /// A number in a unit, with the decimals of the unit.
+    fn written(self, number: f64, unit: &str, write: impl Fn(f64, usize) -> String) -> String {
+        match self.decimals.iter().find(|(known, _)| *known == unit) {
+            Some((_, decimals)) if number.abs() < LARGE => write(number, *decimals),
+            _ => significant(number, DIGITS),
+        }
     }
 }
 

@@ -42,16 +42,20 @@ pub struct Quantity {
     pub name: &'static str,
     /// SI unit: "rad".
     pub si: &'static str,
+    dimension: Dimension,
     /// Usual units, separated by commas; the first one is for examples.
     usual: &'static str,
-    dimension: Dimension,
+    /// Decimals by display unit. A unit that is not listed has five significant digits.
+    decimals: &'static [(&'static str, usize)],
+    /// Pairs of metric and US display units. A unit that is not listed belongs to both systems.
+    metric_and_us: &'static [(&'static str, &'static str)],
 }
 
+/// Declares the quantities.
 macro_rules! quantities {
-    ($($(#[doc = $doc:literal])* $id:ident = $name:literal, $si:literal, [$l:literal, $m:literal, $t:literal, $a:literal, $k:literal], $usual:literal;)*) => {
+    ($($(#[doc = $doc:literal])* $id:ident { $($field:ident: $fact:expr,)+ })*) => {
         impl Quantity {
-            $($(#[doc = $doc])* pub const $id: Self =
-                Self { name: $name, si: $si, usual: $usual, dimension: Dimension([$l, $m, $t, $a, $k]) };)*
+            $($(#[doc = $doc])* pub const $id: Self = Self { $($field: $fact,)+ };)*
 
             /// All quantities.
             pub(crate) const ALL: &'static [Self] = &[$(Self::$id),*];
@@ -61,44 +65,195 @@ macro_rules! quantities {
 
 quantities! {
     /// Speed, m/s.
-    SPEED = "a speed", "m/s", [1, 0, -1, 0, 0], "mph, m/s, km/h, ft/s";
+    SPEED {
+        name: "a speed",
+        si: "m/s",
+        dimension: Dimension([1, 0, -1, 0, 0]),
+        usual: "mph, m/s, km/h, ft/s",
+        decimals: &[("mph", 1), ("m/s", 1)],
+        metric_and_us: &[("m/s", "mph")],
+    }
+
     /// Angle, rad.
-    ANGLE = "an angle", "rad", [0, 0, 0, 1, 0], "deg, rad";
+    ANGLE {
+        name: "an angle",
+        si: "rad",
+        dimension: Dimension([0, 0, 0, 1, 0]),
+        usual: "deg, rad",
+        decimals: &[("deg", 1)],
+        metric_and_us: &[],
+    }
+
     /// Angular velocity, rad/s.
-    ANGULAR_VELOCITY = "an angular velocity", "rad/s", [0, 0, -1, 1, 0], "rpm, rad/s, deg/s";
+    ANGULAR_VELOCITY {
+        name: "an angular velocity",
+        si: "rad/s",
+        dimension: Dimension([0, 0, -1, 1, 0]),
+        usual: "rpm, rad/s, deg/s",
+        decimals: &[("rpm", 0), ("rad/s", 1)],
+        metric_and_us: &[],
+    }
+
     /// Length, m.
-    LENGTH = "a length", "m", [1, 0, 0, 0, 0], "m, mm, yd, in";
+    LENGTH {
+        name: "a length",
+        si: "m",
+        dimension: Dimension([1, 0, 0, 0, 0]),
+        usual: "m, mm, yd, in",
+        decimals: &[("yd", 1), ("m", 1), ("ft", 0), ("mm", 1), ("in", 2)],
+        metric_and_us: &[("m", "yd"), ("m", "ft"), ("mm", "in")],
+    }
+
     /// Mass, kg.
-    MASS = "a mass", "kg", [0, 1, 0, 0, 0], "g, kg, oz";
+    MASS {
+        name: "a mass",
+        si: "kg",
+        dimension: Dimension([0, 1, 0, 0, 0]),
+        usual: "g, kg, oz",
+        decimals: &[("g", 1)],
+        metric_and_us: &[],
+    }
+
     /// Moment of inertia, kg m².
-    INERTIA = "a moment of inertia", "kg m^2", [2, 1, 0, 0, 0], "g cm^2, kg m^2";
+    INERTIA {
+        name: "a moment of inertia",
+        si: "kg m^2",
+        dimension: Dimension([2, 1, 0, 0, 0]),
+        usual: "g cm^2, kg m^2",
+        decimals: &[("g cm^2", 0)],
+        metric_and_us: &[],
+    }
+
     /// Density, kg/m³.
-    DENSITY = "a density", "kg/m^3", [-3, 1, 0, 0, 0], "kg/m^3, g/L, lb/ft^3";
+    DENSITY {
+        name: "a density",
+        si: "kg/m^3",
+        dimension: Dimension([-3, 1, 0, 0, 0]),
+        usual: "kg/m^3, g/L, lb/ft^3",
+        decimals: &[],
+        metric_and_us: &[],
+    }
+
     /// Dynamic viscosity, Pa s.
-    VISCOSITY = "a dynamic viscosity", "Pa s", [-1, 1, -1, 0, 0], "Pa s, cP";
+    VISCOSITY {
+        name: "a dynamic viscosity",
+        si: "Pa s",
+        dimension: Dimension([-1, 1, -1, 0, 0]),
+        usual: "Pa s, cP",
+        decimals: &[],
+        metric_and_us: &[],
+    }
+
     /// Temperature, K.
-    TEMPERATURE = "a temperature", "K", [0, 0, 0, 0, 1], "degC, degF, K";
+    TEMPERATURE {
+        name: "a temperature",
+        si: "K",
+        dimension: Dimension([0, 0, 0, 0, 1]),
+        usual: "degC, degF, K",
+        decimals: &[],
+        metric_and_us: &[("degC", "degF")],
+    }
+
     /// Pressure, Pa.
-    PRESSURE = "a pressure", "Pa", [-1, 1, -2, 0, 0], "hPa, kPa, mbar, inHg, mmHg";
+    PRESSURE {
+        name: "a pressure",
+        si: "Pa",
+        dimension: Dimension([-1, 1, -2, 0, 0]),
+        usual: "hPa, kPa, mbar, inHg, mmHg",
+        decimals: &[],
+        metric_and_us: &[],
+    }
+
     /// Acceleration, m/s².
-    ACCELERATION = "an acceleration", "m/s^2", [1, 0, -2, 0, 0], "m/s^2, ft/s^2";
+    ACCELERATION {
+        name: "an acceleration",
+        si: "m/s^2",
+        dimension: Dimension([1, 0, -2, 0, 0]),
+        usual: "m/s^2, ft/s^2",
+        decimals: &[],
+        metric_and_us: &[],
+    }
+
     /// Time, s.
-    TIME = "a time", "s", [0, 0, 1, 0, 0], "s, ms, min";
+    TIME {
+        name: "a time",
+        si: "s",
+        dimension: Dimension([0, 0, 1, 0, 0]),
+        usual: "s, ms, min",
+        decimals: &[("s", 2)],
+        metric_and_us: &[],
+    }
+
     /// Rate of decay, 1/s.
-    RATE = "a rate", "1/s", [0, 0, -1, 0, 0], "1/s, %/s";
+    RATE {
+        name: "a rate",
+        si: "1/s",
+        dimension: Dimension([0, 0, -1, 0, 0]),
+        usual: "1/s, %/s",
+        decimals: &[],
+        metric_and_us: &[],
+    }
+
     /// Per angular velocity, s/rad.
-    PER_ANGULAR_VELOCITY = "a quantity per angular velocity", "s/rad", [0, 0, 1, -1, 0], "s/rad, \
-        1/rpm";
+    PER_ANGULAR_VELOCITY {
+        name: "a quantity per angular velocity",
+        si: "s/rad",
+        dimension: Dimension([0, 0, 1, -1, 0]),
+        usual: "s/rad, 1/rpm",
+        decimals: &[],
+        metric_and_us: &[],
+    }
+
     /// Per speed, s/m.
-    PER_SPEED = "a quantity per speed", "s/m", [-1, 0, 1, 0, 0], "s/m, 1/mph";
+    PER_SPEED {
+        name: "a quantity per speed",
+        si: "s/m",
+        dimension: Dimension([-1, 0, 1, 0, 0]),
+        usual: "s/m, 1/mph",
+        decimals: &[],
+        metric_and_us: &[],
+    }
+
     /// Area, m².
-    AREA = "an area", "m^2", [2, 0, 0, 0, 0], "cm^2, mm^2, m^2";
+    AREA {
+        name: "an area",
+        si: "m^2",
+        dimension: Dimension([2, 0, 0, 0, 0]),
+        usual: "cm^2, mm^2, m^2",
+        decimals: &[],
+        metric_and_us: &[],
+    }
+
     /// Volume, m³.
-    VOLUME = "a volume", "m^3", [3, 0, 0, 0, 0], "cm^3, m^3, L";
+    VOLUME {
+        name: "a volume",
+        si: "m^3",
+        dimension: Dimension([3, 0, 0, 0, 0]),
+        usual: "cm^3, m^3, L",
+        decimals: &[],
+        metric_and_us: &[],
+    }
+
     /// First moment of a mass, kg m.
-    MASS_MOMENT = "a mass times a length", "kg m", [1, 1, 0, 0, 0], "g mm, kg m";
+    MASS_MOMENT {
+        name: "a mass times a length",
+        si: "kg m",
+        dimension: Dimension([1, 1, 0, 0, 0]),
+        usual: "g mm, kg m",
+        decimals: &[],
+        metric_and_us: &[],
+    }
+
     /// A number without unit.
-    NUMBER = "a plain number", "", [0, 0, 0, 0, 0], "no unit, or %";
+    NUMBER {
+        name: "a plain number",
+        si: "",
+        dimension: Dimension([0, 0, 0, 0, 0]),
+        usual: "no unit, or %",
+        // a ratio of two measured numbers, such as the smash factor
+        decimals: &[("", 2)],
+        metric_and_us: &[],
+    }
 }
 
 impl Quantity {
@@ -441,6 +596,20 @@ mod tests {
             }
             let said = quantity.read("1 fox").unwrap_err().to_string();
             assert!(said.ends_with(units), "{said}");
+        }
+    }
+
+    #[test]
+    fn display_units_are_units_of_their_quantity() {
+        for quantity in Quantity::ALL {
+            let with_decimals = quantity.decimals.iter().map(|(unit, _)| *unit);
+            let of_systems = quantity.metric_and_us.iter().flat_map(|(m, us)| [*m, *us]);
+            for unit in with_decimals
+                .chain(of_systems)
+                .filter(|unit| !unit.is_empty())
+            {
+                assert!(quantity.size_of(unit).is_some(), "{quantity}: {unit}");
+            }
         }
     }
 

@@ -20,16 +20,6 @@ pub enum System {
     Us,
 }
 
-/// Pairs of metric and US units. Metres are yards in US units; a quantity in feet, such as an
-/// altitude, stays in feet.
-const PAIRS: [(&str, &str); 5] = [
-    ("m", "yd"),
-    ("m", "ft"),
-    ("m/s", "mph"),
-    ("mm", "in"),
-    ("degC", "degF"),
-];
-
 impl System {
     /// Both systems.
     pub const ALL: [Self; 2] = [Self::Metric, Self::Us];
@@ -51,16 +41,16 @@ impl System {
     }
 
     /// The unit of this system for a unit of either system: yards for metres, miles per hour for
-    /// metres per second, and vice versa. Millimetres, for strikes on the face, belong to both.
+    /// metres per second, and vice versa. A quantity in feet, such as an altitude, stays in feet.
+    /// Millimetres, for strikes on the face, belong to both.
     pub fn unit(self, unit: &'static str) -> &'static str {
+        let mut pairs = Quantity::ALL.iter().flat_map(|known| known.metric_and_us);
         match self {
-            Self::Metric => PAIRS
-                .iter()
+            Self::Metric => pairs
                 .find(|(_, us)| *us == unit)
                 .map_or(unit, |(metric, _)| metric),
             Self::Us if unit == "mm" => unit,
-            Self::Us => PAIRS
-                .iter()
+            Self::Us => pairs
                 .find(|(metric, _)| *metric == unit)
                 .map_or(unit, |(_, us)| us),
         }

@@ -5,7 +5,7 @@ use crate::program;
 use crate::schema::faults;
 use longdrive::report::TextOptions;
 use serde_json::Value;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::Child;
@@ -80,6 +80,13 @@ pub fn json(args: &[&str]) -> (i32, Value) {
     let faults = faults(args[0], &answer);
     assert!(faults.is_empty(), "{args:?}: {faults:#?} in {answer:#}");
     (said.status, answer)
+}
+
+/// The commands that run without a terminal.
+pub fn commands() -> BTreeSet<String> {
+    let commands = longdrive::command::described();
+    let name = |command: &Value| command["name"].as_str().unwrap().to_owned();
+    commands.as_array().unwrap().iter().map(name).collect()
 }
 
 pub fn number(value: &Value) -> f64 {

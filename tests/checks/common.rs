@@ -3,10 +3,12 @@
 use longdrive::number::{Jet, Mixed};
 use longdrive::parameters::Law;
 use longdrive::{Drive, Outcome, Setup};
+use num_dual::{Dual64, DualNum};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// A file of `tests/data`.
@@ -69,16 +71,45 @@ pub fn number(value: &Value) -> f64 {
     value.as_f64().unwrap()
 }
 
-/// An outcome of a JSON drive. The files have both components of the landing position, and their
-/// balls embed.
-pub fn outcome_of(outcomes: &Value, of: Outcome) -> f64 {
+/// An outcome of an independent drive, over any number type. `printed` has the outcomes of the
+/// files and the parameters, by name. The other outcomes follow from these: the files have both
+/// components of the landing position, and their balls embed.
+fn outcome_from<T: DualNum<Primitive = f64> + Copy>(of: Outcome, printed: impl Fn(&str) -> T) -> T {
     match of {
-        Outcome::CarryDistance => number(&outcomes["carry"]).hypot(number(&outcomes["lateral"])),
-        Outcome::Total => number(&outcomes["carry"]),
-        Outcome::Run => 0.0,
-        Outcome::LateralTotal => number(&outcomes["lateral"]),
-        _ => number(&outcomes[of.name()]),
+        Outcome::CarryDistance => {
+            let [z, y] = ["carry", "lateral"].map(printed);
+            (z * z + y * y).sqrt()
+        }
+        Outcome::Total => printed("carry"),
+        Outcome::Run => T::zero(),
+        Outcome::LateralTotal => printed("lateral"),
+        of => printed(of.name()),
     }
+}
+
+/// A number of a JSON drive: an outcome or a parameter.
+fn printed(drive: &Value, name: &str) -> f64 {
+    let outcome = drive["outcomes"].get(name);
+    number(outcome.unwrap_or(&drive["setup"][name]))
+}
+
+/// An outcome of a JSON drive.
+pub fn outcome_of(drive: &Value, of: Outcome) -> f64 {
+    outcome_from(of, |name| printed(drive, name))
+}
+
+/// The gradient of an outcome of a JSON drive, by the names of its parameters.
+pub fn gradient_of(drive: &Value, of: Outcome) -> BTreeMap<String, f64> {
+    let slope = |name: &str, by: &str| match drive["gradient"].get(name) {
+        Some(gradient) => number(&gradient[by]),
+        None => f64::from(u8::from(name == by)),
+    };
+    let by = drive["gradient"]["carry"].as_object().unwrap().keys();
+    by.map(|by| {
+        let dual = |name: &str| Dual64::new(printed(drive, name), slope(name, by));
+        (by.clone(), outcome_from(of, dual).eps)
+    })
+    .collect()
 }
 
 /// Asserts |ours − theirs| ≤ tolerance · scale.

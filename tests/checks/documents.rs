@@ -1,10 +1,13 @@
 //! Numbers in README and docs, compared with the output of the program.
 
-use crate::command_line::longdrive;
+use crate::command_line::{commands, longdrive};
 use crate::reproduce::FOUND;
 use longdrive::parameters::PRESETS;
 use longdrive::reproduce::{Landing, Method};
+use longdrive::study::calibrate::instrument;
+use longdrive::units::typeset;
 use longdrive::{Drive, Outcome, Setup};
+use std::collections::BTreeMap;
 
 fn document(name: &str) -> String {
     std::fs::read_to_string(format!("{}/../{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
@@ -246,6 +249,18 @@ fn the_costs_at_the_head_of_performance_md_are_those_of_its_tables() {
 }
 
 #[test]
+fn questions_md_has_every_command() {
+    let text = document("docs/questions.md");
+    let of_the_program = ["completions", "explore", "man"].map(str::to_owned);
+    for command in commands().into_iter().chain(of_the_program) {
+        assert!(
+            text.contains(&format!("longdrive {command}")),
+            "docs/questions.md should say which question `longdrive {command}` answers"
+        );
+    }
+}
+
+#[test]
 fn questions_md_names_every_outcome_of_a_drive() {
     let names: Vec<String> = Outcome::ALL
         .iter()
@@ -256,6 +271,47 @@ fn questions_md_names_every_outcome_of_a_drive() {
         document("docs/questions.md").contains(&said),
         "docs/questions.md should say: {said}"
     );
+}
+
+#[test]
+fn model_md_defines_every_outcome_of_a_drive() {
+    let text = document("docs/model.md");
+    let section = text.split("\n## Outcomes\n").nth(1).unwrap();
+    let section = section.split("\n## ").next().unwrap();
+    for outcome in Outcome::ALL {
+        let (name, symbol) = (outcome.name(), outcome.symbol());
+        assert!(
+            section.contains(&format!("`{name}`")),
+            "docs/model.md should say in Outcomes how `{name}`, {symbol}, is computed"
+        );
+    }
+}
+
+/// A row has the names of outcomes, and an uncertainty for each, or one for all.
+#[test]
+fn calibration_md_has_the_uncertainty_of_every_outcome() {
+    let text = document("docs/calibration.md");
+    let mut stated = BTreeMap::new();
+    for row in table(&text, "| measured | standard uncertainty |") {
+        let names: Vec<&str> = row[0].split(", ").collect();
+        let sigmas: Vec<&str> = row[1].split(", ").collect();
+        assert!([1, names.len()].contains(&sigmas.len()), "{row:?}");
+        stated.extend(
+            names
+                .into_iter()
+                .zip(sigmas.into_iter().cycle())
+                .map(|(name, sigma)| (name.trim_matches('`').to_owned(), sigma.to_owned())),
+        );
+    }
+    for outcome in Outcome::ALL {
+        let sigma = typeset(instrument(*outcome).unwrap().0.sigma);
+        assert_eq!(
+            stated.remove(outcome.name()).as_ref(),
+            Some(&sigma),
+            "docs/calibration.md should have a row of `{outcome}` with {sigma}"
+        );
+    }
+    assert!(stated.is_empty(), "no outcomes: {stated:?}");
 }
 
 /// The commands of README and docs that read a sample of `examples/`.

@@ -1,11 +1,12 @@
 //! Answers in JSON: always one object, as in docs/json.md and the schemas of docs/schema.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{commands, json, longdrive, number};
 use crate::common::close;
 use crate::program;
 use crate::schema::faults;
 use crate::validation::ANSWERED;
 use serde_json::Value;
+use std::collections::BTreeSet;
 use std::fs;
 
 /// Shots of three drives by the preset's own law, carry to a tenth of a metre.
@@ -30,8 +31,9 @@ fn every_command_answers_with_one_object_that_its_schema_describes() {
         file("rows.jsonl"),
     );
     let flown = file("flown.jsonl");
-    // `json` checks each answer against its schema; `reproduce`, which takes long, has its own
-    // tests
+    // `reproduce`, which takes long, has its own tests
+    let mut answered = BTreeSet::from(["reproduce".to_owned()]);
+    // `json` checks each answer against its schema
     for (args, ends) in [
         (vec!["simulate"], "landed"),
         (
@@ -166,7 +168,9 @@ fn every_command_answers_with_one_object_that_its_schema_describes() {
             answer["message"]
         );
         assert_eq!(answer["command"], args[0]);
+        answered.insert(args[0].to_owned());
     }
+    assert_eq!(answered, commands(), "the commands here, and all commands");
     for (file, schema) in [(rows, "sweep-row"), (flown, "fly-row")] {
         for row in fs::read_to_string(file).unwrap().lines() {
             assert_eq!(

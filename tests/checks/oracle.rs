@@ -3,13 +3,12 @@
 //! program without common code. Laws, decay laws, log wind, slip, light and heavy heads, hills,
 //! near-zero spin.
 
-use crate::common::{close, drives, number, outcome_of, setup_of};
+use crate::common::{close, drives, gradient_of, number, outcome_of, setup_of};
 use longdrive::derivative::{Order, evaluate};
 use longdrive::impact::Grip;
 use longdrive::parameters::Parameter;
 use longdrive::{Drive, Outcome, Setup};
 use serde_json::Value;
-use std::collections::BTreeMap;
 
 const FILE: &str = "independent_drives.json";
 
@@ -59,37 +58,6 @@ fn size(setup: &Setup<f64>, parameter: &Parameter) -> f64 {
     setup.value(parameter).unwrap().abs().max(0.1)
 }
 
-/// The gradient of an outcome; that of the distance d to the landing is (z ∇z + y ∇y)/d.
-fn gradient_of(drive: &Value, of: Outcome) -> BTreeMap<String, f64> {
-    let printed = |of: Outcome| -> BTreeMap<String, f64> {
-        let gradient = drive["gradient"][of.name()].as_object().unwrap();
-        gradient
-            .iter()
-            .map(|(name, slope)| (name.clone(), number(slope)))
-            .collect()
-    };
-    match of {
-        Outcome::CarryDistance => {}
-        // in these drives the ball embeds
-        Outcome::Total => return printed(Outcome::Carry),
-        Outcome::LateralTotal => return printed(Outcome::Lateral),
-        Outcome::Run => {
-            return printed(Outcome::Carry)
-                .into_keys()
-                .map(|name| (name, 0.0))
-                .collect();
-        }
-        _ => return printed(of),
-    }
-    let [z, y, d] =
-        [Outcome::Carry, Outcome::Lateral, of].map(|of| outcome_of(&drive["outcomes"], of));
-    let (carry, lateral) = (printed(Outcome::Carry), printed(Outcome::Lateral));
-    carry
-        .into_iter()
-        .map(|(name, slope)| (name.clone(), (z * slope + y * lateral[&name]) / d))
-        .collect()
-}
-
 #[test]
 fn independent_values_within_1e9() {
     for drive in drives(FILE) {
@@ -99,7 +67,7 @@ fn independent_values_within_1e9() {
             drive["outcomes"]["slipped"].as_bool().unwrap()
         );
         for outcome in Outcome::ALL {
-            let expected = outcome_of(&drive["outcomes"], *outcome);
+            let expected = outcome_of(&drive, *outcome);
             let what = format!("{}: {}", drive["name"], outcome.name());
             close(
                 outcome.value(&ours).unwrap(),

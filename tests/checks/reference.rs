@@ -25,7 +25,7 @@ fn independent_values_of_every_outcome() {
             "{name}"
         );
         for outcome in Outcome::ALL {
-            let expected = outcome_of(theirs, *outcome);
+            let expected = outcome_of(&drive, *outcome);
             let what = format!("{name}: {}", outcome.name());
             match outcome {
                 // ±π is one direction; without spin there is none

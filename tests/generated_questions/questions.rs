@@ -7,6 +7,7 @@ use crate::values::{
     variable, with_unit,
 };
 use longdrive::parameters::{Law, Parameter};
+use std::sync::LazyLock;
 
 /// A question, with its files before and after.
 #[derive(Debug, Default)]
@@ -21,51 +22,58 @@ pub struct Question {
     pub outputs: Vec<String>,
 }
 
-/// The commands with their frequencies: slow ones are rare.
-const COMMANDS: [(&str, f64); 26] = [
-    ("simulate", 22.0),
-    ("gradient", 14.0),
-    ("compare", 6.0),
-    ("optimize", 9.0),
-    ("optimum-sensitivity", 3.0),
-    ("design", 2.0),
-    ("calibrate", 9.0),
-    ("delivery", 5.0),
-    ("chart", 1.5),
-    ("pareto", 0.3),
-    ("robust", 0.3),
-    ("plot", 7.0),
-    ("report", 0.1),
-    ("sweep", 16.0),
-    ("fly", 8.0),
-    ("reproduce", 0.01),
-    ("validate", 0.1),
-    ("verify", 0.7),
-    ("sensitivity", 5.0),
-    ("uncertainty", 5.0),
-    ("parameters", 3.0),
-    ("presets", 3.0),
-    ("laws", 0.5),
-    ("help", 0.4),
-    ("completions", 0.3),
-    ("man", 0.5),
-];
+/// The commands that run without a terminal, each with its frequency.
+static COMMANDS: LazyLock<Vec<(&str, f64)>> = LazyLock::new(|| {
+    let commands = longdrive::command::described();
+    let names = commands.as_array().unwrap().iter().map(|command| {
+        let name = command["name"].as_str().unwrap().to_owned();
+        &*name.leak()
+    });
+    names
+        .chain(OF_THE_PROGRAM)
+        .map(|name| (name, frequency(name)))
+        .collect()
+});
+
+/// The frequency of a command: slow ones are rare.
+fn frequency(command: &str) -> f64 {
+    match command {
+        "simulate" => 22.0,
+        "sweep" => 16.0,
+        "gradient" => 14.0,
+        "optimize" | "calibrate" => 9.0,
+        "fly" => 8.0,
+        "plot" => 7.0,
+        "compare" => 6.0,
+        "delivery" | "sensitivity" | "uncertainty" => 5.0,
+        "optimum-sensitivity" | "parameters" | "presets" => 3.0,
+        "design" => 2.0,
+        "chart" => 1.5,
+        "verify" => 0.7,
+        "laws" | "man" => 0.5,
+        "help" => 0.4,
+        "pareto" | "robust" | "completions" => 0.3,
+        "report" | "validate" => 0.1,
+        "reproduce" => 0.01,
+        _ => 1.0,
+    }
+}
 
 /// Commands without a setup that answer in text alone.
 const OF_THE_PROGRAM: [&str; 3] = ["help", "completions", "man"];
 
 impl Question {
     pub fn new(chance: &mut Chance) -> Self {
-        let at = chance.weighted(&COMMANDS.map(|(_, weight)| weight));
+        let frequencies: Vec<f64> = COMMANDS.iter().map(|(_, frequency)| *frequency).collect();
+        let command = COMMANDS[chance.weighted(&frequencies)].0;
         let mut question = Self {
-            args: vec![COMMANDS[at].0.into()],
+            args: vec![command.into()],
             ..Self::default()
         };
         // a file that the question does not name
         question
             .files
             .push(("mine.txt".into(), b"left alone".to_vec()));
-        let command = COMMANDS[at].0;
         chance.is_launched = !["calibrate", "fly"].contains(&command)
             && chance.is(if command == "simulate" { 0.15 } else { 0.1 });
         question.ask(command, chance);
@@ -139,7 +147,7 @@ impl Question {
                 return;
             }
             "help" | "man" => {
-                let named = COMMANDS.map(|(name, _)| name);
+                let named: Vec<&str> = COMMANDS.iter().map(|(name, _)| *name).collect();
                 match chance.below(4) {
                     0 if command == "man" => {
                         self.output("-o", &["pages"], chance);

@@ -19,28 +19,10 @@ without an answer a :class:`NoAnswerError`, both :class:`Error`.
 from __future__ import annotations
 
 from . import _supported  # noqa: F401  before any compiled module
-from . import dask, jax, parts, plot, ray, spark, torch  # noqa: F401
+from . import commands, dask, jax, parts, plot, ray, spark, torch  # noqa: F401
 from ._longdrive import Objective, Setup, __version__, outcomes, parameters, presets
 from .batches import batch
-from .commands import (
-    calibrate,
-    chart,
-    compare,
-    delivery,
-    design,
-    fly,
-    laws,
-    optimize,
-    optimum_sensitivity,
-    pareto,
-    report,
-    reproduce,
-    robust,
-    sensitivity,
-    uncertainty,
-    validate,
-    verify,
-)
+from .commands import *  # noqa: F403
 from .derivatives import Gradient, Hessian, Jacobian, gradient, hessian, jacobian, objective
 from .drive import Drive, Trajectory, simulate
 from .errors import (
@@ -80,34 +62,19 @@ __all__ = [
     "UnknownKeyError",
     "__version__",
     "batch",
-    "calibrate",
-    "chart",
-    "compare",
-    "delivery",
-    "design",
-    "fly",
     "gradient",
     "hessian",
     "jacobian",
-    "laws",
     "objective",
-    "optimize",
-    "optimum_sensitivity",
     "outcomes",
     "parameters",
-    "pareto",
     "plot",
     "presets",
-    "report",
-    "reproduce",
-    "robust",
-    "sensitivity",
     "simulate",
     "sweep",
-    "uncertainty",
-    "validate",
-    "verify",
 ]
+__all__ += commands.__all__
+
 
 def __dir__() -> list[str]:
     return sorted(__all__)

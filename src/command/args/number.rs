@@ -1,5 +1,7 @@
 //! Whole numbers as values of options, with this program's error messages.
 
+use crate::batch::HAS_THREADS;
+use crate::{Error, Result};
 use std::ops::RangeInclusive;
 
 /// Parser of a whole number in a range; `example` is a valid use of the option, for the error
@@ -7,7 +9,7 @@ use std::ops::RangeInclusive;
 pub fn whole<T: TryFrom<u64>>(
     range: RangeInclusive<u64>,
     example: &'static str,
-) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync {
+) -> impl Fn(&str) -> std::result::Result<T, String> + Clone + Send + Sync {
     move |text| {
         let number = text
             .trim()
@@ -35,6 +37,20 @@ pub fn whole<T: TryFrom<u64>>(
 
 /// Any number that a 32-bit option takes.
 pub const U32: u64 = u32::MAX as u64;
+
+/// Refuses several threads on a processor that has one: WebAssembly.
+///
+/// # Errors
+/// [`Error::Unreadable`], which names the option.
+pub fn refuse_threads(threads: usize) -> Result<()> {
+    if HAS_THREADS || threads <= 1 {
+        return Ok(());
+    }
+    Err(Error::Unreadable {
+        name: format!("`threads {threads}`"),
+        source: "there is one thread here; leave it out".into(),
+    })
+}
 
 #[cfg(test)]
 mod tests {

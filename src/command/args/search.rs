@@ -1,4 +1,4 @@
-//! Searches for an optimum.
+//! Arguments of a search for an optimum.
 
 use super::SetupArgs;
 use super::number::{U32, whole};
@@ -103,7 +103,7 @@ pub struct SwingsArgs {
 }
 
 #[derive(clap::Args)]
-pub struct Optimize {
+pub struct OptimizeArgs {
     #[command(flatten)]
     pub setup_args: SetupArgs,
 
@@ -123,93 +123,4 @@ pub struct Optimize {
     /// Replace the file if it exists.
     #[arg(long, requires = "output")]
     pub overwrite: bool,
-}
-
-#[derive(clap::Args)]
-#[command(
-    mut_arg("setup", |arg| arg.default_value("modern-driver").help(
-        "A preset's name, a TOML file that names its preset, or - to read TOML from standard input"
-    )),
-    mut_arg("maximize", |arg| arg.help("The goal to maximize, e.g. \"mean(carry)\" [default: \
-                                        \"mean(carry) - 0.5*rms(lateral)\", unless --minimize is \
-                                        given]")),
-    mut_arg("minimize", |arg| arg.help("The goal to minimize, e.g. \"rms(lateral)\"")),
-    mut_arg("vary", |arg| arg.help(
-        "A parameter of the head to vary, with its range, e.g. club.bulge_radius=200mm..600mm or \
-         club.weight_1.toe=-50mm..50mm. \
-         Repeatable [default: bulge and roll 150 to 1000 mm, loft 6 to 16 deg]"
-    )),
-    mut_arg("subject_to", |arg| arg.help(
-        "A limit of a goal or of the head, e.g. \"std(lateral) <= 20yd\" or \"head_mass <= 205 \
-         g\"; or a relation with a name, linear in \
-         parameters, e.g. \"volume: 120 cm^3 + 80 cm^2*club.cg_depth <= 460 cm^3\". Repeatable"
-    )),
-    mut_arg("swings", |arg| arg.help(
-        "The swings to design for: a TOML file with [distributions] and [[correlations]], or a \
-         table (CSV, Parquet, Arrow) of recorded \
-         swings [default: a golfer whose drives were measured, about the setup's own swing]"
-    )),
-    mut_arg("output", |arg| arg.help("Write the setup with the best design into this setup file"))
-)]
-pub struct DesignArgs {
-    #[command(flatten)]
-    pub optimize: Optimize,
-
-    /// The rules for the design: golf (moment of inertia, volume, spring effect, ball) or none.
-    #[arg(long, value_name = "RULES", default_value = "golf", value_parser = ["golf", "none"])]
-    pub rules: String,
-}
-
-#[derive(clap::Args)]
-pub struct OptimumSensitivity {
-    #[command(flatten)]
-    pub optimize: Optimize,
-
-    /// The parameters that the optimum depends on, separated by commas; "all" for every one that
-    /// has a value in this setup and is not varied.
-    #[arg(
-        long,
-        value_name = "NAME,…",
-        value_delimiter = ',',
-        default_value = "all"
-    )]
-    pub wrt: Vec<String>,
-
-    /// A change of a parameter, e.g. swing.speed=+5mph or air.density=-20% of its value: its effect
-    /// on the optimum is predicted, and compared with a new search. Repeatable.
-    #[arg(long, value_name = "NAME=AMOUNT", allow_hyphen_values = true)]
-    pub change: Vec<String>,
-
-    /// The loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for
-    /// a distance, or 1 % of the carry if that is below 10 yd; 1 % of the outcome otherwise].
-    #[arg(long, value_name = "AMOUNT", allow_hyphen_values = true)]
-    pub loss: Option<String>,
-}
-
-#[derive(clap::Args)]
-pub struct ChartArgs {
-    #[command(flatten)]
-    pub setup_args: SetupArgs,
-
-    #[command(flatten)]
-    pub search: SearchArgs,
-
-    /// The parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
-    #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
-    pub along: String,
-
-    /// The values of the parameter of --along at which the optimum is computed, separated by
-    /// commas, e.g. 90mph,100mph,110mph; --along then needs only the name [default: as many values
-    /// as the curve needs].
-    #[arg(
-        long,
-        value_name = "VALUE,…",
-        value_delimiter = ',',
-        allow_hyphen_values = true
-    )]
-    pub at: Vec<String>,
-
-    /// Print the chart as CSV (SI units and radians).
-    #[arg(long, conflicts_with = "json")]
-    pub csv: bool,
 }

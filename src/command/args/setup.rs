@@ -1,4 +1,4 @@
-//! Options on the setup, and the commands on one drive.
+//! Arguments that give the setup of a drive.
 
 pub use crate::parameters::DEFAULT_PRESET as SETUP;
 
@@ -138,64 +138,6 @@ impl ShortNames {
     }
 }
 
-#[derive(clap::Args)]
-pub struct Explore {
-    #[command(flatten)]
-    pub drive: DriveArgs,
-}
-
-#[derive(clap::Args)]
-pub struct Simulate {
-    #[command(flatten)]
-    pub setup_args: SetupArgs,
-}
-
-#[derive(clap::Args)]
-pub struct Gradient {
-    #[command(flatten)]
-    pub setup_args: SetupArgs,
-
-    /// The outcomes, separated by commas.
-    #[arg(
-        long,
-        value_name = "OUTCOME,…",
-        value_delimiter = ',',
-        default_value = "carry"
-    )]
-    pub of: Vec<String>,
-
-    /// The parameters, separated by commas; "all" for every one that has a value in this setup.
-    /// Without: loft and attack angle, or the launch conditions if they are given.
-    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
-    pub wrt: Vec<String>,
-
-    /// Compute the second derivatives (the Hessian) too.
-    #[arg(long)]
-    pub hessian: bool,
-}
-
-#[derive(clap::Args)]
-pub struct Parameters {
-    #[command(flatten)]
-    pub setup_args: SetupArgs,
-
-    /// List only the parameters with this word in their names or groups, e.g. loft. Without a
-    /// SETUP it may be the first word: longdrive parameters swing.
-    #[arg(value_name = "WORD")]
-    pub word: Option<String>,
-}
-
-#[derive(clap::Args)]
-pub struct Presets {
-    /// The preset to print as a setup file.
-    #[arg(value_name = "NAME")]
-    pub name: Option<String>,
-
-    /// Print the presets as JSON.
-    #[arg(long)]
-    pub json: bool,
-}
-
 /// A user's own law, in addition to the published laws.
 #[derive(clap::Args)]
 pub struct OwnLaw {
@@ -203,14 +145,4 @@ pub struct OwnLaw {
     /// aero.cd_factor=1.05. Repeatable.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-}
-
-#[derive(clap::Args)]
-pub struct Laws {
-    #[command(flatten)]
-    pub own: OwnLaw,
-
-    /// Print the laws as JSON.
-    #[arg(long)]
-    pub json: bool,
 }

@@ -3,27 +3,27 @@
 #[cfg(feature = "explore")]
 mod http;
 pub mod page;
-mod refusal;
 #[cfg(feature = "explore")]
 mod server;
+
+pub use super::args::DriveArgs as Args;
 
 #[cfg(feature = "explore")]
 use server::serve;
 
-use super::args::Explore;
 use super::output::{Answer, system, warn};
 use super::running::running;
 use crate::Result;
 use crate::report::explorer_state;
-use refusal::refused;
+use page::refused;
 
-pub fn run(args: &Explore) -> Result<Answer> {
+pub fn run(args: &Args) -> Result<Answer> {
     if !running().host.is_terminal() {
         let why = "it serves a page until Ctrl-C, for which there is no terminal here; type it in \
                    a terminal: longdrive explore";
         return Err(refused(why));
     }
-    let request = args.drive.request()?;
+    let request = args.request()?;
     let setup = request.setup()?;
     let state = explorer_state(&setup, request.source().preset(), system())?;
     warn(&setup.warnings());

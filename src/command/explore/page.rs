@@ -1,4 +1,6 @@
-//! The page of the explorer.
+//! The page of the explorer, and the error of a command that cannot serve it.
+
+use crate::Error;
 
 /// The page, one file with the core inside.
 #[cfg(feature = "explore")]
@@ -24,4 +26,12 @@ pub fn policy(page: &[u8]) -> Option<&str> {
         .split(|byte| *byte == b'"')
         .next()?;
     std::str::from_utf8(policy).ok()
+}
+
+/// The error of a command that cannot serve the explorer.
+pub fn refused(why: impl Into<String>) -> Error {
+    Error::Unreadable {
+        name: "explore".into(),
+        source: why.into().into(),
+    }
 }

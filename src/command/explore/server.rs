@@ -1,6 +1,5 @@
 use super::http::{MOST_BYTES, Response, Site, TOO_MANY, incomplete};
-use super::page::{PAGE, policy};
-use super::refusal::refused;
+use super::page::{PAGE, policy, refused};
 use crate::command::interrupt;
 use crate::command::listener::Listener;
 use crate::command::output::tell;

@@ -1,8 +1,9 @@
 //! Flies shots that arrive over the network.
 
+use super::args::Args;
 use super::request::{asked, followed, setup};
 use crate::batch::Status;
-use crate::command::args::{Fly, SETUP};
+use crate::command::args::SETUP;
 use crate::command::interrupt;
 use crate::command::listener::Listener;
 use crate::command::output::{Answer, Warnings, tell};
@@ -59,7 +60,7 @@ fn both_given(file: &Path, why: &str) -> Error {
     }
 }
 
-pub fn run(args: &Fly, port: u16) -> Result<Answer> {
+pub fn run(args: &Args, port: u16) -> Result<Answer> {
     let request = request(args)?;
     let setup = setup(&request, "the messages")?;
     request.refuse_replaced(&setup, &[])?;
@@ -102,7 +103,7 @@ pub fn run(args: &Fly, port: u16) -> Result<Answer> {
 }
 
 /// The request of a listener. The first argument is the setup, because no file of shots is read.
-fn request(args: &Fly) -> Result<Request> {
+fn request(args: &Args) -> Result<Request> {
     let shots = args.shots.as_ref();
     if let Some(shots) = shots.filter(|_| args.setup_args.drive.setup != SETUP) {
         return Err(both_given(shots, "a setup is given after it"));

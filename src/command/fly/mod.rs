@@ -1,15 +1,17 @@
 //! Flies the shots of a launch monitor.
 
+mod args;
 pub mod listen;
 mod request;
 mod target;
 
+pub use args::Args;
+
 use crate::batch::Run;
-use crate::command::args::Fly;
+use crate::command::args::refuse_threads;
 use crate::command::interrupt;
 use crate::command::output::{Answer, Warnings, system, tell, text_of};
 use crate::command::request::Request;
-use crate::command::threads::refuse_threads;
 use crate::drive::CheckScope;
 use crate::input_file;
 use crate::parameters::{Law, Preset};
@@ -24,14 +26,14 @@ use request::{asked, followed, setup};
 use std::path::Path;
 use target::{Output, RowFormat, Target};
 
-pub fn run(args: &Fly) -> Result<Answer> {
+pub fn run(args: &Args) -> Result<Answer> {
     match args.listen {
         Some(port) => listen::run(args, port),
         None => fly(args),
     }
 }
 
-fn fly(args: &Fly) -> Result<Answer> {
+fn fly(args: &Args) -> Result<Answer> {
     let Some(file) = &args.shots else {
         return listen::run(args, 0);
     };

@@ -1,6 +1,6 @@
 //! The request for shots, from a file or from messages: outcomes, setup and integration.
 
-use crate::command::args::Fly;
+use super::args::Args;
 use crate::command::names::outcomes;
 use crate::command::request::Request;
 use crate::drive::OutcomeGroup;
@@ -8,7 +8,7 @@ use crate::shots::Flying;
 use crate::{Error, Outcome, Result, Setup};
 
 /// The outcomes to compute; "all" means all outcomes of the flight.
-pub fn asked(args: &Fly) -> Result<Vec<Outcome>> {
+pub fn asked(args: &Args) -> Result<Vec<Outcome>> {
     let is_all = args.of.iter().any(|name| name.trim() == "all");
     let of = outcomes(&args.of)?;
     Ok(if is_all {

@@ -1,4 +1,4 @@
-use crate::command::args::{Fly, FlyFormat};
+use super::args::{Args, FlyFormat};
 use crate::command::files::{Destination, Pieces, Rule, refused};
 use crate::command::request::Request;
 use crate::command::running::running;
@@ -23,7 +23,7 @@ pub struct Target {
 }
 
 impl Target {
-    pub fn new(args: &Fly, shots: &Path, request: &Request) -> Result<Self> {
+    pub fn new(args: &Args, shots: &Path, request: &Request) -> Result<Self> {
         let path = args.output.as_path();
         let is_standard = path == Path::new("-");
         let ending = path

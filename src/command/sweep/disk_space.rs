@@ -1,9 +1,9 @@
 //! Disk space: estimates the size and time of a sweep before its start.
 
+use super::args::Args;
 use super::rows::{Content, Writer};
 use super::target::Target;
 use crate::batch::{Batch, Points};
-use crate::command::args::Sweep;
 use crate::units::counted;
 use crate::{Error, Result};
 use bytesize::ByteSize;
@@ -16,7 +16,7 @@ const TRIED: usize = 64;
 
 /// Refuses a sweep larger than `--max-size` or the free disk space, before any other work.
 pub fn check(
-    args: &Sweep,
+    args: &Args,
     batch: &Batch,
     points: &mut dyn Points,
     writer: &Writer,

@@ -1,20 +1,21 @@
 //! Writes very many drives to a file.
 
+mod args;
 mod disk_space;
 mod journal;
 #[cfg(feature = "parquet")]
 pub mod parts;
-mod points;
 mod request;
 mod resumable;
 mod rows;
 mod target;
 
+pub use args::Args;
+
 use crate::batch::{Batch, Points, Run, Status, StatusCounts};
-use crate::command::args::Sweep;
+use crate::command::args::refuse_threads;
 use crate::command::interrupt;
 use crate::command::output::{Answer, Warnings, bar, say_error, tell};
-use crate::command::threads::refuse_threads;
 use crate::drive::CheckScope;
 use crate::report::Reply;
 use crate::units::{Message, counted};
@@ -27,7 +28,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use target::{Output, Target};
 
-pub fn run(args: &Sweep) -> Result<Answer> {
+pub fn run(args: &Args) -> Result<Answer> {
     if let Some(folder) = folder_of_parts(args) {
         return of_parts(args, folder);
     }
@@ -87,7 +88,7 @@ pub fn run(args: &Sweep) -> Result<Answer> {
 }
 
 /// The folder, if a part is written or the parts are checked.
-fn folder_of_parts(args: &Sweep) -> Option<&Path> {
+fn folder_of_parts(args: &Args) -> Option<&Path> {
     let folder = args.part.and(Some(args.output.as_path()));
     args.check.as_deref().or(folder)
 }
@@ -114,7 +115,7 @@ fn all_landed(status_counts: &StatusCounts) -> bool {
 }
 
 /// Refuses options that apply only to a part of a sweep, if no part is written.
-fn refuse_options_of_parts(args: &Sweep) -> Result<()> {
+fn refuse_options_of_parts(args: &Args) -> Result<()> {
     let options = [
         ("`histogram`", &args.histogram),
         ("`highest`", &args.highest),
@@ -132,7 +133,7 @@ fn refuse_options_of_parts(args: &Sweep) -> Result<()> {
 
 /// Computes the rows and writes them. Returns true if the rows are complete.
 fn write_rows(
-    args: &Sweep,
+    args: &Args,
     batch: &Batch,
     points: &mut dyn Points,
     writer: &Writer,
@@ -204,7 +205,7 @@ fn no_outcome(summary: &SweepSummary, tally: &StatusCounts, of: &[Outcome]) -> S
 
 /// Writes a part of a sweep, or checks the parts in a folder.
 #[cfg(feature = "parquet")]
-fn of_parts(args: &Sweep, folder: &Path) -> Result<Answer> {
+fn of_parts(args: &Args, folder: &Path) -> Result<Answer> {
     match args.part {
         Some(part) => parts::write(args, part, folder),
         None => parts::check(args, folder),
@@ -213,7 +214,7 @@ fn of_parts(args: &Sweep, folder: &Path) -> Result<Answer> {
 
 /// Refuses parts in a build without Parquet.
 #[cfg(not(feature = "parquet"))]
-fn of_parts(_: &Sweep, folder: &Path) -> Result<Answer> {
+fn of_parts(_: &Args, folder: &Path) -> Result<Answer> {
     Err(crate::command::files::refused(
         folder,
         crate::features::how_to_get("parquet"),

@@ -1,8 +1,8 @@
 //! A sweep divided into parts, each with its own file.
 
+use super::args::{Args, PartOf};
 use super::request::SweepRequest;
 use crate::batch::Run;
-use crate::command::args::{PartOf, Sweep};
 use crate::command::files::{refused, unwritable};
 use crate::command::interrupt;
 use crate::command::output::{Answer, Warnings, bar, system, tell, text_of};
@@ -41,7 +41,7 @@ pub struct CheckedParts {
 }
 
 /// Writes a part.
-pub fn write(args: &Sweep, part: PartOf, folder: &Path) -> Result<Answer> {
+pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
     let stop = interrupt::stops("stopping after the drives under way; nothing of the part is kept");
     let request = args.setup_args.request()?;
     let SweepRequest {
@@ -125,7 +125,7 @@ fn stopped(PartOf { part, parts }: PartOf, request: &Request) -> Answer {
 
 /// The divided sweep that the options describe.
 fn dataset_of(
-    args: &Sweep,
+    args: &Args,
     batch: crate::batch::Batch,
     points: &dyn crate::batch::Points,
     parts: u64,
@@ -173,7 +173,7 @@ fn make(folder: &Path) -> Result<()> {
 }
 
 /// Checks the parts in a folder.
-pub fn check(args: &Sweep, folder: &Path) -> Result<Answer> {
+pub fn check(args: &Args, folder: &Path) -> Result<Answer> {
     let wanted = wanted(args)?;
     let checked = parts::check(folder, wanted.as_ref(), args.hash)?;
     if let (Some(wanted), Some(_)) = (&wanted, args.instructions)
@@ -207,7 +207,7 @@ pub fn check(args: &Sweep, folder: &Path) -> Result<Answer> {
 }
 
 /// The definition of the sweep that the options describe; `None` without points.
-fn wanted(args: &Sweep) -> Result<Option<SweepDefinition>> {
+fn wanted(args: &Args) -> Result<Option<SweepDefinition>> {
     if args.over.is_empty() && args.points.is_none() {
         return match args.instructions {
             None => Ok(None),

@@ -1,9 +1,10 @@
-use super::points::points;
-use crate::batch::{Batch, Points};
-use crate::command::args::Sweep;
+use super::args::Args;
+use crate::batch::{Axis, Batch, Grid, Points, Sequence};
 use crate::command::names::{outcomes, variables};
 use crate::command::output::{system, tell};
 use crate::command::request::Request;
+use crate::parameters::Vary;
+use crate::table::open_table;
 use crate::units::Message;
 use crate::{Error, Result, Setup};
 
@@ -18,7 +19,7 @@ pub struct SweepRequest {
 }
 
 impl SweepRequest {
-    pub fn of(args: &Sweep, request: &Request) -> Result<Self> {
+    pub fn of(args: &Args, request: &Request) -> Result<Self> {
         let setup = *request.partial_setup();
         let of = outcomes(&args.outcomes)?;
         let points = points(&setup, args)?;
@@ -74,8 +75,39 @@ impl SweepRequest {
 }
 
 /// The source of the points, for notes.
-fn described(args: &Sweep) -> String {
+fn described(args: &Args) -> String {
     args.points
         .as_ref()
         .map_or("`over`".into(), |table| table.display().to_string())
+}
+
+/// The points of the sweep: a table, a grid or a sequence.
+fn points(setup: &Setup<f64>, args: &Args) -> Result<Box<dyn Points>> {
+    if let Some(table) = &args.points {
+        return Ok(open_table(setup, table)?);
+    }
+    let over = args.over.iter();
+    Ok(match args.sample {
+        None => Box::new(Grid::new(
+            over.map(|text| Axis::read(setup, text))
+                .collect::<Result<_>>()?,
+        )?),
+        Some(rows) => {
+            let over = over.map(|text| range(setup, text)).collect::<Result<_>>()?;
+            Box::new(Sequence::new(over, rows, args.seed)?)
+        }
+    })
+}
+
+/// The range of a parameter in a sample.
+fn range(setup: &Setup<f64>, text: &str) -> Result<Vary> {
+    match text.rsplit_once(':') {
+        Some((range, _)) => Err(Error::SearchRange {
+            name: text.into(),
+            reason: format!(
+                "`sample` says how many points there are; write {range}, without a count"
+            ),
+        }),
+        None => Vary::read_column(setup, text),
+    }
 }

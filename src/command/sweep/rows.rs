@@ -1,6 +1,6 @@
+use super::args::Format;
 use crate::Result;
 use crate::batch::{Batch, Block, StatusCounts};
-use crate::command::args::Format;
 use crate::command::output::stated_system;
 #[cfg(feature = "parquet")]
 use crate::report::SweepParquet;

@@ -1,7 +1,7 @@
+use super::args::{Args, Format};
 use super::resumable::{Files, ResumableFile};
 use super::rows::{Content, Rows, Writer};
 use crate::batch::StatusCounts;
-use crate::command::args::{Format, Sweep};
 use crate::command::files::{Rule, refused, unwritable};
 use crate::command::request::Request;
 use crate::command::running::running;
@@ -21,7 +21,7 @@ pub struct Target {
 }
 
 impl Target {
-    pub fn new(args: &Sweep, request: &Request) -> Result<Self> {
+    pub fn new(args: &Args, request: &Request) -> Result<Self> {
         let target = Self {
             path: args.output.clone(),
             files: None,
@@ -81,7 +81,7 @@ impl Target {
     }
 
     /// The format of `--format`, or else of the file name extension.
-    fn format_of(&self, args: &Sweep) -> Result<Format> {
+    fn format_of(&self, args: &Args) -> Result<Format> {
         let ending = self
             .path
             .extension()
@@ -131,7 +131,7 @@ impl Target {
     }
 
     /// Begins the output, or continues an interrupted one.
-    pub fn open<'a>(&self, writer: &'a Writer, args: &Sweep) -> Result<Output<'a>> {
+    pub fn open<'a>(&self, writer: &'a Writer, args: &Args) -> Result<Output<'a>> {
         if let Some(files) = &self.files {
             return Ok(Output::Resumable(Box::new(ResumableFile::open(
                 files.clone(),

@@ -287,8 +287,7 @@ fn document(tally: &ShotStatistics, source: Option<&'static str>, system: System
         "sd of instruments: of the differences of two launch monitors on the same 58 drives (Bliss \
          & Langdown 2026); their spins differ by 513 rpm",
     ));
-    let is_sideways = |of: &Outcome| matches!(of, Outcome::Lateral | Outcome::LateralTotal);
-    if tally.of.iter().any(is_sideways) {
+    if tally.of.iter().any(|of| of.is_lateral()) {
         table.line(Line::flush("lateral: + is right of the target line"));
     }
     document.add(table);

@@ -15,10 +15,11 @@ mod shot_table;
 mod statistics;
 mod verdict;
 
+pub use crate::drive::Instrument;
 pub use calibration::{Calibration, Estimate, Remainder};
 pub use diagnostics::validity_warnings;
 pub use estimate::{FitPlan, calibrate};
 pub use folds::{HeldOut, check_folds, held_out};
-pub use instrument::{Instrument, instrument};
+pub use instrument::instrument;
 pub use shot_table::{Measurement, Shot, ShotTable, Stationary, ranges};
 pub use statistics::{Fitted, Statistics, Uncertainties, Undetermined};

@@ -10,8 +10,7 @@ use crate::shots::{Club as ClubOfShot, Interpretation, Shot as Stated};
 use crate::table::{
     CONDITIONS, ClubColumns, Column, Content, Fault, Head, Stated as Launch, TextTable,
     club_column, conditions, contradiction, given_air, implausible, implausible_club,
-    implausible_launch, impossible, in_degrees, is_sideways, is_straight_by_assumption, near_known,
-    outside,
+    implausible_launch, impossible, in_degrees, is_straight_by_assumption, near_known, outside,
 };
 use crate::units::{Digits, Message, Quantity};
 
@@ -458,7 +457,7 @@ impl Reading {
             let why = format!("{shown} is outside its range −{most} .. {most}; correct the cell");
             return Err((here(), why).into());
         }
-        if is_straight && is_sideways(outcome) {
+        if is_straight && outcome.is_lateral() {
             row.not_compared = here();
             return Ok(());
         }

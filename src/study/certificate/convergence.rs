@@ -3,7 +3,7 @@ use super::scale::{scale, size};
 use crate::aerodynamics::AerodynamicLaw;
 use crate::derivative::check::NEXT_TO_NOTHING;
 use crate::derivative::{Taylor, jacobian};
-use crate::drive::{Drive, Outcome};
+use crate::drive::{ComputedFrom, Drive, Outcome};
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 
@@ -273,19 +273,19 @@ struct Expected {
 /// - Join of a law with k continuous derivatives: error h^(k+2) times a function of the join's
 ///   position in the step, which also moves at a rate 1/h; the derivative has an error h^(k+1).
 fn expected(setup: &Setup<f64>, of: Outcome) -> Expected {
-    use Outcome::{ApexDownrange, ApexTime, DescentAngle, LandingSpeed};
-    let is_of_a_velocity = matches!(of, DescentAngle | LandingSpeed | ApexTime | ApexDownrange);
-    let interpolated = match of {
+    let interpolated = match of.computed_from() {
         // with spin damping the spin at landing is interpolated with degree 5
-        _ if of.needs_run() => [6, 5],
-        _ if is_of_a_velocity => [7, 6],
-        _ => [8, 7],
+        ComputedFrom::Rest => [6, 5],
+        ComputedFrom::LandingVelocity | ComputedFrom::ApexTime => [7, 6],
+        ComputedFrom::Landing
+        | ComputedFrom::ApexHeight
+        | ComputedFrom::Launch
+        | ComputedFrom::Head => [8, 7],
     };
     let order = setup.method.order();
-    let of_method = if matches!(of, ApexTime | ApexDownrange) {
-        [order, order - 1]
-    } else {
-        [order; 2]
+    let of_method = match of.computed_from() {
+        ComputedFrom::ApexTime => [order, order - 1],
+        _ => [order; 2],
     };
     let of_smooth_law = [0, 1].map(|which: usize| of_method[which].min(interpolated[which]));
     let Some(derivatives) = setup.law.continuous_derivatives() else {

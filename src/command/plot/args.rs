@@ -1,13 +1,13 @@
-//! Plots and the page.
+//! Options of plots.
 
-use super::SearchArgs;
-use super::number::whole;
-use super::{Pair, ParetoAsked, SetupArgs};
+use crate::command::args::{SearchArgs, SetupArgs};
+use crate::command::compare::Pair;
+use crate::command::pareto::GoalArgs;
+use crate::command::picture::Drawing;
 use clap::Subcommand;
-use std::path::PathBuf;
 
 #[derive(clap::Args)]
-pub struct Plot {
+pub struct Args {
     #[command(subcommand)]
     pub kind: PlotKind,
 }
@@ -17,7 +17,7 @@ pub enum PlotKind {
     /// The path of the ball.
     Trajectory(PlotTrajectory),
     /// An outcome over two parameters, with its gradients and the optimum.
-    Contour(PlotContour),
+    Contour(PlotSearch),
     /// The optimum as a function of a parameter.
     Chart(PlotChart),
     /// The Pareto front of two goals, with its ends, its knee and the slope at the knee.
@@ -42,65 +42,7 @@ pub enum PlotKind {
     Strike(PlotStrike),
     /// Carry over launch angle and backspin at the drive's ball speed, with the launches of the
     /// drive and of the optimum.
-    Launch(PlotLaunch),
-}
-
-impl PlotKind {
-    /// The setup arguments of the plot.
-    pub fn setup_args(&self) -> &SetupArgs {
-        match self {
-            Self::Trajectory(args) => &args.setup_args,
-            Self::Contour(args) => &args.setup_args,
-            Self::Chart(args) => &args.setup_args,
-            Self::Pareto(args) => &args.setup_args,
-            Self::Tornado(args) => &args.setup_args,
-            Self::Compare(args) => &args.pair.setup_args,
-            Self::Vcurve(args) => &args.setup_args,
-            Self::Laws(args) => &args.setup_args,
-            Self::Fairway(args) => &args.setup_args,
-            Self::Face(args) => &args.setup_args,
-            Self::Strike(args) => &args.setup_args,
-            Self::Launch(args) => &args.setup_args,
-        }
-    }
-}
-
-/// Options of a picture.
-#[derive(clap::Args)]
-pub struct Drawing {
-    /// The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
-    #[arg(long, short, value_name = "FILE")]
-    pub output: PathBuf,
-
-    /// Replace files that exist.
-    #[arg(long)]
-    pub overwrite: bool,
-
-    /// Draw for a dark background.
-    #[arg(long)]
-    pub dark: bool,
-
-    /// The width of the picture in pixels; a PNG has twice the resolution. The size of the text
-    /// does not change [default: 480].
-    #[arg(
-        long,
-        value_name = "PIXELS",
-        value_parser = whole::<u32>(240..=4000, "`width 800`"),
-        allow_negative_numbers = true,
-    )]
-    pub width: Option<u32>,
-}
-
-impl Drawing {
-    /// The stated options on the appearance of a picture.
-    pub fn look(&self) -> Vec<&'static str> {
-        let given = [("`dark`", self.dark), ("`width`", self.width.is_some())];
-        given
-            .into_iter()
-            .filter(|(_, is_given)| *is_given)
-            .map(|(option, _)| option)
-            .collect()
-    }
+    Launch(PlotSearch),
 }
 
 /// View of a trajectory.
@@ -228,20 +170,9 @@ pub struct PlotStrike {
     pub drawing: Drawing,
 }
 
+/// A plot with the optimum of a search.
 #[derive(clap::Args)]
-pub struct PlotLaunch {
-    #[command(flatten)]
-    pub setup_args: SetupArgs,
-
-    #[command(flatten)]
-    pub search: SearchArgs,
-
-    #[command(flatten)]
-    pub drawing: Drawing,
-}
-
-#[derive(clap::Args)]
-pub struct PlotContour {
+pub struct PlotSearch {
     #[command(flatten)]
     pub setup_args: SetupArgs,
 
@@ -278,7 +209,7 @@ pub struct PlotPareto {
     pub setup_args: SetupArgs,
 
     #[command(flatten)]
-    pub asked: ParetoAsked,
+    pub asked: GoalArgs,
 
     #[command(flatten)]
     pub drawing: Drawing,
@@ -340,34 +271,4 @@ pub struct PlotVcurve {
     /// conditions if they are given.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub wrt: Vec<String>,
-}
-
-#[derive(clap::Args)]
-pub struct Report {
-    #[command(flatten)]
-    pub setup_args: SetupArgs,
-
-    #[command(flatten)]
-    pub search: SearchArgs,
-
-    /// The folder to write: index.html, the best drive as setup.toml, and each plot as
-    /// NAME-metric.svg, NAME-us.svg and NAME.csv. The folder is created if it does not exist; other
-    /// files in it are not touched.
-    #[arg(long, short, value_name = "DIR")]
-    pub output: PathBuf,
-
-    /// Replace files that exist.
-    #[arg(long)]
-    pub overwrite: bool,
-
-    /// The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%.
-    /// Repeatable; other parameters have the default uncertainties of "longdrive sensitivity".
-    #[arg(long, value_name = "NAME=AMOUNT")]
-    pub sigma: Vec<String>,
-
-    /// The parameter to follow the optimum along, with its range [default:
-    /// swing.speed=80mph..130mph; with --launch, launch.ball_speed=120mph..190mph; around the
-    /// drive's own speed if this is outside of the range].
-    #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
-    pub along: Option<String>,
 }

@@ -2,40 +2,6 @@
 
 use crate::report::wrapped;
 
-/// The groups of commands, in the order of a user's questions.
-const GROUPS: [(&str, &[&str]); 5] = [
-    (
-        "Your drive",
-        &[
-            "simulate", "compare", "optimize", "chart", "explore", "report", "plot",
-        ],
-    ),
-    ("Your shots", &["fly", "delivery", "calibrate"]),
-    (
-        "What matters",
-        &[
-            "gradient",
-            "sensitivity",
-            "optimum-sensitivity",
-            "uncertainty",
-        ],
-    ),
-    ("Design", &["design", "pareto", "robust", "sweep"]),
-    (
-        "Reference",
-        &[
-            "parameters",
-            "presets",
-            "laws",
-            "reproduce",
-            "validate",
-            "verify",
-            "completions",
-            "man",
-        ],
-    ),
-];
-
 const EXAMPLES: &str = "\
 Examples:
   longdrive optimize --set swing.speed=95mph
@@ -48,10 +14,11 @@ const EXPLAINED: &str = "'longdrive COMMAND --help' explains a command. Exit sta
 /// Columns before the purpose of a command.
 const PURPOSE: usize = 23;
 
-/// The template of the program's help, of at most `width` columns.
-pub fn template(program: &clap::Command, width: usize) -> String {
+/// The template of the program's help, of at most `width` columns. Each group has a heading and the
+/// names of its commands.
+pub fn template(program: &clap::Command, groups: &[(&str, &[&str])], width: usize) -> String {
     let mut text = "{about}\n\n{usage-heading} {usage}\n".to_owned();
-    for (heading, names) in GROUPS {
+    for (heading, names) in groups {
         text += &format!("\n{heading}:\n");
         // without a terminal there are no completions and no manual
         let there = names
@@ -71,13 +38,12 @@ pub fn template(program: &clap::Command, width: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{GROUPS, template};
-    use crate::command::args::Args;
-    use clap::CommandFactory;
+    use super::template;
+    use crate::command::{GROUPS, program};
 
     #[test]
     fn each_command_is_in_one_group_with_a_line_of_at_most_100_columns() {
-        let program = Args::command();
+        let program = program();
         let mut listed: Vec<_> = GROUPS
             .iter()
             .flat_map(|(_, names)| *names)
@@ -87,7 +53,7 @@ mod tests {
         listed.sort_unstable();
         commands.sort_unstable();
         assert_eq!(listed, commands);
-        for line in template(&program, 100)
+        for line in template(program, &GROUPS, 100)
             .lines()
             .filter(|line| line.starts_with("  "))
         {

@@ -1,8 +1,9 @@
 //! Plots of a drive and its optimum: landings, launches, and strikes on the face.
 
-use crate::command::args::{Drawing, PlotFace, PlotFairway, PlotLaunch, PlotStrike, SearchArgs};
+use super::args::{PlotFace, PlotFairway, PlotSearch, PlotStrike};
+use crate::command::args::SearchArgs;
 use crate::command::output::{Answer, spinner, system, tell};
-use crate::command::picture::Target;
+use crate::command::picture::{Drawing, Target};
 use crate::command::request::{Request, Source};
 use crate::optimize::{Observer, Status};
 use crate::report::figures::{face_figure, fairway_figure, launches_figure, strikes_figure};
@@ -44,7 +45,7 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     )
 }
 
-pub fn launches(args: &PlotLaunch) -> Result<Answer> {
+pub fn launches(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = Target::new(&request, &args.drawing)?;
     let (setup, best) = searched(&request, &args.search)?;

@@ -1,13 +1,15 @@
-//! Very many drives.
+//! Options of a sweep.
 
-use super::SetupArgs;
-use super::number::{U32, whole};
+// these doc comments are help texts, in which "carry [yd]" is a column head, not a link
+#![allow(rustdoc::broken_intra_doc_links)]
+
+use crate::command::args::{SetupArgs, U32, whole};
 use crate::number::Level;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 
 #[derive(clap::Args)]
-pub struct Sweep {
+pub struct Args {
     #[command(flatten)]
     pub setup_args: SetupArgs,
 

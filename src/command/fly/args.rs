@@ -1,12 +1,14 @@
-//! Shots of a launch monitor.
+//! Options of the shots of a launch monitor.
 
-use super::SetupArgs;
-use super::number::whole;
+// these doc comments are help texts, in which "carry [yd]" is a column head, not a link
+#![allow(rustdoc::broken_intra_doc_links)]
+
+use crate::command::args::{SetupArgs, whole};
 use std::net::IpAddr;
 use std::path::PathBuf;
 
 #[derive(clap::Args)]
-pub struct Fly {
+pub struct Args {
     /// Shots, one per row: the CSV export of a launch monitor, any CSV with columns such as
     /// "ball_speed [mph]", "launch_angle [deg]" and "backspin [rpm]", or messages of GSPro Open
     /// Connect as JSON (one per line, or an array); "-" is standard input. See

@@ -1,13 +1,16 @@
+//! Plots, each a subcommand.
+
+mod args;
+mod drive;
+
+pub use args::Args;
+
 use crate::atmosphere::AirState;
-use crate::command::args::{
-    Drawing, Drawn, LawsOver, Moved, Plot, PlotChart, PlotCompare, PlotContour, PlotKind, PlotLaws,
-    PlotTornado, PlotTrajectory, PlotVcurve, Seen,
-};
 use crate::command::compare::warnings;
 use crate::command::names::{outcomes, usual, variables};
 use crate::command::output::{Answer, bar, show, spinner, system, tell};
-use crate::command::picture::Target;
-use crate::command::plot_drive::{at_optimum, face, fairway, launches, strikes};
+use crate::command::pareto;
+use crate::command::picture::{Drawing, Target};
 use crate::command::request::Request;
 use crate::command::verify::tell_left_out;
 use crate::optimize::{Observer, Status};
@@ -25,13 +28,18 @@ use crate::study::{
 };
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
+use args::{
+    Drawn, LawsOver, Moved, PlotChart, PlotCompare, PlotKind, PlotLaws, PlotSearch, PlotTornado,
+    PlotTrajectory, PlotVcurve, Seen,
+};
+use drive::{at_optimum, face, fairway, launches, strikes};
 
-pub fn run(args: &Plot) -> Result<Answer> {
+pub fn run(args: &Args) -> Result<Answer> {
     match &args.kind {
         PlotKind::Trajectory(args) => trajectory(args),
         PlotKind::Contour(args) => contour(args),
         PlotKind::Chart(args) => along(args),
-        PlotKind::Pareto(args) => crate::command::pareto::draw(args),
+        PlotKind::Pareto(args) => pareto::draw(&args.setup_args, &args.asked, &args.drawing),
         PlotKind::Tornado(args) => tornado(args),
         PlotKind::Compare(args) => difference(args),
         PlotKind::Vcurve(args) => vcurve(args),
@@ -66,7 +74,7 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
     target.written(&request, &setup, &args.drawing, &figure, vec![])
 }
 
-fn contour(args: &PlotContour) -> Result<Answer> {
+fn contour(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = Target::new(&request, &args.drawing)?;
     let setup = request.setup_with_starts(&args.search.vary)?;

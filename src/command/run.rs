@@ -1,0 +1,74 @@
+//! Runs command lines and requests.
+
+use super::call::{Call, with_degrees};
+use super::host::Host;
+use super::output::{Answer, complain, explain};
+use super::running::within;
+#[cfg(feature = "cli")]
+use super::terminal::Terminal;
+use super::wording::with_argument;
+use super::{Program, named_in, program};
+use crate::Error;
+use crate::input_file::with_memory_files;
+use std::ffi::OsString;
+use std::io::ErrorKind;
+#[cfg(feature = "cli")]
+use std::process::ExitCode;
+use std::sync::Arc;
+
+/// The program: runs the command line of the process in a terminal.
+#[cfg(feature = "cli")]
+pub fn main() -> ExitCode {
+    ExitCode::from(run_in_terminal(std::env::args_os().collect()))
+}
+
+/// Runs the program for these arguments, its name first; returns the exit status.
+#[cfg(feature = "cli")]
+pub fn run_in_terminal(words: Vec<OsString>) -> u8 {
+    run(words, Arc::new(Terminal::default()))
+}
+
+/// Runs a command line for a host; the first word is the name of the program. Returns the exit
+/// status: 0 done, 1 no answer, 2 bad input. The host receives the error message; with `--json` the
+/// answer contains it too.
+pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
+    run_words(words, host, &[])
+}
+
+/// Runs a request of a program that embeds the library, as [`run`] runs a command line.
+pub fn call(call: &Call, host: Arc<dyn Host>) -> u8 {
+    match call.command_line() {
+        Ok(line) => run_words(line.words, host, &line.bare_angles),
+        Err(error) => within(program(), host, None, &[], || complain(&error, "", true)),
+    }
+}
+
+/// Runs a command line. `bare_angles` are its angles that were given without a unit, rad.
+fn run_words(words: Vec<OsString>, host: Arc<dyn Host>, bare_angles: &[f64]) -> u8 {
+    let request = match Program::read(&words) {
+        Ok(request) => request,
+        Err(error) => {
+            let command = named_in(words.get(1..).unwrap_or_default());
+            let is_json = words.iter().any(|word| word == "--json");
+            return within(program(), host, None, &words, || {
+                explain(error, command, is_json)
+            });
+        }
+    };
+    let Program { name, is_json, .. } = request;
+    host.begin(name, is_json);
+    let files = host.files();
+    let work = || match request.command.answer().and_then(Answer::print) {
+        Ok(status) => status,
+        // a broken pipe, as in `longdrive … | head`, is not an error
+        Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => 0,
+        Err(error) => {
+            let error = with_degrees(with_argument(error), bare_angles);
+            complain(&error, name, is_json)
+        }
+    };
+    let shown = Some(request.output.clone());
+    within(program(), host, shown, &words, || {
+        with_memory_files(files, work)
+    })
+}

@@ -1,0 +1,147 @@
+//! Facts that the declaration of an outcome states.
+
+use crate::units::{Digits, Message, Quantity};
+
+/// Facts about an outcome, beside its formula.
+pub(super) struct Declaration {
+    /// Name in JSON and on the command line: `carry`.
+    pub name: &'static str,
+    /// Symbol in docs/model.md.
+    pub symbol: &'static str,
+    /// One line of documentation.
+    pub doc: &'static str,
+    /// Kind of quantity, with its SI unit.
+    pub quantity: Quantity,
+    /// Display unit.
+    pub unit: &'static str,
+    /// Part of the drive that the formula reads.
+    pub computed_from: ComputedFrom,
+    /// Sign of its values.
+    pub sign: Sign,
+    /// The outcome as launch monitors measure it; `None` for an outcome of the head.
+    pub instrument: Option<Instrument>,
+}
+
+/// Part of a drive that the formula of an outcome reads. An outcome of several parts has the one
+/// that is computed last. The order of its convergence follows from it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ComputedFrom {
+    /// The launch.
+    Launch,
+    /// Position and time of the landing.
+    Landing,
+    /// Velocity at landing.
+    LandingVelocity,
+    /// Height of the apex. It is a maximum: an error of the time of the apex does not change it.
+    ApexHeight,
+    /// Time of the apex, or its position along the ground.
+    ApexTime,
+    /// Position at rest.
+    Rest,
+    /// The head with its movable weights.
+    Head,
+}
+
+/// Part of a drive that an outcome describes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OutcomeGroup {
+    /// The launch of the ball.
+    Launch,
+    /// The flight; undefined if the ball does not fly.
+    Flight,
+    /// The head with its movable weights.
+    Head,
+}
+
+impl ComputedFrom {
+    /// The group of the outcomes that are computed from this part.
+    pub(super) fn group(self) -> OutcomeGroup {
+        match self {
+            Self::Launch => OutcomeGroup::Launch,
+            Self::Head => OutcomeGroup::Head,
+            Self::Landing
+            | Self::LandingVelocity
+            | Self::ApexHeight
+            | Self::ApexTime
+            | Self::Rest => OutcomeGroup::Flight,
+        }
+    }
+}
+
+/// Sign of the values of an outcome.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sign {
+    /// Above 0 in every drive that lands.
+    Positive,
+    /// 0 or more.
+    NotNegative,
+    /// Positive to the right of the target line.
+    Right,
+    /// Positive or negative.
+    Either,
+}
+
+/// An outcome as launch monitors measure and export it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Instrument {
+    /// Standard uncertainty of the outcome, with unit: `0.3 deg`.
+    pub sigma: &'static str,
+    /// Source, or "assumed" with the reasoning if no source was found. Braces enclose lengths and
+    /// speeds, which are printed in the user's units.
+    pub(super) source: &'static str,
+    /// Values that a drive can have. A measured value outside is an error of the table, such as a
+    /// wrong unit. `None` if any value is accepted.
+    pub(crate) plausible: Option<Plausible>,
+    /// Column heads of exports, in lower case, without punctuation.
+    pub(crate) heads: &'static [&'static str],
+}
+
+impl Instrument {
+    /// The source of the uncertainty, or the reasoning behind an assumption.
+    pub fn source(&self) -> Message {
+        let parts = self.source.split(['{', '}']).enumerate();
+        parts.fold(Message::default(), |message, (i, part)| {
+            match quantity(part) {
+                Some((quantity, unit, value)) if i % 2 == 1 => {
+                    message.quantity(quantity, unit, value, Digits::Significant(2))
+                }
+                _ => message.words(part),
+            }
+        })
+    }
+}
+
+/// Parses a length or a speed.
+fn quantity(text: &str) -> Option<(Quantity, &'static str, f64)> {
+    let kinds = [(Quantity::LENGTH, "yd"), (Quantity::SPEED, "mph")];
+    kinds
+        .into_iter()
+        .find_map(|(quantity, unit)| Some((quantity, unit, quantity.read(text).ok()?)))
+}
+
+/// Values that a drive can have, in the display unit of the outcome.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Plausible {
+    pub low: f64,
+    pub high: f64,
+    /// True if the value must exceed the lower end: 0 means that it was not measured.
+    pub is_above_low: bool,
+}
+
+/// Values from `low` to `high`.
+pub(super) const fn within(low: f64, high: f64) -> Option<Plausible> {
+    Some(Plausible {
+        low,
+        high,
+        is_above_low: false,
+    })
+}
+
+/// Values above `low`, to `high`.
+pub(super) const fn above(low: f64, high: f64) -> Option<Plausible> {
+    Some(Plausible {
+        low,
+        high,
+        is_above_low: true,
+    })
+}

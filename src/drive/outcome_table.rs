@@ -1,0 +1,615 @@
+//! The table of outcomes: every outcome is declared here, with its formula and the facts about it.
+
+use super::declaration::{ComputedFrom, Declaration, Instrument, Sign, above, within};
+use crate::flight::Landed;
+use crate::impact::Head;
+use crate::launch::Launch;
+use crate::number::{Number, Numbers};
+use crate::units::Quantity;
+
+/// Quantities that outcomes are computed from.
+#[derive(Clone, Copy)]
+pub(crate) struct OutcomeInputs<'a, T, Read> {
+    pub launch: &'a Launch<T>,
+    /// Speed of the head before impact, m/s, if there is a club.
+    pub club_speed: Option<T>,
+    pub landed: Option<&'a Landed<T>>,
+    /// The head, if there is a club and if an outcome of the head is requested.
+    pub head: Option<&'a Head<T>>,
+    /// Converts a number, for example to its value in one lane. It is only called for the numbers
+    /// that an outcome depends on.
+    pub read: Read,
+}
+
+impl<T: Numbers, U, Read: Fn(T) -> U + Copy> OutcomeInputs<'_, T, Read> {
+    #[inline(always)]
+    fn launch(&self) -> Launch<U> {
+        self.launch.map(self.read)
+    }
+
+    #[inline(always)]
+    fn club_speed(&self) -> Option<U> {
+        self.club_speed.map(self.read)
+    }
+
+    #[inline(always)]
+    fn landed(&self) -> Option<Landed<U>> {
+        Some(self.landed?.map(self.read))
+    }
+
+    #[inline(always)]
+    fn head(&self) -> Option<Head<U>> {
+        Some(self.head?.map(self.read))
+    }
+}
+
+/// Ball speed: two radar units agree to about ±0.5 %
+/// (golflaunchlab.com/guides/golf-launch-monitor-accuracy, read in a stored copy; it names no
+/// test), 0.8 mph of 165 mph. Neither a maker's data sheet nor the numbers of Leach, Forrester,
+/// Mears & Roberts (Measurement 112, 2017, 125–136) could be read.
+const AGREE: &str = "two radar units agree to about 0.5 % (golflaunchlab.com, a guide that names \
+                     no test): {0.8 mph} of {165 mph}, rounded up";
+/// Launch angles: no source found.
+const TENTHS: &str = "assumed: three times the resolution of exports, 0.1°";
+/// Spin: no source found.
+const OF_SPIN: &str = "assumed: 4 % of a driver's 2500 rpm";
+/// Distances: difference between launch monitors for the same launch.
+const APART: &str =
+    "launch monitors predict the same launch within about {3 yd} of each other (docs/sources.md)";
+/// Totals: differences of two monitors on the same shots (Bliss & Langdown 2026), whose ground
+/// models differ.
+const RUNS: &str = "the totals of two monitors on the same shots differ by {11.5 yd} (one standard \
+                    deviation): {8 yd} each, docs/sources.md";
+/// Apex height and descent angle: published averages are rounded to whole yards and degrees.
+const ROUNDED: &str = "assumed: tables print whole units of length and whole degrees; indoors \
+                       both are computed from the launch";
+
+/// Declares the outcomes: for each a variant with its formula and its [`Declaration`].
+macro_rules! outcomes {
+    ($(
+        $(#[doc = $doc:literal])+
+        $Outcome:ident {
+            value: |$drive:ident| $value:expr,
+            name: $name:literal,
+            symbol: $symbol:literal,
+            $($field:ident: $fact:expr,)+
+        }
+    )+) => {
+        /// An outcome of a drive.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Outcome {
+            $(
+                $(#[doc = $doc])+
+                #[doc = concat!("\n\n`", $name, "`, symbol ", $symbol, ".")]
+                $Outcome,
+            )+
+        }
+
+        impl Outcome {
+            /// Outcomes of drives, then outcomes of the head.
+            pub(super) const EVERY: &'static [Self] = &[$( Self::$Outcome ),+];
+
+            /// Facts about the outcome.
+            pub(super) const fn declaration(self) -> &'static Declaration {
+                match self {
+                    $( Self::$Outcome => const {
+                        &Declaration {
+                            name: $name,
+                            symbol: $symbol,
+                            doc: concat!($($doc),+).trim_ascii(),
+                            $( $field: $fact, )+
+                        }
+                    }, )+
+                }
+            }
+
+            /// Evaluates the outcome; `None` if a quantity that it depends on is missing.
+            pub(crate) fn evaluate<T: Numbers, U: Number>(
+                self,
+                inputs: &OutcomeInputs<'_, T, impl Fn(T) -> U + Copy>,
+            ) -> Option<U> {
+                match self {
+                    $( Self::$Outcome => {
+                        let $drive = inputs;
+                        Some($value)
+                    } )+
+                }
+            }
+        }
+    };
+}
+
+outcomes! {
+    /// Distance downrange at landing, along the target line; carry_distance includes the distance
+    /// to the side.
+    Carry {
+        value: |drive| drive.landed()?.carry,
+        name: "carry",
+        symbol: "z_L",
+        quantity: Quantity::LENGTH,
+        unit: "yd",
+        computed_from: ComputedFrom::Landing,
+        sign: Sign::Positive,
+        instrument: Some(Instrument {
+            sigma: "3 yd",
+            source: APART,
+            plausible: None,
+            heads: &[],
+        }),
+    }
+
+    /// Horizontal distance from the tee to the landing, in any direction: the carry of launch
+    /// monitors.
+    CarryDistance {
+        value: |drive| {
+            let landed = drive.landed()?;
+            (landed.carry * landed.carry + landed.lateral * landed.lateral).sqrt()
+        },
+        name: "carry_distance",
+        symbol: "√(z_L² + y_L²)",
+        quantity: Quantity::LENGTH,
+        unit: "yd",
+        computed_from: ComputedFrom::Landing,
+        sign: Sign::Positive,
+        instrument: Some(Instrument {
+            sigma: "3 yd",
+            source: APART,
+            plausible: above(0.0, 600.0),
+            heads: &[
+                "carry",
+                "carry distance",
+                "carry flat length",
+                "carry length",
+                "carry distanz",
+            ],
+        }),
+    }
+
+    /// Distance right of the target line at landing.
+    Lateral {
+        value: |drive| drive.landed()?.lateral,
+        name: "lateral",
+        symbol: "y_L",
+        quantity: Quantity::LENGTH,
+        unit: "yd",
+        computed_from: ComputedFrom::Landing,
+        sign: Sign::Right,
+        instrument: Some(Instrument {
+            sigma: "3 yd",
+            source: "assumed: 0.7 deg of direction at {250 yd}",
+            plausible: within(-600.0, 600.0),
+            heads: &[
+                "side",
+                "carry side",
+                "side carry",
+                "carry lateral distance",
+                "lateral landing",
+                "carry flat side",
+                "carry deviation distance",
+                "offline",
+                "lateral",
+                "carry abweichungsdistanz",
+            ],
+        }),
+    }
+
+    /// Time from launch to landing.
+    FlightTime {
+        value: |drive| drive.landed()?.flight_time,
+        name: "flight_time",
+        symbol: "t_L",
+        quantity: Quantity::TIME,
+        unit: "s",
+        computed_from: ComputedFrom::Landing,
+        sign: Sign::Positive,
+        instrument: Some(Instrument {
+            sigma: "0.1 s",
+            source: "assumed: tables print tenths of a second; indoors times are computed from the \
+                launch",
+            plausible: above(0.0, 20.0),
+            heads: &["hang time", "flight time", "carry flat time"],
+        }),
+    }
+
+    /// Greatest height of the flight above the tee.
+    ApexHeight {
+        value: |drive| drive.landed()?.apex?.height,
+        name: "apex_height",
+        symbol: "x_A",
+        quantity: Quantity::LENGTH,
+        unit: "yd",
+        computed_from: ComputedFrom::ApexHeight,
+        sign: Sign::Positive,
+        instrument: Some(Instrument {
+            sigma: "1 yd",
+            source: ROUNDED,
+            plausible: above(0.0, 150.0),
+            heads: &[
+                "apex",
+                "apex height",
+                "max height",
+                "max height height",
+                "ball apex",
+                "peak height",
+                "height",
+                "höhe des scheitelpunkts",
+            ],
+        }),
+    }
+
+    /// Time from launch to the apex.
+    ApexTime {
+        value: |drive| drive.landed()?.apex?.time,
+        name: "apex_time",
+        symbol: "t_A",
+        quantity: Quantity::TIME,
+        unit: "s",
+        computed_from: ComputedFrom::ApexTime,
+        sign: Sign::Either,
+        instrument: Some(Instrument {
+            sigma: "0.1 s",
+            source: "assumed: as for flight_time",
+            plausible: None,
+            heads: &[],
+        }),
+    }
+
+    /// Distance downrange of the apex.
+    ApexDownrange {
+        value: |drive| drive.landed()?.apex?.downrange,
+        name: "apex_downrange",
+        symbol: "z_A",
+        quantity: Quantity::LENGTH,
+        unit: "yd",
+        computed_from: ComputedFrom::ApexTime,
+        sign: Sign::Either,
+        instrument: Some(Instrument {
+            sigma: "3 yd",
+            source: "assumed: as for carry",
+            plausible: None,
+            heads: &["max height dist"],
+        }),
+    }
+
+    /// Angle of the path below horizontal at landing.
+    DescentAngle {
+        value: |drive| {
+            let v = drive.landed()?.velocity;
+            (-v.x).atan2((v.y * v.y + v.z * v.z).sqrt())
+        },
+        name: "descent_angle",
+        symbol: "γ_L",
+        quantity: Quantity::ANGLE,
+        unit: "deg",
+        computed_from: ComputedFrom::LandingVelocity,
+        sign: Sign::Positive,
+        instrument: Some(Instrument {
+            sigma: "1 deg",
+            source: ROUNDED,
+            plausible: above(0.0, 90.0),
+            heads: &[
+                "landing angle",
+                "landing ang",
+                "land ang",
+                "land angle",
+                "carry flat land angle",
+                "descent angle",
+                "descent v",
+                "descentv",
+                "angle of descent",
+                "ball descent angle",
+                "vertical descent",
+            ],
+        }),
+    }
+
+    /// Speed at landing.
+    LandingSpeed {
+        value: |drive| drive.landed()?.velocity.norm(),
+        name: "landing_speed",
+        symbol: "|v_L|",
+        quantity: Quantity::SPEED,
+        unit: "mph",
+        computed_from: ComputedFrom::LandingVelocity,
+        sign: Sign::Positive,
+        instrument: Some(Instrument {
+            sigma: "1 mph",
+            source: "assumed: as for ball_speed",
+            plausible: within(0.0, 270.0),
+            heads: &["carry flat ball speed"],
+        }),
+    }
+
+    /// Distance downrange where the ball rests, along the target line like carry; uncertain by at
+    /// least 10 yd, as the ground is not calibrated.
+    Total {
+        value: |drive| drive.landed()?.rest.as_ref()?.downrange,
+        name: "total",
+        symbol: "z_R",
+        quantity: Quantity::LENGTH,
+        unit: "yd",
+        computed_from: ComputedFrom::Rest,
+        sign: Sign::Positive,
+        instrument: Some(Instrument {
+            sigma: "8 yd",
+            source: RUNS,
+            plausible: above(0.0, 800.0),
+            heads: &[
+                "gesamtstrecke",
+                "total",
+                "total distance",
+                "total length",
+                "est total flat length",
+            ],
+        }),
+    }
+
+    /// Distance from landing to rest (bounces, sliding, rolling), along the target line; uncertain
+    /// by at least 10 yd, as the ground is not calibrated.
+    Run {
+        value: |drive| {
+            let landed = drive.landed()?;
+            landed.rest.as_ref()?.downrange - landed.carry
+        },
+        name: "run",
+        symbol: "z_R − z_L",
+        quantity: Quantity::LENGTH,
+        unit: "yd",
+        computed_from: ComputedFrom::Rest,
+        sign: Sign::Either,
+        instrument: Some(Instrument {
+            sigma: "8 yd",
+            source: RUNS,
+            plausible: None,
+            heads: &[],
+        }),
+    }
+
+    /// Distance right of the target line where the ball rests; the ground is not calibrated.
+    LateralTotal {
+        value: |drive| drive.landed()?.rest.as_ref()?.right,
+        name: "lateral_total",
+        symbol: "y_R",
+        quantity: Quantity::LENGTH,
+        unit: "yd",
+        computed_from: ComputedFrom::Rest,
+        sign: Sign::Right,
+        instrument: Some(Instrument {
+            sigma: "8 yd",
+            source: "assumed: as for total",
+            plausible: within(-800.0, 800.0),
+            heads: &[
+                "gesamtabweichungsdistanz",
+                "total offline",
+                "total side",
+                "side total",
+                "total deviation distance",
+                "est total flat side",
+            ],
+        }),
+    }
+
+    /// Speed of the ball at launch.
+    BallSpeed {
+        value: |drive| drive.launch().ball_speed(),
+        name: "ball_speed",
+        symbol: "|v_0|",
+        quantity: Quantity::SPEED,
+        unit: "mph",
+        computed_from: ComputedFrom::Launch,
+        sign: Sign::Positive,
+        instrument: Some(Instrument {
+            sigma: "1 mph",
+            source: AGREE,
+            // the fastest recorded ball speed is 241.7 mph (108 m/s)
+            plausible: above(0.0, 270.0),
+            heads: &["ball speed", "ballgeschwindigkeit"],
+        }),
+    }
+
+    /// Ball speed over club speed.
+    SmashFactor {
+        value: |drive| drive.launch().ball_speed() / drive.club_speed()?,
+        name: "smash_factor",
+        symbol: "|v_0|/V",
+        quantity: Quantity::NUMBER,
+        unit: "",
+        computed_from: ComputedFrom::Launch,
+        sign: Sign::Positive,
+        instrument: Some(Instrument {
+            sigma: "0.02",
+            source: "assumed: {1 mph} of the ball and {1.5 mph} of the club, of a ratio of 1.48",
+            plausible: None,
+            heads: &["smash factor", "smash", "smash fac"],
+        }),
+    }
+
+    /// Angle of the launch above horizontal.
+    LaunchAngle {
+        value: |drive| drive.launch().launch_angle(),
+        name: "launch_angle",
+        symbol: "γ_0",
+        quantity: Quantity::ANGLE,
+        unit: "deg",
+        computed_from: ComputedFrom::Launch,
+        sign: Sign::Either,
+        instrument: Some(Instrument {
+            sigma: "0.3 deg",
+            source: TENTHS,
+            plausible: within(-90.0, 90.0),
+            heads: &[
+                "launch angle",
+                "launch ang",
+                "launch v",
+                "vertical launch",
+                "vertical launch angle",
+                "launch angle v",
+                "v launch angle",
+                "vla",
+                "abflugwinkel",
+            ],
+        }),
+    }
+
+    /// Horizontal direction of the launch, + right.
+    LaunchDirection {
+        value: |drive| drive.launch().launch_direction(),
+        name: "launch_direction",
+        symbol: "φ_0",
+        quantity: Quantity::ANGLE,
+        unit: "deg",
+        computed_from: ComputedFrom::Launch,
+        sign: Sign::Right,
+        instrument: Some(Instrument {
+            sigma: "0.3 deg",
+            source: TENTHS,
+            plausible: within(-90.0, 90.0),
+            heads: &[
+                "launch direction",
+                "launch dir",
+                "launch h",
+                "horizontal launch",
+                "horizontal launch angle",
+                "launch angle h",
+                "h launch angle",
+                "hla",
+                "push pull",
+                "side angle",
+                "azimuth",
+                "abflugrichtung",
+            ],
+        }),
+    }
+
+    /// Spin at launch.
+    Spin {
+        value: |drive| drive.launch().total_spin(),
+        name: "spin",
+        symbol: "|ω_0|",
+        quantity: Quantity::ANGULAR_VELOCITY,
+        unit: "rpm",
+        computed_from: ComputedFrom::Launch,
+        sign: Sign::NotNegative,
+        instrument: Some(Instrument {
+            sigma: "100 rpm",
+            source: OF_SPIN,
+            plausible: above(0.0, 20_000.0),
+            heads: &["spin rate", "total spin", "spin", "drehrate"],
+        }),
+    }
+
+    /// Backspin at launch.
+    Backspin {
+        value: |drive| drive.launch().backspin(),
+        name: "backspin",
+        symbol: "ω_b",
+        quantity: Quantity::ANGULAR_VELOCITY,
+        unit: "rpm",
+        computed_from: ComputedFrom::Launch,
+        sign: Sign::Either,
+        instrument: Some(Instrument {
+            sigma: "100 rpm",
+            source: OF_SPIN,
+            // a driver gives no topspin
+            plausible: within(0.0, 20_000.0),
+            heads: &["backspin", "back spin"],
+        }),
+    }
+
+    /// Sidespin at launch, + curves right.
+    Sidespin {
+        value: |drive| drive.launch().sidespin(),
+        name: "sidespin",
+        symbol: "ω_s",
+        quantity: Quantity::ANGULAR_VELOCITY,
+        unit: "rpm",
+        computed_from: ComputedFrom::Launch,
+        sign: Sign::Right,
+        instrument: Some(Instrument {
+            sigma: "100 rpm",
+            source: "assumed: as for spin",
+            plausible: within(-20_000.0, 20_000.0),
+            heads: &["sidespin", "side spin"],
+        }),
+    }
+
+    /// Tilt of the spin axis at launch, + right.
+    SpinAxis {
+        value: |drive| drive.launch().spin_axis(),
+        name: "spin_axis",
+        symbol: "atan2(ω_s, ω_b)",
+        quantity: Quantity::ANGLE,
+        unit: "deg",
+        computed_from: ComputedFrom::Launch,
+        sign: Sign::Right,
+        instrument: Some(Instrument {
+            sigma: "2 deg",
+            source: "assumed: 100 rpm across a spin of 2700 rpm turn the axis by 2.1 deg",
+            plausible: within(-180.0, 180.0),
+            heads: &["spin axis", "spin tilt axis", "tilt angle", "axis tilt", "drehachse"],
+        }),
+    }
+
+    /// Mass of the head with its movable weights.
+    HeadMass {
+        value: |drive| drive.head()?.mass,
+        name: "head_mass",
+        symbol: "M",
+        quantity: Quantity::MASS,
+        unit: "g",
+        computed_from: ComputedFrom::Head,
+        sign: Sign::Either,
+        instrument: None,
+    }
+
+    /// Moment of inertia of the head with its movable weights about the vertical axis through its
+    /// centre of mass, which the Rules of Golf limit.
+    HeadMoi {
+        value: |drive| drive.head()?.inertia[0][0],
+        name: "head_moi",
+        symbol: "I_xx",
+        quantity: Quantity::INERTIA,
+        unit: "g cm^2",
+        computed_from: ComputedFrom::Head,
+        sign: Sign::Either,
+        instrument: None,
+    }
+
+    /// First leading minor of the second moments of the head's mass: at least 0 for a rigid body.
+    HeadMinor1 {
+        value: |drive| drive.head()?.minors()[0],
+        name: "head_minor_1",
+        symbol: "S₁",
+        quantity: Quantity::INERTIA,
+        unit: "g cm^2",
+        computed_from: ComputedFrom::Head,
+        sign: Sign::Either,
+        instrument: None,
+    }
+
+    /// Second leading minor of the second moments of the head's mass, over their sum: at least 0
+    /// for a rigid body.
+    HeadMinor2 {
+        value: |drive| drive.head()?.minors()[1],
+        name: "head_minor_2",
+        symbol: "S₂",
+        quantity: Quantity::INERTIA,
+        unit: "g cm^2",
+        computed_from: ComputedFrom::Head,
+        sign: Sign::Either,
+        instrument: None,
+    }
+
+    /// Third leading minor of the second moments of the head's mass, over the square of their sum:
+    /// at least 0 for a rigid body.
+    HeadMinor3 {
+        value: |drive| drive.head()?.minors()[2],
+        name: "head_minor_3",
+        symbol: "S₃",
+        quantity: Quantity::INERTIA,
+        unit: "g cm^2",
+        computed_from: ComputedFrom::Head,
+        sign: Sign::Either,
+        instrument: None,
+    }
+}
