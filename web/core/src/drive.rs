@@ -3,7 +3,7 @@
 use crate::message;
 use crate::refusal::Refusal;
 use crate::request::{CheckedSetup, SetupRequest, Units};
-use longdrive::derivative::{Order, Taylor, evaluate};
+use longdrive::derivative::{Order, Taylor, diagonal, evaluate};
 use longdrive::flight::{Flight, Trajectory, trajectory};
 use longdrive::number::Vector;
 use longdrive::parameters::Parameter;
@@ -25,6 +25,8 @@ pub struct Request {
     #[serde(default)]
     order: u8,
     #[serde(default)]
+    diagonal: bool,
+    #[serde(default)]
     path: bool,
 }
 
@@ -37,6 +39,7 @@ struct Head<'a> {
     of: &'a [String],
     wrt: &'a [String],
     order: u8,
+    diagonal: bool,
     path: usize,
     run: usize,
     missing: Vec<Missing>,
@@ -61,6 +64,7 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
     let derivatives = Derivatives {
         checked: &checked,
         order: order(request)?,
+        is_diagonal: request.diagonal,
         columns: Columns::read(&checked, &request.wrt)?,
     };
     let setup = &checked.setup;
@@ -79,6 +83,7 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         of: &request.of,
         wrt: &request.wrt,
         order: request.order,
+        diagonal: request.diagonal,
         path: 0,
         run: 0,
         missing,
@@ -163,6 +168,8 @@ impl Columns {
 struct Derivatives<'a> {
     checked: &'a CheckedSetup<'a>,
     order: Order,
+    /// True if only the diagonals of the Hessians are computed.
+    is_diagonal: bool,
     columns: Columns,
 }
 
@@ -175,7 +182,12 @@ impl Derivatives<'_> {
         let mut missing = std::mem::take(&mut self.columns.missing);
         for taylor in self.each(of, &mut missing)? {
             numbers.extend(taylor.gradient);
-            if self.order == Order::Second {
+            if self.order < Order::Second {
+                continue;
+            }
+            if self.is_diagonal {
+                numbers.extend((0..self.columns.count).map(|k| taylor.hessian[k][k]));
+            } else {
                 numbers.extend(taylor.hessian.into_iter().flatten());
             }
         }
@@ -213,7 +225,12 @@ impl Derivatives<'_> {
     fn evaluated(&self, of: &[Outcome]) -> Result<Vec<Taylor>, Error> {
         let known = self.columns.known.iter();
         let wrt: Vec<_> = known.map(|column| column.parameter).collect();
-        let taylors = evaluate(&self.checked.setup, of, &wrt, self.order)?;
+        let setup = &self.checked.setup;
+        let taylors = if self.is_diagonal && self.order == Order::Second {
+            diagonal(setup, of, &wrt)?
+        } else {
+            evaluate(setup, of, &wrt, self.order)?
+        };
         let wide = taylors.iter().map(|taylor| self.columns.widened(taylor));
         Ok(wide.collect())
     }

@@ -21,7 +21,7 @@ function drive(request) {
   const take = count => block.subarray(at, at += count);
   const n = head.wrt?.length ?? 0;
   const derivatives = (head.order > 0 && n > 0 ? head.of : []).map(of =>
-    ({ of, gradient: take(n), hessian: head.order === 2 ? take(n * n) : null }));
+    ({ of, gradient: take(n), hessian: head.order === 2 ? take(head.diagonal ? n : n * n) : null }));
   const path = Array.from({ length: head.path ?? 0 }, () => take(4));
   const run = Array.from({ length: head.run ?? 0 }, () => take(3));
   assert.equal(at, block.length);
@@ -53,6 +53,28 @@ test('same outcomes and derivatives of a drive as the program', () => {
           const part = units[i] * units[j] / size;
           close(hessian[i * wrt.length + j] * part, told[k].hessian.values[i][j] * part, 1e-6, `${of} by ${name}`);
         });
+      });
+    });
+  }
+});
+
+test('same derivatives with the diagonals of Hessians as with Hessians', () => {
+  const next = random(11);
+  const wrt = ['club.loft', 'swing.speed', 'air.density', 'swing.attack_angle', 'swing.path', 'strike.toe', 'strike.high', 'wind.right'];
+  for (let k = 0; k < 20; k += 1) {
+    const request = { setup: randomSetup(next), of: ['carry', 'total', 'spin'], wrt, order: 2 };
+    const whole = drive(request);
+    const { head, derivatives } = drive({ ...request, diagonal: true });
+    assert.deepEqual(head.missing, whole.head.missing);
+    derivatives.forEach(({ gradient, hessian }, at) => {
+      const { gradient: slopes, hessian: seconds } = whole.derivatives[at];
+      const largest = Math.max(...seconds.map(Math.abs).filter(Number.isFinite));
+      wrt.forEach((name, i) => {
+        const second = seconds[i * wrt.length + i];
+        assert.equal(Number.isNaN(hessian[i]), Number.isNaN(second), name);
+        if (Number.isNaN(second)) return;
+        close(gradient[i], slopes[i], 1e-10 * Math.max(...slopes.map(Math.abs).filter(Number.isFinite)), name);
+        close(hessian[i], second, 1e-10 * largest, name);
       });
     });
   }

@@ -20,8 +20,8 @@ import { mapCall, mapKey, readMap } from './map';
 import type { State } from './state';
 import { activeOf, mapOf, varyOf, withDesign } from './state';
 
-/** Derivatives by this many parameters are one pass of the core. */
-const PASS = 8;
+/** First derivatives for prices, and second ones by each parameter alone for bands. */
+const PRICES = { order: 2, diagonal: true };
 const COARSE = 20;
 const FINE = 60;
 /** Milliseconds without a change before slower answers are computed. */
@@ -215,16 +215,13 @@ export class Explorer {
     const { goal, units } = this.state.value;
     const setup = this.setup();
     const wrt = this.#priced();
-    const calls: Call[] = [{ door: 'drive', request: { setup, units, path: true, order: 0 } }];
-    for (let at = 0; at < wrt.length; at += PASS) {
-      const pass = wrt.slice(at, at + PASS);
-      calls.push({ door: 'drive', request: { setup, units, of: [goal], wrt: pass, order: 2 } });
-    }
+    const calls: Call[] = [
+      { door: 'drive', request: { setup, units, path: true, of: [goal], wrt, ...PRICES } }];
     const unset = this.#unsetCall();
     if (unset) calls.push(unset);
     const answer = await this.hand.calls('drive', calls);
     if (!answer) return;
-    const [first, ...more] = answer.numbers;
+    const [first] = answer.numbers;
     if (!first) return;
     this.#traps = 0;
     batch(() => {
@@ -237,7 +234,7 @@ export class Explorer {
       this.drive.value = drive;
       this.refusal.value = drive.status === 'landed' ? null
         : { message: drive.message ?? drive.status, parameters: [] };
-      const known = more.filter((numbers) => !isRefused(numbers));
+      const known = answer.numbers.filter((numbers) => !isRefused(numbers));
       this.slopes.value = new Map(known.flatMap((numbers) => [...readSlopes(numbers)]));
       this.noSlope.value = new Map(known.flatMap((numbers) => [...readMissing(numbers)]));
     });
@@ -259,7 +256,7 @@ export class Explorer {
       setup: { ...setup, set: { ...setup.set, ...stated } },
       of: [this.state.value.goal],
       wrt: names,
-      order: 2,
+      ...PRICES,
     };
     return { door: 'drive', request };
   }
