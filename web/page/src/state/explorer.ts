@@ -67,6 +67,8 @@ export class Explorer {
   readonly design = computed(() => activeOf(this.state.value));
   // parts of the state that seldom change, so that what shows them is not drawn at each move
   readonly units = computed(() => this.state.value.units);
+  readonly goal = computed(() => this.state.value.goal);
+  readonly law = computed(() => lawOf(this.design.value, this.catalog));
   readonly isLaunch = computed(() => hasLaunch(this.design.value));
 
   #mapKey = '';
@@ -134,7 +136,7 @@ export class Explorer {
   // what the fields show
 
   parameter(name: string): Parameter {
-    const found = this.catalog.parameter(name, lawOf(this.design.value, this.catalog));
+    const found = this.catalog.parameter(name, this.law.value);
     if (!found) throw new Error(`no parameter ${name}`);
     return found;
   }
@@ -151,10 +153,13 @@ export class Explorer {
     return travelOf(this.parameter(name), this.presetValue(name), this.value(name));
   }
 
+  unit(name: string): string {
+    return unitIn(this.units.value, this.parameter(name).shown_in);
+  }
+
   field(name: string) {
-    const parameter = this.parameter(name);
-    const unit = unitIn(this.state.value.units, parameter.shown_in);
-    return { parameter, unit, decimals: decimalsOf(this.travel(name), unit) };
+    const unit = this.unit(name);
+    return { parameter: this.parameter(name), unit, decimals: decimalsOf(this.travel(name), unit) };
   }
 
   /** A parameter of this value, as a sentence has it: "8.80°". */
@@ -201,7 +206,7 @@ export class Explorer {
   #priced(): string[] {
     const design = this.design.value;
     const open = this.openGroup.value;
-    const more = this.catalog.of(lawOf(design, this.catalog))
+    const more = this.catalog.of(this.law.value)
       .map(({ parameter }) => parameter)
       .filter((name) => groupOf(name) === open);
     const isFree = (name: string) => {
