@@ -37,7 +37,9 @@ export class Explorer {
   readonly catalog: Catalog;
   readonly hand: Lane;
   readonly desk: Lane;
-  readonly #integration: Integration | null;
+  #integration: Integration | null = null;
+  /** False until the core has started. */
+  #hasCore = false;
 
   readonly state;
   readonly drive = signal<Drive | null>(null);
@@ -52,7 +54,7 @@ export class Explorer {
   readonly mapBest = signal<Best | null>(null);
   readonly others = signal<readonly (Drive | Refusal | null)[]>([]);
   /** True while an answer to the state is missing. */
-  readonly busy = signal(false);
+  readonly busy = signal(true);
   readonly trap = signal<string | null>(null);
   readonly progress = signal<(Progress & { what: string }) | null>(null);
   /** What a long command does, while it runs. */
@@ -77,11 +79,10 @@ export class Explorer {
   /** Called after each change; `isFinal` when the hand lets go. */
   onChange: (state: State, isFinal: boolean) => void = () => {};
 
-  constructor(catalog: Catalog, hand: Lane, desk: Lane, integration: Integration | null, state: State) {
+  constructor(catalog: Catalog, hand: Lane, desk: Lane, state: State) {
     this.catalog = catalog;
     this.hand = hand;
     this.desk = desk;
-    this.#integration = integration;
     this.state = signal(state);
     for (const lane of [hand, desk]) {
       lane.onTrap = (message) => this.#trapped(message);
@@ -92,6 +93,13 @@ export class Explorer {
       const what = this.working.value;
       this.progress.value = progress && what ? { ...progress, what } : null;
     };
+  }
+
+  /** Begins to compute, when the core has started. */
+  begin(integration: Integration | null) {
+    this.#integration = integration;
+    this.#hasCore = true;
+    this.refresh();
   }
 
   // what the components do
@@ -193,6 +201,7 @@ export class Explorer {
   }
 
   refresh() {
+    if (!this.#hasCore) return;
     this.busy.value = true;
     void this.#fly();
     this.#rest.call(() => {
