@@ -217,13 +217,13 @@ test('the step of a session keeps to its tolerance, as that of the program', () 
   assert.equal(core.step({ setup: { preset }, tolerance: 0 }).status, 'error');
 });
 
-/** The answer of `steps` as objects. */
-function steps(request) {
-  const { head, block } = core.steps(request);
+/** The answer of `iterations` as objects. */
+function iterations(request) {
+  const { head, block } = core.iterations(request);
   const n = head.parameters.length;
   let at = 0;
   const take = count => block.subarray(at, at += count);
-  const list = Array.from({ length: head.steps }, () => {
+  const list = Array.from({ length: head.iterations }, () => {
     const [search, iteration, value, residual, accepted, predicted, actual, reflected] = take(8);
     const [x, bounds, gradient, hessian, low, high, trial] = [n, n, n, n * n, n, n, n].map(take);
     return { search, iteration, value, residual, accepted, predicted, actual, reflected, x, bounds, gradient, hessian, low, high, trial };
@@ -232,12 +232,12 @@ function steps(request) {
   return { head, list };
 }
 
-test('same models and gains of the steps as of drives, and the same end as the program', () => {
+test('same models and gains of the iterations as of drives, and the same end as the program', () => {
   const vary = [range('club.loft', 4 * DEG, 20 * DEG), range('swing.attack_angle', -10 * DEG, 10 * DEG)];
   const wrt = vary.map(({ name }) => name);
   const set = { 'flight.method': 'dp8', 'flight.step': '0.4 s', 'wind.right': '2 m/s' };
   const preset = 'tour-average';
-  const { head, list } = steps({ setup: { preset, set }, of: 'carry', vary });
+  const { head, list } = iterations({ setup: { preset, set }, of: 'carry', vary });
   assert.match(head.message, /^KKT residual/);
   list.forEach((step, k) => {
     const at = x => ({ preset, set: { ...set, ...Object.fromEntries(wrt.map((name, i) => [name, x[i]])) } });
@@ -269,7 +269,7 @@ test('a better drive of the sample begins a second search, which ends as that of
   const vary = [range('club.loft', 0, 0.45), range('swing.shaft_lean', -0.1, 0.1)];
   const set = { 'aero.law': 'lyu', 'wind.downrange': '8 m/s', 'flight.method': 'dp8', 'flight.step': '0.4 s', 'club.loft': '0.77 deg', 'swing.shaft_lean': '-2.1 deg' };
   const setup = { preset: 'lpga-average', set };
-  const { list } = steps({ setup, of: 'total', vary });
+  const { list } = iterations({ setup, of: 'total', vary });
   const second = list.findIndex(({ search }) => search === 1);
   const [end, start, last] = [list[second - 1], list[second], list.at(-1)];
   assert.ok(second > 1 && Number.isNaN(end.accepted) && start.iteration === 0);
@@ -280,11 +280,11 @@ test('a better drive of the sample begins a second search, which ends as that of
   close(last.value, found.value, 1e-9, 'best total');
 });
 
-test('the steps of a search without a parameter have the message of the program', () => {
+test('the iterations of a search without a parameter have the message of the program', () => {
   const loft = range('club.loft', 4 * DEG, 20 * DEG);
-  const nothing = core.steps({ setup: {}, of: 'carry', vary: [] }).head;
+  const nothing = core.iterations({ setup: {}, of: 'carry', vary: [] }).head;
   assert.deepEqual([nothing.status, nothing.message], ['error', 'nothing to vary: name at least one parameter with a range wider than a single value']);
-  const twice = core.steps({ setup: {}, of: 'carry', vary: [loft, loft] }).head;
+  const twice = core.iterations({ setup: {}, of: 'carry', vary: [loft, loft] }).head;
   assert.equal(twice.status, 'error');
   assert.match(twice.message, /club\.loft/);
 });
@@ -361,7 +361,7 @@ test('an outcome that is given twice gets a message', () => {
 
 test('malformed input gets a message and never a trap', async () => {
   const next = random(4);
-  const doors = ['ask', 'drive', 'map', 'aim', 'loop', 'step', 'steps'];
+  const doors = ['ask', 'drive', 'map', 'aim', 'loop', 'step', 'iterations'];
   const loft = range('club.loft', 0.1, 0.2);
   const good = {
     ask: { words: ['simulate', 'tour-average', '--set', 'club.loft=10deg'] },
@@ -370,7 +370,7 @@ test('malformed input gets a message and never a trap', async () => {
     aim: { setup: {}, vary: [loft, range('swing.face_angle', -0.1, 0.1)], carry: 200, lateral: 1 },
     loop: { setup: {}, along: loft, nodes: 3, step: 0.01, difference: 1e-3 },
     step: { setup: {}, of: ['carry'], ranges: [loft], tolerance: 1e-3 },
-    steps: { setup: {}, of: 'carry', vary: [loft] },
+    iterations: { setup: {}, of: 'carry', vary: [loft] },
   };
   const values = [null, -1, 0, 1e308, -1e308, 1e-320, '', 'deg', '10 deg', 'none', [], {}, [1, 2], true, '\u0000', 'inf', '-inf', 'nan', '..'];
   const pick = from => from[Math.floor(next() * from.length)];
