@@ -31,24 +31,25 @@ async function integrationOf(hand: Lane, catalog: Catalog, preset: string): Prom
   return head.status === 'done' ? { method: String(head.method), step: Number(head.step) } : null;
 }
 
-/** Draws the page while the core is read, compiled and started. */
+/** Draws the page while the core chooses the step. */
 async function start(place: HTMLElement) {
-  const [hand, desk] = [new Lane(), new Lane()];
   const module = load();
+  const [hand, desk] = [new Lane(), new Lane()];
   const catalog = new Catalog(listed.parameters, listed.presets, listed.choices);
   const { state, unknown } = read(location.hash, catalog);
   const explorer = new Explorer(catalog, hand, desk, state);
   const address = new Address(explorer, unknown);
+  const core = await module;
+  hand.start(core);
+  desk.start(core);
+  const integration = integrationOf(hand, catalog, state.designs[0]!.preset);
   place.textContent = '';
   render(<PageContext.Provider value={{ explorer, address }}><App /></PageContext.Provider>, place);
   try {
-    const core = await module;
-    hand.start(core);
-    desk.start(core);
-    explorer.begin(await integrationOf(hand, catalog, state.designs[0]!.preset));
+    explorer.begin(await integration);
   } catch (error) {
     render(null, place);
-    throw new Error(explorer.trap.value ?? (error instanceof Error ? error.message : String(error)));
+    throw new Error(explorer.trap.value ?? String(error));
   }
 }
 

@@ -122,7 +122,6 @@ function modelLines(iteration: Iteration, { names }: Iterations, map: MapData, p
   return linesOf({ columns: NODES, rows: NODES, values }, levels, map, plan);
 }
 
-/** A bar at each bound that holds the iterate. */
 interface BoundsProps {
   iteration: Iteration;
   iterations: Iterations;
@@ -130,6 +129,7 @@ interface BoundsProps {
   plan: Plan;
 }
 
+/** A bar at each bound that holds the iterate. */
 function ActiveBounds({ iteration, iterations, map, plan }: BoundsProps) {
   const [left, right] = [map.ranges[0].low, map.ranges[0].high].map(plan.x) as [number, number];
   const [bottom, top] = [map.ranges[1].low, map.ranges[1].high].map(plan.y) as [number, number];

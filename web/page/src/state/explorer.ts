@@ -215,7 +215,7 @@ export class Explorer {
   #priced(): string[] {
     const design = this.design.value;
     const open = this.openGroup.value;
-    const more = this.catalog.of(this.law.value)
+    const more = open === null ? [] : this.catalog.of(this.law.value)
       .map(({ parameter }) => parameter)
       .filter((name) => groupOf(name) === open);
     const isFree = (name: string) => {
