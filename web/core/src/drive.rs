@@ -26,8 +26,15 @@ pub struct Request {
     order: u8,
     #[serde(default)]
     diagonal: bool,
+    /// False for the derivatives alone.
+    #[serde(default = "yes")]
+    outcomes: bool,
     #[serde(default)]
     path: bool,
+}
+
+fn yes() -> bool {
+    true
 }
 
 /// The head of the answer.
@@ -67,38 +74,59 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         is_diagonal: request.diagonal,
         columns: Columns::read(&checked, &request.wrt)?,
     };
-    let setup = &checked.setup;
-    let drive = Drive::new(setup).map_err(|error| checked.refused(&error))?;
-    let mut warnings = drive.warnings_about(setup, Outcome::ALL);
-    warnings.extend(setup.wind_profile_warning());
-    let mut numbers: Vec<f64> = Outcome::ALL
-        .iter()
-        .map(|outcome| outcome.of(&drive).unwrap_or(f64::NAN))
-        .collect();
-    let missing = derivatives.append(&of, &mut numbers)?;
+    if request.path && !request.outcomes {
+        return Err(Refusal::of_request("a path needs outcomes"));
+    }
+    let mut numbers = vec![];
     let mut head = Head {
-        status: "landed",
+        status: "done",
         message: None,
-        outcomes: Outcome::ALL.iter().map(|of| of.name()).collect(),
+        outcomes: vec![],
         of: &request.of,
         wrt: &request.wrt,
         order: request.order,
         diagonal: request.diagonal,
         path: 0,
         run: 0,
-        missing,
-        warnings: warnings.iter().map(|text| checked.text(text)).collect(),
+        missing: vec![],
+        warnings: vec![],
     };
-    if let Flight::None(why) = &drive.flight {
-        head.status = why.status();
-        head.message = Some(checked.text(&why.message()));
+    let drive = request.outcomes.then(|| Drive::new(&checked.setup));
+    let drive = drive.transpose().map_err(|error| checked.refused(&error))?;
+    if let Some(drive) = &drive {
+        head.append_outcomes(drive, &checked, &mut numbers);
     }
-    if request.path {
-        let path = trajectory(setup, &drive.launch).map_err(|error| checked.refused(&error))?;
+    head.missing = derivatives.append(&of, &mut numbers)?;
+    if let Some(drive) = drive.filter(|_| request.path) {
+        let path = trajectory(&checked.setup, &drive.launch);
+        let path = path.map_err(|error| checked.refused(&error))?;
         (head.path, head.run) = (path.points.len(), path.run.len());
         append(&path, &mut numbers);
     }
     Ok(message::with_numbers(&head, &numbers))
+}
+
+impl Head<'_> {
+    /// Appends the value of every outcome, and takes over status and warnings of the drive.
+    fn append_outcomes(
+        &mut self,
+        drive: &Drive<f64>,
+        checked: &CheckedSetup<'_>,
+        numbers: &mut Vec<f64>,
+    ) {
+        let setup = &checked.setup;
+        let mut warnings = drive.warnings_about(setup, Outcome::ALL);
+        warnings.extend(setup.wind_profile_warning());
+        self.warnings = warnings.iter().map(|text| checked.text(text)).collect();
+        self.outcomes = Outcome::ALL.iter().map(|of| of.name()).collect();
+        let values = Outcome::ALL.iter().map(|of| of.of(drive));
+        numbers.extend(values.map(|value| value.unwrap_or(f64::NAN)));
+        self.status = "landed";
+        if let Flight::None(why) = &drive.flight {
+            self.status = why.status();
+            self.message = Some(checked.text(&why.message()));
+        }
+    }
 }
 
 fn order(request: &Request) -> Result<Order, Refusal> {

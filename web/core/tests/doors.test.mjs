@@ -66,6 +66,9 @@ test('same derivatives with the diagonals of Hessians as with Hessians', () => {
     const whole = drive(request);
     const { head, derivatives } = drive({ ...request, diagonal: true });
     assert.deepEqual(head.missing, whole.head.missing);
+    const alone = drive({ ...request, diagonal: true, outcomes: false });
+    assert.deepEqual(alone.derivatives, derivatives);
+    assert.deepEqual([alone.head.status, alone.head.outcomes], ['done', []]);
     derivatives.forEach(({ gradient, hessian }, at) => {
       const { gradient: slopes, hessian: seconds } = whole.derivatives[at];
       const largest = Math.max(...seconds.map(Math.abs).filter(Number.isFinite));

@@ -270,6 +270,7 @@ export class Explorer {
       setup: { ...setup, set: { ...setup.set, ...stated } },
       of: [this.state.value.goal],
       wrt: names,
+      outcomes: false,
       ...PRICES,
     };
     return { door: 'drive', request };
