@@ -65,7 +65,7 @@ pub(super) fn derivatives(
 
 /// Zero polynomial in `columns` variables, up to the order of `point`.
 fn zero(point: &Point<'_>, columns: usize) -> Taylor {
-    Taylor::zero(columns, point.first_row.map_or(0, |_| columns))
+    Taylor::zero(columns, point.entries.map_or(0, |_| columns))
 }
 
 fn is_of_flight(outcome: &Outcome) -> bool {

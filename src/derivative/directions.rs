@@ -10,14 +10,29 @@ pub(super) struct Directions<'a> {
     pub are_pairs: bool,
 }
 
-/// Pairs of variables for the lower triangle of a Hessian, from row `first_row` on.
-pub(super) fn pairs(variables: &[usize], first_row: usize) -> Vec<usize> {
+/// Entries of a Hessian.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Entries {
+    All,
+    /// Second derivatives by each variable alone.
+    Diagonal,
+    /// Second derivatives that involve the last variable.
+    Last,
+}
+
+/// Pairs of variables for these entries of the lower triangle of a Hessian.
+pub(super) fn pairs(variables: &[usize], entries: Entries) -> Vec<usize> {
     let row = |i: usize| {
         variables[..=i]
             .iter()
             .flat_map(move |&other| [variables[i], other])
     };
-    (first_row..variables.len()).flat_map(row).collect()
+    let rows = 0..variables.len();
+    match entries {
+        Entries::All => rows.flat_map(row).collect(),
+        Entries::Diagonal => variables.iter().flat_map(|&alone| [alone; 2]).collect(),
+        Entries::Last => rows.last().into_iter().flat_map(row).collect(),
+    }
 }
 
 impl Directions<'_> {

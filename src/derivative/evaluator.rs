@@ -1,5 +1,6 @@
 use super::Taylor;
 use super::chain;
+use super::directions::Entries;
 use super::pass::Point;
 use super::split::Split;
 use crate::drive::{Outcome, OutcomeGroup, max_halvings};
@@ -38,8 +39,8 @@ pub struct Evaluator {
     of: Vec<Outcome>,
     wrt: Vec<&'static Parameter>,
     order: Order,
-    /// First row (and column) of the Hessians to compute.
-    first_row: usize,
+    /// Entries of the Hessians to compute.
+    entries: Entries,
     split: Split,
     /// Largest accepted defect of the integration, m; infinity keeps the setup's step.
     largest_defect: f64,
@@ -86,7 +87,7 @@ impl Evaluator {
             wrt,
             order,
             split,
-            first_row: 0,
+            entries: Entries::All,
             largest_defect: f64::INFINITY,
             level: Level::here().of_one_drive(),
         })
@@ -105,7 +106,15 @@ impl Evaluator {
     /// Limits the second derivatives to those that involve the last parameter.
     pub(super) fn with_last_parameter(self) -> Self {
         Self {
-            first_row: self.wrt.len().saturating_sub(1),
+            entries: Entries::Last,
+            ..self
+        }
+    }
+
+    /// Limits the second derivatives to those by one parameter alone.
+    pub(super) fn with_diagonal(self) -> Self {
+        Self {
+            entries: Entries::Diagonal,
             ..self
         }
     }
@@ -220,7 +229,7 @@ impl Evaluator {
             wrt: &self.wrt,
             x,
             columns: if order == Order::Value { 0 } else { x.len() },
-            first_row: is_second.then_some(self.first_row),
+            entries: is_second.then_some(self.entries),
             flies: any(|outcome| outcome.group() == OutcomeGroup::Flight),
             has_apex: any(|outcome| outcome.needs_apex()),
             has_run: any(|outcome| outcome.needs_run()),
@@ -229,7 +238,7 @@ impl Evaluator {
             level: self.level,
         };
         let is_chained = order > Order::Value
-            && self.first_row == 0
+            && self.entries == Entries::All
             && self.split.is_cheaper(x.len(), is_second, self.level);
         let taylors = chain::derivatives(&point, is_chained.then_some(&self.split), progress)?;
         for (outcome, taylor) in self.of.iter().zip(&taylors) {

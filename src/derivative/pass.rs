@@ -1,5 +1,5 @@
 use super::Taylor;
-use super::directions::{Directions, pairs};
+use super::directions::{Directions, Entries, pairs};
 use crate::drive::{LaunchState, Outcome, OutcomeGroup, OutcomeInputs, check_defect};
 use crate::error::{Error, Result};
 use crate::flight::{Inputs, RequestedOutputs};
@@ -26,8 +26,8 @@ pub(super) struct Point<'a> {
     pub x: &'a [f64],
     /// Number of parameters of differentiation: all parameters, or 0 if only values are computed.
     pub columns: usize,
-    /// First computed row (and column) of the Hessians; `None` for first order.
-    pub first_row: Option<usize>,
+    /// Computed entries of the Hessians; `None` for first order.
+    pub entries: Option<Entries>,
     /// `flies`, `has_apex`, `has_run`: true if an outcome belongs to the flight, depends on the
     /// apex, or depends on the run after landing.
     pub flies: bool,
@@ -72,7 +72,7 @@ impl Point<'_> {
         taylors: &mut [Taylor],
         progress: &mut dyn FnMut(usize, usize),
     ) -> Result<()> {
-        let pairs = self.first_row.map(|row| pairs(variables, row));
+        let pairs = self.entries.map(|entries| pairs(variables, entries));
         let directions = Directions {
             variables: pairs.as_deref().unwrap_or(variables),
             are_pairs: pairs.is_some(),

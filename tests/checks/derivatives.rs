@@ -5,7 +5,7 @@ use crate::command_line::WHOLE;
 use crate::common::{close, landing, mixed, panic_of};
 use longdrive::batch::Batch;
 use longdrive::derivative::{
-    Evaluator, Order, Taylor, evaluate, evaluate_with, gradient, hessian, jacobian,
+    Evaluator, Order, Taylor, diagonal, evaluate, evaluate_with, gradient, hessian, jacobian,
 };
 use longdrive::number::{Jet, Number, Numbers};
 use longdrive::parameters::Parameter;
@@ -295,6 +295,33 @@ fn same_hessian_by_all_parameters_and_by_a_few() {
                     1e-11,
                     &format!("{} {}", names[i], names[j]),
                 );
+            }
+        }
+    }
+}
+
+/// For 3 parameters the Hessian is computed by the same passes, so that its diagonal is the same to
+/// the bit; for all parameters by the chain rule.
+#[test]
+fn same_diagonal_as_that_of_the_hessian() {
+    let setup = Setup::default();
+    let of = [Outcome::Carry, Outcome::Total, Outcome::LaunchAngle];
+    let all = setup.variables();
+    for (wrt, tolerance) in [(&all[..3], 0.0), (&all[..], 1e-10)] {
+        let whole = evaluate(&setup, &of, wrt, Order::Second).unwrap();
+        let diagonals = diagonal(&setup, &of, wrt).unwrap();
+        for (of, (whole, diagonal)) in of.iter().zip(whole.iter().zip(&diagonals)) {
+            assert_eq!(whole.value, diagonal.value, "{}", of.name());
+            for (i, parameter) in wrt.iter().enumerate() {
+                let (ours, theirs) = (diagonal.gradient[i], whole.gradient[i]);
+                close(ours, theirs, theirs.abs(), tolerance, parameter.name);
+                let (ours, theirs) = (diagonal.hessian[i][i], whole.hessian[i][i]);
+                let size = whole.hessian[i]
+                    .iter()
+                    .map(|d| d.abs())
+                    .fold(theirs.abs(), f64::max);
+                close(ours, theirs, size, tolerance, parameter.name);
+                assert!((0..i).all(|k| diagonal.hessian[i][k] == 0.0));
             }
         }
     }

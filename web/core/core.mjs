@@ -113,8 +113,8 @@ export class Core {
    * @param {Request} request
    * @returns {Numbers}
    */
-  steps(request) {
-    return this.#numbers('steps', request);
+  iterations(request) {
+    return this.#numbers('iterations', request);
   }
 
   /**

@@ -5,7 +5,9 @@ import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
+import { WASI } from '@bjorn3/browser_wasi_shim';
 import { build } from 'vite';
+import { Core } from '../core/core.mjs';
 import { pack } from './src/core/pack.mjs';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
@@ -32,6 +34,14 @@ async function bundle(entry, plugins = []) {
   const script = output.find(({ type }) => type === 'chunk').code;
   const style = output.find(({ fileName }) => fileName.endsWith('.css'))?.source ?? '';
   return { script, style: String(style) };
+}
+
+/** Parameters, choices and presets, as the core lists them. */
+async function listed(wasm) {
+  const core = await Core.start(await WebAssembly.compile(wasm), new WASI([], [], [], { debug: false }));
+  const answer = command => JSON.parse(core.ask({ words: [command, '--json'] }).head.answer);
+  const { parameters, choices } = answer('parameters');
+  return { parameters, choices, presets: answer('presets').presets };
 }
 
 const hash = text => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
@@ -67,17 +77,23 @@ const page = ({ charset, rules, head, foot }) => ascii(`<!doctype html>
 <noscript><p>This page computes in the browser and needs JavaScript; 'longdrive report' writes a page that does not.</p></noscript>
 `) + foot + '</body>\n</html>\n';
 
+/** Modules that are made here. */
+const made = modules => ({
+  name: 'made',
+  resolveId: id => (id in modules ? `\0${id}` : null),
+  load: id => (id.startsWith('\0virtual:') ? `export default ${modules[id.slice(1)]}` : null),
+});
+
+const wasm = readFileSync(core);
 const worker = await bundle('src/core/worker.ts');
-const { script, style } = await bundle('src/main.tsx', [{
-  name: 'worker',
-  resolveId: id => (id === 'virtual:worker' ? '\0worker' : null),
-  load: id => (id === '\0worker' ? `export default ${JSON.stringify(worker.script)}` : null),
-}]);
+const { script, style } = await bundle('src/main.tsx', [made({
+  'virtual:worker': JSON.stringify(worker.script),
+  'virtual:catalog': JSON.stringify(await listed(wasm)),
+})]);
 if (/[^\0-\x7f]/.test(script + style)) throw new Error('the script or the style is not ASCII');
 // an end of a script within a script
 const code = script.replace(/<\/script/gi, '<\\/script');
 
-const wasm = readFileSync(core);
 const compressed = gzipSync(wasm, { level: process.argv.includes('--quick') ? 1 : 9 });
 
 rmSync(dist, { recursive: true, force: true });

@@ -77,8 +77,8 @@ extern "C" fn step() -> usize {
 }
 
 #[unsafe(no_mangle)]
-extern "C" fn steps() -> usize {
-    answer(Door::Steps)
+extern "C" fn iterations() -> usize {
+    answer(Door::Iterations)
 }
 
 /// Answers the request, and returns the bytes of the answer.

@@ -3,7 +3,7 @@
 use crate::message;
 use crate::refusal::Refusal;
 use crate::request::{CheckedSetup, SetupRequest, Units};
-use longdrive::derivative::{Order, Taylor, evaluate};
+use longdrive::derivative::{Order, Taylor, diagonal, evaluate};
 use longdrive::flight::{Flight, Trajectory, trajectory};
 use longdrive::number::Vector;
 use longdrive::parameters::Parameter;
@@ -25,7 +25,16 @@ pub struct Request {
     #[serde(default)]
     order: u8,
     #[serde(default)]
+    diagonal: bool,
+    /// False for the derivatives alone.
+    #[serde(default = "yes")]
+    outcomes: bool,
+    #[serde(default)]
     path: bool,
+}
+
+fn yes() -> bool {
+    true
 }
 
 /// The head of the answer.
@@ -37,6 +46,7 @@ struct Head<'a> {
     of: &'a [String],
     wrt: &'a [String],
     order: u8,
+    diagonal: bool,
     path: usize,
     run: usize,
     missing: Vec<Missing>,
@@ -61,39 +71,62 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
     let derivatives = Derivatives {
         checked: &checked,
         order: order(request)?,
+        is_diagonal: request.diagonal,
         columns: Columns::read(&checked, &request.wrt)?,
     };
-    let setup = &checked.setup;
-    let drive = Drive::new(setup).map_err(|error| checked.refused(&error))?;
-    let mut warnings = drive.warnings_about(setup, Outcome::ALL);
-    warnings.extend(setup.wind_profile_warning());
-    let mut numbers: Vec<f64> = Outcome::ALL
-        .iter()
-        .map(|outcome| outcome.of(&drive).unwrap_or(f64::NAN))
-        .collect();
-    let missing = derivatives.append(&of, &mut numbers)?;
+    if request.path && !request.outcomes {
+        return Err(Refusal::of_request("a path needs outcomes"));
+    }
+    let mut numbers = vec![];
     let mut head = Head {
-        status: "landed",
+        status: "done",
         message: None,
-        outcomes: Outcome::ALL.iter().map(|of| of.name()).collect(),
+        outcomes: vec![],
         of: &request.of,
         wrt: &request.wrt,
         order: request.order,
+        diagonal: request.diagonal,
         path: 0,
         run: 0,
-        missing,
-        warnings: warnings.iter().map(|text| checked.text(text)).collect(),
+        missing: vec![],
+        warnings: vec![],
     };
-    if let Flight::None(why) = &drive.flight {
-        head.status = why.status();
-        head.message = Some(checked.text(&why.message()));
+    let drive = request.outcomes.then(|| Drive::new(&checked.setup));
+    let drive = drive.transpose().map_err(|error| checked.refused(&error))?;
+    if let Some(drive) = &drive {
+        head.append_outcomes(drive, &checked, &mut numbers);
     }
-    if request.path {
-        let path = trajectory(setup, &drive.launch).map_err(|error| checked.refused(&error))?;
+    head.missing = derivatives.append(&of, &mut numbers)?;
+    if let Some(drive) = drive.filter(|_| request.path) {
+        let path = trajectory(&checked.setup, &drive.launch);
+        let path = path.map_err(|error| checked.refused(&error))?;
         (head.path, head.run) = (path.points.len(), path.run.len());
         append(&path, &mut numbers);
     }
     Ok(message::with_numbers(&head, &numbers))
+}
+
+impl Head<'_> {
+    /// Appends the value of every outcome, and takes over status and warnings of the drive.
+    fn append_outcomes(
+        &mut self,
+        drive: &Drive<f64>,
+        checked: &CheckedSetup<'_>,
+        numbers: &mut Vec<f64>,
+    ) {
+        let setup = &checked.setup;
+        let mut warnings = drive.warnings_about(setup, Outcome::ALL);
+        warnings.extend(setup.wind_profile_warning());
+        self.warnings = warnings.iter().map(|text| checked.text(text)).collect();
+        self.outcomes = Outcome::ALL.iter().map(|of| of.name()).collect();
+        let values = Outcome::ALL.iter().map(|of| of.of(drive));
+        numbers.extend(values.map(|value| value.unwrap_or(f64::NAN)));
+        self.status = "landed";
+        if let Flight::None(why) = &drive.flight {
+            self.status = why.status();
+            self.message = Some(checked.text(&why.message()));
+        }
+    }
 }
 
 fn order(request: &Request) -> Result<Order, Refusal> {
@@ -163,6 +196,8 @@ impl Columns {
 struct Derivatives<'a> {
     checked: &'a CheckedSetup<'a>,
     order: Order,
+    /// True if only the diagonals of the Hessians are computed.
+    is_diagonal: bool,
     columns: Columns,
 }
 
@@ -175,7 +210,12 @@ impl Derivatives<'_> {
         let mut missing = std::mem::take(&mut self.columns.missing);
         for taylor in self.each(of, &mut missing)? {
             numbers.extend(taylor.gradient);
-            if self.order == Order::Second {
+            if self.order < Order::Second {
+                continue;
+            }
+            if self.is_diagonal {
+                numbers.extend((0..self.columns.count).map(|k| taylor.hessian[k][k]));
+            } else {
                 numbers.extend(taylor.hessian.into_iter().flatten());
             }
         }
@@ -213,7 +253,12 @@ impl Derivatives<'_> {
     fn evaluated(&self, of: &[Outcome]) -> Result<Vec<Taylor>, Error> {
         let known = self.columns.known.iter();
         let wrt: Vec<_> = known.map(|column| column.parameter).collect();
-        let taylors = evaluate(&self.checked.setup, of, &wrt, self.order)?;
+        let setup = &self.checked.setup;
+        let taylors = if self.is_diagonal && self.order == Order::Second {
+            diagonal(setup, of, &wrt)?
+        } else {
+            evaluate(setup, of, &wrt, self.order)?
+        };
         let wide = taylors.iter().map(|taylor| self.columns.widened(taylor));
         Ok(wide.collect())
     }

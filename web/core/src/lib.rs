@@ -8,12 +8,12 @@ pub mod ask;
 #[cfg(target_family = "wasm")]
 mod doors;
 pub mod drive;
+pub mod iterations;
 pub mod map;
 pub mod message;
 pub mod refusal;
 pub mod request;
 pub mod step;
-pub mod steps;
 pub mod while_loop;
 pub mod words;
 
@@ -38,7 +38,7 @@ pub enum Door {
     /// The step of the integration.
     Step,
     /// The iterations of the search for the best drive.
-    Steps,
+    Iterations,
 }
 
 /// Answers a request. A request that cannot be answered has an answer with the reason.
@@ -50,7 +50,7 @@ pub fn answered(door: Door, request: &[u8], show: ShowProgress) -> Vec<u8> {
         Door::Aim => aim::answer(&head(&request)?),
         Door::Loop => while_loop::answer(&head(&request)?),
         Door::Step => step::answer(&head(&request)?),
-        Door::Steps => steps::answer(&head(&request)?),
+        Door::Iterations => iterations::answer(&head(&request)?),
     });
     answer.unwrap_or_else(|refusal| message::written(&refusal, &[]))
 }

@@ -21,7 +21,7 @@ function drive(request) {
   const take = count => block.subarray(at, at += count);
   const n = head.wrt?.length ?? 0;
   const derivatives = (head.order > 0 && n > 0 ? head.of : []).map(of =>
-    ({ of, gradient: take(n), hessian: head.order === 2 ? take(n * n) : null }));
+    ({ of, gradient: take(n), hessian: head.order === 2 ? take(head.diagonal ? n : n * n) : null }));
   const path = Array.from({ length: head.path ?? 0 }, () => take(4));
   const run = Array.from({ length: head.run ?? 0 }, () => take(3));
   assert.equal(at, block.length);
@@ -53,6 +53,31 @@ test('same outcomes and derivatives of a drive as the program', () => {
           const part = units[i] * units[j] / size;
           close(hessian[i * wrt.length + j] * part, told[k].hessian.values[i][j] * part, 1e-6, `${of} by ${name}`);
         });
+      });
+    });
+  }
+});
+
+test('same derivatives with the diagonals of Hessians as with Hessians', () => {
+  const next = random(11);
+  const wrt = ['club.loft', 'swing.speed', 'air.density', 'swing.attack_angle', 'swing.path', 'strike.toe', 'strike.high', 'wind.right'];
+  for (let k = 0; k < 20; k += 1) {
+    const request = { setup: randomSetup(next), of: ['carry', 'total', 'spin'], wrt, order: 2 };
+    const whole = drive(request);
+    const { head, derivatives } = drive({ ...request, diagonal: true });
+    assert.deepEqual(head.missing, whole.head.missing);
+    const alone = drive({ ...request, diagonal: true, outcomes: false });
+    assert.deepEqual(alone.derivatives, derivatives);
+    assert.deepEqual([alone.head.status, alone.head.outcomes], ['done', []]);
+    derivatives.forEach(({ gradient, hessian }, at) => {
+      const { gradient: slopes, hessian: seconds } = whole.derivatives[at];
+      const largest = Math.max(...seconds.map(Math.abs).filter(Number.isFinite));
+      wrt.forEach((name, i) => {
+        const second = seconds[i * wrt.length + i];
+        assert.equal(Number.isNaN(hessian[i]), Number.isNaN(second), name);
+        if (Number.isNaN(second)) return;
+        close(gradient[i], slopes[i], 1e-10 * Math.max(...slopes.map(Math.abs).filter(Number.isFinite)), name);
+        close(hessian[i], second, 1e-10 * largest, name);
       });
     });
   }
@@ -195,13 +220,13 @@ test('the step of a session keeps to its tolerance, as that of the program', () 
   assert.equal(core.step({ setup: { preset }, tolerance: 0 }).status, 'error');
 });
 
-/** The answer of `steps` as objects. */
-function steps(request) {
-  const { head, block } = core.steps(request);
+/** The answer of `iterations` as objects. */
+function iterations(request) {
+  const { head, block } = core.iterations(request);
   const n = head.parameters.length;
   let at = 0;
   const take = count => block.subarray(at, at += count);
-  const list = Array.from({ length: head.steps }, () => {
+  const list = Array.from({ length: head.iterations }, () => {
     const [search, iteration, value, residual, accepted, predicted, actual, reflected] = take(8);
     const [x, bounds, gradient, hessian, low, high, trial] = [n, n, n, n * n, n, n, n].map(take);
     return { search, iteration, value, residual, accepted, predicted, actual, reflected, x, bounds, gradient, hessian, low, high, trial };
@@ -210,12 +235,12 @@ function steps(request) {
   return { head, list };
 }
 
-test('same models and gains of the steps as of drives, and the same end as the program', () => {
+test('same models and gains of the iterations as of drives, and the same end as the program', () => {
   const vary = [range('club.loft', 4 * DEG, 20 * DEG), range('swing.attack_angle', -10 * DEG, 10 * DEG)];
   const wrt = vary.map(({ name }) => name);
   const set = { 'flight.method': 'dp8', 'flight.step': '0.4 s', 'wind.right': '2 m/s' };
   const preset = 'tour-average';
-  const { head, list } = steps({ setup: { preset, set }, of: 'carry', vary });
+  const { head, list } = iterations({ setup: { preset, set }, of: 'carry', vary });
   assert.match(head.message, /^KKT residual/);
   list.forEach((step, k) => {
     const at = x => ({ preset, set: { ...set, ...Object.fromEntries(wrt.map((name, i) => [name, x[i]])) } });
@@ -247,7 +272,7 @@ test('a better drive of the sample begins a second search, which ends as that of
   const vary = [range('club.loft', 0, 0.45), range('swing.shaft_lean', -0.1, 0.1)];
   const set = { 'aero.law': 'lyu', 'wind.downrange': '8 m/s', 'flight.method': 'dp8', 'flight.step': '0.4 s', 'club.loft': '0.77 deg', 'swing.shaft_lean': '-2.1 deg' };
   const setup = { preset: 'lpga-average', set };
-  const { list } = steps({ setup, of: 'total', vary });
+  const { list } = iterations({ setup, of: 'total', vary });
   const second = list.findIndex(({ search }) => search === 1);
   const [end, start, last] = [list[second - 1], list[second], list.at(-1)];
   assert.ok(second > 1 && Number.isNaN(end.accepted) && start.iteration === 0);
@@ -258,11 +283,11 @@ test('a better drive of the sample begins a second search, which ends as that of
   close(last.value, found.value, 1e-9, 'best total');
 });
 
-test('the steps of a search without a parameter have the message of the program', () => {
+test('the iterations of a search without a parameter have the message of the program', () => {
   const loft = range('club.loft', 4 * DEG, 20 * DEG);
-  const nothing = core.steps({ setup: {}, of: 'carry', vary: [] }).head;
+  const nothing = core.iterations({ setup: {}, of: 'carry', vary: [] }).head;
   assert.deepEqual([nothing.status, nothing.message], ['error', 'nothing to vary: name at least one parameter with a range wider than a single value']);
-  const twice = core.steps({ setup: {}, of: 'carry', vary: [loft, loft] }).head;
+  const twice = core.iterations({ setup: {}, of: 'carry', vary: [loft, loft] }).head;
   assert.equal(twice.status, 'error');
   assert.match(twice.message, /club\.loft/);
 });
@@ -339,7 +364,7 @@ test('an outcome that is given twice gets a message', () => {
 
 test('malformed input gets a message and never a trap', async () => {
   const next = random(4);
-  const doors = ['ask', 'drive', 'map', 'aim', 'loop', 'step', 'steps'];
+  const doors = ['ask', 'drive', 'map', 'aim', 'loop', 'step', 'iterations'];
   const loft = range('club.loft', 0.1, 0.2);
   const good = {
     ask: { words: ['simulate', 'tour-average', '--set', 'club.loft=10deg'] },
@@ -348,7 +373,7 @@ test('malformed input gets a message and never a trap', async () => {
     aim: { setup: {}, vary: [loft, range('swing.face_angle', -0.1, 0.1)], carry: 200, lateral: 1 },
     loop: { setup: {}, along: loft, nodes: 3, step: 0.01, difference: 1e-3 },
     step: { setup: {}, of: ['carry'], ranges: [loft], tolerance: 1e-3 },
-    steps: { setup: {}, of: 'carry', vary: [loft] },
+    iterations: { setup: {}, of: 'carry', vary: [loft] },
   };
   const values = [null, -1, 0, 1e308, -1e308, 1e-320, '', 'deg', '10 deg', 'none', [], {}, [1, 2], true, '\u0000', 'inf', '-inf', 'nan', '..'];
   const pick = from => from[Math.floor(next() * from.length)];

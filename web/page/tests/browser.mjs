@@ -11,9 +11,9 @@ const TYPES = { html: 'text/html', js: 'text/javascript', css: 'text/css' };
 
 export const file = pathToFileURL(join(dist, 'explorer.html')).href;
 
-export function launch() {
+export function launch(more = []) {
   const executablePath = BROWSERS.find(existsSync);
-  const args = ['--no-sandbox', '--disable-gpu', '--no-first-run', '--disable-background-networking', '--disable-component-update'];
+  const args = ['--no-sandbox', '--disable-gpu', '--no-first-run', '--disable-background-networking', '--disable-component-update', ...more];
   return chromium.launch({ executablePath, args });
 }
 

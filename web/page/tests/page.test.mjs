@@ -379,7 +379,7 @@ for (const [width, height] of [[390, 844], [768, 1024], [1280, 800]]) {
         for (const lecture of ['.loop', '.optimizer']) await page.locator(`${lecture} > summary`).press('Enter');
         await page.getByLabel(/lay the loop over/).press('Space');
         await page.getByRole('button', { name: /keep this design/ }).press('Enter');
-        await page.locator('.steps svg .model').first().waitFor();
+        await page.locator('.iterations svg .model').first().waitFor();
         await page.locator('.loop-track').waitFor();
         await settle(page);
         await looksWell(page);
@@ -466,27 +466,27 @@ test('the optimizer goes step by step, by buttons and arrow keys', async () => {
     await page.evaluate(() => { location.hash = '1&tour-average&vary=club.loft,swing.attack_angle'; });
     await settle(page);
     await page.locator('.optimizer > summary').click();
-    const sentence = page.locator('.steps figcaption');
+    const sentence = page.locator('.iterations figcaption');
     await sentence.filter({ hasText: 'begins at your drive' }).waitFor();
     assert.equal(await sentence.getAttribute('aria-live'), 'polite');
     assert.match(await sentence.textContent(), /Iteration 0: carry 286\.0 yd at loft 8\.80°, attack angle −0\.90°/);
-    await page.locator('.steps svg .region').first().waitFor();
-    const lines = await page.locator('.steps svg path.model').getAttribute('d');
-    const next = page.locator('.steps').getByRole('button', { name: 'next' });
+    await page.locator('.iterations svg .region').first().waitFor();
+    const lines = await page.locator('.iterations svg path.model').getAttribute('d');
+    const next = page.locator('.iterations').getByRole('button', { name: 'next' });
     await next.click();
     assert.match(await sentence.textContent(), /Iteration 1: .*predicts \+[\d.]+ yd .*brings \+[\d.]+ yd: the step is accepted/);
-    assert.notEqual(await page.locator('.steps svg path.model').getAttribute('d'), lines);
+    assert.notEqual(await page.locator('.iterations svg path.model').getAttribute('d'), lines);
     await next.focus();
     await page.keyboard.press('ArrowLeft');
     assert.match(await sentence.textContent(), /Iteration 0/);
     for (let k = 0; k < 20; k += 1) await page.keyboard.press('ArrowRight');
     assert.match(await sentence.textContent(), /attack angle 10\.00° \(at its upper bound\).*The search ends: KKT residual/);
-    assert.equal(await page.locator('.steps svg .bound').count(), 1);
+    assert.equal(await page.locator('.iterations svg .bound').count(), 1);
     // the end of the search is the best drive of the page
     const carry = Number(/carry ([\d.]+) yd/.exec(await sentence.textContent())[1]);
     assert.equal(carry, await answer(page, 'carry', 2));
-    assert.equal(await page.locator('.steps tbody tr').count(), Number(/of (\d+)/.exec(await page.locator('.stepper span').textContent())[1]));
-    assert.equal(await page.locator('.steps tr[aria-current=step] td').last().textContent(), 'end');
+    assert.equal(await page.locator('.iterations tbody tr').count(), Number(/of (\d+)/.exec(await page.locator('.stepper span').textContent())[1]));
+    assert.equal(await page.locator('.iterations tr[aria-current=step] td').last().textContent(), 'end');
     await page.locator('.optimizer > summary').click();
   });
 });
@@ -494,10 +494,10 @@ test('the optimizer goes step by step, by buttons and arrow keys', async () => {
 test('the optimizer of one parameter is a curve, of three has the parameters of the map', async () => {
   await stay(async ({ page }) => {
     await page.locator('.optimizer > summary').click();
-    await page.locator('.steps svg polyline.model').waitFor();
+    await page.locator('.iterations svg polyline.model').waitFor();
     await page.evaluate(() => { location.hash = '1&tour-average&vary=club.loft,swing.attack_angle,swing.path'; });
-    await page.locator('.steps svg path.model').waitFor();
-    assert.match(await page.locator('.steps thead').textContent(), /loft.*attack angle.*club path/);
+    await page.locator('.iterations svg path.model').waitFor();
+    assert.match(await page.locator('.iterations thead').textContent(), /loft.*attack angle.*club path/);
     await page.locator('.optimizer > summary').click();
   });
 });
@@ -523,9 +523,9 @@ async function saved(page, part, button) {
 test('pictures and tables can be saved', async () => {
   await stay(async ({ page }) => {
     await page.locator('.optimizer > summary').click();
-    await page.locator('.steps svg .model').first().waitFor();
-    for (const [part, head] of [['.map', /^carry \[yd\],/], ['.face-view', /^strike,value \[mm\]\r\nto toe,0\.0\r\nhigh,6\.0$/], ['.steps', /^iteration,loft \[°\],carry \[yd\],/]]) {
-      if (part !== '.steps') await page.locator(`${part} .data summary`).click();
+    await page.locator('.iterations svg .model').first().waitFor();
+    for (const [part, head] of [['.map', /^carry \[yd\],/], ['.face-view', /^strike,value \[mm\]\r\nto toe,0\.0\r\nhigh,6\.0$/], ['.iterations', /^iteration,loft \[°\],carry \[yd\],/]]) {
+      if (part !== '.iterations') await page.locator(`${part} .data summary`).click();
       const picture = await saved(page, part, 'picture (SVG)');
       assert.match(picture, /^<svg[^>]*xmlns/);
       // a file that other programs read

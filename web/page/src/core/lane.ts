@@ -1,5 +1,6 @@
 // A worker as the page sees it: one piece of work at a time, and for each topic at most one that
-// waits. A newer piece replaces the one that waits; the answer to a replaced piece is null.
+// waits. A newer piece replaces the one that waits; the answer to a replaced piece is null. The
+// thread begins at once; work waits for the core.
 import workerCode from 'virtual:worker';
 import type { Call, Command, FromWorker, Numbers, Reply, ToWorker } from './messages';
 
@@ -21,8 +22,8 @@ export interface Progress {
 const MOST_TRAPS = 5;
 
 export class Lane {
-  #module: WebAssembly.Module;
-  #worker: Worker;
+  #module: WebAssembly.Module | null = null;
+  #worker = this.#begin();
   #waiting: Job[] = [];
   #current: { job: Job; number: number } | null = null;
   #number = 0;
@@ -35,9 +36,11 @@ export class Lane {
   /** Receives the progress of long work; null when it ends. */
   onProgress: (progress: Progress | null) => void = () => {};
 
-  constructor(module: WebAssembly.Module) {
+  /** Gives the worker the core. */
+  start(module: WebAssembly.Module) {
     this.#module = module;
-    this.#worker = this.#begin();
+    this.#post(this.#worker, { kind: 'start', module });
+    this.#next();
   }
 
   /** Numbers of the core, or null if a newer call of the topic came first. */
@@ -72,7 +75,7 @@ export class Lane {
       event.preventDefault();
       if (worker === this.#worker) this.#trap(event.message || 'the worker cannot start');
     });
-    this.#post(worker, { kind: 'start', module: this.#module });
+    if (this.#module) this.#post(worker, { kind: 'start', module: this.#module });
     return worker;
   }
 
@@ -95,7 +98,7 @@ export class Lane {
   }
 
   #next() {
-    if (this.#current) return;
+    if (this.#current || !this.#module) return;
     const job = this.#waiting.shift();
     if (!job) {
       this.onIdle();

@@ -2,7 +2,7 @@
 
 /** A function of the core that answers with numbers, and its request. */
 export interface Call {
-  door: 'drive' | 'map' | 'aim' | 'loop' | 'step' | 'steps';
+  door: 'drive' | 'map' | 'aim' | 'loop' | 'step' | 'iterations';
   request: Record<string, unknown>;
 }
 

@@ -35,15 +35,17 @@ interface DriveHead {
   of: string[];
   wrt: string[];
   order: number;
+  diagonal: boolean;
   path?: number;
   run?: number;
   warnings?: string[];
 }
 
 /** The place of the numbers after the outcomes and derivatives. */
-function afterDerivatives({ outcomes, of, wrt, order }: DriveHead): number {
+function afterDerivatives({ outcomes, of, wrt, order, diagonal }: DriveHead): number {
   const n = wrt.length;
-  return outcomes.length + of.length * ((order >= 1 ? n : 0) + (order === 2 ? n * n : 0));
+  const second = diagonal ? n : n * n;
+  return outcomes.length + of.length * ((order >= 1 ? n : 0) + (order === 2 ? second : 0));
 }
 
 export function readDrive({ head, block }: Numbers): Drive {
@@ -82,14 +84,14 @@ export function readMissing({ head }: Numbers): Map<string, string> {
   return new Map(missing.flatMap(({ wrt, message }) => (wrt === null ? [] : [[wrt, message] as const])));
 }
 
-/** The derivatives of the first outcome of `of` by each parameter that has them. */
+/** The derivatives of the first outcome of `of` by each parameter that has them; of its Hessian, the diagonal. */
 export function readSlopes({ head, block }: Numbers): Map<string, Slope> {
   const { outcomes, wrt } = head as unknown as DriveHead;
   const n = wrt.length;
   const begin = outcomes.length;
   const slopes = wrt.map((name, k) => [name, {
     first: block[begin + k] ?? NaN,
-    second: block[begin + n + k * n + k] ?? NaN,
+    second: block[begin + n + k] ?? NaN,
   }] as const);
   return new Map(slopes.filter(([, { first }]) => Number.isFinite(first)));
 }

@@ -1,19 +1,22 @@
 // Yours, the best, the difference, and the worth of a further degree.
+import { useComputed } from '@preact/signals';
 import { priceOf } from '../drive/price';
 import { labelOf } from '../setup/parameters';
-import { withUnit } from '../setup/units';
+import { digits, fromSI, withUnit } from '../setup/units';
 import type { Best } from '../state/best';
 import { varyOf } from '../state/state';
 import { usePage } from './context';
 import { length, lengthChange } from './lengths';
+import { useSteady } from './steady';
 
 export function Answer() {
   const { explorer } = usePage();
   const { drive, best, refusal, state } = explorer;
-  const { units, goal } = state.value;
+  const units = explorer.units.value;
+  const goal = explorer.goal.value;
   const yours = drive.value?.outcomes;
   const theirs = best.value?.flight;
-  const names = varyOf(state.value).map(labelOf).join(' and ');
+  const names = useComputed(() => varyOf(state.value).map(labelOf).join(' and ')).value;
   const rows = (['carry', 'total'] as const).map((name) => {
     const [mine, most] = [yours?.[name], theirs?.[name]];
     return (
@@ -49,27 +52,26 @@ export function Answer() {
 }
 
 /** The parameters that the best drive changes. */
-function Values({ best }: { best: Best }) {
+const Values = ({ best }: { best: Best }) => (
+  <>
+    {best.names.map((name) => <ValueRow name={name} theirs={best.values[name] ?? NaN} key={name} />)}
+  </>
+);
+
+function ValueRow({ name, theirs }: { name: string; theirs: number }) {
   const { explorer } = usePage();
-  const shown = (name: string, value: number | null) =>
-    (value === null || !Number.isFinite(value) ? 'not stated'
-      : withUnit(explorer.shown(name, value), explorer.field(name).unit));
+  const { mine, unit, decimals } = useSteady(() => explorer.rowKey(name),
+    () => ({ mine: explorer.value(name), ...explorer.field(name) }));
+  const shown = (value: number | null) => (value === null || !Number.isFinite(value) ? 'not stated'
+    : withUnit(digits(fromSI(value, unit), Math.min(6, decimals + 1)), unit));
+  const difference = mine === null ? '–' : shown(theirs - mine + zero(unit));
   return (
-    <>
-      {best.names.map((name) => {
-        const [mine, theirs] = [explorer.value(name), best.values[name] ?? NaN];
-        const { unit } = explorer.field(name);
-        const difference = mine === null ? '–' : shown(name, theirs - mine + zero(unit));
-        return (
-          <tr key={name}>
-            <th scope="row">{labelOf(name)}</th>
-            <td>{shown(name, mine)}</td>
-            <td>{shown(name, theirs)}</td>
-            <td>{/^[\u2212\u2013]/.test(difference) || mine === null ? difference : `+${difference}`}</td>
-          </tr>
-        );
-      })}
-    </>
+    <tr>
+      <th scope="row">{labelOf(name)}</th>
+      <td>{shown(mine)}</td>
+      <td>{shown(theirs)}</td>
+      <td>{/^[\u2212\u2013]/.test(difference) || mine === null ? difference : `+${difference}`}</td>
+    </tr>
   );
 }
 
@@ -79,14 +81,14 @@ const zero = (unit: string) => (unit === 'degC' ? 273.15 : unit === 'degF' ? 255
 /** The worth of a further degree, at yours and beyond the bounds of the best. */
 function Worth() {
   const { explorer } = usePage();
-  const { slopes, best, state, design } = explorer;
-  const { units, goal } = state.value;
+  const { slopes, best } = explorer;
+  const units = explorer.units.value;
+  const goal = explorer.goal.value;
   const price = (name: string) => {
     const slope = slopes.value.get(name);
-    return slope ? `${labelOf(name)} ${priceOf(name, slope, explorer.field(name).unit, units).text}` : null;
+    return slope ? `${labelOf(name)} ${priceOf(name, slope, explorer.unit(name), units).text}` : null;
   };
-  const isLaunch = Object.keys(design.value.set).some((name) => name.startsWith('launch.'));
-  const names = isLaunch ? ['launch.launch_angle', 'launch.ball_speed'] : ['club.loft', 'swing.attack_angle', 'swing.speed'];
+  const names = explorer.isLaunch.value ? ['launch.launch_angle', 'launch.ball_speed'] : ['club.loft', 'swing.attack_angle', 'swing.speed'];
   const prices = names.map(price).filter((text) => text !== null);
   const bounds = (best.value?.names ?? []).filter((name) => Math.abs(best.value?.beyond[name] ?? 0) > 1e-6);
   return (
@@ -94,7 +96,7 @@ function Worth() {
       {prices.length > 0 && <>{goal} here: {prices.join('; ')}.</>}
       {bounds.map((name) => {
         const first = best.value?.beyond[name] ?? 0;
-        const { text } = priceOf(name, { first, second: 0 }, explorer.field(name).unit, units);
+        const { text } = priceOf(name, { first, second: 0 }, explorer.unit(name), units);
         return <span key={name}> The best {labelOf(name)} is at the end of its slider: {text} beyond.</span>;
       })}
     </p>

@@ -5,6 +5,7 @@ import { Compare } from './Compare';
 import { usePage } from './context';
 import { Files } from './Files';
 import { Header } from './Header';
+import { IterationsView } from './IterationsView';
 import { Live } from './Live';
 import { LoopView } from './LoopView';
 import { MapView } from './MapView';
@@ -13,7 +14,6 @@ import { Panel } from './Panel';
 import { Shots } from './Shots';
 import { SideView } from './SideView';
 import { Sliders } from './Sliders';
-import { StepsView } from './StepsView';
 import { TopView } from './TopView';
 
 /** The views of a narrow screen, which shows one at a time. */
@@ -54,7 +54,7 @@ export function App() {
           <Shots />
           <Files />
           <LoopView />
-          <StepsView />
+          <IterationsView />
         </div>
       </main>
       <footer>

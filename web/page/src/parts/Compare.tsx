@@ -1,4 +1,5 @@
 // Up to four designs beside each other, and the causes of a difference.
+import { useComputed } from '@preact/signals';
 import type { Drive, Refusal } from '../drive/drive';
 import { labelOf } from '../setup/parameters';
 import type { Design } from '../setup/design';
@@ -18,38 +19,37 @@ const isDrive = (drive: Drive | Refusal | null | undefined): drive is Drive =>
 
 export function Compare() {
   const { explorer } = usePage();
-  const state = explorer.state.value;
-  const { designs, active } = state;
-  const add = () => explorer.change({
-    ...state, designs: [...designs, explorer.design.value], active: designs.length,
-  });
-  const remove = () => explorer.change({
-    ...state, designs: designs.filter((_, at) => at !== active), active: Math.max(0, active - 1),
-  });
+  const active = useComputed(() => explorer.state.value.active).value;
+  const count = useComputed(() => explorer.state.value.designs.length).value;
+  const names = DESIGN_NAMES.slice(0, count);
+  const change = (designs: readonly Design[], next: number) =>
+    explorer.change({ ...explorer.state.value, designs, active: next });
+  const add = () => change([...explorer.state.value.designs, explorer.design.value], count);
+  const remove = () => change(
+    explorer.state.value.designs.filter((_, at) => at !== active), Math.max(0, active - 1));
   return (
     <section class="compare" aria-label="designs">
       <h2>Designs beside each other</h2>
-      {designs.length > 1 && (
+      {count > 1 && (
         <fieldset class="switch">
           <legend>the sliders move</legend>
-          {designs.map((_, at) => (
-            <label key={at}>
+          {names.map((name, at) => (
+            <label key={name}>
               <input type="radio" name="design" checked={at === active}
-                onChange={() => explorer.change({ ...state, active: at })} /> {DESIGN_NAMES[at]}
+                onChange={() => change(explorer.state.value.designs, at)} /> {name}
             </label>
           ))}
         </fieldset>
       )}
       <p class="buttons">
-        <button type="button" disabled={designs.length >= MOST_DESIGNS} onClick={add}>
+        <button type="button" disabled={count >= MOST_DESIGNS} onClick={add}>
           keep this design as {DESIGN_NAMES[active]}, and change a copy
         </button>
-        {designs.length > 1
+        {count > 1
           && <button type="button" onClick={remove}>remove {DESIGN_NAMES[active]}</button>}
       </p>
-      {designs.length > 1 && <Beside />}
-      {designs.length > 1 && <Causes first={designs[0]!} second={designs[active === 0 ? 1 : active]!}
-        name={DESIGN_NAMES[active === 0 ? 1 : active]!} />}
+      {count > 1 && <Beside />}
+      {count > 1 && <Causes other={active === 0 ? 1 : active} />}
     </section>
   );
 }
@@ -109,9 +109,10 @@ interface Difference {
 }
 
 /** What `compare` says about the first design and another one. */
-function Causes({ first, second, name }: { first: Design; second: Design; name: string }) {
+function Causes({ other }: { other: number }) {
   const { explorer } = usePage();
-  const { goal, units } = explorer.state.value;
+  const { designs, goal, units } = explorer.state.value;
+  const [first, second] = [designs[0]!, designs[other]!];
   const key = JSON.stringify([first, second, goal]);
   const words = ['compare', first.preset, second.preset, ...settingsOf(first, '--set-a'),
     ...settingsOf(second, '--set-b'), '--of', goal, '--json'];
@@ -126,7 +127,7 @@ function Causes({ first, second, name }: { first: Design; second: Design; name: 
     .map(({ cause, share }) => `${labelOf(cause)} ${lengthChange(share, units)}`).join(', ') || 'none';
   return (
     <p role="status">
-      {name} beside A: {difference.of} {lengthChange(difference.difference, units)}. By parameter:{' '}
+      {DESIGN_NAMES[other]} beside A: {difference.of} {lengthChange(difference.difference, units)}. By parameter:{' '}
       {list(difference.by_parameter?.shares)}. By launch: {list(difference.by_launch?.shares)}.
     </p>
   );

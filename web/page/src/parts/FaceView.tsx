@@ -1,4 +1,5 @@
 // The strike point on the face, to drag. The two strike sliders do the same by keyboard.
+import { useComputed } from '@preact/signals';
 import { withValues } from '../setup/design';
 import { digits, fromSI, textOf } from '../setup/units';
 import { usePage } from './context';
@@ -16,8 +17,8 @@ const inside = (pixel: number, end: number) => Math.min(end, Math.max(0, pixel))
 
 export function FaceView() {
   const { explorer } = usePage();
-  const toe = explorer.value('strike.toe') ?? 0;
-  const high = explorer.value('strike.high') ?? 0;
+  const toe = useComputed(() => explorer.value('strike.toe') ?? 0).value;
+  const high = useComputed(() => explorer.value('strike.high') ?? 0).value;
   if (Number.isNaN(toe) || Number.isNaN(high)) return null;
   // looked at from the front, a right-hander's toe is to the left
   const [x, y] = [

@@ -88,7 +88,7 @@ export function TableView({ head, rows, at }: Table & { at?: number | undefined 
         <thead><tr>{head.map((text) => <th scope="col" key={text}>{text}</th>)}</tr></thead>
         <tbody>
           {rows.map((row, k) => (
-            <tr key={row.join()} aria-current={k === at ? 'step' : undefined}>{row.map((text, column) => <td key={column}>{text}</td>)}</tr>
+            <tr key={k} aria-current={k === at ? 'step' : undefined}>{row.map((text, column) => <td key={column}>{text}</td>)}</tr>
           ))}
         </tbody>
       </table>

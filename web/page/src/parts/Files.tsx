@@ -4,6 +4,7 @@ import { designOf, writeSetup } from '../setup/file';
 import type { FileValues } from '../setup/file';
 import { commandLine } from '../setup/words';
 import { bestWords } from '../state/best';
+import type { Explorer } from '../state/explorer';
 import { messageOf } from '../state/explorer';
 import { varyOf } from '../state/state';
 import { usePage } from './context';
@@ -22,8 +23,6 @@ export async function bytesOf(file: File): Promise<Uint8Array<ArrayBuffer>> {
 export function Files() {
   const { explorer } = usePage();
   const [message, setMessage] = useState<string | null>(null);
-  const design = explorer.design.value;
-  const words = bestWords(explorer, explorer.state.value, design, varyOf(explorer.state.value)).filter((word) => word !== '--json');
   const open = async (file: File) => {
     setMessage(null);
     const bytes = await bytesOf(file);
@@ -50,6 +49,7 @@ export function Files() {
     else setMessage(messageOf(reply));
   };
   const report = async () => {
+    const words = wordsOf(explorer);
     const vary = words.slice(words.indexOf('--maximize'));
     const reply = await explorer.run('the report', ['report', ...explorer.words(), ...vary, '-o', 'drive', '--json']);
     if (!reply) return;
@@ -66,20 +66,29 @@ export function Files() {
           <input type="file" accept=".toml,text/plain" onChange={choose} />
         </label>
         <button type="button"
-          onClick={() => download('setup.toml', writeSetup(design), 'application/toml')}>
+          onClick={() => download('setup.toml', writeSetup(explorer.design.value), 'application/toml')}>
           save the setup file
         </button>
         <button type="button" onClick={() => void json('simulate', [...explorer.words(), '--json'])}>drive (JSON)</button>
-        <button type="button" onClick={() => void json('optimize', [...words.slice(1), '--json'])}>best drive (JSON)</button>
+        <button type="button" onClick={() => void json('optimize', [...wordsOf(explorer).slice(1), '--json'])}>best drive (JSON)</button>
         <button type="button" onClick={() => void report()}>report (HTML, to print)</button>
       </p>
       {message && <p class="message" role="alert">{message}</p>}
-      <Command text={commandLine(words)} />
+      <Command />
     </section>
   );
 }
 
-function Command({ text }: { text: string }) {
+/** The words that find the best drive. */
+function wordsOf(explorer: Explorer): string[] {
+  const state = explorer.state.value;
+  const words = bestWords(explorer, state, explorer.design.value, varyOf(state));
+  return words.filter((word) => word !== '--json');
+}
+
+function Command() {
+  const { explorer } = usePage();
+  const text = commandLine(wordsOf(explorer));
   const [isCopied, setCopied] = useState(false);
   const copy = async () => {
     try {

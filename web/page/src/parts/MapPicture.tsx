@@ -35,7 +35,7 @@ export function planOf({ ranges: [across, up] }: MapData, width: number): Plan {
 export function MapScales({ map, plan }: { map: MapData; plan: Plan }) {
   const { explorer } = usePage();
   const [across, up] = [map.across, map.up].map((name, axis) => {
-    const { unit } = explorer.field(name);
+    const unit = explorer.unit(name);
     const { low, high } = map.ranges[axis]!;
     const count = axis === 0 ? plan.width / 80 : 5;
     const symbol = symbolOf(unit);

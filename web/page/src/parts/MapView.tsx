@@ -1,4 +1,5 @@
 // The outcome over two parameters, with contours, your drive and the optimum.
+import { useComputed } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { hasLaunch, lawOf, withValues } from '../setup/design';
 import { labelOf } from '../setup/parameters';
@@ -13,6 +14,7 @@ import { inLength, length, lengthUnit } from './lengths';
 import { LoopLines, useLoop } from './LoopMap';
 import { Areas, HEIGHT, MapScales, planOf, TOP } from './MapPicture';
 import type { Grid } from './MapPicture';
+import type { Plan } from './MapPicture';
 import { MARGIN } from './scale';
 import { useWidth } from './size';
 
@@ -22,11 +24,16 @@ export function MapView() {
   const { ref, width } = useWidth();
   const map = explorer.map.value;
   const best = explorer.mapBest.value;
-  const [across, up] = mapOf(explorer.state.value);
+  const [across, up] = useSteady(
+    () => mapOf(explorer.state.value).join(), () => mapOf(explorer.state.value));
   const most = useMemo(() => (map ? Math.max(...map.values.filter(Number.isFinite)) : NaN), [map]);
-  const bestText = best && map && best.names.every((name) => [map.across, map.up].includes(name))
-    ? best.names.map((name) => `${labelOf(name)} ${explorer.shown(name, best.values[name] ?? NaN)}`
-      + `${symbolOf(explorer.field(name).unit)}`).join(', ') : null;
+  const isOfMap = best && map && best.names.every((name) => [map.across, map.up].includes(name));
+  const valuesOfBest = useComputed(() => {
+    const { names = [], values = {} } = explorer.mapBest.value ?? {};
+    return names.map((name) => `${labelOf(name)} ${explorer.shown(name, values[name] ?? NaN)}`
+      + `${symbolOf(explorer.unit(name))}`).join(', ');
+  }).value;
+  const bestText = isOfMap ? valuesOfBest : null;
   const sentence = map
     ? `The longest ${map.goal} over ${labelOf(across)} and ${labelOf(up)} is `
       + `${length(best?.flight[map.goal] ?? most, units)}${bestText ? `, at ${bestText}` : ''}.`
@@ -52,10 +59,8 @@ function Picture({ map, width, sentence, loop }: PictureProps) {
   const { explorer } = usePage();
   const plan = planOf(map, width);
   const best = explorer.mapBest.value;
-  const at = (name: string) => explorer.value(name) ?? NaN;
-  const pixel = (across: number, up: number) => [plan.x(across), plan.y(up)] as const;
-  const yours = pixel(at(map.across), at(map.up));
-  const theirs = pixel(best?.values[map.across] ?? NaN, best?.values[map.up] ?? NaN);
+  const theirs = [
+    plan.x(best?.values[map.across] ?? NaN), plan.y(best?.values[map.up] ?? NaN)] as const;
   const move = (event: PointerEvent) => {
     const svg = event.currentTarget as SVGSVGElement;
     if (!svg.hasPointerCapture(event.pointerId)) return;
@@ -84,9 +89,18 @@ function Picture({ map, width, sentence, loop }: PictureProps) {
       {loop && <LoopLines loop={loop} map={map} width={width} />}
       <MapScales map={map} plan={plan} />
       {theirs.every(Number.isFinite) && <Star x={theirs[0]} y={theirs[1]} />}
-      {yours.every(Number.isFinite) && <circle class="on-map" cx={yours[0]} cy={yours[1]} r={6} />}
+      <Yours map={map} plan={plan} />
     </svg>
   );
+}
+
+/** The place of your drive, which moves while the map stays. */
+function Yours({ map, plan }: { map: MapData; plan: Plan }) {
+  const { explorer } = usePage();
+  const x = plan.x(explorer.value(map.across) ?? NaN);
+  const y = plan.y(explorer.value(map.up) ?? NaN);
+  return Number.isFinite(x) && Number.isFinite(y)
+    ? <circle class="on-map" cx={x} cy={y} r={6} /> : null;
 }
 
 const Star = ({ x, y }: { x: number; y: number }) => (

@@ -1,4 +1,5 @@
 // The flight from the side, at true scale.
+import { useMemo } from 'preact/hooks';
 import type { Drive } from '../drive/drive';
 import { fromSI, toSI } from '../setup/units';
 import { usePage } from './context';
@@ -34,22 +35,28 @@ export function SideView() {
     ? `The ball rises to ${length(apex_height, units)} and lands after ${(flight_time ?? NaN).toFixed(1)} s `
       + `at ${length(carry, units)}, at ${fromSI(descent_angle ?? NaN, 'deg').toFixed(1)}° to the ground.`
     : 'No drive yet.';
+  // the same elements at most moves, so that they are not compared
+  const scales = useMemo(() => (
+    <>
+      {ticks(0, inLength(distance, units), Math.max(3, width / 110)).map((tick) => (
+        <g key={tick}>
+          <line class="grid" x1={x(toSI(tick, unit))} x2={x(toSI(tick, unit))} y1={MARGIN.top} y2={y(bottom)} />
+          <text class="tick" x={x(toSI(tick, unit))} y={height - 14} text-anchor="middle">{tick}</text>
+        </g>
+      ))}
+      {ticks(inLength(bottom, units), inLength(top, units), 2).map((tick) => (
+        <g key={tick}>
+          <line class="grid" x1={x(0)} x2={x(distance)} y1={y(toSI(tick, unit))} y2={y(toSI(tick, unit))} />
+          <text class="tick" x={MARGIN.left - 6} y={y(toSI(tick, unit)) + 4} text-anchor="end">{tick}</text>
+        </g>
+      ))}
+      <text class="tick" x={4} y={MARGIN.top + 2}>{unit}</text>
+    </>
+  ), [width, distance, top, bottom, units]);
   return (
     <Figure name="side" title="Side view" sentence={sentence} table={() => pathTable(drive, unit)} place={ref}>
       <svg width={width} height={height} role="img" aria-label={`Side view. ${sentence}`}>
-        {ticks(0, inLength(distance, units), Math.max(3, width / 110)).map((tick) => (
-          <g key={tick}>
-            <line class="grid" x1={x(toSI(tick, unit))} x2={x(toSI(tick, unit))} y1={MARGIN.top} y2={y(bottom)} />
-            <text class="tick" x={x(toSI(tick, unit))} y={height - 14} text-anchor="middle">{tick}</text>
-          </g>
-        ))}
-        {ticks(inLength(bottom, units), inLength(top, units), 2).map((tick) => (
-          <g key={tick}>
-            <line class="grid" x1={x(0)} x2={x(distance)} y1={y(toSI(tick, unit))} y2={y(toSI(tick, unit))} />
-            <text class="tick" x={MARGIN.left - 6} y={y(toSI(tick, unit)) + 4} text-anchor="end">{tick}</text>
-          </g>
-        ))}
-        <text class="tick" x={4} y={MARGIN.top + 2}>{unit}</text>
+        {scales}
         <line class="ground" x1={x(0)} x2={x(distance)} y1={y(ground)} y2={y(ground)} />
         {ghost && <Curve drive={ghost} name="ghost" axis="height" x={x} y={y} scale={plan} />}
         {drive && <Curve drive={drive} name="yours" axis="height" x={x} y={y} scale={plan} />}

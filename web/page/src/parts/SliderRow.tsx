@@ -1,5 +1,5 @@
 // One parameter: slider, number field, price, band, meaning.
-import { useEffect, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import { bandOf, LOSS, priceOf } from '../drive/price';
 import { NONE, WHEN_UNSET } from '../setup/design';
 import { labelInGroup, labelOf } from '../setup/parameters';
@@ -23,7 +23,7 @@ export function SliderRow({ name, isInGroup = false }: Props) {
   const id = name.replace(/\./g, '-');
   const label = isInGroup ? labelInGroup(name) : labelOf(name);
   const row = useSteady(() => explorer.rowKey(name), () => rowOf(explorer, name));
-  const { travel, unit, value, at, decimals, isSet, message } = row;
+  const { travel, unit, value, at, decimals, isSet, units, message } = row;
   const slide = (event: Event, isFinal: boolean) =>
     explorer.slide(name, toSI(Number((event.target as HTMLInputElement).value), unit), isFinal);
   const spoken = value === null ? 'not stated' : withUnit(digits(fromSI(at, unit), decimals), unit);
@@ -31,7 +31,7 @@ export function SliderRow({ name, isInGroup = false }: Props) {
     <div class={`slider${isSet ? ' changed' : ''}`}>
       <div class="row">
         <label for={`slide-${id}`}>{label}</label>
-        <Field name={name} id={id} label={label} hasMessage={message !== null} />
+        <Field name={name} id={id} label={label} unit={unit} shown={row.shown} hasMessage={message !== null} />
         <span class="unit">{symbolOf(unit)}</span>
         <button type="button" class="reset" disabled={!isSet} onClick={() => explorer.reset(name)}
           aria-label={`reset ${label}`} title="back to the preset">↺</button>
@@ -39,23 +39,25 @@ export function SliderRow({ name, isInGroup = false }: Props) {
           onClick={() => setAsked(!isAsked)}>?</button>
       </div>
       <LoopTrack name={name} />
-      <Track name={name} travel={travel}>
+      <Track name={name} travel={travel} value={value} units={units}>
         <input type="range" id={`slide-${id}`} min={fromSI(travel.low, unit)}
           max={fromSI(travel.high, unit)} step={travel.step / (toSI(1, unit) - toSI(0, unit))}
           value={fromSI(at, unit)} aria-valuetext={spoken} aria-describedby={`price-${id}`}
           onInput={(event) => slide(event, false)} onChange={(event) => slide(event, true)} />
       </Track>
-      <PriceLine name={name} id={id} at={at} isUnset={value === null} />
+      <PriceLine name={name} id={id} row={row} />
       {message && <p class="message" id={`message-${id}`}>{message}</p>}
       {isAsked && <About name={name} label={label} />}
     </div>
   );
 }
 
+type Row = ReturnType<typeof rowOf>;
+
 /** What the slider of a parameter shows. */
 function rowOf(explorer: Explorer, name: string) {
   const travel = explorer.travel(name);
-  const { unit } = explorer.field(name);
+  const unit = explorer.unit(name);
   const value = explorer.value(name);
   const isNumber = value !== null && Number.isFinite(value);
   const usual = explorer.presetValue(name) ?? WHEN_UNSET[name] ?? (travel.low + travel.high) / 2;
@@ -66,6 +68,8 @@ function rowOf(explorer: Explorer, name: string) {
     value,
     at: isNumber ? value : usual,
     decimals: decimalsOf(travel, unit),
+    units: explorer.units.value,
+    shown: shownOf(explorer, name),
     isSet: name in explorer.design.value.set,
     message: refusal?.parameters[0] === name ? refusal.message : null,
   };
@@ -105,12 +109,11 @@ function Freedom({ name, label }: { name: string; label: string }) {
   );
 }
 
-function PriceLine({ name, id, at, isUnset }: { name: string; id: string; at: number; isUnset: boolean }) {
+function PriceLine({ name, id, row }: { name: string; id: string; row: Row }) {
   const { explorer } = usePage();
   const slope = explorer.slopes.value.get(name);
-  const { units, unit, decimals, travel } = useSteady(() => explorer.rowKey(name), () => ({
-    ...explorer.field(name), units: explorer.state.value.units, travel: explorer.travel(name),
-  }));
+  const { at, units, unit, decimals, travel } = row;
+  const isUnset = row.value === null;
   const why = explorer.noSlope.value.get(name);
   if (!slope) return <p class="price" id={`price-${id}`}>{why ?? (isUnset ? 'not stated' : '\u00a0')}</p>;
   const { low, high } = bandOf(at, slope, LOSS[units]);
@@ -131,6 +134,9 @@ interface FieldProps {
   name: string;
   id: string;
   label: string;
+  unit: string;
+  /** The number as the state has it. */
+  shown: string;
   hasMessage: boolean;
 }
 
@@ -150,14 +156,17 @@ function shownOf(explorer: Explorer, name: string): string {
   return String(Number(fromSI(value, unit).toFixed(decimals + 1)));
 }
 
-function Field({ name, id, label, hasMessage }: FieldProps) {
+/** A number as it is typed, until it is committed or the state has another one. */
+interface Draft {
+  instead: string;
+  text: string;
+}
+
+function Field({ name, id, label, unit, shown, hasMessage }: FieldProps) {
   const { explorer } = usePage();
-  const { unit, shown } = useSteady(() => explorer.rowKey(name), () => ({
-    unit: explorer.field(name).unit, shown: shownOf(explorer, name),
-  }));
-  const [draft, setDraft] = useState(shown);
-  useEffect(() => setDraft(shown), [shown]);
+  const [draft, setDraft] = useState<Draft | null>(null);
   const commit = (event: Event) => {
+    setDraft(null);
     const typed = (event.target as HTMLInputElement).value.trim().replace('−', '-');
     if (typed === shown) return;
     if (typed === '') {
@@ -169,8 +178,10 @@ function Field({ name, id, label, hasMessage }: FieldProps) {
   };
   return (
     <input type="text" class="number" inputMode="decimal" autoComplete="off" spellcheck={false}
-      value={draft} placeholder="–" aria-label={`${label}, ${unit || 'number'}`}
+      value={draft?.instead === shown ? draft.text : shown} placeholder="–"
+      aria-label={`${label}, ${unit || 'number'}`}
       aria-invalid={hasMessage} aria-describedby={hasMessage ? `message-${id}` : undefined}
-      onInput={(event) => setDraft((event.target as HTMLInputElement).value)} onChange={commit} />
+      onInput={(event) => setDraft({ instead: shown, text: (event.target as HTMLInputElement).value })}
+      onChange={commit} />
   );
 }

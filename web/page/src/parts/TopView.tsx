@@ -1,5 +1,5 @@
 // The flight from above, at true scale, with a landing point to drag.
-import { useRef, useState } from 'preact/hooks';
+import { useMemo, useRef, useState } from 'preact/hooks';
 import { CLUB_FIRST, LAUNCH_FIRST, labelOf } from '../setup/parameters';
 import { toSI } from '../setup/units';
 import { usePage } from './context';
@@ -43,22 +43,28 @@ export function TopView() {
     ? `The ball lands at ${length(carry, units)}, ${sideways(lateral, units)}.` : 'No drive yet.';
   const unit = lengthUnit(units);
   const aim = (downrange: number, right: number) => explorer.aim(pair, downrange, right);
+  // the same elements at most moves, so that they are not compared
+  const scales = useMemo(() => (
+    <>
+      {ticks(0, inLength(distance, units), Math.max(3, width / 110)).map((tick) => (
+        <g key={tick}>
+          <line class="grid" x1={x(toSI(tick, unit))} x2={x(toSI(tick, unit))} y1={y(-half)} y2={y(half)} />
+          <text class="tick" x={x(toSI(tick, unit))} y={height - 14} text-anchor="middle">{tick}</text>
+        </g>
+      ))}
+      {ticks(-inLength(half, units), inLength(half, units), 5).map((tick) => (
+        <text class="tick" key={tick} x={MARGIN.left - 6} y={y(toSI(tick, unit)) + 4} text-anchor="end">
+          {tick === 0 ? 0 : `${Math.abs(tick)} ${tick > 0 ? 'R' : 'L'}`}
+        </text>
+      ))}
+      <line class="ground" x1={x(0)} x2={x(distance)} y1={y(0)} y2={y(0)} />
+    </>
+  ), [width, distance, half, units]);
   return (
     <Figure name="top" title="View from above" sentence={sentence} table={() => pathTable(drive, unit)} place={ref}
       below={<Aim pair={pair} onPair={setChosen} carry={carry} lateral={lateral} onAim={aim} />}>
       <svg width={width} height={height} role="img" aria-label={`View from above. ${sentence}`}>
-        {ticks(0, inLength(distance, units), Math.max(3, width / 110)).map((tick) => (
-          <g key={tick}>
-            <line class="grid" x1={x(toSI(tick, unit))} x2={x(toSI(tick, unit))} y1={y(-half)} y2={y(half)} />
-            <text class="tick" x={x(toSI(tick, unit))} y={height - 14} text-anchor="middle">{tick}</text>
-          </g>
-        ))}
-        {ticks(-inLength(half, units), inLength(half, units), 5).map((tick) => (
-          <text class="tick" key={tick} x={MARGIN.left - 6} y={y(toSI(tick, unit)) + 4} text-anchor="end">
-            {tick === 0 ? 0 : `${Math.abs(tick)} ${tick > 0 ? 'R' : 'L'}`}
-          </text>
-        ))}
-        <line class="ground" x1={x(0)} x2={x(distance)} y1={y(0)} y2={y(0)} />
+        {scales}
         {ghost && <Curve drive={ghost} name="ghost" axis="right" x={x} y={y} scale={plan} />}
         {drive && <Curve drive={drive} name="yours" axis="right" x={x} y={y} scale={plan} />}
         {Number.isFinite(carry) && (
@@ -118,7 +124,17 @@ interface AimProps {
   onAim: (carry: number, lateral: number) => Promise<void>;
 }
 
-function Aim({ pair, onPair, carry, lateral, onAim }: AimProps) {
+function Aim(props: AimProps) {
+  const [isOpen, setOpen] = useState(false);
+  return (
+    <details class="aim" onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <summary>aim: move the landing point</summary>
+      {isOpen && <AimSliders {...props} />}
+    </details>
+  );
+}
+
+function AimSliders({ pair, onPair, carry, lateral, onAim }: AimProps) {
   const { explorer } = usePage();
   const units = explorer.units.value;
   const names = explorer.isLaunch.value ? LAUNCH_FIRST : CLUB_FIRST;
@@ -145,12 +161,11 @@ function Aim({ pair, onPair, carry, lateral, onAim }: AimProps) {
     </select>
   );
   return (
-    <details class="aim">
-      <summary>aim: move the landing point</summary>
+    <>
       <p>Drag the landing point, or use these sliders; {select(0)} and {select(1)} follow.</p>
       {slider('carry', carry, 100, longest, (metres) => onAim(metres, lateral))}
       {slider('lateral', lateral, -FARTHEST_ASIDE, FARTHEST_ASIDE, (metres) => onAim(carry, metres))}
       {explorer.aimMessage.value && <p class="message" role="status">{explorer.aimMessage.value}</p>}
-    </details>
+    </>
   );
 }

@@ -2,8 +2,8 @@
 import type { ComponentChildren } from 'preact';
 import { bandOf, LOSS } from '../drive/price';
 import type { Travel } from '../setup/travel';
+import type { System } from '../setup/units';
 import { usePage } from './context';
-import { useSteady } from './steady';
 
 /** Half of the width of a slider's knob, pixels. */
 export const KNOB = 8;
@@ -13,14 +13,13 @@ const place = (part: number) => `calc(${KNOB}px + ${part} * (100% - ${2 * KNOB}p
 interface Props {
   name: string;
   travel: Travel;
+  value: number | null;
+  units: System;
   children: ComponentChildren;
 }
 
-export function Track({ name, travel: { low, high }, children }: Props) {
+export function Track({ name, travel: { low, high }, value, units, children }: Props) {
   const { explorer } = usePage();
-  const { value, units } = useSteady(() => explorer.rowKey(name), () => ({
-    value: explorer.value(name), units: explorer.state.value.units,
-  }));
   const slope = explorer.slopes.value.get(name);
   const best = explorer.best.value?.values[name];
   const part = (x: number) => Math.min(1, Math.max(0, (x - low) / (high - low)));

@@ -20,8 +20,8 @@ import { mapCall, mapKey, readMap } from './map';
 import type { State } from './state';
 import { activeOf, mapOf, varyOf, withDesign } from './state';
 
-/** Derivatives by this many parameters are one pass of the core. */
-const PASS = 8;
+/** First derivatives for prices, and second ones by each parameter alone for bands. */
+const PRICES = { order: 2, diagonal: true };
 const COARSE = 20;
 const FINE = 60;
 /** Milliseconds without a change before slower answers are computed. */
@@ -37,7 +37,9 @@ export class Explorer {
   readonly catalog: Catalog;
   readonly hand: Lane;
   readonly desk: Lane;
-  readonly #integration: Integration | null;
+  #integration: Integration | null = null;
+  /** False until the core has started. */
+  #hasCore = false;
 
   readonly state;
   readonly drive = signal<Drive | null>(null);
@@ -52,7 +54,7 @@ export class Explorer {
   readonly mapBest = signal<Best | null>(null);
   readonly others = signal<readonly (Drive | Refusal | null)[]>([]);
   /** True while an answer to the state is missing. */
-  readonly busy = signal(false);
+  readonly busy = signal(true);
   readonly trap = signal<string | null>(null);
   readonly progress = signal<(Progress & { what: string }) | null>(null);
   /** What a long command does, while it runs. */
@@ -67,6 +69,8 @@ export class Explorer {
   readonly design = computed(() => activeOf(this.state.value));
   // parts of the state that seldom change, so that what shows them is not drawn at each move
   readonly units = computed(() => this.state.value.units);
+  readonly goal = computed(() => this.state.value.goal);
+  readonly law = computed(() => lawOf(this.design.value, this.catalog));
   readonly isLaunch = computed(() => hasLaunch(this.design.value));
 
   #mapKey = '';
@@ -75,11 +79,10 @@ export class Explorer {
   /** Called after each change; `isFinal` when the hand lets go. */
   onChange: (state: State, isFinal: boolean) => void = () => {};
 
-  constructor(catalog: Catalog, hand: Lane, desk: Lane, integration: Integration | null, state: State) {
+  constructor(catalog: Catalog, hand: Lane, desk: Lane, state: State) {
     this.catalog = catalog;
     this.hand = hand;
     this.desk = desk;
-    this.#integration = integration;
     this.state = signal(state);
     for (const lane of [hand, desk]) {
       lane.onTrap = (message) => this.#trapped(message);
@@ -90,6 +93,13 @@ export class Explorer {
       const what = this.working.value;
       this.progress.value = progress && what ? { ...progress, what } : null;
     };
+  }
+
+  /** Begins to compute, when the core has started. */
+  begin(integration: Integration | null) {
+    this.#integration = integration;
+    this.#hasCore = true;
+    this.refresh();
   }
 
   // what the components do
@@ -134,7 +144,7 @@ export class Explorer {
   // what the fields show
 
   parameter(name: string): Parameter {
-    const found = this.catalog.parameter(name, lawOf(this.design.value, this.catalog));
+    const found = this.catalog.parameter(name, this.law.value);
     if (!found) throw new Error(`no parameter ${name}`);
     return found;
   }
@@ -151,10 +161,13 @@ export class Explorer {
     return travelOf(this.parameter(name), this.presetValue(name), this.value(name));
   }
 
+  unit(name: string): string {
+    return unitIn(this.units.value, this.parameter(name).shown_in);
+  }
+
   field(name: string) {
-    const parameter = this.parameter(name);
-    const unit = unitIn(this.state.value.units, parameter.shown_in);
-    return { parameter, unit, decimals: decimalsOf(this.travel(name), unit) };
+    const unit = this.unit(name);
+    return { parameter: this.parameter(name), unit, decimals: decimalsOf(this.travel(name), unit) };
   }
 
   /** A parameter of this value, as a sentence has it: "8.80°". */
@@ -188,6 +201,7 @@ export class Explorer {
   }
 
   refresh() {
+    if (!this.#hasCore) return;
     this.busy.value = true;
     void this.#fly();
     this.#rest.call(() => {
@@ -201,7 +215,7 @@ export class Explorer {
   #priced(): string[] {
     const design = this.design.value;
     const open = this.openGroup.value;
-    const more = this.catalog.of(lawOf(design, this.catalog))
+    const more = open === null ? [] : this.catalog.of(this.law.value)
       .map(({ parameter }) => parameter)
       .filter((name) => groupOf(name) === open);
     const isFree = (name: string) => {
@@ -215,16 +229,13 @@ export class Explorer {
     const { goal, units } = this.state.value;
     const setup = this.setup();
     const wrt = this.#priced();
-    const calls: Call[] = [{ door: 'drive', request: { setup, units, path: true, order: 0 } }];
-    for (let at = 0; at < wrt.length; at += PASS) {
-      const pass = wrt.slice(at, at + PASS);
-      calls.push({ door: 'drive', request: { setup, units, of: [goal], wrt: pass, order: 2 } });
-    }
+    const calls: Call[] = [
+      { door: 'drive', request: { setup, units, path: true, of: [goal], wrt, ...PRICES } }];
     const unset = this.#unsetCall();
     if (unset) calls.push(unset);
     const answer = await this.hand.calls('drive', calls);
     if (!answer) return;
-    const [first, ...more] = answer.numbers;
+    const [first] = answer.numbers;
     if (!first) return;
     this.#traps = 0;
     batch(() => {
@@ -237,7 +248,7 @@ export class Explorer {
       this.drive.value = drive;
       this.refusal.value = drive.status === 'landed' ? null
         : { message: drive.message ?? drive.status, parameters: [] };
-      const known = more.filter((numbers) => !isRefused(numbers));
+      const known = answer.numbers.filter((numbers) => !isRefused(numbers));
       this.slopes.value = new Map(known.flatMap((numbers) => [...readSlopes(numbers)]));
       this.noSlope.value = new Map(known.flatMap((numbers) => [...readMissing(numbers)]));
     });
@@ -259,7 +270,8 @@ export class Explorer {
       setup: { ...setup, set: { ...setup.set, ...stated } },
       of: [this.state.value.goal],
       wrt: names,
-      order: 2,
+      outcomes: false,
+      ...PRICES,
     };
     return { door: 'drive', request };
   }

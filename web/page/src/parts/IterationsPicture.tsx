@@ -8,8 +8,8 @@ import type { Explorer } from '../state/explorer';
 import type { MapAxes, MapData } from '../state/map';
 import { mapCall, mapKey, readMap } from '../state/map';
 import { mapOf } from '../state/state';
-import type { Step, Steps } from '../state/steps';
-import { modelAt } from '../state/steps';
+import type { Iteration, Iterations } from '../state/iterations';
+import { modelAt } from '../state/iterations';
 import { useAnswer } from './answered';
 import { ChartScales } from './ChartScales';
 import { usePage } from './context';
@@ -23,21 +23,21 @@ const NODES = 40;
 const CURVE = 121;
 
 interface Props {
-  steps: Steps;
+  iterations: Iterations;
   at: number;
   width: number;
   sentence: string;
 }
 
-export function StepsPicture(props: Props) {
+export function IterationsPicture(props: Props) {
   const { explorer } = usePage();
-  const { names } = props.steps;
-  const axes = axesOf(props.steps, explorer);
+  const { names } = props.iterations;
+  const axes = axesOf(props.iterations, explorer);
   const isCurve = names.length === 1;
   const design = explorer.design.value;
   const map = useAnswer(`${mapKey(design, axes)} ${JSON.stringify([names, design.set[axes.up]])}`, 0, async () => {
     const nodes = isCurve ? [CURVE, 2] as const : [NODES, NODES] as const;
-    const first = (await explorer.desk.calls('steps map', [mapCall(axes, explorer.setup(), nodes)]))?.numbers[0];
+    const first = (await explorer.desk.calls('iterations map', [mapCall(axes, explorer.setup(), nodes)]))?.numbers[0];
     if (!first) return undefined;
     return isRefused(first) ? null : readMap(first, axes);
   });
@@ -47,7 +47,7 @@ export function StepsPicture(props: Props) {
 }
 
 /** The parameters of the picture: those that vary, or those of the map. */
-function axesOf({ names, ranges }: Steps, explorer: Explorer): MapAxes {
+function axesOf({ names, ranges }: Iterations, explorer: Explorer): MapAxes {
   const { goal } = explorer.state.value;
   const ofMap = mapOf(explorer.state.value);
   if (names.length === 1) {
@@ -62,41 +62,44 @@ function axesOf({ names, ranges }: Steps, explorer: Explorer): MapAxes {
 }
 
 /** A value of each iterate on an axis: your own one, if the parameter does not vary. */
-function coordinate(x: ArrayLike<number>, { names }: Steps, name: string, explorer: Explorer): number {
+function coordinate(x: ArrayLike<number>, { names }: Iterations, name: string, explorer: Explorer): number {
   const varied = names.indexOf(name);
   return varied < 0 ? explorer.value(name) ?? NaN : x[varied] ?? NaN;
 }
 
 /** The ends of the trust region on an axis. */
-function region(step: Step, { names }: Steps, name: string, { low, high }: Travel): [number, number] {
+function region(iteration: Iteration, { names }: Iterations, name: string, { low, high }: Travel): [number, number] {
   const varied = names.indexOf(name);
-  return varied < 0 ? [low, high] : [step.low[varied] ?? low, step.high[varied] ?? high];
+  return varied < 0 ? [low, high] : [iteration.low[varied] ?? low, iteration.high[varied] ?? high];
 }
 
-function PlanePicture({ steps, at, width, sentence, map }: Props & { map: MapData }) {
+function PlanePicture({ iterations, at, width, sentence, map }: Props & { map: MapData }) {
   const { explorer } = usePage();
   const units = explorer.units.value;
   const plan = planOf(map, width);
-  const step = steps.list[at]!;
-  const model = useMemo(() => modelLines(step, steps, map, planOf(map, width), levelsOf(map, units)), [step, map, width, units]);
+  const iteration = iterations.list[at]!;
+  const model = useMemo(
+    () => modelLines(iteration, iterations, map, planOf(map, width), levelsOf(map, units)),
+    [iteration, map, width, units],
+  );
   const pixel = (x: ArrayLike<number>) => [
-    plan.x(coordinate(x, steps, map.across, explorer)),
-    plan.y(coordinate(x, steps, map.up, explorer)),
+    plan.x(coordinate(x, iterations, map.across, explorer)),
+    plan.y(coordinate(x, iterations, map.up, explorer)),
   ] as const;
-  const [left, right] = region(step, steps, map.across, map.ranges[0]).map(plan.x) as [number, number];
-  const [bottom, top] = region(step, steps, map.up, map.ranges[1]).map(plan.y) as [number, number];
-  const way = steps.list.slice(0, at + 1).filter(({ search }) => search === step.search).map(({ x }) => pixel(x));
-  const here = pixel(step.x);
-  const to = step.trial && pixel(step.trial.x);
+  const [left, right] = region(iteration, iterations, map.across, map.ranges[0]).map(plan.x) as [number, number];
+  const [bottom, top] = region(iteration, iterations, map.up, map.ranges[1]).map(plan.y) as [number, number];
+  const way = iterations.list.slice(0, at + 1).filter(({ search }) => search === iteration.search).map(({ x }) => pixel(x));
+  const here = pixel(iteration.x);
+  const to = iteration.trial && pixel(iteration.trial.x);
   return (
     <svg width={width} height={HEIGHT} role="img" aria-label={`Optimizer. ${sentence}`}>
       <Areas map={map} width={width} />
       <path class="model" d={model} />
       <rect class="region" x={left} y={top} width={right - left} height={bottom - top} />
-      <ActiveBounds step={step} steps={steps} map={map} plan={plan} />
+      <ActiveBounds iteration={iteration} iterations={iterations} map={map} plan={plan} />
       <polyline class="way" points={line(way)} />
       {way.slice(0, -1).map(([x, y], k) => <circle class="before" key={k} cx={x} cy={y} r={3} />)}
-      {to && <TrialMark from={here} to={to} isAccepted={step.trial!.isAccepted} />}
+      {to && <TrialMark from={here} to={to} isAccepted={iteration.trial!.isAccepted} />}
       <circle class="on-map" cx={here[0]} cy={here[1]} r={6} />
       <MapScales map={map} plan={plan} />
       <Legend width={width} />
@@ -105,25 +108,32 @@ function PlanePicture({ steps, at, width, sentence, map }: Props & { map: MapDat
 }
 
 /** Contours of the quadratic model; parameters that are not on an axis are those of the iterate. */
-function modelLines(step: Step, { names }: Steps, map: MapData, plan: Plan, levels: number[]): string {
+function modelLines(iteration: Iteration, { names }: Iterations, map: MapData, plan: Plan, levels: number[]): string {
   const [across, up] = [map.across, map.up].map((name) => names.indexOf(name)) as [number, number];
   const values = Array.from({ length: NODES * NODES }, (_, node) => {
     const part = [node % NODES, Math.floor(node / NODES)].map((k) => k / (NODES - 1)) as [number, number];
-    const x = step.x.slice();
+    const x = iteration.x.slice();
     [across, up].forEach((varied, axis) => {
       const { low, high } = map.ranges[axis as 0 | 1];
       if (varied >= 0) x[varied] = low + part[axis as 0 | 1] * (high - low);
     });
-    return modelAt(step, x);
+    return modelAt(iteration, x);
   });
   return linesOf({ columns: NODES, rows: NODES, values }, levels, map, plan);
 }
 
+interface BoundsProps {
+  iteration: Iteration;
+  iterations: Iterations;
+  map: MapData;
+  plan: Plan;
+}
+
 /** A bar at each bound that holds the iterate. */
-function ActiveBounds({ step, steps, map, plan }: { step: Step; steps: Steps; map: MapData; plan: Plan }) {
+function ActiveBounds({ iteration, iterations, map, plan }: BoundsProps) {
   const [left, right] = [map.ranges[0].low, map.ranges[0].high].map(plan.x) as [number, number];
   const [bottom, top] = [map.ranges[1].low, map.ranges[1].high].map(plan.y) as [number, number];
-  const side = (name: string) => step.bounds[steps.names.indexOf(name)] ?? 0;
+  const side = (name: string) => iteration.bounds[iterations.names.indexOf(name)] ?? 0;
   const [across, up] = [side(map.across), side(map.up)];
   const x = across < 0 ? left : right;
   const y = up < 0 ? bottom : top;
@@ -163,10 +173,10 @@ const tickText = (tick: number) => digits(tick, Number.isInteger(tick) ? 0 : 1);
 /** Room above the curve and below it, as a part of its height. */
 const ROOM = 0.15;
 
-function CurvePicture({ steps, at, width, sentence, map }: Props & { map: MapData }) {
+function CurvePicture({ iterations, at, width, sentence, map }: Props & { map: MapData }) {
   const { explorer } = usePage();
   const units = explorer.units.value;
-  const [step, name] = [steps.list[at]!, steps.names[0]!];
+  const [iteration, name] = [iterations.list[at]!, iterations.names[0]!];
   const { unit } = explorer.field(name);
   const { low, high } = map.ranges[0];
   const values = map.values.subarray(0, map.columns);
@@ -178,13 +188,13 @@ function CurvePicture({ steps, at, width, sentence, map }: Props & { map: MapDat
   const y = (value: number) => TOP + ((top - value) / (top - bottom)) * (HEIGHT - TOP - MARGIN.bottom);
   const places = Array.from({ length: map.columns }, (_, k) => low + ((high - low) * k) / (map.columns - 1));
   const exact = places.flatMap((place, k) => (Number.isFinite(values[k]) ? [[x(place), y(values[k]!)] as const] : []));
-  const model = places.map((place) => [place, modelAt(step, [place])] as const)
+  const model = places.map((place) => [place, modelAt(iteration, [place])] as const)
     .filter(([, value]) => value >= bottom && value <= top)
     .map(([place, value]) => [x(place), y(value)] as const);
-  const [left, right] = [x(step.low[0]!), x(step.high[0]!)];
-  const bound = step.bounds[0] ?? 0;
+  const [left, right] = [x(iteration.low[0]!), x(iteration.high[0]!)];
+  const bound = iteration.bounds[0] ?? 0;
   const end = x(bound < 0 ? low : high);
-  const { trial } = step;
+  const { trial } = iteration;
   const length = lengthUnit(units);
   const symbol = symbolOf(unit);
   return (
@@ -198,14 +208,14 @@ function CurvePicture({ steps, at, width, sentence, map }: Props & { map: MapDat
       <polyline class="yours" points={line(exact)} />
       <polyline class="model" points={line(model)} />
       {bound !== 0 && <line class="bound" x1={end} x2={end} y1={TOP} y2={HEIGHT - MARGIN.bottom} />}
-      {steps.list.slice(0, at).filter(({ search }) => search === step.search).map((before) => (
-        <circle class="before" key={before.iteration} cx={x(before.x[0]!)} cy={y(before.value)} r={3} />
+      {iterations.list.slice(0, at).filter(({ search }) => search === iteration.search).map((before) => (
+        <circle class="before" key={before.number} cx={x(before.x[0]!)} cy={y(before.value)} r={3} />
       ))}
       {trial && (
-        <TrialMark from={[x(step.x[0]!), y(step.value)]} isAccepted={trial.isAccepted}
-          to={[x(trial.x[0]!), y(Math.min(top, Math.max(bottom, step.value + trial.predicted)))]} />
+        <TrialMark from={[x(iteration.x[0]!), y(iteration.value)]} isAccepted={trial.isAccepted}
+          to={[x(trial.x[0]!), y(Math.min(top, Math.max(bottom, iteration.value + trial.predicted)))]} />
       )}
-      <circle class="on-map" cx={x(step.x[0]!)} cy={y(step.value)} r={6} />
+      <circle class="on-map" cx={x(iteration.x[0]!)} cy={y(iteration.value)} r={6} />
       <Legend width={width} />
     </svg>
   );

@@ -30,7 +30,7 @@ struct Head<'a> {
     message: String,
     of: &'a str,
     parameters: Vec<&'static str>,
-    steps: usize,
+    iterations: usize,
 }
 
 /// The iterations of one search, in order.
@@ -53,14 +53,14 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
     let mut numbers = vec![];
     for (number, iterations) in found.iterations.iter().enumerate() {
         for (at, iteration) in iterations.iter().enumerate() {
-            let step = Step {
+            let iterate = Iterate {
                 search: number,
                 iteration,
                 next: iterations.get(at + 1),
                 vary: &search.vary,
                 sign,
             };
-            step.append(&mut numbers);
+            iterate.append(&mut numbers);
         }
     }
     let head = Head {
@@ -68,7 +68,7 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         message: checked.text(&found.optimum.message()),
         of: &request.of,
         parameters: search.vary.iter().map(|vary| vary.parameter.name).collect(),
-        steps: found.iterations.iter().map(Vec::len).sum(),
+        iterations: found.iterations.iter().map(Vec::len).sum(),
     };
     Ok(message::with_numbers(&head, &numbers))
 }
@@ -110,7 +110,7 @@ fn observed(setup: &Setup<f64>, search: &Search) -> Result<(Optimum, Iterations)
 }
 
 /// An iterate with its model and the step from it.
-struct Step<'a> {
+struct Iterate<'a> {
     /// Number of its search.
     search: usize,
     iteration: &'a Iteration,
@@ -120,8 +120,8 @@ struct Step<'a> {
     sign: f64,
 }
 
-impl Step<'_> {
-    /// Appends the numbers of this step, in the order of the README.
+impl Iterate<'_> {
+    /// Appends the numbers of this iterate, in the order of the README.
     fn append(&self, numbers: &mut Vec<f64>) {
         let Iteration {
             number,

@@ -3,8 +3,8 @@ import { useState } from 'preact/hooks';
 import { labelOf } from '../setup/parameters';
 import { signed, withUnit } from '../setup/units';
 import type { Explorer } from '../state/explorer';
-import type { Step, Steps } from '../state/steps';
-import { readSteps, stepsCall } from '../state/steps';
+import type { Iteration, Iterations } from '../state/iterations';
+import { readIterations, iterationsCall } from '../state/iterations';
 import { isRefused, refusalOf } from '../drive/drive';
 import { varyOf } from '../state/state';
 import { useAnswer } from './answered';
@@ -12,11 +12,11 @@ import { usePage } from './context';
 import { Figure } from './Figure';
 import { inLength, length, lengthUnit } from './lengths';
 import { useWidth } from './size';
-import { StepsPicture } from './StepsPicture';
+import { IterationsPicture } from './IterationsPicture';
 
 const BOUND: Readonly<Record<number, string>> = { [-1]: 'lower bound', 1: 'upper bound' };
 
-export function StepsView() {
+export function IterationsView() {
   const [isOpen, setOpen] = useState(false);
   return (
     <details class="lecture optimizer" onToggle={(event) => setOpen(event.currentTarget.open)}>
@@ -26,14 +26,14 @@ export function StepsView() {
   );
 }
 
-async function search(explorer: Explorer): Promise<Steps | { refused: string } | undefined> {
+async function search(explorer: Explorer): Promise<Iterations | { refused: string } | undefined> {
   const { goal, units } = explorer.state.value;
   const names = varyOf(explorer.state.value);
   const ranges = names.map((name) => explorer.travel(name));
-  const call = stepsCall(explorer.setup(), goal, units, names, ranges);
-  const first = (await explorer.desk.calls('steps', [call]))?.numbers[0];
+  const call = iterationsCall(explorer.setup(), goal, units, names, ranges);
+  const first = (await explorer.desk.calls('iterations', [call]))?.numbers[0];
   if (!first) return undefined;
-  return isRefused(first) ? { refused: refusalOf(first).message } : readSteps(first, ranges);
+  return isRefused(first) ? { refused: refusalOf(first).message } : readIterations(first, ranges);
 }
 
 function Lecture() {
@@ -42,17 +42,17 @@ function Lecture() {
   const key = JSON.stringify([explorer.design.value, goal, units, varyOf(explorer.state.value)]);
   const found = useAnswer(key, 150, () => search(explorer));
   if (!found) return <p>The optimizer has no steps yet.</p>;
-  return 'refused' in found ? <p class="message">{found.refused}</p> : <Stepper steps={found} />;
+  return 'refused' in found ? <p class="message">{found.refused}</p> : <Stepper iterations={found} />;
 }
 
-function Stepper({ steps }: { steps: Steps }) {
+function Stepper({ iterations }: { iterations: Iterations }) {
   const { explorer } = usePage();
   const { ref, width } = useWidth();
   const [wanted, setWanted] = useState(0);
-  const last = steps.list.length - 1;
+  const last = iterations.list.length - 1;
   const at = Math.min(wanted, last);
-  const step = steps.list[at];
-  if (!step) return <p>{steps.message}</p>;
+  const iteration = iterations.list[at];
+  if (!iteration) return <p>{iterations.message}</p>;
   const go = (to: number) => setWanted(Math.min(last, Math.max(0, to)));
   const press = (event: KeyboardEvent) => {
     // the slider moves by its own arrow keys
@@ -62,11 +62,11 @@ function Stepper({ steps }: { steps: Steps }) {
     else return;
     event.preventDefault();
   };
-  const sentence = sentenceOf(step, steps, explorer, at === last);
+  const sentence = sentenceOf(iteration, iterations, explorer, at === last);
   const place = `step ${at + 1} of ${last + 1}`;
   return (
-    <Figure name="steps" title="Optimizer" sentence={sentence} isLive isOpen place={ref}
-      table={() => tableOf(steps, explorer)} at={at}
+    <Figure name="iterations" title="Optimizer" sentence={sentence} isLive isOpen place={ref}
+      table={() => tableOf(iterations, explorer)} at={at}
       below={(
         <div class="stepper" role="group" aria-label="steps of the optimizer" onKeyDown={press}>
           <button type="button" aria-disabled={at === 0} onClick={() => go(at - 1)}>◂ previous</button>
@@ -76,13 +76,13 @@ function Stepper({ steps }: { steps: Steps }) {
           <span>{place}</span>
         </div>
       )}>
-      <StepsPicture steps={steps} at={at} width={width} sentence={sentence} />
+      <IterationsPicture iterations={iterations} at={at} width={width} sentence={sentence} />
     </Figure>
   );
 }
 
 /** Values of the varied parameters: "loft 9.20°, attack angle 10.00° (at its upper bound)". */
-function placeOf(x: ArrayLike<number>, { names }: Steps, explorer: Explorer, bounds?: ArrayLike<number>): string {
+function placeOf(x: ArrayLike<number>, { names }: Iterations, explorer: Explorer, bounds?: ArrayLike<number>): string {
   return names.map((name, k) => {
     const value = withUnit(explorer.shown(name, x[k] ?? NaN), explorer.field(name).unit);
     const bound = BOUND[bounds?.[k] ?? 0];
@@ -95,45 +95,45 @@ const gainOf = (metres: number, explorer: Explorer) => {
   return `${signed(inLength(metres, units), 3)} ${lengthUnit(units)}`;
 };
 
-function sentenceOf(step: Step, steps: Steps, explorer: Explorer, isLast: boolean): string {
+function sentenceOf(iteration: Iteration, iterations: Iterations, explorer: Explorer, isLast: boolean): string {
   const { goal, units } = explorer.state.value;
-  const begins = step.iteration === 0
-    ? (step.search === 0 ? 'The search begins at your drive. ' : 'A sample of the ranges has a better drive, from which another search begins. ')
+  const begins = iteration.number === 0
+    ? (iteration.search === 0 ? 'The search begins at your drive. ' : 'A sample of the ranges has a better drive, from which another search begins. ')
     : '';
-  const here = `${begins}Iteration ${step.iteration}: ${goal} ${length(step.value, units)} at ${placeOf(step.x, steps, explorer, step.bounds)}, `
-    + `KKT residual ${step.residual.toExponential(1)}.`;
-  const { trial } = step;
-  if (!trial) return `${here} ${isLast ? `The search ends: ${steps.message}.` : 'This search ends here.'}`;
+  const here = `${begins}Iteration ${iteration.number}: ${goal} ${length(iteration.value, units)} at ${placeOf(iteration.x, iterations, explorer, iteration.bounds)}, `
+    + `KKT residual ${iteration.residual.toExponential(1)}.`;
+  const { trial } = iteration;
+  if (!trial) return `${here} ${isLast ? `The search ends: ${iterations.message}.` : 'This search ends here.'}`;
   const model = trial.isReflected ? 'The model has no maximum, so its curvature is reflected; it' : 'The quadratic model';
   const drive = Number.isFinite(trial.actual)
     ? `the drive there brings ${gainOf(trial.actual, explorer)}` : 'there is no drive';
-  return `${here} ${model} predicts ${gainOf(trial.predicted, explorer)} for ${placeOf(trial.x, steps, explorer)}; `
+  return `${here} ${model} predicts ${gainOf(trial.predicted, explorer)} for ${placeOf(trial.x, iterations, explorer)}; `
     + `${drive}: the step is ${trial.isAccepted ? 'accepted' : 'not accepted'}.`;
 }
 
-function tableOf(steps: Steps, explorer: Explorer) {
+function tableOf(iterations: Iterations, explorer: Explorer) {
   const { goal, units } = explorer.state.value;
   const unit = lengthUnit(units);
   const value = (name: string, x: number | undefined) => explorer.shown(name, x ?? NaN, 2);
-  const parameters = steps.names.map((name) => {
+  const parameters = iterations.names.map((name) => {
     const symbol = withUnit('', explorer.field(name).unit).trim();
     return `${labelOf(name)}${symbol ? ` [${symbol}]` : ''}`;
   });
   const gain = (metres = NaN) => (Number.isFinite(metres) ? inLength(metres, units).toExponential(3) : '–');
-  const hasTwo = steps.list.some(({ search: number }) => number > 0);
+  const hasTwo = iterations.list.some(({ search: number }) => number > 0);
   return {
     head: ['iteration', ...parameters, `${goal} [${unit}]`, 'at bounds', 'KKT residual',
       `trust region of ${parameters[0]}`, `predicted [${unit}]`, `actual [${unit}]`, 'step'],
-    rows: steps.list.map((step) => {
-      const { trial } = step;
-      const bounds = steps.names.filter((_, k) => step.bounds[k] !== 0).map(labelOf).join(', ');
+    rows: iterations.list.map((iteration) => {
+      const { trial } = iteration;
+      const bounds = iterations.names.filter((_, k) => iteration.bounds[k] !== 0).map(labelOf).join(', ');
       return [
-        `${hasTwo ? `${step.search + 1}: ` : ''}${step.iteration}`,
-        ...steps.names.map((name, k) => value(name, step.x[k])),
-        inLength(step.value, units).toFixed(4),
+        `${hasTwo ? `${iteration.search + 1}: ` : ''}${iteration.number}`,
+        ...iterations.names.map((name, k) => value(name, iteration.x[k])),
+        inLength(iteration.value, units).toFixed(4),
         bounds || 'none',
-        step.residual.toExponential(1),
-        `${value(steps.names[0]!, step.low[0])} to ${value(steps.names[0]!, step.high[0])}`,
+        iteration.residual.toExponential(1),
+        `${value(iterations.names[0]!, iteration.low[0])} to ${value(iterations.names[0]!, iteration.high[0])}`,
         gain(trial?.predicted),
         gain(trial?.actual),
         trial ? (trial.isAccepted ? 'accepted' : 'not accepted') : 'end',

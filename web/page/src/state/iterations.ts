@@ -3,10 +3,11 @@ import type { Call, Numbers } from '../core/messages';
 import type { Travel } from '../setup/travel';
 
 /** One iterate, SI. Arrays have a number for each parameter that is varied. */
-export interface Step {
+export interface Iteration {
   /** 0 from your drive, 1 from a better drive of a sample. */
   search: number;
-  iteration: number;
+  /** The iterations of its search before it. */
+  number: number;
   value: number;
   /** Relative KKT residual. */
   residual: number;
@@ -33,30 +34,30 @@ export interface Trial {
   isReflected: boolean;
 }
 
-export interface Steps {
+export interface Iterations {
   names: readonly string[];
   ranges: readonly Travel[];
   /** How the search ended. */
   message: string;
-  list: readonly Step[];
+  list: readonly Iteration[];
 }
 
-export function stepsCall(
+export function iterationsCall(
   setup: unknown, of: string, units: string, names: readonly string[], ranges: readonly Travel[],
 ): Call {
   const vary = names.map((name, k) => ({ name, low: ranges[k]!.low, high: ranges[k]!.high }));
-  return { door: 'steps', request: { setup, units, of, vary } };
+  return { door: 'iterations', request: { setup, units, of, vary } };
 }
 
-export function readSteps({ head, block }: Numbers, ranges: readonly Travel[]): Steps {
+export function readIterations({ head, block }: Numbers, ranges: readonly Travel[]): Iterations {
   const names = head.parameters ?? [];
   const n = names.length;
   let at = 0;
-  const number = () => block[at++] ?? NaN;
+  const next = () => block[at++] ?? NaN;
   const numbers = (count: number) => block.subarray(at, at += count);
-  const list = Array.from({ length: Number(head.steps) }, (): Step => {
-    const [search, iteration, value, residual] = [number(), number(), number(), number()];
-    const [accepted, predicted, actual, reflected] = [number(), number(), number(), number()];
+  const list = Array.from({ length: Number(head.iterations) }, (): Iteration => {
+    const [search, number, value, residual] = [next(), next(), next(), next()];
+    const [accepted, predicted, actual, reflected] = [next(), next(), next(), next()];
     const x = numbers(n);
     const bounds = numbers(n);
     const gradient = numbers(n);
@@ -64,7 +65,7 @@ export function readSteps({ head, block }: Numbers, ranges: readonly Travel[]): 
     const [low, high, trial] = [numbers(n), numbers(n), numbers(n)];
     return {
       search,
-      iteration,
+      number,
       value,
       residual,
       trial: Number.isNaN(accepted) ? null
@@ -80,8 +81,8 @@ export function readSteps({ head, block }: Numbers, ranges: readonly Travel[]): 
   return { names, ranges, message: head.message ?? '', list };
 }
 
-/** The quadratic model of a step at another point. */
-export function modelAt({ value, x, gradient, hessian }: Step, at: ArrayLike<number>): number {
+/** The quadratic model of an iteration at another point. */
+export function modelAt({ value, x, gradient, hessian }: Iteration, at: ArrayLike<number>): number {
   const n = x.length;
   let sum = value;
   for (let i = 0; i < n; i += 1) {
