@@ -57,6 +57,39 @@ fn same_json_lines_after_reading_and_writing() {
 }
 
 #[test]
+fn same_fit_of_a_table_and_of_the_lines_that_fly_made_of_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = written(
+        folder.path(),
+        "shots.csv",
+        "Ball Speed [mph],Launch Angle [deg],Back Spin [rpm],Side Spin [rpm],Launch Direction [deg],\
+         Carry [yd],apex_downrange [yd],apex_time [s],Total [yd]\n\
+         165,11,2500,0,0,275,170,3.2,300\n\
+         166,11.5,2400,0,0,277,172,3.3,302\n",
+    );
+    let made = folder.path().join("shots.jsonl").display().to_string();
+    assert_eq!(longdrive(&["fly", &table, "-o", &made]).status, 0);
+    let fit = |data: &str| json(&["calibrate", data, "--fit", "aero.cd0"]).1;
+    let [of_table, of_lines] = [&table, &made].map(|data| fit(data));
+    let outcomes = |answer: &Value| -> Vec<String> {
+        let residuals = answer["residuals"].as_array().unwrap();
+        let names = residuals.iter().map(|row| row["of"].to_string());
+        let mut names: Vec<String> = names.collect();
+        names.sort();
+        names
+    };
+    assert_eq!(outcomes(&of_table).len(), 6, "{of_table}");
+    assert_eq!(outcomes(&of_table), outcomes(&of_lines));
+    let value = |answer: &Value| number(&answer["estimates"]["aero.cd0"]["value"]);
+    assert!((value(&of_table) - value(&of_lines)).abs() < 1e-9);
+    let remarks = of_lines["data"]["remarks"].to_string();
+    assert!(
+        remarks.contains("the ground is not known: total"),
+        "{of_lines}"
+    );
+}
+
+#[test]
 fn same_flights_of_json_lines_with_their_own_parameters() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();

@@ -17,6 +17,9 @@ use crate::units::{Digits, Message, Quantity};
 /// Upper limit of any outcome in its SI unit.
 const MOST: f64 = 1e9;
 
+/// Why the rest position is left out.
+const NO_GROUND: &str = "the rest position is not compared, since the ground is not known";
+
 /// The columns of one section of a table, with the setup and the options for reading them.
 #[derive(Clone)]
 pub(super) struct Reading {
@@ -122,23 +125,6 @@ impl<'a> Values<'a> {
         }
     }
 }
-
-/// Outcomes that a message may contain, with their column heads.
-const OF_MESSAGES: [(Outcome, &str); 13] = [
-    (Outcome::BallSpeed, "Ball Speed"),
-    (Outcome::LaunchAngle, "Launch Angle"),
-    (Outcome::LaunchDirection, "Launch Direction"),
-    (Outcome::Spin, "Total Spin"),
-    (Outcome::SpinAxis, "Spin Axis"),
-    (Outcome::Backspin, "Back Spin"),
-    (Outcome::Sidespin, "Side Spin"),
-    (Outcome::CarryDistance, "Carry"),
-    (Outcome::Lateral, "Side"),
-    (Outcome::ApexHeight, "Apex"),
-    (Outcome::FlightTime, "Hang Time"),
-    (Outcome::DescentAngle, "Landing Angle"),
-    (Outcome::LandingSpeed, "Landing Speed"),
-];
 
 /// Error in a row.
 pub(super) struct RowError {
@@ -258,14 +244,20 @@ impl Reading {
         further: &[&'static Parameter],
         club: ClubColumns,
     ) -> Self {
-        let is_stated = |of: Outcome| {
+        let is_stated = |of: &&Outcome| {
             shots
                 .iter()
-                .any(|shot| shot.refusal().is_none() && shot.value(of).is_some())
+                .any(|shot| shot.refusal().is_none() && shot.value(**of).is_some())
         };
-        let outcomes = OF_MESSAGES.into_iter().filter(|(of, _)| is_stated(*of));
+        let (at_rest, outcomes): (Vec<Outcome>, Vec<Outcome>) = Outcome::ALL
+            .iter()
+            .filter(is_stated)
+            .partition(|of| of.needs_run());
+        let at_rest: Vec<&str> = at_rest.iter().map(|of| of.name()).collect();
+        let remark = (!at_rest.is_empty()).then(|| format!("{NO_GROUND}: {}", at_rest.join(", ")));
         let mut columns: Vec<Column> = outcomes
-            .map(|(of, head)| Column::of(Content::Outcome(of), head))
+            .into_iter()
+            .map(|of| Column::of(Content::Outcome(of), of.name()))
             .collect();
         if club == ClubColumns::Read {
             let of_club = ClubOfShot::NAMES
@@ -296,7 +288,7 @@ impl Reading {
             club,
             club_name: None,
             columns,
-            remarks: vec![],
+            remarks: remark.into_iter().map(Message::from).collect(),
         }
     }
 
@@ -748,9 +740,7 @@ fn inputs(columns: &[Column]) -> Vec<&'static str> {
 fn without_totals(head: &mut Head) -> Option<Message> {
     let is_total =
         |column: &Column| matches!(column.content, Content::Outcome(of) if of.needs_run());
-    let remark = head
-        .named(is_total)
-        .remark("the rest position is not compared, since the ground is not known");
+    let remark = head.named(is_total).remark(NO_GROUND);
     for column in head.columns.iter_mut().filter(|column| is_total(column)) {
         column.content = Content::Note;
     }
