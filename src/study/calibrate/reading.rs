@@ -17,7 +17,7 @@ use crate::units::{Digits, Message, Quantity};
 /// Upper limit of any outcome in its SI unit.
 const MOST: f64 = 1e9;
 
-/// Why the rest position is left out.
+/// Remark on a measured rest position.
 const NO_GROUND: &str = "the rest position is not compared, since the ground is not known";
 
 /// The columns of one section of a table, with the setup and the options for reading them.
