@@ -36,12 +36,18 @@ async function bundle(entry, plugins = []) {
   return { script, style: String(style) };
 }
 
-/** Parameters, choices and presets, as the core lists them. */
-async function listed(wasm) {
+/** Parameters, choices and presets, as the core lists them; with the integration of each preset. */
+async function listed(wasm, stepRequest) {
   const core = await Core.start(await WebAssembly.compile(wasm), new WASI([], [], [], { debug: false }));
   const answer = command => JSON.parse(core.ask({ words: [command, '--json'] }).head.answer);
   const { parameters, choices } = answer('parameters');
-  return { parameters, choices, presets: answer('presets').presets };
+  const integrationOf = preset => {
+    if (preset.states_step) return null;
+    const { status, method, step } = core.step(stepRequest(parameters, preset.name));
+    return status === 'done' ? { method, step } : null;
+  };
+  const presets = answer('presets').presets.map(preset => ({ ...preset, integration: integrationOf(preset) }));
+  return { parameters, choices, presets };
 }
 
 const hash = text => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
@@ -86,9 +92,11 @@ const made = modules => ({
 
 const wasm = readFileSync(core);
 const worker = await bundle('src/core/worker.ts');
+const integration = await bundle('src/setup/integration.ts');
+const { stepRequest } = new Function(`${integration.script}; return longdrive;`)();
 const { script, style } = await bundle('src/main.tsx', [made({
   'virtual:worker': JSON.stringify(worker.script),
-  'virtual:catalog': JSON.stringify(await listed(wasm)),
+  'virtual:catalog': JSON.stringify(await listed(wasm, stepRequest)),
 })]);
 if (/[^\0-\x7f]/.test(script + style)) throw new Error('the script or the style is not ASCII');
 // an end of a script within a script

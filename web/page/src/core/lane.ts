@@ -2,6 +2,7 @@
 // waits. A newer piece replaces the one that waits; the answer to a replaced piece is null. The
 // thread begins at once; work waits for the core.
 import workerCode from 'virtual:worker';
+import type { Packed } from './load';
 import type { Call, Command, FromWorker, Numbers, Reply, ToWorker } from './messages';
 
 interface Job {
@@ -22,13 +23,16 @@ export interface Progress {
 const MOST_TRAPS = 5;
 
 export class Lane {
-  #module: WebAssembly.Module | null = null;
+  #core: Packed | WebAssembly.Module | null = null;
+  #hasStarted = false;
   #worker = this.#begin();
   #waiting: Job[] = [];
   #current: { job: Job; number: number } | null = null;
   #number = 0;
   /** Traps since the worker last answered. */
   #traps = 0;
+  /** Settles the promise of `start`. */
+  #onStart = { started: (_: WebAssembly.Module) => {}, failed: (_: Error) => {} };
   /** Receives the message of a trap, after which the worker begins anew. */
   onTrap: (message: string) => void = () => {};
   /** Called when nothing is under way and nothing waits. */
@@ -36,11 +40,13 @@ export class Lane {
   /** Receives the progress of long work; null when it ends. */
   onProgress: (progress: Progress | null) => void = () => {};
 
-  /** Gives the worker the core. */
-  start(module: WebAssembly.Module) {
-    this.#module = module;
-    this.#post(this.#worker, { kind: 'start', module });
-    this.#next();
+  /** Gives the worker the core. The promise is of the compiled core; rejected if no worker can start it. */
+  start(core: Packed | WebAssembly.Module): Promise<WebAssembly.Module> {
+    this.#core = core;
+    this.#post(this.#worker, { kind: 'start', core });
+    return new Promise((started, failed) => {
+      this.#onStart = { started, failed };
+    });
   }
 
   /** Numbers of the core, or null if a newer call of the topic came first. */
@@ -75,7 +81,7 @@ export class Lane {
       event.preventDefault();
       if (worker === this.#worker) this.#trap(event.message || 'the worker cannot start');
     });
-    if (this.#module) this.#post(worker, { kind: 'start', module: this.#module });
+    if (this.#core) this.#post(worker, { kind: 'start', core: this.#core });
     return worker;
   }
 
@@ -98,7 +104,7 @@ export class Lane {
   }
 
   #next() {
-    if (this.#current || !this.#module) return;
+    if (this.#current || !this.#hasStarted) return;
     const job = this.#waiting.shift();
     if (!job) {
       this.onIdle();
@@ -110,7 +116,13 @@ export class Lane {
   }
 
   #receive(message: FromWorker) {
-    if (message.kind === 'started') return;
+    if (message.kind === 'started') {
+      this.#core = message.module;
+      this.#hasStarted = true;
+      this.#onStart.started(message.module);
+      this.#next();
+      return;
+    }
     if (message.kind === 'progress') {
       this.onProgress({ done: message.done, of: message.of });
       return;
@@ -138,6 +150,7 @@ export class Lane {
       return;
     }
     this.#worker.terminate();
+    this.#onStart.failed(new Error(message));
     for (const job of [this.#current?.job, ...this.#waiting]) job?.settle(null);
     this.#current = null;
     this.#waiting = [];
@@ -146,6 +159,7 @@ export class Lane {
 
   #restart() {
     this.#worker.terminate();
+    this.#hasStarted = false;
     const current = this.#current;
     this.#current = null;
     this.#worker = this.#begin();

@@ -1,8 +1,9 @@
 // Messages between the page and its workers.
+import type { Packed } from './load';
 
 /** A function of the core that answers with numbers, and its request. */
 export interface Call {
-  door: 'drive' | 'map' | 'aim' | 'loop' | 'step' | 'iterations';
+  door: 'drive' | 'map' | 'aim' | 'loop' | 'iterations';
   request: Record<string, unknown>;
 }
 
@@ -12,9 +13,9 @@ export interface Command {
   files: Record<string, Uint8Array>;
 }
 
-/** To a worker: the compiled core first, then numbered work. */
+/** To a worker: the core first, packed or compiled, then numbered work. */
 export type ToWorker =
-  | { kind: 'start'; module: WebAssembly.Module }
+  | { kind: 'start'; core: Packed | WebAssembly.Module }
   | { kind: 'calls'; number: number; calls: Call[] }
   | { kind: 'command'; number: number; command: Command };
 
@@ -42,7 +43,7 @@ export interface Reply {
 
 /** From a worker. */
 export type FromWorker =
-  | { kind: 'started' }
+  | { kind: 'started'; module: WebAssembly.Module }
   | { kind: 'numbers'; number: number; numbers: Numbers[]; milliseconds: number }
   | { kind: 'reply'; number: number; reply: Reply }
   | { kind: 'progress'; done: number; of: number }

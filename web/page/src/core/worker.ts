@@ -1,6 +1,8 @@
 // One instance of the core in a worker.
 import { ConsoleStdout, File, OpenFile, WASI } from '@bjorn3/browser_wasi_shim';
 import { Core } from '../../../core/core.mjs';
+import { compile } from './compile';
+import type { Packed } from './load';
 import type { Command, FromWorker, Reply, ToWorker } from './messages';
 
 const say = (message: FromWorker) => postMessage(message);
@@ -9,7 +11,8 @@ let core: Core | null = null;
 /** The last lines of the core's standard error: the message of a trap. */
 let lastLines: string[] = [];
 
-async function start(module: WebAssembly.Module) {
+async function start(given: Packed | WebAssembly.Module) {
+  const module = given instanceof WebAssembly.Module ? given : await compile(given);
   const keep = (line: string) => {
     lastLines = [...lastLines.slice(-4), line];
   };
@@ -20,7 +23,7 @@ async function start(module: WebAssembly.Module) {
   ];
   const wasi = new WASI([], [], streams, { debug: false });
   core = await Core.start(module, wasi as never, (done, of) => say({ kind: 'progress', done, of }));
-  say({ kind: 'started' });
+  say({ kind: 'started', module });
 }
 
 function run(core: Core, { words, files }: Command): Reply {
@@ -40,16 +43,13 @@ function work(message: Exclude<ToWorker, { kind: 'start' }>) {
   }
   const begin = performance.now();
   const current = core;
-  const numbers = message.calls.map(({ door, request }) =>
-    door === 'step'
-      ? { head: current.step(request), block: new Float64Array() }
-      : current[door](request));
+  const numbers = message.calls.map(({ door, request }) => current[door](request));
   say({ kind: 'numbers', number, numbers, milliseconds: performance.now() - begin });
 }
 
 addEventListener('message', ({ data }: MessageEvent<ToWorker>) => {
   if (data.kind === 'start') {
-    start(data.module).catch((error) => say({ kind: 'trap', number: 0, message: String(error) }));
+    start(data.core).catch((error) => say({ kind: 'trap', number: 0, message: String(error) }));
     return;
   }
   lastLines = [];

@@ -1,4 +1,5 @@
 // Parameters and presets, as the program lists them.
+import type { Integration } from './integration';
 import type { System } from './units';
 import { unitIn } from './units';
 
@@ -30,6 +31,8 @@ export interface Preset {
   setup: Record<string, Value>;
   /** Whether it states method and step, which the page chooses otherwise. */
   states_step: boolean;
+  /** The choice of the page; null without one. */
+  integration: Integration | null;
   sources: Record<string, string>;
 }
 

@@ -27,19 +27,10 @@ const FINE = 60;
 /** Milliseconds without a change before slower answers are computed. */
 const REST = 150;
 
-/** The integration that is accurate for all drives near the sliders. */
-export interface Integration {
-  method: string;
-  step: number;
-}
-
 export class Explorer {
   readonly catalog: Catalog;
   readonly hand: Lane;
   readonly desk: Lane;
-  #integration: Integration | null = null;
-  /** False until the core has started. */
-  #hasCore = false;
 
   readonly state;
   readonly drive = signal<Drive | null>(null);
@@ -93,13 +84,6 @@ export class Explorer {
       const what = this.working.value;
       this.progress.value = progress && what ? { ...progress, what } : null;
     };
-  }
-
-  /** Begins to compute, when the core has started. */
-  begin(integration: Integration | null) {
-    this.#integration = integration;
-    this.#hasCore = true;
-    this.refresh();
   }
 
   // what the components do
@@ -188,10 +172,10 @@ export class Explorer {
 
   /** The setup of a request to the core. */
   setup(design: Design = this.design.value) {
-    const isStated = 'flight.step' in design.set || 'flight.method' in design.set
-      || this.catalog.preset(design.preset)?.states_step === true;
-    const chosen = this.#integration && !isStated
-      ? { 'flight.method': this.#integration.method, 'flight.step': this.#integration.step } : {};
+    const isStated = 'flight.step' in design.set || 'flight.method' in design.set;
+    const integration = this.catalog.preset(design.preset)?.integration;
+    const chosen = integration && !isStated
+      ? { 'flight.method': integration.method, 'flight.step': integration.step } : {};
     const { preset, set } = setupOf(design);
     return { preset, set: { ...chosen, ...set } };
   }
@@ -200,8 +184,8 @@ export class Explorer {
     this.busy.value = this.#rest.isWaiting || !this.hand.isIdle || !this.desk.isIdle;
   }
 
+  /** Asks the core for all answers to the state; a worker without a core keeps the requests until it has one. */
   refresh() {
-    if (!this.#hasCore) return;
     this.busy.value = true;
     void this.#fly();
     this.#rest.call(() => {

@@ -1,0 +1,24 @@
+// The integration of a preset's drives. web/build asks the core for it: the answer depends on the
+// preset only, and takes a new core longer than the first drive.
+import type { Parameter } from './parameters';
+import { travelOf } from './travel';
+
+/** Method and time step, s, that are accurate for all drives near the sliders. */
+export interface Integration {
+  method: string;
+  step: number;
+}
+
+/** The integration is accurate within this length, m. */
+const TOLERANCE = 1e-6;
+/** The sliders on which the accuracy of a step depends most. */
+const RANGES = ['swing.speed', 'club.loft', 'swing.attack_angle'];
+
+/** A request for the longest step that is accurate on the ranges of the sliders. */
+export function stepRequest(parameters: readonly Parameter[], preset: string) {
+  const ranges = parameters.filter(({ parameter }) => RANGES.includes(parameter)).map((row) => {
+    const { low, high } = travelOf(row, null, null);
+    return { name: row.parameter, low, high };
+  });
+  return { setup: { preset, set: {} }, of: ['carry'], ranges, tolerance: TOLERANCE };
+}
