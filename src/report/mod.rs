@@ -45,13 +45,12 @@ mod validation;
 mod winfield_tan;
 
 pub use calibration::{
-    CalibrationReport, DataReport, EstimateReport, HeldOutReport, RefusedReport, RemainderReport,
-    StartsReport,
+    CalibrationReport, DataReport, EstimateReport, HeldOutReport, RefusedReport, StartsReport,
 };
 pub use certificate::{
     AgreementReport, CertificateReport, CertificateRow, CheckReport, ContinuityCheck,
     ConvergenceCheck, Curve, LandingCheck, LoopCheck, MissingOutcome, NegativeControl,
-    PlantedError, StepErrorReport, UnmadeCheck,
+    StepErrorReport,
 };
 pub use chart::{ChartPointReport, ChartReport};
 pub use compare::{
@@ -59,9 +58,8 @@ pub use compare::{
 };
 pub use delivery::{
     DeliveryOptions, DeliveryReport, DeliveryRow, ExplainedReport, KnownReport, LaunchMoments,
-    MeanAndDeviation, PopulationReport, RecoveredReport, SearchRange, SpreadReport,
-    UnidentifiedReport, bound_warnings, delivery_toml, population_warnings, recovered_csv,
-    recovered_toml,
+    MeanAndDeviation, PopulationReport, UnidentifiedReport, bound_warnings, delivery_toml,
+    population_warnings, recovered_csv, recovered_toml,
 };
 pub use design::Designed;
 pub use document::{Document, Line, TextOptions, document_files};
@@ -111,13 +109,12 @@ pub use sweep::SweepParquet;
 pub(crate) use sweep::SweepRow;
 pub use sweep::{SweepCsv, SweepJsonLines, summary_document};
 pub use swings::{
-    IntervalReport, NominalReport, OverSwings, ResampledReport, SamplingReport, ScenarioRule,
-    ScenariosReport, StudiesReport,
+    NominalReport, OverSwings, ResampledReport, SamplingReport, ScenarioRule, ScenariosReport,
+    StudiesReport,
 };
 pub use uncertainty::{
-    DistributionName, EllipseReport, EllipseSource, EstimateInterval, IndicesReport, InputReport,
-    LandingPoint, MeasureFirst, MomentsReport, OutcomeUncertaintyReport, SampledReport,
-    UncertaintyReport,
+    DistributionName, EllipseReport, EllipseSource, IndicesReport, InputReport, LandingPoint,
+    MeasureFirst, OutcomeUncertaintyReport, SampledReport, UncertaintyReport,
 };
 pub use validation::{
     BiasInOtherAir, CaseReport, LawScoresReport, ResidualReport, ScoreReport, SetReport,

@@ -111,7 +111,7 @@ pub struct NominalReport {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SamplingReport {
     /// The 99 % interval, widened to hold `value` where it would not.
-    pub interval: IntervalReport,
+    pub interval: Interval,
     /// The number of sequences.
     pub sequences: usize,
 }
@@ -121,38 +121,16 @@ pub struct SamplingReport {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ResampledReport {
     /// The 95 % interval of each varied parameter.
-    pub optimum: ByName<IntervalReport>,
+    pub optimum: ByName<Interval>,
     /// The 95 % interval of the objective.
-    pub value: IntervalReport,
+    pub value: Interval,
     /// The number of resamples whose search converged.
     pub rounds: usize,
     /// The 95 % interval of the gain over the design before the search.
-    pub better_than_set_up: Option<IntervalReport>,
+    pub better_than_set_up: Option<Interval>,
     /// The number of swings needed to distinguish the best design from the design before the
     /// search.
     pub swings_to_tell: Option<u64>,
-}
-
-/// A value with an interval, SI.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct IntervalReport {
-    /// The value.
-    pub value: Number,
-    /// The lower end.
-    pub low: Number,
-    /// The upper end.
-    pub high: Number,
-}
-
-impl From<&Interval> for IntervalReport {
-    fn from(of: &Interval) -> Self {
-        Self {
-            value: of.value.into(),
-            low: of.low.into(),
-            high: of.high.into(),
-        }
-    }
 }
 
 impl StudiesReport {
@@ -186,7 +164,7 @@ impl StudiesReport {
             },
             sampling: match error {
                 Some(GoalError::Sampling(found, sequences)) => Some(SamplingReport {
-                    interval: found.into(),
+                    interval: *found,
                     sequences: *sequences,
                 }),
                 _ => None,
@@ -201,12 +179,12 @@ fn resampled_report(best: &Optimum, found: &Resampled) -> ResampledReport {
     let vary = best.search.vary.iter();
     let optimum = vary
         .zip(&found.design)
-        .map(|(vary, design)| (vary.parameter.name, IntervalReport::from(design)));
+        .map(|(vary, design)| (vary.parameter.name, *design));
     ResampledReport {
         optimum: optimum.collect(),
-        value: (&found.goal).into(),
+        value: found.goal,
         rounds: found.rounds,
-        better_than_set_up: found.significance.map(|gain| (&gain.better).into()),
+        better_than_set_up: found.significance.map(|gain| gain.better),
         swings_to_tell: found.significance.and_then(|gain| gain.swings),
     }
 }

@@ -7,7 +7,8 @@ use crate::report::lines::by_reason;
 use crate::report::reply::{Ending, Report};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{
-    Agreement, AtLanding, Certificate, Continuity, Convergence, DetectionTest, Row, StepError,
+    Agreement, AtLanding, Certificate, Continuity, Convergence, DetectionTest, NotExamined, Row,
+    StepError,
 };
 use crate::units::{Message, System};
 use serde::Serialize;
@@ -36,7 +37,7 @@ pub struct CertificateReport<'a> {
     /// The error of the time step in outcomes and derivatives. It has no verdict.
     pub step_errors: Vec<StepErrorReport>,
     /// Omitted checks, with the reasons.
-    pub not_examined: Vec<UnmadeCheck>,
+    pub not_examined: Vec<NotExamined>,
     /// The finite differences of carry in the while-loop of the MAE 494 report, for each parameter
     /// by which the derivative of carry is certified.
     pub while_loop: Vec<LoopCheck>,
@@ -134,21 +135,7 @@ pub struct NegativeControl {
     /// True if every injected error was detected.
     pub caught: bool,
     /// The injected errors.
-    pub planted: Vec<PlantedError>,
-}
-
-/// An error injected into the derivatives.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct PlantedError {
-    /// The name of the error.
-    pub error: &'static str,
-    /// Number of rows that the error changes.
-    pub rows: usize,
-    /// Number of rows in which finite differences detect the error.
-    pub caught: usize,
-    /// Number of rows in which num-dual detects the error.
-    pub caught_by_num_dual: usize,
+    pub planted: Vec<DetectionTest>,
 }
 
 /// A derivative at the landing compared with finite differences at a fixed time.
@@ -234,16 +221,6 @@ pub struct StepErrorReport {
     pub derivative_error_of_outcome: Number,
 }
 
-/// An omitted check.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct UnmadeCheck {
-    /// The check.
-    pub check: String,
-    /// The reason.
-    pub message: &'static str,
-}
-
 /// A finite difference of the while-loop's carry.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -275,10 +252,6 @@ pub struct MissingOutcome {
 impl<'a> CertificateReport<'a> {
     /// The report of a certificate, with the while-loop for comparison.
     pub fn new(certificate: &'a Certificate, loops: &'a [LoopRow]) -> Self {
-        let not_examined = certificate.not_examined.iter().map(|it| UnmadeCheck {
-            check: it.check.clone(),
-            message: it.reason,
-        });
         let missing = certificate.missing.iter().map(|(of, why)| MissingOutcome {
             of: of.name(),
             message: why.clone(),
@@ -290,7 +263,7 @@ impl<'a> CertificateReport<'a> {
             rows: certificate.rows.iter().map(CertificateRow::new).collect(),
             negative_control: NegativeControl {
                 caught: certificate.caught(),
-                planted: certificate.planted.iter().map(PlantedError::new).collect(),
+                planted: certificate.planted.to_vec(),
             },
             landing: certificate.landing.iter().map(LandingCheck::new).collect(),
             continuity: certificate
@@ -304,7 +277,7 @@ impl<'a> CertificateReport<'a> {
                 .map(ConvergenceCheck::new)
                 .collect(),
             step_errors: certificate.step.iter().map(StepErrorReport::new).collect(),
-            not_examined: not_examined.collect(),
+            not_examined: certificate.not_examined.clone(),
             while_loop: loops.iter().map(LoopCheck::new).collect(),
             missing: missing.collect(),
         }
@@ -416,17 +389,6 @@ impl Curve {
         Self {
             steps: points.iter().map(|point| point.step).collect(),
             errors: points.iter().map(|point| point.error).collect(),
-        }
-    }
-}
-
-impl PlantedError {
-    fn new(planted: &DetectionTest) -> Self {
-        Self {
-            error: planted.error.name(),
-            rows: planted.rows,
-            caught: planted.caught,
-            caught_by_num_dual: planted.caught_by_num_dual,
         }
     }
 }
