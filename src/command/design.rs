@@ -5,7 +5,7 @@ use crate::command::interrupt;
 use crate::command::output::{Answer, system};
 use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
-use crate::command::swings::{SwingsSearch, found, sought};
+use crate::command::swings::{found, sought};
 use crate::parameters::Parameter;
 use crate::report::Designed;
 use crate::study::design::{Design, GOLFER, golfer, improvements, usual_vary};
@@ -82,15 +82,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let asked = Search { scenarios, ..asked };
     let design = Design::new(&setup, asked, args.rules == "golf")?;
     notes.extend(design.notes.iter().cloned());
-    let found = found(
-        search,
-        &request,
-        SwingsSearch {
-            setup,
-            swings,
-            search: design.search.clone(),
-        },
-    )?;
+    let found = found(search, &request, setup, swings, design.search.clone())?;
     let improvements = if found.optima.best.value().is_some() {
         improvements(&found.setup, &found.optima.best, &found.stop)?
     } else {
@@ -107,7 +99,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let answer = if request.is_json() {
         Answer::json(&designed.reply(found.reply(&request.origin())))
     } else {
-        let document = designed.document(found.over(), system());
+        let document = designed.document(&found.over, system());
         Answer::document_about(document, &request.origin())
     };
     Ok(answer.found(found.is_found()))

@@ -51,7 +51,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         club_alone: club.as_ref(),
     });
     let answer = if request.is_json() {
-        let mut reply = OptimumReport::reply(&optima, over, warnings);
+        let mut reply = OptimumReport::reply(&optima, &over, warnings);
         if let Some(around) = &around {
             reply.body = reply.body.with_surroundings(best, around);
         }
@@ -60,7 +60,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         Answer::json(&reply.about(&origin))
     } else {
         Answer::document_about(
-            optimize_document(&optima, over, around.as_ref(), system()),
+            optimize_document(&optima, &over, around.as_ref(), system()),
             &origin,
         )
     };

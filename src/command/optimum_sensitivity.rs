@@ -8,8 +8,8 @@ use crate::report::{
     Analysis, Document, Origin, OverSwings, Reply, SensitivityReport, optimum_document,
 };
 use crate::study::{
-    Change, Changed, Flatness, Optima, Optimum, Search, Sensitivity, change, flatness,
-    refuse_varied, sensitivities, short_drive, usual_loss,
+    Change, Optima, Optimum, Search, change, flatness, refuse_varied, sensitivities, short_drive,
+    usual_loss,
 };
 use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
@@ -88,7 +88,7 @@ pub fn run(args: &Args) -> Result<Answer> {
             tell_error(&error);
             Analysed::without(&optima, Some(&error), warnings)
         }
-        analyses => Analysed::new(&optima, &analyses?, warnings),
+        analysis => Analysed::new(&optima, &analysis?, warnings),
     };
     analysed.reply.body.optimum.file = written;
     Ok(analysed.answer(&request, &origin))
@@ -115,12 +115,11 @@ struct Analysed {
 }
 
 impl Analysed {
-    fn new(optima: &Optima, analyses: &Analyses, warnings: Vec<Message>) -> Self {
-        let analysis = analyses.analysis(&optima.best);
+    fn new(optima: &Optima, analysis: &Analysis, warnings: Vec<Message>) -> Self {
         Self {
-            is_found: analyses.is_answered(),
-            document: analysis.document(system()),
-            reply: SensitivityReport::reply(optima, &analysis, warnings),
+            is_found: analysis.is_answered(),
+            document: analysis.document(&optima.best, system()),
+            reply: SensitivityReport::reply(optima, analysis, warnings),
         }
     }
 
@@ -128,7 +127,7 @@ impl Analysed {
     fn without(optima: &Optima, reason: Option<&Error>, warnings: Vec<Message>) -> Self {
         Self {
             is_found: false,
-            document: optimum_document(&optima.best, OverSwings::default(), None, system()),
+            document: optimum_document(&optima.best, &OverSwings::default(), None, system()),
             reply: SensitivityReport::none(optima, reason, warnings),
         }
     }
@@ -174,36 +173,12 @@ impl AnalysisRequest {
     }
 }
 
-/// Sensitivities, flatness, and the effects of the requested changes.
-struct Analyses {
-    sensitivities: Vec<(&'static Parameter, Result<Sensitivity>)>,
-    flatness: Flatness,
-    changes: Vec<Changed>,
-}
-
-impl Analyses {
-    fn analysis<'a>(&'a self, best: &'a Optimum) -> Analysis<'a> {
-        Analysis {
-            best,
-            sensitivities: &self.sensitivities,
-            flatness: &self.flatness,
-            changes: &self.changes,
-        }
-    }
-
-    /// Returns true if a sensitivity exists, or if none was requested.
-    fn is_answered(&self) -> bool {
-        let mut all = self.sensitivities.iter();
-        self.sensitivities.is_empty() || all.any(|(_, sensitivity)| sensitivity.is_ok())
-    }
-}
-
 /// Analyses an optimum; `integrated` chooses the integration step of a changed setup.
 fn analyse(
     best: &Optimum,
     asked: &AnalysisRequest,
     integrated: &dyn Fn(Setup<f64>) -> Result<Setup<f64>>,
-) -> Result<Analyses> {
+) -> Result<Analysis> {
     let wrt: Vec<_> = asked
         .wrt
         .iter()
@@ -225,7 +200,7 @@ fn analyse(
         .collect::<Result<Vec<_>>>()?;
     let flatness = flatness(best, loss)?;
     spinner.finish();
-    Ok(Analyses {
+    Ok(Analysis {
         sensitivities: sensitivities?,
         flatness,
         changes,

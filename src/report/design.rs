@@ -71,7 +71,7 @@ impl Designed<'_> {
 
     /// The design for readers: before and after, its rules and limits, the notes, and the
     /// convergence.
-    pub fn document(&self, over: OverSwings<'_>, system: System) -> Document {
+    pub fn document(&self, over: &OverSwings, system: System) -> Document {
         let mut document = Document::default();
         let is_converged = self.best.solution.status == Status::Converged;
         if !is_converged {
@@ -99,7 +99,7 @@ impl Designed<'_> {
                 .chain(assumptions),
         );
         let mut ranges = Document::default();
-        ranges.add(goals(self.best, over.price, system));
+        ranges.add(goals(self.best, over.price.as_ref(), system));
         ranges.add(place(self.best, over, system));
         document.append_detail(ranges, Detail::Rest);
         if is_converged {

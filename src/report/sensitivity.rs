@@ -14,16 +14,14 @@ use crate::units::{Message, Quantity, System, printed, significant, with_unit};
 use serde::Serialize;
 
 /// The analysis of an optimum.
-#[derive(Clone, Copy, Debug)]
-pub struct Analysis<'a> {
-    /// The optimum.
-    pub best: &'a Optimum,
+#[derive(Debug)]
+pub struct Analysis {
     /// The sensitivities of the optimum, or their errors.
-    pub sensitivities: &'a [(&'static Parameter, Result<Sensitivity>)],
+    pub sensitivities: Vec<(&'static Parameter, Result<Sensitivity>)>,
     /// The flatness of the objective around the optimum.
-    pub flatness: &'a Flatness,
+    pub flatness: Flatness,
     /// The effects of stated changes.
-    pub changes: &'a [Changed],
+    pub changes: Vec<Changed>,
 }
 
 /// An optimum with its sensitivities and windows, SI and radians.
@@ -148,24 +146,21 @@ pub struct EventReport {
 
 impl SensitivityReport {
     /// The answer of `optimum-sensitivity`.
-    pub fn reply(optima: &Optima, analysis: &Analysis<'_>, warnings: Vec<Message>) -> Reply<Self> {
-        let all = analysis.sensitivities;
+    pub fn reply(optima: &Optima, analysis: &Analysis, warnings: Vec<Message>) -> Reply<Self> {
+        let (best, all) = (&optima.best, &analysis.sensitivities);
         let found = all
             .iter()
             .filter(|(_, sensitivity)| sensitivity.is_ok())
             .count();
         let body = Self {
             optimum: OptimumReport::of_many(optima)
-                .with_surroundings(analysis.best, &analysis.surroundings()),
-            analysis: AnalysisReport::new(analysis),
+                .with_surroundings(best, &analysis.surroundings()),
+            analysis: AnalysisReport::new(best, analysis),
         };
         let reply = Reply::done("optimum-sensitivity", warnings, body);
         match share(found, all.len()) {
             // a parameter without sensitivities has its own message
-            "done" | "partial" => reply.ended(
-                analysis.best.status(),
-                Some(analysis.best.message().to_string()),
-            ),
+            "done" | "partial" => reply.ended(best.status(), Some(best.message().to_string())),
             none => reply.ended(
                 none,
                 Some("this optimum has none of the requested sensitivities".into()),
@@ -182,7 +177,7 @@ impl SensitivityReport {
             warnings,
             from,
             ..
-        } = OptimumReport::reply(optima, OverSwings::default(), warnings);
+        } = OptimumReport::reply(optima, &OverSwings::default(), warnings);
         let reply = Reply::done(
             "optimum-sensitivity",
             warnings,
@@ -200,13 +195,12 @@ impl SensitivityReport {
 }
 
 impl AnalysisReport {
-    fn new(analysis: &Analysis<'_>) -> Self {
+    fn new(best: &Optimum, analysis: &Analysis) -> Self {
         let Analysis {
-            best,
             sensitivities,
             flatness,
             changes,
-        } = *analysis;
+        } = analysis;
         let vary = &best.search.vary;
         let sensitivity = sensitivities
             .iter()
@@ -286,7 +280,13 @@ fn by_parameter(best: &Optimum, numbers: &[f64]) -> ByName<Number> {
     names.zip(numbers.iter().copied()).collect()
 }
 
-impl Analysis<'_> {
+impl Analysis {
+    /// True if a sensitivity exists, or if none was requested.
+    pub fn is_answered(&self) -> bool {
+        let mut all = self.sensitivities.iter();
+        self.sensitivities.is_empty() || all.any(|(_, sensitivity)| sensitivity.is_ok())
+    }
+
     fn surroundings(&self) -> Surroundings<'_> {
         Surroundings {
             loss: self.flatness.loss,
@@ -296,18 +296,17 @@ impl Analysis<'_> {
     }
 
     /// The optimum with its flatness, the stated changes, and the sensitivities.
-    pub fn document(&self, system: System) -> Document {
-        let best = self.best;
+    pub fn document(&self, best: &Optimum, system: System) -> Document {
         let mut document = Document::default();
         if let Some(drive) = &best.drive {
             document.list(gain_lines(best, drive, system));
         }
         add_place(&mut document, best, Some(&self.surroundings()), system);
-        document.list(flatness_lines(best, self.flatness, system));
-        for changed in self.changes {
+        document.list(flatness_lines(best, &self.flatness, system));
+        for changed in &self.changes {
             document.add(change(best, changed, system));
         }
-        add_sensitivities(&mut document, best, self.sensitivities, system);
+        add_sensitivities(&mut document, best, &self.sensitivities, system);
         if let (Some(drive), Some(value)) = (&best.drive, best.value()) {
             let mut flown = Document::default();
             flown.list(drive_lines(best, value, drive, system));

@@ -7,20 +7,18 @@ use super::limits::ended_at;
 use super::shown;
 use crate::optimize::Status;
 use crate::study::Optimum;
-use crate::study::swings::{GoalError, Nominal, Price, Resampled, Rule, Scenarios, Swings};
+use crate::study::swings::{GoalError, Nominal, Price, Resampled, Rule, Scenarios};
 use crate::study::uncertainty::Interval;
 use crate::units::{System, counted};
 use serde::Serialize;
 
 /// Additional results over swings; empty for a single drive.
-#[derive(Clone, Copy, Default)]
-pub struct OverSwings<'a> {
-    /// The golfer's swings.
-    pub swings: Option<&'a Swings>,
+#[derive(Clone, Debug, Default)]
+pub struct OverSwings {
     /// The loss of a design that ignores the variation of the swings.
-    pub price: Option<&'a Price>,
+    pub price: Option<Price>,
     /// The optima of resamples of recorded swings.
-    pub resampled: Option<&'a Resampled>,
+    pub resampled: Option<Resampled>,
 }
 
 /// The swings of a search as JSON.
@@ -135,7 +133,7 @@ pub struct ResampledReport {
 
 impl StudiesReport {
     /// The additional results of an optimum; `None` for a single drive.
-    pub(super) fn new(best: &Optimum, over: OverSwings<'_>) -> Option<Self> {
+    pub(super) fn new(best: &Optimum, over: &OverSwings) -> Option<Self> {
         let search = &best.search;
         if search.scenarios.is_one_drive() {
             return None;
@@ -148,16 +146,16 @@ impl StudiesReport {
             let names = search.goals().map(|goal| goal.expression.clone());
             names.zip(values.iter().copied()).collect()
         };
-        let error = over.price.and_then(Price::error);
+        let error = over.price.as_ref().and_then(Price::error);
         Some(Self {
             scenarios: ScenariosReport::new(&search.scenarios),
             as_set_up: best.as_set_up.as_deref().map(goals),
-            nominal: nominal(over.price).map(|nominal| NominalReport {
+            nominal: nominal(over.price.as_ref()).map(|nominal| NominalReport {
                 optimum: by_name(&nominal.design),
                 promised: goals(&nominal.promised),
                 kept: nominal.kept.as_deref().map(goals),
             }),
-            unknown: unknown(over.price),
+            unknown: unknown(over.price.as_ref()),
             quadrature_error: match error {
                 Some(GoalError::Quadrature(size)) => Some(*size),
                 _ => None,
@@ -170,7 +168,10 @@ impl StudiesReport {
                 _ => None,
             },
             beyond_strokes: best.beyond_strokes,
-            resampled: over.resampled.map(|found| resampled_report(best, found)),
+            resampled: over
+                .resampled
+                .as_ref()
+                .map(|found| resampled_report(best, found)),
         })
     }
 }
@@ -261,8 +262,8 @@ pub(super) fn goals(best: &Optimum, price: Option<&Price>, system: System) -> Ta
 }
 
 /// Notes on the designs and on the uncertainty of the answer.
-pub(super) fn notes(best: &Optimum, over: OverSwings<'_>, system: System) -> Vec<Line> {
-    let mut notes = unknown(over.price);
+pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Line> {
+    let mut notes = unknown(over.price.as_ref());
     let strikes = best.search.scenarios.parameters.iter();
     let mut strikes = strikes.filter(|parameter| parameter.name.starts_with("strike."));
     if strikes.next().is_some() || best.setup.strike.toe != 0.0 {
@@ -271,9 +272,9 @@ pub(super) fn notes(best: &Optimum, over: OverSwings<'_>, system: System) -> Vec
             shown::GEAR_EFFECT
         ));
     }
-    notes.extend(designs(best, nominal(over.price)));
+    notes.extend(designs(best, nominal(over.price.as_ref())));
     notes.extend(smoothed_limits(best, system));
-    notes.push(sampling(best, over.price, system));
+    notes.push(sampling(best, over.price.as_ref(), system));
     if best.search.scenarios.rule == Rule::Recorded
         && over.resampled.is_none()
         && best.solution.status == Status::Converged
@@ -284,7 +285,7 @@ pub(super) fn notes(best: &Optimum, over: OverSwings<'_>, system: System) -> Vec
                 .into(),
         );
     }
-    if let Some(found) = over.resampled {
+    if let Some(found) = &over.resampled {
         notes.extend(resampled(best, found, system));
     }
     notes.into_iter().map(Line::flush).collect()

@@ -197,7 +197,7 @@ impl StartReport {
 
 impl OptimumReport {
     /// The answer of `optimize`.
-    pub fn reply(optima: &Optima, over: OverSwings<'_>, warnings: Vec<Message>) -> Reply<Self> {
+    pub fn reply(optima: &Optima, over: &OverSwings, warnings: Vec<Message>) -> Reply<Self> {
         let body = Self {
             swings: StudiesReport::new(&optima.best, over),
             ..Self::of_many(optima)
