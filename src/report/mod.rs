@@ -7,6 +7,7 @@ mod calibration;
 mod certificate;
 mod chart;
 mod compare;
+mod csv_text;
 mod delivery;
 mod design;
 mod document;

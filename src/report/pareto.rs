@@ -1,3 +1,4 @@
+use super::csv_text::csv_text;
 use super::document::{Document, Line, Table};
 use super::json::{ByName, Number};
 use super::reply::{Ending, Report};
@@ -113,17 +114,13 @@ impl<'a> ParetoReport<'a> {
 
 impl ParetoPointReport {
     fn new(found: &Pareto, place: usize, point: &ParetoPoint) -> Self {
-        let names = found.search.vary.iter().map(|vary| vary.parameter.name);
         let active = point.active.iter();
-        let bounds = active
-            .clone()
-            .filter_map(|active| Some((active.name.clone(), active.end?)));
         Self {
             values: point.goals.map(Number::from),
-            design: names.zip(point.design.iter().copied()).collect(),
+            design: ByName::of_varied(&found.search.vary, &point.design),
             slope: point.slope.into(),
             role: role(found, place),
-            bounds: bounds.collect(),
+            bounds: ByName::of_bounds(&point.active),
             active: active.map(|active| active.name.clone()).collect(),
             event: point.event.clone(),
         }
@@ -256,9 +253,7 @@ fn notes(found: &Pareto, system: System) -> Vec<String> {
 /// # Errors
 /// [`Error::Output`].
 pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
-    let failed = |error: csv::Error| Error::Output(error.into());
     let search = &found.search;
-    let mut writer = csv::Writer::from_writer(vec![]);
     let goals = search
         .goals
         .iter()
@@ -268,10 +263,8 @@ pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
         units.head(row.name, row.quantity, row.unit)
     });
     let words = ["slope", "role", "active", "event"].map(str::to_owned);
-    writer
-        .write_record(goals.chain(varied).chain(words))
-        .map_err(failed)?;
-    for (place, point) in found.points.iter().enumerate() {
+    let head = goals.chain(varied).chain(words).collect();
+    let rows = found.points.iter().enumerate().map(|(place, point)| {
         let goals = search.goals.iter().zip(&point.goals);
         let goals = goals.map(|((goal, _), value)| units.number(*value, goal.quantity, goal.unit));
         let design = search.vary.iter().zip(&point.design).map(|(vary, value)| {
@@ -292,14 +285,10 @@ pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
             .collect::<Vec<_>>()
             .join("; ");
         let event = point.event.clone().unwrap_or_default();
-        writer
-            .write_record(numbers.chain([role(found, place).unwrap_or_default(), active, event]))
-            .map_err(failed)?;
-    }
-    let bytes = writer
-        .into_inner()
-        .map_err(|error| Error::Output(error.into_error()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+        let words = [role(found, place).unwrap_or_default(), active, event];
+        numbers.chain(words).collect()
+    });
+    csv_text(head, rows)
 }
 
 /// The setup of one point of a front as a setup file in TOML, with full precision.

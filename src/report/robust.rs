@@ -97,7 +97,7 @@ impl<'a> RobustReport<'a> {
             allowed: within,
             objective: search.of.expression.clone(),
             sense: search.sense.name(),
-            optimum: by_parameter(found, &found.design),
+            optimum: ByName::of_varied(&search.vary, &found.design),
             multipliers: (0..search.vary.len()).map(multipliers).collect(),
             greatest_loss: found.greatest().into(),
             within: within.into(),
@@ -117,7 +117,7 @@ impl ModelReport {
             model: model.name.clone(),
             reason: Some(model.reason).filter(|reason| !reason.is_empty()),
             value: best.value().into(),
-            optimum: by_parameter(found, &best.solution.x),
+            optimum: ByName::of_varied(&found.search.vary, &best.solution.x),
             loss: found.losses[k].into(),
             share: found.shares[k].into(),
             losses: found.matrix[k].iter().copied().map(Number::from).collect(),
@@ -125,12 +125,6 @@ impl ModelReport {
             constraints: constraints(found, k),
         }
     }
-}
-
-/// Values of the varied parameters, by name.
-fn by_parameter(found: &Robust, numbers: &[f64]) -> ByName<Number> {
-    let names = found.search.vary.iter().map(|vary| vary.parameter.name);
-    names.zip(numbers.iter().copied()).collect()
 }
 
 impl Report for RobustReport<'_> {

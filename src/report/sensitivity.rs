@@ -206,7 +206,7 @@ impl AnalysisReport {
             .iter()
             .map(|(parameter, found)| (parameter.name, SensitivityOf::new(best, found)));
         let directions = flatness.directions.iter().map(|direction| DirectionReport {
-            along: by_parameter(best, &direction.along),
+            along: ByName::of_varied(vary, &direction.along),
             reach: direction.reach.into(),
             losses: direction.losses,
         });
@@ -232,7 +232,7 @@ impl SensitivityOf {
         match found {
             Ok(sensitivity) => Self {
                 value: sensitivity.value.into(),
-                optimum: Some(by_parameter(best, &sensitivity.optimum)),
+                optimum: Some(ByName::of_varied(&best.search.vary, &sensitivity.optimum)),
                 curvature: sensitivity.curvature.into(),
                 message: None,
             },
@@ -248,7 +248,7 @@ impl SensitivityOf {
 
 impl StatedChangeReport {
     fn new(best: &Optimum, changed: &Changed) -> Self {
-        let resolved = &changed.resolved;
+        let (vary, resolved) = (&best.search.vary, &changed.resolved);
         let value = resolved.value();
         Self {
             parameter: changed.change.parameter.name,
@@ -256,12 +256,12 @@ impl StatedChangeReport {
             predicted: PredictedOptimum {
                 value: changed.second_order,
                 first_order: changed.first_order,
-                optimum: by_parameter(best, &changed.predicted),
+                optimum: ByName::of_varied(vary, &changed.predicted),
             },
             resolved: ResolvedOptimum {
                 status: resolved.status(),
                 value: value.into(),
-                optimum: value.map(|_| by_parameter(best, &resolved.solution.x)),
+                optimum: value.map(|_| ByName::of_varied(vary, &resolved.solution.x)),
                 message: resolved.message(),
             },
             event: changed.event.as_ref().map(|(after, message)| EventReport {
@@ -271,13 +271,6 @@ impl StatedChangeReport {
             differences: changed.differences.clone(),
         }
     }
-}
-
-/// Values of the varied parameters, by name.
-fn by_parameter(best: &Optimum, numbers: &[f64]) -> ByName<Number> {
-    let vary = best.search.vary.iter();
-    let names = vary.map(|vary| vary.parameter.name);
-    names.zip(numbers.iter().copied()).collect()
 }
 
 impl Analysis {

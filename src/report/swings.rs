@@ -138,10 +138,6 @@ impl StudiesReport {
         if search.scenarios.is_one_drive() {
             return None;
         }
-        let by_name = |values: &[f64]| -> ByName<Number> {
-            let names = search.vary.iter().map(|vary| vary.parameter.name);
-            names.zip(values.iter().copied()).collect()
-        };
         let goals = |values: &[f64]| -> ByName<Number> {
             let names = search.goals().map(|goal| goal.expression.clone());
             names.zip(values.iter().copied()).collect()
@@ -151,7 +147,7 @@ impl StudiesReport {
             scenarios: ScenariosReport::new(&search.scenarios),
             as_set_up: best.as_set_up.as_deref().map(goals),
             nominal: nominal(over.price.as_ref()).map(|nominal| NominalReport {
-                optimum: by_name(&nominal.design),
+                optimum: ByName::of_varied(&search.vary, &nominal.design),
                 promised: goals(&nominal.promised),
                 kept: nominal.kept.as_deref().map(goals),
             }),

@@ -142,15 +142,11 @@ impl LocalReport {
     /// The local optima. Interrupted searches are omitted.
     pub(super) fn all(optima: &Optima) -> Vec<Self> {
         let vary = &optima.best.search.vary;
-        let one = |local: &LocalOptimum| {
-            let names = vary.iter().map(|vary| vary.parameter.name);
-            let x = local.solution.x.iter().copied();
-            Self {
-                status: local.status(),
-                value: local.value.into(),
-                optimum: names.zip(x).collect(),
-                starts: local.starts.len(),
-            }
+        let one = |local: &LocalOptimum| Self {
+            status: local.status(),
+            value: local.value.into(),
+            optimum: ByName::of_varied(vary, &local.solution.x),
+            starts: local.starts.len(),
         };
         optima.ended().map(one).collect()
     }
@@ -222,10 +218,7 @@ impl OptimumReport {
     pub fn new(optimum: &Optimum) -> Self {
         let (solution, vary) = (&optimum.solution, &optimum.search.vary);
         let found = optimum.value().is_some();
-        let by_name = |values: &[f64]| -> ByName<Number> {
-            let names = vary.iter().map(|vary| vary.parameter.name);
-            names.zip(values.iter().copied()).collect()
-        };
+        let by_name = |values: &[f64]| ByName::of_varied(vary, values);
         let multipliers = |i: usize| {
             let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
             (vary[i].parameter.name, Multipliers { lower, upper })
