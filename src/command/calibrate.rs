@@ -218,11 +218,7 @@ impl Outputs {
             .map(|folder| rule.folder(folder, &DOCUMENT))
             .transpose()?;
         let rule = rule.and_not(args.plot.as_deref());
-        let setup = args
-            .output
-            .as_ref()
-            .map(|file| rule.setup_file(file))
-            .transpose()?;
+        let setup = rule.setup_file(args.output.as_deref())?;
         Ok(Self { folder, setup })
     }
 

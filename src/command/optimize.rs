@@ -28,11 +28,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let warnings = best.warnings(&AtomicBool::new(false));
     warn(&warnings);
-    let written = output
-        .as_ref()
-        .map(|output| write(output, &request, &optima, None))
-        .transpose()?
-        .flatten();
+    let written = write(output.as_ref(), &request, &optima, None)?;
     let over = OverSwings::default();
     let held = args.search.held(&request, &setup)?;
     let origin = request
@@ -71,10 +67,6 @@ impl Args {
     /// The destination of the setup file of the optimum.
     pub fn destination(&self, request: &Request) -> Result<Option<Destination>> {
         let inputs = request.inputs().chain(self.work.checkpoint.clone());
-        let rule = Rule::new(inputs, self.overwrite);
-        self.output
-            .as_ref()
-            .map(|file| rule.setup_file(file))
-            .transpose()
+        Rule::new(inputs, self.overwrite).setup_file(self.output.as_deref())
     }
 }

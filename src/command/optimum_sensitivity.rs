@@ -1,17 +1,13 @@
 use crate::command::args::{OptimizeArgs, SwingsArgs};
 use crate::command::names::variables;
 use crate::command::output::{Answer, bar, show, spinner, system, tell, tell_error, warn};
-use crate::command::request::Request;
 use crate::command::search::write;
 use crate::parameters::Parameter;
-use crate::report::{
-    Analysis, Document, Origin, OverSwings, Reply, SensitivityReport, optimum_document,
-};
+use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_document};
 use crate::study::{
-    Change, Optima, Optimum, Search, change, flatness, refuse_varied, sensitivities, short_drive,
+    Change, Optimum, Search, change, flatness, refuse_varied, sensitivities, short_drive,
     usual_loss,
 };
-use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
 use std::sync::atomic::AtomicBool;
 
@@ -63,35 +59,42 @@ pub fn run(args: &Args) -> Result<Answer> {
         .with_held(&held, &setup);
     let optima = work.run(&setup, &search)?;
     let best = &optima.best;
-    let written = output
-        .as_ref()
-        .map(|output| write(output, &request, &optima, None))
-        .transpose()?
-        .flatten();
+    let written = write(output.as_ref(), &request, &optima, None)?;
     if let Some(moved) = best.moved_start() {
         tell(&moved);
     }
     let warnings = best.warnings(&AtomicBool::new(false));
     warn(&warnings);
-    if optima.stopped() > 0 {
-        let mut interrupted = Analysed::without(&optima, None, warnings);
-        interrupted.reply.body.optimum.file = written;
-        return Ok(interrupted.answer(&request, &origin));
-    }
     // each changed setup gets its own integration step, as `optimize` of that setup would
     let integrated = |mut changed: Setup<f64>| {
         (changed.method, changed.flight.step) = (own.method, own.flight.step);
         request.for_many(changed, &search.vary)
     };
-    let mut analysed = match analyse(best, &asked, &integrated) {
-        Err(error) if error.is_an_outcome() => {
-            tell_error(&error);
-            Analysed::without(&optima, Some(&error), warnings)
+    let (mut analysis, mut reason) = (None, None);
+    if optima.stopped() == 0 {
+        match analyse(best, &asked, &integrated) {
+            Err(error) if error.is_an_outcome() => {
+                tell_error(&error);
+                reason = Some(error);
+            }
+            found => analysis = Some(found?),
         }
-        analysis => Analysed::new(&optima, &analysis?, warnings),
+    }
+    let answer = if request.is_json() {
+        let mut reply = match &analysis {
+            Some(analysis) => SensitivityReport::reply(&optima, analysis, warnings),
+            None => SensitivityReport::none(&optima, reason.as_ref(), warnings),
+        };
+        reply.body.optimum.file = written;
+        Answer::json(&reply.about(&origin))
+    } else {
+        let document = match &analysis {
+            Some(analysis) => analysis.document(best, system()),
+            None => optimum_document(best, &OverSwings::default(), None, system()),
+        };
+        Answer::document_about(document, &origin)
     };
-    analysed.reply.body.optimum.file = written;
-    Ok(analysed.answer(&request, &origin))
+    Ok(answer.found(analysis.is_some_and(|analysis| analysis.is_answered())))
 }
 
 fn refuse_swings(swings: &SwingsArgs) -> Result<()> {
@@ -104,42 +107,6 @@ fn refuse_swings(swings: &SwingsArgs) -> Result<()> {
         name: "`swings` or `distribution`".into(),
         source: source.into(),
     })
-}
-
-/// An optimum with its analysis, for JSON and for readers.
-struct Analysed {
-    /// True if a sensitivity exists, or if none was requested.
-    is_found: bool,
-    document: Document,
-    reply: Reply<SensitivityReport>,
-}
-
-impl Analysed {
-    fn new(optima: &Optima, analysis: &Analysis, warnings: Vec<Message>) -> Self {
-        Self {
-            is_found: analysis.is_answered(),
-            document: analysis.document(&optima.best, system()),
-            reply: SensitivityReport::reply(optima, analysis, warnings),
-        }
-    }
-
-    /// The optimum without an analysis, with the reason.
-    fn without(optima: &Optima, reason: Option<&Error>, warnings: Vec<Message>) -> Self {
-        Self {
-            is_found: false,
-            document: optimum_document(&optima.best, &OverSwings::default(), None, system()),
-            reply: SensitivityReport::none(optima, reason, warnings),
-        }
-    }
-
-    fn answer(self, request: &Request, origin: &Origin) -> Answer {
-        let answer = if request.is_json() {
-            Answer::json(&self.reply.about(origin))
-        } else {
-            Answer::document_about(self.document, origin)
-        };
-        answer.found(self.is_found)
-    }
 }
 
 /// The requested derivatives and changes.

@@ -3,7 +3,7 @@ use crate::command::date::today;
 use crate::command::explore::page::compiled_in;
 use crate::command::files::Rule;
 use crate::command::host::SharedProgress;
-use crate::command::names::usual;
+use crate::command::names::{sigmas, usual};
 use crate::command::output::{Answer, bar, command_line, system, tell, warn};
 use crate::command::plot::limits;
 use crate::command::request::Request;
@@ -158,11 +158,7 @@ impl Inputs {
             .flat_map(|(search, along)| search.vary.iter().copied().chain([*along]))
             .collect();
         let setup = request.for_many(stated, &ranges)?;
-        let given = args
-            .sigma
-            .iter()
-            .map(|text| Sigma::read(&setup, text))
-            .collect::<Result<Vec<_>>>()?;
+        let given = sigmas(&setup, &args.sigma)?;
         let sigmas = with_defaults(&setup, &given, &[of])?;
         Ok(Self {
             stated,

@@ -228,11 +228,7 @@ pub fn found(
         )));
     }
     warn(&warnings);
-    let file = output
-        .as_ref()
-        .map(|output| write(output, request, &optima, Some(&swings)))
-        .transpose()?
-        .flatten();
+    let file = write(output.as_ref(), request, &optima, Some(&swings))?;
     Ok(SwingsOptimum {
         setup,
         optima,

@@ -51,14 +51,8 @@ impl schemars::JsonSchema for Number {
 }
 
 /// The components of a vector: up, right, downrange.
-#[derive(Clone, Copy, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Components([Number; 3]);
-
-impl From<Vector<f64>> for Components {
-    fn from(vector: Vector<f64>) -> Self {
-        Self(vector.to_array().map(Number::from))
-    }
+pub(super) fn components(vector: Vector<f64>) -> [Number; 3] {
+    vector.to_array().map(Number::from)
 }
 
 /// A range of values; an open end is `"-inf"` or `"inf"`.

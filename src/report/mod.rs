@@ -68,14 +68,14 @@ pub use drive::{ClubReport, DriveReport, LaunchReport, LawRange, LawRanges, know
 pub use effects::{EffectReport, EffectsReport, OutcomeEffects, Totals};
 pub use explorer::explorer_state;
 pub use gradient::{GradientReport, OutcomeReport};
-pub use json::{ByName, Components, Matrix, Number, Range, Setting, Settings};
+pub use json::{ByName, Matrix, Number, Range, Setting, Settings};
 pub use laws::{FittedReport, LawReport, LawsReport};
 pub use lines::{by_reason, remark, wrapped};
 pub use mae494::Mae494Report;
 pub use optimum::{
-    ClubAloneReport, ConstraintReport, DesignReport, GoalReport, LimitReport, LocalReport,
-    Multipliers, OptimumReport, Surroundings, WindowReport, iteration_line, optima_document,
-    optimize_document, optimum_document, optimum_toml,
+    ClubAloneReport, ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers,
+    OptimumReport, Surroundings, WindowReport, iteration_line, optima_document, optimize_document,
+    optimum_document, optimum_toml,
 };
 pub use origin::Origin;
 pub use parameters::{ParameterRange, ParameterReport, ParametersReport};

@@ -7,7 +7,7 @@ pub use args::Args;
 
 use crate::atmosphere::AirState;
 use crate::command::compare::warnings;
-use crate::command::names::{outcomes, usual, variables};
+use crate::command::names::{outcomes, sigmas, usual, variables};
 use crate::command::output::{Answer, bar, show, spinner, system, tell};
 use crate::command::pareto;
 use crate::command::picture::{Drawing, Target};
@@ -23,8 +23,8 @@ use crate::report::plot::Figure;
 use crate::reproduce::while_loop;
 use crate::study::certificate::certify;
 use crate::study::{
-    Constraint, Fineness, Map, NamedDrive, Optimum, Region, Search, Sigma, Vary, chart, effects,
-    map, optimum, short_drive, usual_loss, with_defaults,
+    Constraint, Fineness, Map, NamedDrive, Optimum, Region, Search, Vary, chart, effects, map,
+    optimum, short_drive, usual_loss, with_defaults,
 };
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
@@ -244,11 +244,7 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     let target = Target::new(&request, &args.drawing)?;
     let setup = request.within_tolerance(request.setup()?)?;
     let of = Outcome::named(&args.of)?;
-    let given = args
-        .sigma
-        .iter()
-        .map(|text| Sigma::read(&setup, text))
-        .collect::<Result<Vec<_>>>()?;
+    let given = sigmas(&setup, &args.sigma)?;
     let bar = bar("uncertainties");
     let found = effects(
         &setup,

@@ -4,12 +4,12 @@ use super::super::Reply;
 use super::super::drive::{LaunchReport, LawRanges, flight, launch, law_range};
 use super::super::json::{ByName, Number, Settings, settings};
 use super::super::swings::{OverSwings, StudiesReport};
-use super::design::DesignReport;
 use super::surroundings::{ClubAloneReport, Surroundings, WindowReport};
 use crate::drive::Outcome;
 use crate::optimize::{ConstraintValue, Effort};
 #[cfg(test)]
 use crate::study::Sense;
+use crate::study::design::Improvement;
 use crate::study::{Constraint, LocalOptimum, Optima, Optimum, Sample};
 use crate::units::Message;
 use serde::Serialize;
@@ -271,4 +271,49 @@ impl OptimumReport {
             ..self
         }
     }
+}
+
+/// The limits of a design, and its changes.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct DesignReport {
+    /// The rules that limit the design: `golf`, the Rules of Golf, or `none`.
+    #[cfg_attr(test, schemars(extend("enum" = ["golf", "none"])))]
+    pub rules: &'static str,
+    /// The assumptions, in sentences.
+    pub notes: Vec<String>,
+    /// The values of the varied parameters before the search.
+    pub as_set_up: ByName<Number>,
+    /// The goals before the search and with the best design, over all swings; empty without a best
+    /// design.
+    pub parts: Vec<Improvement>,
+    /// The rules and limits.
+    pub held: Vec<LimitReport>,
+}
+
+/// A rule or limit of a design.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct LimitReport {
+    /// The name of the rule or limit.
+    pub name: String,
+    /// The limited expression.
+    pub expression: String,
+    /// The source of the rule; `null` for a limit of the user.
+    pub source: Option<&'static str>,
+    /// The kind of enforcement: `bound` of a varied parameter, `limit` of the search, `value` that
+    /// no varied parameter changes, or `unknown`: its value is unknown.
+    #[cfg_attr(test, schemars(extend("enum" = ["bound", "limit", "value", "unknown"])))]
+    pub by: &'static str,
+    /// The lower limit, SI; `null` without one.
+    pub low: Number,
+    /// The upper limit, SI; `null` without one.
+    pub high: Number,
+    /// The value of the expression, SI.
+    pub value: Number,
+    /// The distance from the nearer limit, SI; negative if the limit is violated.
+    pub margin: Number,
+    /// The multiplier of an active limit: the gain of the goal per SI unit by which the limit is
+    /// relaxed; `null` if the limit is inactive.
+    pub price: Number,
 }
