@@ -2,6 +2,7 @@ use super::csv_text::csv_text;
 use super::document::{Document, Line, Table};
 use super::json::{ByName, Number};
 use super::reply::{Ending, Report};
+use super::setup_file::{remarks_on_varied, setup_toml};
 use super::shown;
 use super::swings::ScenariosReport;
 use crate::error::{Error, Result};
@@ -294,7 +295,7 @@ pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
 /// The setup of one point of a front as a setup file in TOML, with full precision.
 ///
 /// # Errors
-/// The errors of [`setup_toml`](super::setup_toml).
+/// The errors of [`setup_toml`].
 pub fn pareto_toml(found: &Pareto, place: usize, preset: &Preset) -> Result<String> {
     let search = &found.search;
     let Some(point) = found.points.get(place) else {
@@ -330,17 +331,6 @@ pub fn pareto_toml(found: &Pareto, place: usize, preset: &Preset) -> Result<Stri
             .iter()
             .map(|limit| format!("subject to {}", limit.expression)),
     );
-    let remarks = search.vary.iter().zip(&point.design).map(|(vary, x)| {
-        let show = |value: f64| vary.parameter.show(Some(value));
-        let chosen = shown::as_declared(vary.parameter, *x);
-        (
-            vary.parameter,
-            format!(
-                "chosen: {chosen} in {} .. {}",
-                show(vary.low),
-                show(vary.high)
-            ),
-        )
-    });
-    super::setup_toml(&point.setup, preset, &about, &remarks.collect::<Vec<_>>())
+    let remarks = remarks_on_varied("chosen", &search.vary, &point.design);
+    setup_toml(&point.setup, preset, &about, &remarks)
 }

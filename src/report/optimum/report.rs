@@ -3,6 +3,7 @@
 use super::super::Reply;
 use super::super::drive::{LaunchReport, LawRanges, flight, launch, law_range};
 use super::super::json::{ByName, Number, Settings, settings};
+use super::super::limits::gain;
 use super::super::swings::{OverSwings, StudiesReport};
 use super::surroundings::{ClubAloneReport, Surroundings, WindowReport};
 use crate::drive::Outcome;
@@ -102,17 +103,11 @@ pub struct ConstraintReport {
 
 impl ConstraintReport {
     pub(in crate::report) fn new(constraint: &Constraint, at: &ConstraintValue) -> Self {
-        // a decrease of the minimized function is a gain of the objective
-        let multiplier = if constraint.is_equation() {
-            at.multiplier
-        } else {
-            at.multiplier.abs()
-        };
         Self {
             expression: constraint.expression.clone(),
             value: at.value,
             violation: at.violation.abs(),
-            multiplier,
+            multiplier: gain(constraint, at),
         }
     }
 }
