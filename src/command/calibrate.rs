@@ -10,13 +10,13 @@ use crate::command::request::Request;
 use crate::command::running::running;
 use crate::optimize::least_squares::{FitObserver, Loss, Status};
 use crate::parameters::{Law, Vary};
-use crate::report::{CalibrationReport, Report};
+use crate::report::CalibrationReport;
 use crate::study::calibrate::{
     Calibration, FitPlan, HeldOut, ShotTable, calibrate, check_folds, held_out, ranges,
     validity_warnings,
 };
 use crate::table::RowFilter;
-use crate::units::{Message, System};
+use crate::units::Message;
 use crate::{Error, Result, Setup};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -249,11 +249,10 @@ impl Outputs {
     }
 
     fn write_document(&self, report: &CalibrationReport<'_>) -> Result<()> {
-        let Some(folder) = &self.folder else {
-            return Ok(());
-        };
-        let documents = System::ALL.map(|system| report.document(system));
-        write(folder, &documents, system())
+        match &self.folder {
+            Some(folder) => write(folder, report, system()),
+            None => Ok(()),
+        }
     }
 }
 

@@ -18,8 +18,7 @@ pub struct ChartReport<'a> {
     /// The parameter along which the chart runs.
     pub parameter: &'static str,
     /// The outcome that is optimized.
-    #[cfg_attr(test, schemars(with = "Outcome"))]
-    pub objective: &'static str,
+    pub objective: Outcome,
     /// `maximize` or `minimize`.
     #[cfg_attr(test, schemars(with = "crate::study::Sense"))]
     pub sense: &'static str,
@@ -58,7 +57,7 @@ impl<'a> ChartReport<'a> {
         Self {
             chart,
             parameter: chart.along.parameter.name,
-            objective: search.outcome().name(),
+            objective: search.outcome(),
             sense: search.sense.name(),
             points: chart.points.iter().map(ChartPointReport::new).collect(),
             begun: chart.begun.as_ref().map(Message::to_string),

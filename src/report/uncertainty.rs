@@ -2,7 +2,7 @@ use super::document::{Detail, Document, Line, Table};
 use super::json::{ByName, Number};
 use super::reply::{Ending, Report, share};
 use super::shown;
-use crate::drive::OutcomeGroup;
+use crate::drive::{Outcome, OutcomeGroup};
 use crate::study::uncertainty::{
     Distribution, Interval, Moments, OutcomeUncertainty, Statistics, Uncertain, Uncertainty,
 };
@@ -73,8 +73,7 @@ pub enum DistributionName {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct OutcomeUncertaintyReport {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// True if the outcome varies by more than rounding errors.
     pub varies: bool,
     /// The moments from the gradient at the means.
@@ -226,7 +225,7 @@ impl OutcomeUncertaintyReport {
         });
         let measure_first = outcome.measure_first(inputs);
         Self {
-            of: outcome.of.name(),
+            of: outcome.of,
             varies: outcome.varies(),
             delta: outcome.delta.map(|(first, _)| first),
             second_order: outcome.delta.and_then(|(_, second)| second),

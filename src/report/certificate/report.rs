@@ -1,6 +1,7 @@
 use super::text::{ending, lines, rows_table};
 use super::{stopped, verdict_of};
 use crate::derivative::check::{Check, Point};
+use crate::drive::Outcome;
 use crate::report::document::{Document, Line};
 use crate::report::json::Number;
 use crate::report::lines::by_reason;
@@ -50,8 +51,7 @@ pub struct CertificateReport<'a> {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct CertificateRow {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The parameter.
     pub parameter: &'static str,
     /// `pass`, `fail` or `corner`.
@@ -146,8 +146,7 @@ pub struct LandingCheck {
     #[serde(flatten)]
     pub check: CheckReport,
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The parameter.
     pub parameter: &'static str,
     /// The contribution of the landing time to the derivative, SI.
@@ -159,8 +158,7 @@ pub struct LandingCheck {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ContinuityCheck {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The parameter.
     pub parameter: &'static str,
     /// The value of the parameter where the number changes, SI.
@@ -181,8 +179,7 @@ pub struct ContinuityCheck {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ConvergenceCheck {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The steps, s.
     pub steps: Vec<f64>,
     /// The relative error of the value at each step.
@@ -206,8 +203,7 @@ pub struct ConvergenceCheck {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct StepErrorReport {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The time step and the shorter step for comparison, s.
     pub steps: [f64; 2],
     /// The error of the value, relative to the numbers from which the outcome is computed.
@@ -243,8 +239,7 @@ pub struct LoopCheck {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct MissingOutcome {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The reason.
     pub message: Message,
 }
@@ -253,7 +248,7 @@ impl<'a> CertificateReport<'a> {
     /// The report of a certificate, with the while-loop for comparison.
     pub fn new(certificate: &'a Certificate, loops: &'a [LoopRow]) -> Self {
         let missing = certificate.missing.iter().map(|(of, why)| MissingOutcome {
-            of: of.name(),
+            of: *of,
             message: why.clone(),
         });
         Self {
@@ -342,7 +337,7 @@ impl CertificateRow {
         let check = &row.first;
         let best = check.best_step();
         Self {
-            of: row.of.name(),
+            of: row.of,
             parameter: row.parameter.name,
             verdict: row.verdict().name(),
             exact: check.exact.into(),
@@ -397,7 +392,7 @@ impl LandingCheck {
     fn new(row: &AtLanding) -> Self {
         Self {
             check: CheckReport::new(&row.check),
-            of: row.of.name(),
+            of: row.of,
             parameter: row.parameter.name,
             landing_term: row.landing_term.into(),
         }
@@ -407,7 +402,7 @@ impl LandingCheck {
 impl ContinuityCheck {
     fn new(found: &Continuity) -> Self {
         Self {
-            of: found.of.name(),
+            of: found.of,
             parameter: found.parameter.name,
             at: found.at,
             steps: found.steps,
@@ -422,7 +417,7 @@ impl ConvergenceCheck {
     fn new(found: &Convergence) -> Self {
         let errors = |which: usize| found.errors.iter().map(|(_, pair)| pair[which]).collect();
         Self {
-            of: found.of.name(),
+            of: found.of,
             steps: found.errors.iter().map(|(step, _)| *step).collect(),
             value_errors: errors(0),
             gradient_errors: errors(1),
@@ -437,7 +432,7 @@ impl ConvergenceCheck {
 impl StepErrorReport {
     fn new(found: &StepError) -> Self {
         Self {
-            of: found.of.name(),
+            of: found.of,
             steps: found.steps,
             value_error: found.value.into(),
             parameter: found.derivative.map(|(parameter, _)| parameter.name),

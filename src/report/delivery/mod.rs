@@ -10,6 +10,7 @@ use super::json::{ByName, Range};
 use super::reply::{Ending, Report, share};
 use super::setup_file::setup_toml;
 use super::shown;
+use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Preset, Setup};
 use crate::study::delivery::{
@@ -96,8 +97,7 @@ pub struct KnownReport {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ExplainedReport {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The measured value, SI.
     pub measured: f64,
     /// The standard uncertainty of the measured value, SI.
@@ -140,8 +140,7 @@ pub struct PopulationReport {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LaunchMoments {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// Mean and standard deviation of the measured launches.
     pub measured: MeanAndDeviation,
     /// Mean and standard deviation of launches from the distribution, with the measurement errors
@@ -267,7 +266,7 @@ impl KnownReport {
 impl ExplainedReport {
     fn new(explained: &Explained) -> Self {
         Self {
-            of: explained.measured.outcome.name(),
+            of: explained.measured.outcome,
             measured: explained.measured.value,
             standard_uncertainty: explained.measured.sigma,
             computed: explained.computed,
@@ -291,7 +290,7 @@ impl UnidentifiedReport {
 impl PopulationReport {
     fn new(population: &Population) -> Self {
         let launch = |returned: &PredictedOutcome| LaunchMoments {
-            of: returned.of.name(),
+            of: returned.of,
             measured: returned.measured.into(),
             recovered: returned.recovered.into(),
         };

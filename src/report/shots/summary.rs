@@ -59,8 +59,7 @@ pub struct RefusedRows {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct OutcomeResiduals {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The residuals of all rows.
     #[serde(flatten)]
     pub all: SumsReport,
@@ -90,8 +89,7 @@ pub struct ClubShotsReport {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ClubOutcome {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The mean of the predictions, SI.
     pub predicted: Option<f64>,
     /// The residuals, predicted − measured.
@@ -102,7 +100,7 @@ pub struct ClubOutcome {
 impl ClubShotsReport {
     fn new(of: &[Outcome], club: &str, shots: &ClubShots) -> Self {
         let outcome = |(at, of): (usize, &Outcome)| ClubOutcome {
-            of: of.name(),
+            of: *of,
             predicted: shots.predicted[at].bias(),
             residuals: SumsReport::new(&shots.residuals[at]),
         };
@@ -182,7 +180,7 @@ impl<'a> ShotsReport<'a> {
             first_reason: refused.reason.clone(),
         });
         let residual = |(at, of): (usize, &Outcome)| OutcomeResiduals {
-            of: of.name(),
+            of: *of,
             all: SumsReport::new(&tally.all[at]),
             instruments: instrument_deviation(*of),
             bands: tally
