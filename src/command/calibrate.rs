@@ -107,7 +107,15 @@ pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let setup = request.setup()?;
     let outputs = Outputs::new(args, &request)?;
-    refuse_launch(args, &request, &setup)?;
+    request.refuse_launch(
+        &setup,
+        format!(
+            "calibrate reads the launch of each ball from columns of the table; leave this out, \
+             and add the columns to {} if it has none: ball_speed, launch_angle, and backspin or \
+             spin, with their units, as in \"ball_speed [mph]\"",
+            args.data.display()
+        ),
+    )?;
     let mut warnings = Warnings::default();
     warnings.add(setup.warnings());
     let table = read_shots(args, &request, &setup)?;
@@ -160,23 +168,6 @@ pub fn run(args: &Args) -> Result<Answer> {
         request.is_json(),
     );
     Ok(answer.found(report.is_found()))
-}
-
-/// Refuses a setup with a launch: each row of the table has its own.
-fn refuse_launch(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<()> {
-    if !setup.launch.is_given() {
-        return Ok(());
-    }
-    let source = format!(
-        "calibrate reads the launch of each ball from columns of the table; leave this out, and \
-         add the columns to {} if it has none: ball_speed, launch_angle, and backspin or spin, \
-         with their units, as in \"ball_speed [mph]\"",
-        args.data.display()
-    );
-    Err(Error::Unreadable {
-        name: request.launch_from(),
-        source: source.into(),
-    })
 }
 
 /// Reads the measured shots, and refuses settings that they replace.

@@ -11,10 +11,8 @@ use crate::command::running::running;
 use crate::command::wording::in_words_of_the_host;
 use crate::flight::Flight;
 use crate::optimize::Observer;
-use crate::report::page::{
-    Document, EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE, report_documents,
-};
-use crate::report::{Origin, Reply, explorer_state};
+use crate::report::page::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE, report_documents};
+use crate::report::{Origin, Reply, TextFile, explorer_state};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{Row, certify};
 use crate::study::{
@@ -93,7 +91,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let documents = report_documents(&findings)?;
     let files: Vec<_> = documents
         .iter()
-        .map(|Document { name, text }| (name.as_str(), text.as_bytes()))
+        .map(|TextFile { name, text }| (name.as_str(), text.as_bytes()))
         .chain(explorer_page.map(|page| (EXPLORER_FILE, page)))
         .collect();
     folder.write(files.iter().copied())?;

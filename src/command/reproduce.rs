@@ -1,7 +1,7 @@
 use crate::Result;
 use crate::command::files::{Folder, Rule};
 use crate::command::output::{Answer, stated_system, tell};
-use crate::report::{Mae494Report, Reply, Report, WinfieldTanReport, document_files};
+use crate::report::{Mae494Report, Reply, Report, TextFile, WinfieldTanReport, document_files};
 use crate::reproduce::{Mae494, WinfieldTan, mae494, winfield_tan};
 use crate::units::{System, counted};
 use std::path::PathBuf;
@@ -90,11 +90,14 @@ fn answer(
 /// Writes the document of a report with its figures and their data into a folder.
 pub fn write(folder: &Folder, report: &impl Report, system: System) -> Result<()> {
     let mut files = document_files(&System::ALL.map(|system| report.document(system)), system)?;
-    files.push((DOCUMENT[0].into(), report.document(system).markdown(system)));
+    files.push(TextFile {
+        name: DOCUMENT[0].into(),
+        text: report.document(system).markdown(system),
+    });
     let count = folder.write(
         files
             .iter()
-            .map(|(name, text)| (name.as_str(), text.as_bytes())),
+            .map(|TextFile { name, text }| (name.as_str(), text.as_bytes())),
     )?;
     tell(&format!(
         "wrote {} into {}",

@@ -67,6 +67,7 @@ pub use document::{Document, Line, TextOptions, document_files};
 pub use drive::{ClubReport, DriveReport, LaunchReport, LawRange, LawRanges, known_within};
 pub use effects::{EffectReport, EffectsReport, OutcomeEffects, Totals};
 pub use explorer::explorer_state;
+pub use frame::TextFile;
 pub use gradient::{GradientReport, OutcomeReport};
 pub use json::{ByName, Matrix, Number, Range, Setting, Settings};
 pub use laws::{FittedReport, LawReport, LawsReport};
@@ -86,8 +87,8 @@ pub use presets::{Change, PresetReport, PresetsReport, changes};
 pub use reply::{Empty, Ending, Reply, Report};
 pub use robust::{ModelReport, RobustReport, robust_toml};
 pub use sensitivity::{
-    Analysis, AnalysisReport, DirectionReport, EventReport, FlatEllipseReport, PredictedOptimum,
-    ResolvedOptimum, SensitivityOf, SensitivityReport, StatedChangeReport,
+    Analysis, DirectionReport, EventReport, FlatEllipseReport, PredictedOptimum, ResolvedOptimum,
+    SensitivityOf, SensitivityReport, StatedChangeReport,
 };
 #[cfg(feature = "commands")]
 pub(crate) use setup_file::with_step_of;

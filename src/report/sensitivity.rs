@@ -24,22 +24,14 @@ pub struct Analysis {
     pub changes: Vec<Changed>,
 }
 
-/// An optimum with its sensitivities and windows, SI and radians.
+/// An optimum with its sensitivities and windows, SI and radians. The analysis is `null` if the
+/// search did not converge.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SensitivityReport {
     /// The optimum.
     #[serde(flatten)]
     pub optimum: OptimumReport,
-    /// The analysis of the optimum; every entry is `null` if the search did not converge.
-    #[serde(flatten)]
-    pub analysis: AnalysisReport,
-}
-
-/// The analysis of an optimum, SI and radians; every entry is `null` without an optimum.
-#[derive(Clone, Debug, Default, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct AnalysisReport {
     /// The derivatives of the optimum by each parameter.
     pub sensitivity: Option<ByName<SensitivityOf>>,
     /// The directions of the free parameters, the flattest first.
@@ -152,11 +144,9 @@ impl SensitivityReport {
             .iter()
             .filter(|(_, sensitivity)| sensitivity.is_ok())
             .count();
-        let body = Self {
-            optimum: OptimumReport::of_many(optima)
-                .with_surroundings(best, &analysis.surroundings()),
-            analysis: AnalysisReport::new(best, analysis),
-        };
+        let optimum = OptimumReport::of_many(optima);
+        let optimum = optimum.with_surroundings(best, &analysis.surroundings());
+        let body = Self::new(optimum, best, analysis);
         let reply = Reply::done("optimum-sensitivity", warnings, body);
         match share(found, all.len()) {
             // a parameter without sensitivities has its own message
@@ -183,7 +173,10 @@ impl SensitivityReport {
             warnings,
             Self {
                 optimum: body,
-                analysis: AnalysisReport::default(),
+                sensitivity: None,
+                directions: None,
+                ellipses: None,
+                changes: None,
             },
         );
         let reply = Reply { from, ..reply };
@@ -192,10 +185,8 @@ impl SensitivityReport {
             None => reply.ended(status, message),
         }
     }
-}
 
-impl AnalysisReport {
-    fn new(best: &Optimum, analysis: &Analysis) -> Self {
+    fn new(optimum: OptimumReport, best: &Optimum, analysis: &Analysis) -> Self {
         let Analysis {
             sensitivities,
             flatness,
@@ -219,6 +210,7 @@ impl AnalysisReport {
             .iter()
             .map(|changed| StatedChangeReport::new(best, changed));
         Self {
+            optimum,
             sensitivity: Some(sensitivity.collect()),
             directions: Some(directions.collect()),
             ellipses: Some(ellipses.collect()),

@@ -157,18 +157,9 @@ pub struct LandingCheck {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ContinuityCheck {
-    /// The outcome.
-    pub of: Outcome,
-    /// The parameter.
-    pub parameter: &'static str,
-    /// The value of the parameter where the number changes, SI.
-    pub at: f64,
-    /// The number of steps below and above that value.
-    pub steps: [usize; 2],
-    /// The relative jumps of value, gradient and Hessian.
-    pub jumps: [f64; 3],
-    /// The largest allowed relative jumps.
-    pub tolerances: [f64; 3],
+    /// The jumps of the outcome.
+    #[serde(flatten)]
+    pub found: Continuity,
     /// `pass` or `fail`.
     #[cfg_attr(test, schemars(with = "crate::derivative::check::Verdict"))]
     pub verdict: &'static str,
@@ -402,12 +393,7 @@ impl LandingCheck {
 impl ContinuityCheck {
     fn new(found: &Continuity) -> Self {
         Self {
-            of: found.of,
-            parameter: found.parameter.name,
-            at: found.at,
-            steps: found.steps,
-            jumps: found.jumps,
-            tolerances: found.bars,
+            found: found.clone(),
             verdict: verdict_of(found.passed()),
         }
     }

@@ -15,7 +15,7 @@ use super::figures::{
     At, Causes, OnMap, View, capital, chart_figures, face_figure, fairway_figure, launches_figure,
     map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
-use super::frame::{Frame, Pair, both, in_each, picture_files, pictures};
+use super::frame::{Frame, Pair, TextFile, both, in_each, picture_files, pictures};
 use super::optimum::best_toml;
 use super::plot::{Figure, Look, figure_svg};
 use super::{setup_toml, shown};
@@ -24,21 +24,12 @@ use crate::study::{Chart, Effects, Map, NamedDrive};
 use crate::units::{Message, System};
 use maud::{Markup, html};
 
-/// A file of a report.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Document {
-    /// The file name.
-    pub name: String,
-    /// The content.
-    pub text: String,
-}
-
 /// The files of a report: `index.html`, [`SETUP_FILE`], and for each plot `NAME-us.svg`,
 /// `NAME-metric.svg` and `NAME.csv`.
 ///
 /// # Errors
 /// The errors of [`figure_svg`], [`figure_csv`](super::plot::figure_csv) and [`setup_toml`].
-pub fn report_documents(findings: &Findings) -> Result<Vec<Document>> {
+pub fn report_documents(findings: &Findings) -> Result<Vec<TextFile>> {
     let plots = plots(findings);
     let setup = match findings.best() {
         Some(best) => best_toml(best, None, None, findings.preset)?,
@@ -50,14 +41,17 @@ pub fn report_documents(findings: &Findings) -> Result<Vec<Document>> {
         )?,
     };
     let mut files = vec![
-        ("index.html".to_owned(), page(findings, &plots)?),
-        (SETUP_FILE.to_owned(), setup),
+        TextFile {
+            name: "index.html".into(),
+            text: page(findings, &plots)?,
+        },
+        TextFile {
+            name: SETUP_FILE.into(),
+            text: setup,
+        },
     ];
     files.extend(picture_files(plots.all(), System::default())?);
-    Ok(files
-        .into_iter()
-        .map(|(name, text)| Document { name, text })
-        .collect())
+    Ok(files)
 }
 
 /// The plots of the page.

@@ -3,7 +3,7 @@
 use crate::drive::Outcome;
 use crate::report::document::{Document, Line, Table};
 use crate::report::reply::{Ending, Report};
-use crate::shots::{Band, ClubShots, FLOOR, ShotStatistics, Sums};
+use crate::shots::{Band, ClubShots, FLOOR, Refused, ShotStatistics, Sums};
 use crate::units::{Message, System, counted, fixed, printed, signed};
 use serde::Serialize;
 
@@ -46,12 +46,9 @@ pub struct ShotsReport<'a> {
 pub struct RefusedRows {
     /// The kind of reason.
     pub kind: &'static str,
-    /// Number of rows.
-    pub rows: u64,
-    /// The line of the first of these rows.
-    pub first_line: u64,
-    /// The reason of the first of these rows.
-    pub first_reason: String,
+    /// Their number, and the first of them.
+    #[serde(flatten)]
+    pub refused: Refused,
 }
 
 /// The residuals of an outcome, SI.
@@ -175,9 +172,7 @@ impl<'a> ShotsReport<'a> {
     ) -> Self {
         let refused = tally.refused.iter().map(|(kind, refused)| RefusedRows {
             kind,
-            rows: refused.count,
-            first_line: refused.line,
-            first_reason: refused.reason.clone(),
+            refused: refused.clone(),
         });
         let residual = |(at, of): (usize, &Outcome)| OutcomeResiduals {
             of: *of,

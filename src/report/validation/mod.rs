@@ -105,12 +105,9 @@ pub struct ScoreReport {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ResidualReport {
-    /// The index of the drive in `cases`, from 0.
-    pub case: usize,
-    /// The computed value, SI.
-    pub predicted: f64,
-    /// The published value, SI.
-    pub published: f64,
+    /// The values.
+    #[serde(flatten)]
+    pub values: Residual,
     /// The computed minus the published value, SI.
     pub difference: f64,
 }
@@ -225,9 +222,7 @@ impl LawScoresReport {
 impl ScoreReport {
     fn new(score: &Score) -> Self {
         let residual = |one: &Residual| ResidualReport {
-            case: one.case,
-            predicted: one.predicted,
-            published: one.published,
+            values: *one,
             difference: one.difference(),
         };
         Self {
