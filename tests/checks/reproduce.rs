@@ -167,7 +167,7 @@ fn exact_parts_of_the_launch_add_up_to_the_gradient() {
         "loft",
     );
     close(
-        parts.by_attack_angle.iter().sum(),
+        parts.by_attack_angle.to_array().iter().sum(),
         whole.gradient[1],
         60.0,
         1e-10,
