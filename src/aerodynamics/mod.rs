@@ -24,6 +24,7 @@ pub use fitted::{Fitted, FittedRange, range_in_words};
 
 use crate::number::Numbers;
 use crate::parameters::{Law, with_law};
+use serde::Serialize;
 
 /// Flow of the air past the ball. A law computes from it the variables that it needs.
 #[derive(Clone, Copy, Debug)]
@@ -82,7 +83,8 @@ pub struct Coefficients<T> {
 }
 
 /// Source of a law.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Published {
     /// Authors of the publication, or of the fit to published data.
     pub authors: &'static str,

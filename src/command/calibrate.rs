@@ -10,13 +10,13 @@ use crate::command::request::Request;
 use crate::command::running::running;
 use crate::optimize::least_squares::{FitObserver, Loss, Status};
 use crate::parameters::{Law, Vary};
-use crate::report::{CalibrationReport, Report};
+use crate::report::CalibrationReport;
 use crate::study::calibrate::{
     Calibration, FitPlan, HeldOut, ShotTable, calibrate, check_folds, held_out, ranges,
     validity_warnings,
 };
 use crate::table::RowFilter;
-use crate::units::{Message, System};
+use crate::units::Message;
 use crate::{Error, Result, Setup};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -107,7 +107,15 @@ pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let setup = request.setup()?;
     let outputs = Outputs::new(args, &request)?;
-    refuse_launch(args, &request, &setup)?;
+    request.refuse_launch(
+        &setup,
+        format!(
+            "calibrate reads the launch of each ball from columns of the table; leave this out, \
+             and add the columns to {} if it has none: ball_speed, launch_angle, and backspin or \
+             spin, with their units, as in \"ball_speed [mph]\"",
+            args.data.display()
+        ),
+    )?;
     let mut warnings = Warnings::default();
     warnings.add(setup.warnings());
     let table = read_shots(args, &request, &setup)?;
@@ -162,23 +170,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer.found(report.is_found()))
 }
 
-/// Refuses a setup with a launch: each row of the table has its own.
-fn refuse_launch(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<()> {
-    if !setup.launch.is_given() {
-        return Ok(());
-    }
-    let source = format!(
-        "calibrate reads the launch of each ball from columns of the table; leave this out, and \
-         add the columns to {} if it has none: ball_speed, launch_angle, and backspin or spin, \
-         with their units, as in \"ball_speed [mph]\"",
-        args.data.display()
-    );
-    Err(Error::Unreadable {
-        name: request.launch_from(),
-        source: source.into(),
-    })
-}
-
 /// Reads the measured shots, and refuses settings that they replace.
 fn read_shots(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<ShotTable> {
     let file = args.data.display();
@@ -218,11 +209,7 @@ impl Outputs {
             .map(|folder| rule.folder(folder, &DOCUMENT))
             .transpose()?;
         let rule = rule.and_not(args.plot.as_deref());
-        let setup = args
-            .output
-            .as_ref()
-            .map(|file| rule.setup_file(file))
-            .transpose()?;
+        let setup = rule.setup_file(args.output.as_deref())?;
         Ok(Self { folder, setup })
     }
 
@@ -253,11 +240,10 @@ impl Outputs {
     }
 
     fn write_document(&self, report: &CalibrationReport<'_>) -> Result<()> {
-        let Some(folder) = &self.folder else {
-            return Ok(());
-        };
-        let documents = System::ALL.map(|system| report.document(system));
-        write(folder, &documents, system())
+        match &self.folder {
+            Some(folder) => write(folder, report, system()),
+            None => Ok(()),
+        }
     }
 }
 

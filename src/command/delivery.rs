@@ -1,6 +1,7 @@
 use crate::command::args::SetupArgs;
 use crate::command::files::{Destination, Rule};
 use crate::command::interrupt::{self, BEST_SO_FAR};
+use crate::command::names::sigmas;
 use crate::command::output::{Answer, command_line, system, tell, warn};
 use crate::command::request::{Request, Setting, Source};
 use crate::parameters::Vary;
@@ -8,7 +9,6 @@ use crate::report::{
     DeliveryOptions, DeliveryReport, Origin, bound_warnings, delivery_toml,
     parameter_difference_text, parameter_text, population_warnings, recovered_csv, recovered_toml,
 };
-use crate::study::Sigma;
 use crate::study::calibrate::ShotTable;
 use crate::study::delivery::{
     Delivery, Population, Unknown, deliveries, delivery, launches, unknowns,
@@ -259,11 +259,7 @@ fn read_unknowns(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<V
         .iter()
         .map(|text| Vary::read(setup, text))
         .collect::<Result<Vec<_>>>()?;
-    let sigmas = args
-        .sigma
-        .iter()
-        .map(|text| Sigma::read(setup, text))
-        .collect::<Result<Vec<_>>>()?;
+    let sigmas = sigmas(setup, &args.sigma)?;
     let measured = |unknown: Unknown| match setup.value(unknown.parameter) {
         Some(value) if request.states(unknown.parameter) => Unknown {
             low: unknown.low,
@@ -304,11 +300,7 @@ struct SwingsFile {
 impl Outputs {
     fn new(args: &Args, request: &Request) -> Result<Self> {
         let rule = Rule::new(request.inputs().chain(args.shots.clone()), args.overwrite);
-        let setup = args
-            .output
-            .as_ref()
-            .map(|file| rule.setup_file(file))
-            .transpose()?;
+        let setup = rule.setup_file(args.output.as_deref())?;
         let rule = rule.and_not(args.output.as_deref());
         let swings = |file: &PathBuf| {
             Ok(SwingsFile {

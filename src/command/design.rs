@@ -5,13 +5,13 @@ use crate::command::interrupt;
 use crate::command::output::{Answer, system};
 use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
-use crate::command::swings::{SwingsSearch, found, sought};
+use crate::command::swings::{found, sought};
 use crate::parameters::Parameter;
 use crate::report::Designed;
 use crate::study::design::{Design, GOLFER, golfer, improvements, usual_vary};
 use crate::study::swings::{Scenarios, Swings};
 use crate::study::{Goal, Search, Sense};
-use crate::{Error, Result, Setup};
+use crate::{Error, Result};
 
 /// The default objective.
 const GOAL: &str = "mean(carry) - 0.5*rms(lateral)";
@@ -56,7 +56,11 @@ pub fn run(args: &Args) -> Result<Answer> {
     let request = search.setup_args.request()?;
     refuse_unnamed_preset(&request)?;
     let setup = request.setup()?;
-    refuse_launch(&request, &setup)?;
+    request.refuse_launch(
+        &setup,
+        "it gives the launch, so no club strikes the ball and there is nothing to design; leave it \
+         out, or give the swing",
+    )?;
     let swings = if search.swings.is_given() {
         search.swings.read(&setup)?
     } else {
@@ -82,15 +86,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let asked = Search { scenarios, ..asked };
     let design = Design::new(&setup, asked, args.rules == "golf")?;
     notes.extend(design.notes.iter().cloned());
-    let found = found(
-        search,
-        &request,
-        SwingsSearch {
-            setup,
-            swings,
-            search: design.search.clone(),
-        },
-    )?;
+    let found = found(search, &request, setup, swings, design.search.clone())?;
     let improvements = if found.optima.best.value().is_some() {
         improvements(&found.setup, &found.optima.best, &found.stop)?
     } else {
@@ -107,7 +103,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let answer = if request.is_json() {
         Answer::json(&designed.reply(found.reply(&request.origin())))
     } else {
-        let document = designed.document(found.over(), system());
+        let document = designed.document(&found.over, system());
         Answer::document_about(document, &request.origin())
     };
     Ok(answer.found(found.is_found()))
@@ -123,19 +119,6 @@ fn refuse_unnamed_preset(request: &Request) -> Result<()> {
                   preset = \"modern-driver\"";
     Err(Error::Unreadable {
         name: request.source().name().into(),
-        source: source.into(),
-    })
-}
-
-/// Refuses a setup that gives the launch.
-fn refuse_launch(request: &Request, setup: &Setup<f64>) -> Result<()> {
-    if !setup.launch.is_given() {
-        return Ok(());
-    }
-    let source = "it gives the launch, so no club strikes the ball and there is nothing to \
-                  design; leave it out, or give the swing";
-    Err(Error::Unreadable {
-        name: request.launch_from(),
         source: source.into(),
     })
 }

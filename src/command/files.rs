@@ -66,12 +66,13 @@ impl Rule {
         Ok(destination)
     }
 
-    /// The destination of a setup file, if the rule allows it. The file is TOML, and its extension
-    /// must not belong to another format.
+    /// The destination of a setup file, if one is given and the rule allows it. The file is TOML,
+    /// and its extension must not belong to another format.
     ///
     /// # Errors
     /// The errors of [`file`](Self::file); the extension of another format.
-    pub fn setup_file(&self, path: &Path) -> Result<Destination> {
+    pub fn setup_file(&self, path: Option<&Path>) -> Result<Option<Destination>> {
+        let Some(path) = path else { return Ok(None) };
         let destination = self.file(path)?;
         match ending_of_a_file(path).filter(|ending| ending != "toml") {
             Some(ending) => {
@@ -81,7 +82,7 @@ impl Rule {
                 );
                 Err(refused(path, &reason))
             }
-            None => Ok(destination),
+            None => Ok(Some(destination)),
         }
     }
 

@@ -3,6 +3,7 @@
 use crate::command::output::{system, tell, tell_left_out};
 use crate::parameters::Parameter;
 use crate::report::known_within;
+use crate::study::Sigma;
 use crate::{Outcome, Result, Setup};
 
 fn given(names: &[String]) -> impl Iterator<Item = &str> {
@@ -86,6 +87,11 @@ pub fn usual(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
         .into_iter()
         .map(|name| setup.variable(name))
         .collect()
+}
+
+/// The stated uncertainties.
+pub fn sigmas(setup: &Setup<f64>, stated: &[String]) -> Result<Vec<Sigma>> {
+    stated.iter().map(|text| Sigma::read(setup, text)).collect()
 }
 
 fn once<T: PartialEq + Copy>(all: Vec<T>) -> Vec<T> {

@@ -28,11 +28,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let warnings = best.warnings(&AtomicBool::new(false));
     warn(&warnings);
-    let written = output
-        .as_ref()
-        .map(|output| write(output, &request, &optima, None))
-        .transpose()?
-        .flatten();
+    let written = write(output.as_ref(), &request, &optima, None)?;
     let over = OverSwings::default();
     let held = args.search.held(&request, &setup)?;
     let origin = request
@@ -51,7 +47,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         club_alone: club.as_ref(),
     });
     let answer = if request.is_json() {
-        let mut reply = OptimumReport::reply(&optima, over, warnings);
+        let mut reply = OptimumReport::reply(&optima, &over, warnings);
         if let Some(around) = &around {
             reply.body = reply.body.with_surroundings(best, around);
         }
@@ -60,7 +56,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         Answer::json(&reply.about(&origin))
     } else {
         Answer::document_about(
-            optimize_document(&optima, over, around.as_ref(), system()),
+            optimize_document(&optima, &over, around.as_ref(), system()),
             &origin,
         )
     };
@@ -71,10 +67,6 @@ impl Args {
     /// The destination of the setup file of the optimum.
     pub fn destination(&self, request: &Request) -> Result<Option<Destination>> {
         let inputs = request.inputs().chain(self.work.checkpoint.clone());
-        let rule = Rule::new(inputs, self.overwrite);
-        self.output
-            .as_ref()
-            .map(|file| rule.setup_file(file))
-            .transpose()
+        Rule::new(inputs, self.overwrite).setup_file(self.output.as_deref())
     }
 }

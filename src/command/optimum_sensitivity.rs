@@ -1,17 +1,13 @@
 use crate::command::args::{OptimizeArgs, SwingsArgs};
 use crate::command::names::variables;
 use crate::command::output::{Answer, bar, show, spinner, system, tell, tell_error, warn};
-use crate::command::request::Request;
 use crate::command::search::write;
 use crate::parameters::Parameter;
-use crate::report::{
-    Analysis, Document, Origin, OverSwings, Reply, SensitivityReport, optimum_document,
-};
+use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_document};
 use crate::study::{
-    Change, Changed, Flatness, Optima, Optimum, Search, Sensitivity, change, flatness,
-    refuse_varied, sensitivities, short_drive, usual_loss,
+    Change, Optimum, Search, change, flatness, refuse_varied, sensitivities, short_drive,
+    usual_loss,
 };
-use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
 use std::sync::atomic::AtomicBool;
 
@@ -63,35 +59,42 @@ pub fn run(args: &Args) -> Result<Answer> {
         .with_held(&held, &setup);
     let optima = work.run(&setup, &search)?;
     let best = &optima.best;
-    let written = output
-        .as_ref()
-        .map(|output| write(output, &request, &optima, None))
-        .transpose()?
-        .flatten();
+    let written = write(output.as_ref(), &request, &optima, None)?;
     if let Some(moved) = best.moved_start() {
         tell(&moved);
     }
     let warnings = best.warnings(&AtomicBool::new(false));
     warn(&warnings);
-    if optima.stopped() > 0 {
-        let mut interrupted = Analysed::without(&optima, None, warnings);
-        interrupted.reply.body.optimum.file = written;
-        return Ok(interrupted.answer(&request, &origin));
-    }
     // each changed setup gets its own integration step, as `optimize` of that setup would
     let integrated = |mut changed: Setup<f64>| {
         (changed.method, changed.flight.step) = (own.method, own.flight.step);
         request.for_many(changed, &search.vary)
     };
-    let mut analysed = match analyse(best, &asked, &integrated) {
-        Err(error) if error.is_an_outcome() => {
-            tell_error(&error);
-            Analysed::without(&optima, Some(&error), warnings)
+    let (mut analysis, mut reason) = (None, None);
+    if optima.stopped() == 0 {
+        match analyse(best, &asked, &integrated) {
+            Err(error) if error.is_an_outcome() => {
+                tell_error(&error);
+                reason = Some(error);
+            }
+            found => analysis = Some(found?),
         }
-        analyses => Analysed::new(&optima, &analyses?, warnings),
+    }
+    let answer = if request.is_json() {
+        let mut reply = match &analysis {
+            Some(analysis) => SensitivityReport::reply(&optima, analysis, warnings),
+            None => SensitivityReport::none(&optima, reason.as_ref(), warnings),
+        };
+        reply.body.optimum.file = written;
+        Answer::json(&reply.about(&origin))
+    } else {
+        let document = match &analysis {
+            Some(analysis) => analysis.document(best, system()),
+            None => optimum_document(best, &OverSwings::default(), None, system()),
+        };
+        Answer::document_about(document, &origin)
     };
-    analysed.reply.body.optimum.file = written;
-    Ok(analysed.answer(&request, &origin))
+    Ok(answer.found(analysis.is_some_and(|analysis| analysis.is_answered())))
 }
 
 fn refuse_swings(swings: &SwingsArgs) -> Result<()> {
@@ -104,43 +107,6 @@ fn refuse_swings(swings: &SwingsArgs) -> Result<()> {
         name: "`swings` or `distribution`".into(),
         source: source.into(),
     })
-}
-
-/// An optimum with its analysis, for JSON and for readers.
-struct Analysed {
-    /// True if a sensitivity exists, or if none was requested.
-    is_found: bool,
-    document: Document,
-    reply: Reply<SensitivityReport>,
-}
-
-impl Analysed {
-    fn new(optima: &Optima, analyses: &Analyses, warnings: Vec<Message>) -> Self {
-        let analysis = analyses.analysis(&optima.best);
-        Self {
-            is_found: analyses.is_answered(),
-            document: analysis.document(system()),
-            reply: SensitivityReport::reply(optima, &analysis, warnings),
-        }
-    }
-
-    /// The optimum without an analysis, with the reason.
-    fn without(optima: &Optima, reason: Option<&Error>, warnings: Vec<Message>) -> Self {
-        Self {
-            is_found: false,
-            document: optimum_document(&optima.best, OverSwings::default(), None, system()),
-            reply: SensitivityReport::none(optima, reason, warnings),
-        }
-    }
-
-    fn answer(self, request: &Request, origin: &Origin) -> Answer {
-        let answer = if request.is_json() {
-            Answer::json(&self.reply.about(origin))
-        } else {
-            Answer::document_about(self.document, origin)
-        };
-        answer.found(self.is_found)
-    }
 }
 
 /// The requested derivatives and changes.
@@ -174,36 +140,12 @@ impl AnalysisRequest {
     }
 }
 
-/// Sensitivities, flatness, and the effects of the requested changes.
-struct Analyses {
-    sensitivities: Vec<(&'static Parameter, Result<Sensitivity>)>,
-    flatness: Flatness,
-    changes: Vec<Changed>,
-}
-
-impl Analyses {
-    fn analysis<'a>(&'a self, best: &'a Optimum) -> Analysis<'a> {
-        Analysis {
-            best,
-            sensitivities: &self.sensitivities,
-            flatness: &self.flatness,
-            changes: &self.changes,
-        }
-    }
-
-    /// Returns true if a sensitivity exists, or if none was requested.
-    fn is_answered(&self) -> bool {
-        let mut all = self.sensitivities.iter();
-        self.sensitivities.is_empty() || all.any(|(_, sensitivity)| sensitivity.is_ok())
-    }
-}
-
 /// Analyses an optimum; `integrated` chooses the integration step of a changed setup.
 fn analyse(
     best: &Optimum,
     asked: &AnalysisRequest,
     integrated: &dyn Fn(Setup<f64>) -> Result<Setup<f64>>,
-) -> Result<Analyses> {
+) -> Result<Analysis> {
     let wrt: Vec<_> = asked
         .wrt
         .iter()
@@ -225,7 +167,7 @@ fn analyse(
         .collect::<Result<Vec<_>>>()?;
     let flatness = flatness(best, loss)?;
     spinner.finish();
-    Ok(Analyses {
+    Ok(Analysis {
         sensitivities: sensitivities?,
         flatness,
         changes,

@@ -3,24 +3,21 @@ use crate::command::date::today;
 use crate::command::explore::page::compiled_in;
 use crate::command::files::Rule;
 use crate::command::host::SharedProgress;
-use crate::command::names::usual;
+use crate::command::names::{sigmas, usual};
 use crate::command::output::{Answer, bar, command_line, system, tell, warn};
 use crate::command::plot::limits;
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::wording::in_words_of_the_host;
 use crate::flight::Flight;
-use crate::optimize::{Observer, Status};
-use crate::report::page::{
-    Document, EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE, report_documents,
-};
-use crate::report::{Origin, Reply, explorer_state};
+use crate::optimize::Observer;
+use crate::report::page::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE, report_documents};
+use crate::report::{Origin, Reply, TextFile, explorer_state};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{Row, certify};
 use crate::study::{
-    Chart, ClubAlone, Constraint, Effects, Face, Fineness, Flatness, Landing, Launches, Map,
-    NamedDrive, Optimum, Plane, Region, Search, Sigma, Vary, chart, club_alone, effects, flatness,
-    lofts, map, optimum, short_drive, usual_loss, with_defaults,
+    Chart, Face, Fineness, Landing, Launches, Map, NamedDrive, Region, Search, Sigma, Vary, chart,
+    club_alone, effects, flatness, lofts, map, optimum, short_drive, usual_loss, with_defaults,
 };
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
@@ -77,28 +74,30 @@ pub fn run(args: &Args) -> Result<Answer> {
 
     let bar = bar("parts");
     bar.set_length(USUAL_POINTS + 5);
-    let results = Results::new(&inputs, &bar)?;
-    let in_words = |message: Message| message.map_words(in_words_of_the_host);
-    let mut remarks: Vec<_> = results.remarks.iter().cloned().map(in_words).collect();
-    let why_none = results.drives.why_none(inputs.reason.as_deref());
-    let why_none = why_none.map(in_words);
-    let documents = documents(
-        &request,
-        &inputs,
-        &results,
-        &remarks,
-        why_none.as_ref(),
-        explorer.as_ref(),
-        &date,
-    )?;
+    let mut findings = Findings {
+        explorer,
+        system: system(),
+        command: command_line(running().words()),
+        date,
+        ..Findings::new(
+            name_of(&request),
+            inputs.stated,
+            inputs.setup,
+            inputs.of,
+            request.source().preset(),
+        )
+    };
+    add_sections(&mut findings, &inputs, &bar)?;
+    let documents = report_documents(&findings)?;
     let files: Vec<_> = documents
         .iter()
-        .map(|Document { name, text }| (name.as_str(), text.as_bytes()))
+        .map(|TextFile { name, text }| (name.as_str(), text.as_bytes()))
         .chain(explorer_page.map(|page| (EXPLORER_FILE, page)))
         .collect();
     folder.write(files.iter().copied())?;
     bar.finish();
-    remarks.extend(why_none);
+    let why_none = findings.why_none.iter();
+    let remarks: Vec<_> = findings.remarks.iter().chain(why_none).cloned().collect();
     warn(&remarks);
     tell(&format!(
         "{} ({})",
@@ -107,7 +106,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     ));
     let origin = request.origin();
     let names = files.iter().map(|(name, _)| *name).collect();
-    Ok(answer(args, &origin, &results.drives, names, remarks))
+    Ok(answer(args, &origin, &findings, names, remarks))
 }
 
 /// The way to the explorer: its page with the drive as set up, or the command that serves it.
@@ -157,11 +156,7 @@ impl Inputs {
             .flat_map(|(search, along)| search.vary.iter().copied().chain([*along]))
             .collect();
         let setup = request.for_many(stated, &ranges)?;
-        let given = args
-            .sigma
-            .iter()
-            .map(|text| Sigma::read(&setup, text))
-            .collect::<Result<Vec<_>>>()?;
+        let given = sigmas(&setup, &args.sigma)?;
         let sigmas = with_defaults(&setup, &given, &[of])?;
         Ok(Self {
             stated,
@@ -175,113 +170,25 @@ impl Inputs {
     }
 }
 
-/// The computed parts of a report.
-struct Results {
-    drives: Drives,
-    pictures: Pictures,
-    flatness: Option<Flatness>,
-    club_alone: Option<ClubAlone>,
-    lofts: Option<Plane>,
-    neighbourhood: Neighbourhood,
-    chart: Option<Chart>,
-    slopes: Slopes,
-    remarks: Vec<Message>,
-}
-
-impl Results {
-    fn new(inputs: &Inputs, bar: &SharedProgress) -> Result<Self> {
-        let Inputs {
-            setup,
-            of,
-            sought,
-            given,
-            sigmas,
-            ..
-        } = inputs;
-        let mut remarks = vec![];
-        let search = sought.as_ref().map(|(search, _)| search);
-        let drives = Drives::new(setup, search, bar, &mut remarks)?;
-        let best = drives.best();
-        let pictures = Pictures::of(setup, best, &drives.flown, given, &mut remarks)?;
-        let short = best.and_then(short_drive);
-        remarks.extend(short.map(|(_, said)| Message::from(said)));
-        let flatness = best
-            .map(|best| flatness(best, usual_loss(best)))
-            .transpose()?;
-        let club_alone = best
-            .map(|best| said(club_alone(best), &mut remarks))
-            .transpose()?;
-        let lofts = lofts(setup, best.map_or(setup, |best| &best.setup))?;
-        bar.inc(1);
-        let neighbourhood = Neighbourhood::new(setup, *of, search, best, &mut remarks)?;
-        bar.inc(1);
-        let chart = match (sought, best) {
-            (Some((search, along)), Some(_)) => chart_of(setup, search, *along, bar, &mut remarks)?,
-            _ => None,
-        };
-        let slopes = Slopes::new(setup, *of, search, best, sigmas, bar, &mut remarks)?;
-        Ok(Self {
-            club_alone: club_alone.flatten().flatten(),
-            drives,
-            pictures,
-            flatness,
-            lofts,
-            neighbourhood,
-            chart,
-            slopes,
-            remarks,
-        })
+/// Computes the sections of a report. A section without an answer becomes a remark.
+fn add_sections(findings: &mut Findings, inputs: &Inputs, bar: &SharedProgress) -> Result<()> {
+    let search = inputs.sought.as_ref().map(|(search, _)| search);
+    let mut remarks = vec![];
+    add_drives(findings, search, bar, &mut remarks)?;
+    let why_none = why_none(findings, inputs.reason.as_deref());
+    add_pictures(findings, &inputs.given, &mut remarks)?;
+    add_optimum(findings, &mut remarks)?;
+    bar.inc(1);
+    add_map(findings, search, &mut remarks)?;
+    bar.inc(1);
+    if let (Some((search, along)), Some(_)) = (&inputs.sought, findings.best()) {
+        findings.chart = chart_of(&findings.setup, search, *along, bar, &mut remarks)?;
     }
-}
-
-/// The files of a report.
-fn documents(
-    request: &Request,
-    inputs: &Inputs,
-    results: &Results,
-    remarks: &[Message],
-    why_none: Option<&Message>,
-    explorer: Option<&ExplorerLink>,
-    date: &str,
-) -> Result<Vec<Document>> {
-    let Results {
-        drives,
-        pictures,
-        neighbourhood,
-        slopes,
-        ..
-    } = results;
-    report_documents(&Findings {
-        name: &name_of(request),
-        stated: &inputs.stated,
-        setup: &inputs.setup,
-        of: inputs.of,
-        preset: request.source().preset(),
-        flown: &drives.flown,
-        landings: &pictures.landings,
-        launches: pictures.launches.as_ref(),
-        face: pictures.face.as_ref(),
-        best_face: pictures.best_face.as_ref(),
-        found: drives.found.as_ref(),
-        best: drives.best(),
-        why_none,
-        flatness: results.flatness.as_ref(),
-        club_alone: results.club_alone.as_ref(),
-        lofts: results.lofts.as_ref(),
-        map: neighbourhood.map.as_ref(),
-        limits: &neighbourhood.limits,
-        region: neighbourhood.region.as_ref(),
-        chart: results.chart.as_ref(),
-        effects: &slopes.effects,
-        at_best: slopes.at_best.as_ref(),
-        rows: &slopes.rows,
-        loops: &while_loop(&inputs.setup, &slopes.rows),
-        explorer,
-        system: system(),
-        remarks,
-        command: &command_line(running().words()),
-        date,
-    })
+    add_derivatives(findings, search, &inputs.sigmas, bar, &mut remarks)?;
+    let in_words = |message: Message| message.map_words(in_words_of_the_host);
+    findings.remarks = remarks.into_iter().map(in_words).collect();
+    findings.why_none = why_none.map(in_words);
+    Ok(())
 }
 
 /// The name of the setup. For a file, omit the folder (privacy).
@@ -295,12 +202,13 @@ fn name_of(request: &Request) -> String {
 fn answer(
     args: &Args,
     origin: &Origin,
-    drives: &Drives,
+    findings: &Findings,
     files: Vec<&str>,
     remarks: Vec<Message>,
 ) -> Answer {
-    let own = &drives.flown[0].drive;
-    let missing = drives.found.as_ref().filter(|_| drives.best().is_none());
+    let own = &findings.flown[0].drive;
+    let missing = findings.found.as_ref();
+    let missing = missing.filter(|_| findings.best().is_none());
     let answer = if args.setup_args.json {
         let (status, message) = match (&own.flight, missing) {
             (Flight::None(why), _) => (why.status(), Some(why.to_string())),
@@ -319,107 +227,101 @@ fn answer(
     answer.found(missing.is_none() && own.landed().is_ok())
 }
 
-/// The drive as set up and the drive of the optimum.
-struct Drives {
-    flown: Vec<NamedDrive>,
-    /// The result of the search, converged or not.
-    found: Option<Optimum>,
+/// Adds the drive as set up and the drive of the optimum.
+fn add_drives(
+    findings: &mut Findings,
+    search: Option<&Search>,
+    bar: &SharedProgress,
+    remarks: &mut Vec<Message>,
+) -> Result<()> {
+    let setup = &findings.setup;
+    let own = NamedDrive::new("as set up", setup)?;
+    remarks.extend(own.drive.warnings_about(setup, Outcome::ALL));
+    bar.inc(1);
+    findings.found = search
+        .map(|search| optimum(setup, search.clone(), Observer::default()))
+        .transpose()?;
+    findings.flown.push(own);
+    if let Some(best) = findings.best() {
+        let longest = NamedDrive::new(NamedDrive::OPTIMUM, &best.setup)?;
+        let mut of_drive = longest.drive.warnings_about(&best.setup, Outcome::ALL);
+        of_drive.retain(|warning| !remarks.contains(warning));
+        remarks.extend(
+            of_drive
+                .into_iter()
+                .map(|warning| Message::from("at the optimum: ").message(warning)),
+        );
+        findings.flown.push(longest);
+    }
+    Ok(())
 }
 
-impl Drives {
-    fn new(
-        setup: &Setup<f64>,
-        search: Option<&Search>,
-        bar: &SharedProgress,
-        remarks: &mut Vec<Message>,
-    ) -> Result<Self> {
-        let mut flown = vec![NamedDrive::new("as set up", setup)?];
-        remarks.extend(flown[0].drive.warnings_about(setup, Outcome::ALL));
-        bar.inc(1);
-        let found = search
-            .map(|search| optimum(setup, search.clone(), Observer::default()))
-            .transpose()?;
-        let mut drives = Self {
-            flown: vec![],
-            found,
-        };
-        if let Some(best) = drives.best() {
-            let longest = NamedDrive::new(NamedDrive::OPTIMUM, &best.setup)?;
-            let mut of_drive = longest.drive.warnings_about(&best.setup, Outcome::ALL);
-            of_drive.retain(|warning| !remarks.contains(warning));
-            remarks.extend(
-                of_drive
-                    .into_iter()
-                    .map(|warning| Message::from("at the optimum: ").message(warning)),
-            );
-            flown.push(longest);
+/// The reason why there is no optimum. `reason` is why there was no search.
+fn why_none(findings: &Findings, reason: Option<&str>) -> Option<Message> {
+    match (&findings.found, findings.best()) {
+        (None, _) => reason.map(|reason| {
+            Message::from(format!(
+                "the optimum, its map and its chart are left out: {reason}"
+            ))
+        }),
+        (Some(found), None) => Some(
+            Message::from(format!("no optimum: {}: ", found.status())).message(found.message()),
+        ),
+        _ => None,
+    }
+}
+
+/// Adds the flatness around the optimum, the optimum of the club alone, and the table of lofts.
+fn add_optimum(findings: &mut Findings, remarks: &mut Vec<Message>) -> Result<()> {
+    let best = findings.best();
+    let short = best.and_then(short_drive);
+    remarks.extend(short.map(|(_, said)| Message::from(said)));
+    let flatness = best
+        .map(|best| flatness(best, usual_loss(best)))
+        .transpose()?;
+    let club_alone = best
+        .map(|best| said(club_alone(best), remarks))
+        .transpose()?;
+    let lofts = lofts(
+        &findings.setup,
+        best.map_or(&findings.setup, |best| &best.setup),
+    )?;
+    findings.flatness = flatness;
+    findings.club_alone = club_alone.flatten().flatten();
+    findings.lofts = lofts;
+    Ok(())
+}
+
+/// Adds the map around the optimum, or else around the setup, over the first two varied parameters.
+fn add_map(
+    findings: &mut Findings,
+    search: Option<&Search>,
+    remarks: &mut Vec<Message>,
+) -> Result<()> {
+    let best = findings.best();
+    let around = best.map_or(&findings.setup, |best| &best.setup);
+    let map = match search.map(|search| &search.vary[..]) {
+        Some([across, up, ..]) => {
+            let map = map(around, findings.of, *across, *up, Fineness::default());
+            said(map, remarks)?
         }
-        drives.flown = flown;
-        Ok(drives)
-    }
-
-    /// The optimum, if the search has converged.
-    fn best(&self) -> Option<&Optimum> {
-        let found = self.found.as_ref();
-        found.filter(|found| found.solution.status == Status::Converged)
-    }
-
-    /// The reason why there is no optimum.
-    /// `reason` is why there was no search.
-    fn why_none(&self, reason: Option<&str>) -> Option<Message> {
-        match (&self.found, self.best()) {
-            (None, _) => reason.map(|reason| {
-                Message::from(format!(
-                    "the optimum, its map and its chart are left out: {reason}"
-                ))
-            }),
-            (Some(found), None) => Some(
-                Message::from(format!("no optimum: {}: ", found.status())).message(found.message()),
-            ),
-            _ => None,
-        }
-    }
-}
-
-/// The map around the optimum, or else around the setup, over the first two varied parameters.
-struct Neighbourhood {
-    map: Option<Map>,
-    limits: Vec<(Constraint, Map)>,
-    region: Option<Region>,
-}
-
-impl Neighbourhood {
-    fn new(
-        setup: &Setup<f64>,
-        of: Outcome,
-        search: Option<&Search>,
-        best: Option<&Optimum>,
-        remarks: &mut Vec<Message>,
-    ) -> Result<Self> {
-        let around = best.map_or(setup, |best| &best.setup);
-        let map = match search.map(|search| &search.vary[..]) {
-            Some([across, up, ..]) => {
-                said(map(around, of, *across, *up, Fineness::default()), remarks)?
-            }
-            _ => None,
-        };
-        let flat = map.as_ref().and_then(Map::flat);
-        let map = map.filter(|_| flat.is_none());
-        remarks.extend(flat);
-        let limits = search
-            .map(|search| said(limits(around, search), remarks))
-            .transpose()?
-            .flatten();
-        let region = match (best, &map) {
-            (Some(best), Some(map)) => Region::around(best, map.across, map.up, usual_loss(best))?,
-            _ => None,
-        };
-        Ok(Self {
-            map,
-            limits: limits.unwrap_or_default(),
-            region,
-        })
-    }
+        _ => None,
+    };
+    let flat = map.as_ref().and_then(Map::flat);
+    let map = map.filter(|_| flat.is_none());
+    remarks.extend(flat);
+    let limits = search
+        .map(|search| said(limits(around, search), remarks))
+        .transpose()?
+        .flatten();
+    let region = match (best, &map) {
+        (Some(best), Some(map)) => Region::around(best, map.across, map.up, usual_loss(best))?,
+        _ => None,
+    };
+    findings.map = map;
+    findings.limits = limits.unwrap_or_default();
+    findings.region = region;
+    Ok(())
 }
 
 /// The optimum along a parameter; `None` if the search varies that parameter.
@@ -443,44 +345,34 @@ fn chart_of(
     Ok(chart)
 }
 
-/// Effects of uncertainties, and derivatives compared with finite differences.
-struct Slopes {
-    effects: Vec<Effects>,
-    /// The effects at the optimum.
-    at_best: Option<Effects>,
-    rows: Vec<Row>,
-}
-
-impl Slopes {
-    fn new(
-        setup: &Setup<f64>,
-        of: Outcome,
-        search: Option<&Search>,
-        best: Option<&Optimum>,
-        sigmas: &[Sigma],
-        bar: &SharedProgress,
-        remarks: &mut Vec<Message>,
-    ) -> Result<Self> {
-        let shown = if of == Outcome::Lateral {
-            vec![Outcome::Carry]
-        } else {
-            vec![of, Outcome::Lateral]
-        };
-        let moved = |setup: &Setup<f64>, of: &[Outcome]| effects(setup, of, sigmas, &mut |_, _| ());
-        let effects = said(moved(setup, &shown), remarks)?.unwrap_or_default();
-        bar.inc(1);
-        let at_best = best
-            .map(|best| said(moved(&best.setup, &[of]), remarks))
-            .transpose()?;
-        let at_best = at_best.flatten().and_then(|mut effects| effects.pop());
-        let rows = said(rows(setup, of, search), remarks)?.unwrap_or_default();
-        bar.inc(1);
-        Ok(Self {
-            effects,
-            at_best,
-            rows,
-        })
-    }
+/// Adds effects of uncertainties, and derivatives compared with finite differences.
+fn add_derivatives(
+    findings: &mut Findings,
+    search: Option<&Search>,
+    sigmas: &[Sigma],
+    bar: &SharedProgress,
+    remarks: &mut Vec<Message>,
+) -> Result<()> {
+    let (setup, of) = (&findings.setup, findings.of);
+    let shown = if of == Outcome::Lateral {
+        vec![Outcome::Carry]
+    } else {
+        vec![of, Outcome::Lateral]
+    };
+    let moved = |setup: &Setup<f64>, of: &[Outcome]| effects(setup, of, sigmas, &mut |_, _| ());
+    let effects = said(moved(setup, &shown), remarks)?.unwrap_or_default();
+    bar.inc(1);
+    let at_best = findings
+        .best()
+        .map(|best| said(moved(&best.setup, &[of]), remarks))
+        .transpose()?;
+    let rows = said(rows(setup, of, search), remarks)?.unwrap_or_default();
+    bar.inc(1);
+    findings.loops = while_loop(setup, &rows);
+    findings.effects = effects;
+    findings.at_best = at_best.flatten().and_then(|mut effects| effects.pop());
+    findings.rows = rows;
+    Ok(())
 }
 
 impl Args {
@@ -529,58 +421,46 @@ fn usual_speeds(setup: &Setup<f64>) -> Result<Vary> {
     }
 }
 
-/// The data of the plots of drives.
-struct Pictures {
-    landings: Vec<Landing>,
-    launches: Option<Launches>,
-    face: Option<Face>,
-    best_face: Option<Face>,
-}
-
-impl Pictures {
-    /// The plot data of the drive and its optimum, as far as they fly; `flown` are both drives,
-    /// `given` the stated uncertainties.
-    fn of(
-        setup: &Setup<f64>,
-        best: Option<&Optimum>,
-        flown: &[NamedDrive],
-        given: &[Sigma],
-        remarks: &mut Vec<Message>,
-    ) -> Result<Self> {
-        let setups = std::iter::once(setup).chain(best.map(|best| &best.setup));
-        let flying = flown
-            .iter()
-            .zip(setups)
-            .filter(|(flown, _)| flown.drive.landed().is_ok());
-        let drives: Vec<_> = flying
-            .map(|(flown, setup)| (flown.name.as_str(), setup))
-            .collect();
-        let landing = |(name, setup): &(&str, &Setup<f64>)| {
-            Landing::of(
-                *name,
-                setup,
-                &with_defaults(setup, given, &[Outcome::Carry, Outcome::Lateral])?,
-            )
-        };
-        let is_struck =
-            !setup.launch.is_given() && flown.first().is_some_and(|own| own.drive.landed().is_ok());
-        let launches = (!drives.is_empty())
-            .then(|| said(Launches::around(&drives), remarks))
-            .transpose()?;
-        let face = is_struck
-            .then(|| said(Face::of(setup), remarks))
-            .transpose()?;
-        let best_face = best
-            .filter(|_| is_struck)
-            .map(|best| said(Face::of(&best.setup), remarks))
-            .transpose()?;
-        Ok(Self {
-            landings: drives.iter().map(landing).collect::<Result<_>>()?,
-            launches: launches.flatten(),
-            face: face.flatten(),
-            best_face: best_face.flatten(),
-        })
-    }
+/// Adds the plot data of the drive and its optimum, as far as they fly; `given` are the stated
+/// uncertainties.
+fn add_pictures(
+    findings: &mut Findings,
+    given: &[Sigma],
+    remarks: &mut Vec<Message>,
+) -> Result<()> {
+    let (setup, best, flown) = (&findings.setup, findings.best(), &findings.flown);
+    let setups = std::iter::once(setup).chain(best.map(|best| &best.setup));
+    let flying = flown
+        .iter()
+        .zip(setups)
+        .filter(|(flown, _)| flown.drive.landed().is_ok());
+    let drives: Vec<_> = flying
+        .map(|(flown, setup)| (flown.name.as_str(), setup))
+        .collect();
+    let landing = |(name, setup): &(&str, &Setup<f64>)| {
+        Landing::of(
+            *name,
+            setup,
+            &with_defaults(setup, given, &[Outcome::Carry, Outcome::Lateral])?,
+        )
+    };
+    let is_struck =
+        !setup.launch.is_given() && flown.first().is_some_and(|own| own.drive.landed().is_ok());
+    let launches = (!drives.is_empty())
+        .then(|| said(Launches::around(&drives), remarks))
+        .transpose()?;
+    let face = is_struck
+        .then(|| said(Face::of(setup), remarks))
+        .transpose()?;
+    let best_face = best
+        .filter(|_| is_struck)
+        .map(|best| said(Face::of(&best.setup), remarks))
+        .transpose()?;
+    findings.landings = drives.iter().map(landing).collect::<Result<_>>()?;
+    findings.launches = launches.flatten();
+    findings.face = face.flatten();
+    findings.best_face = best_face.flatten();
+    Ok(())
 }
 
 /// Derivatives of the outcome by the varied (or default) parameters and by the club or ball speed,

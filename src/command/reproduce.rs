@@ -1,7 +1,7 @@
 use crate::Result;
 use crate::command::files::{Folder, Rule};
 use crate::command::output::{Answer, stated_system, tell};
-use crate::report::{Document, Mae494Report, Reply, Report, WinfieldTanReport, document_files};
+use crate::report::{Mae494Report, Reply, Report, TextFile, WinfieldTanReport, document_files};
 use crate::reproduce::{Mae494, WinfieldTan, mae494, winfield_tan};
 use crate::units::{System, counted};
 use std::path::PathBuf;
@@ -77,34 +77,27 @@ fn answer(
     is_json: bool,
 ) -> Result<Answer> {
     let system = stated_system().unwrap_or(units);
-    let documents = System::ALL.map(|system| report.document(system));
     if let Some(folder) = folder {
-        write(folder, &documents, system)?;
+        write(folder, report, system)?;
     }
     Ok(if is_json {
         Answer::json(&Reply::of(report, vec![]))
     } else {
-        Answer::document(chosen(&documents, system))
+        Answer::document(&report.document(system))
     })
 }
 
-/// The document for a system of units, from its two versions in [`System::ALL`].
-pub fn chosen(documents: &[Document; 2], system: System) -> &Document {
-    &documents[usize::from(system == System::ALL[1])]
-}
-
-/// Writes a document with its figures and their data into a folder; `documents` has one version for
-/// each system of units.
-pub fn write(folder: &Folder, documents: &[Document; 2], system: System) -> Result<()> {
-    let mut files = document_files(documents, system)?;
-    files.push((
-        DOCUMENT[0].into(),
-        chosen(documents, system).markdown(system),
-    ));
+/// Writes the document of a report with its figures and their data into a folder.
+pub fn write(folder: &Folder, report: &impl Report, system: System) -> Result<()> {
+    let mut files = document_files(&System::ALL.map(|system| report.document(system)), system)?;
+    files.push(TextFile {
+        name: DOCUMENT[0].into(),
+        text: report.document(system).markdown(system),
+    });
     let count = folder.write(
         files
             .iter()
-            .map(|(name, text)| (name.as_str(), text.as_bytes())),
+            .map(|TextFile { name, text }| (name.as_str(), text.as_bytes())),
     )?;
     tell(&format!(
         "wrote {} into {}",

@@ -63,11 +63,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     args.swings.refuse_stray()?;
     let request = args.setup_args.request()?;
     let rule = Rule::new(request.inputs().chain(args.swings.inputs()), args.overwrite);
-    let output = args
-        .output
-        .as_ref()
-        .map(|file| rule.setup_file(file))
-        .transpose()?;
+    let output = rule.setup_file(args.output.as_deref())?;
     let (setup, search) = args.search(&request)?;
     let within = args.within(&search.of)?;
     request.note_starts(&setup, &search.vary);

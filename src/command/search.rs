@@ -210,13 +210,17 @@ impl WorkArgs {
     }
 }
 
-/// Writes the setup at the optimum and returns its file. Without an optimum, writes nothing.
+/// Writes the setup at the optimum into the given file, and returns the file. Without an optimum,
+/// writes nothing.
 pub fn write(
-    output: &Destination,
+    output: Option<&Destination>,
     request: &Request,
     optima: &Optima,
     swings: Option<&Swings>,
 ) -> Result<Option<String>> {
+    let Some(output) = output else {
+        return Ok(None);
+    };
     let file = output.path().display();
     if optima.best.solution.status != Status::Converged {
         warn(&[Message::from(format!(

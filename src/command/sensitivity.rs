@@ -1,13 +1,12 @@
 use crate::command::args::{SearchArgs, SetupArgs};
-use crate::command::names::outcomes;
+use crate::command::names::{outcomes, sigmas};
 use crate::command::output::{Answer, Warnings, bar, show, system, tell};
 use crate::command::request::Request;
 use crate::optimize::{Observer, Status};
 use crate::parameters::Parameter;
 use crate::report::{EffectsReport, by_reason};
 use crate::study::{
-    Bar, Effects, Optimum, Sensitivity, Sigma, effects, flown_off, optimum, sensitivities,
-    with_defaults,
+    Bar, Effects, Optimum, Sensitivity, effects, flown_off, optimum, sensitivities, with_defaults,
 };
 use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
@@ -48,11 +47,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let mut setup = request.within_tolerance(request.setup()?)?;
     let of = outcomes(&args.of)?;
-    let given = args
-        .sigma
-        .iter()
-        .map(|text| Sigma::read(&setup, text))
-        .collect::<Result<Vec<_>>>()?;
+    let given = sigmas(&setup, &args.sigma)?;
     let best = find_optimum(args, &request, &setup)?;
     if let Some(best) = &best {
         setup = best.setup;

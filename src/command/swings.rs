@@ -11,8 +11,7 @@ use crate::optimize::{Options, Status};
 use crate::parameters::Vary;
 use crate::report::{OptimumReport, Origin, OverSwings, Reply, optimize_document};
 use crate::study::swings::{
-    Correlation, Price, Resampled, Rule, Scenarios, Strokes, Swings, price_until,
-    resampled as optima_of_resamples,
+    Correlation, Rule, Scenarios, Strokes, Swings, price_until, resampled as optima_of_resamples,
 };
 use crate::study::uncertainty::Uncertain;
 use crate::study::{Constraint, Goal, Optima, Search, Sense};
@@ -146,21 +145,12 @@ impl SwingsArgs {
     }
 }
 
-/// A search over swings.
-pub struct SwingsSearch {
-    pub setup: Setup<f64>,
-    pub swings: Swings,
-    pub search: Search,
-}
-
 /// The best design over swings, with its analyses.
 pub struct SwingsOptimum {
     /// The setup before the search.
     pub setup: Setup<f64>,
     pub optima: Optima,
-    swings: Swings,
-    price: Option<Price>,
-    resampled: Option<Resampled>,
+    pub over: OverSwings,
     /// True if the rest of the work is to be skipped.
     pub stop: Arc<AtomicBool>,
     warnings: Vec<Message>,
@@ -173,17 +163,9 @@ impl SwingsOptimum {
         self.optima.best.solution.status == Status::Converged && self.optima.stopped() == 0
     }
 
-    pub fn over(&self) -> OverSwings<'_> {
-        OverSwings {
-            swings: Some(&self.swings),
-            price: self.price.as_ref(),
-            resampled: self.resampled.as_ref(),
-        }
-    }
-
     /// The answer in JSON.
     pub fn reply(&self, origin: &Origin) -> Reply<OptimumReport> {
-        let mut reply = OptimumReport::reply(&self.optima, self.over(), self.warnings.clone());
+        let mut reply = OptimumReport::reply(&self.optima, &self.over, self.warnings.clone());
         reply.body.file.clone_from(&self.file);
         reply.about(origin)
     }
@@ -199,18 +181,13 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
         ..searched(&request, &args.search, &args.swings, &started)?
     };
     request.note_starts(&setup, &search.vary);
-    let asked = SwingsSearch {
-        setup,
-        swings,
-        search,
-    };
-    let found = found(args, &request, asked)?;
+    let found = found(args, &request, setup, swings, search)?;
     interrupt::ends();
     let origin = request.origin_of_search(&found.optima.best.search.vary);
     let answer = if request.is_json() {
         Answer::json(&found.reply(&origin))
     } else {
-        let document = optimize_document(&found.optima, found.over(), None, system());
+        let document = optimize_document(&found.optima, &found.over, None, system());
         Answer::document_about(document, &origin)
     };
     Ok(answer.found(found.is_found()))
@@ -218,12 +195,13 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
 
 /// Runs the search, and writes the setup if a file is given. Ctrl-C can stop the work until
 /// [`interrupt::ends`].
-pub fn found(args: &OptimizeArgs, request: &Request, asked: SwingsSearch) -> Result<SwingsOptimum> {
-    let SwingsSearch {
-        setup,
-        swings,
-        search,
-    } = asked;
+pub fn found(
+    args: &OptimizeArgs,
+    request: &Request,
+    setup: Setup<f64>,
+    swings: Swings,
+    search: Search,
+) -> Result<SwingsOptimum> {
     tell_of_the_run(&search.of.outcomes());
     let setup = request.for_many(setup, &ranges(&search))?;
     let output = args.destination(request)?;
@@ -250,17 +228,11 @@ pub fn found(args: &OptimizeArgs, request: &Request, asked: SwingsSearch) -> Res
         )));
     }
     warn(&warnings);
-    let file = output
-        .as_ref()
-        .map(|output| write(output, request, &optima, Some(&swings)))
-        .transpose()?
-        .flatten();
+    let file = write(output.as_ref(), request, &optima, Some(&swings))?;
     Ok(SwingsOptimum {
         setup,
         optima,
-        swings,
-        price,
-        resampled,
+        over: OverSwings { price, resampled },
         stop,
         warnings,
         file,

@@ -1,10 +1,10 @@
 use crate::command::args::{SetupArgs, whole};
-use crate::command::names::outcomes;
+use crate::command::names::{outcomes, sigmas};
 use crate::command::output::{Answer, bar, show, system, tell_detail, warn};
 use crate::command::request::Request;
 use crate::report::{UncertaintyReport, parameter_difference_text};
 use crate::study::uncertainty::{SamplePlan, Uncertain, uncertainty};
-use crate::study::{Sigma, given_twice, with_defaults};
+use crate::study::{given_twice, with_defaults};
 use crate::{Drive, Outcome, Result, Setup};
 
 #[derive(clap::Args)]
@@ -102,11 +102,7 @@ fn inputs(
     args: &Args,
     of: &[Outcome],
 ) -> Result<Vec<Uncertain>> {
-    let sigmas = args
-        .sigma
-        .iter()
-        .map(|text| Sigma::read(setup, text))
-        .collect::<Result<Vec<_>>>()?;
+    let sigmas = sigmas(setup, &args.sigma)?;
     let distributions = args
         .distribution
         .iter()

@@ -2,10 +2,9 @@ use crate::Result;
 use crate::command::args::OwnLaw;
 use crate::command::files::Rule;
 use crate::command::output::{Answer, system, tell};
-use crate::command::reproduce::{DOCUMENT, chosen, write};
+use crate::command::reproduce::{DOCUMENT, write};
 use crate::report::{Reply, Report, ValidationReport};
 use crate::study::validation::validation;
-use crate::units::System;
 use std::path::{Path, PathBuf};
 
 #[derive(clap::Args)]
@@ -49,9 +48,8 @@ pub fn run(args: &Args) -> Result<Answer> {
         .transpose()?;
     let found = validation(own)?;
     let report = ValidationReport::new(&found);
-    let documents = System::ALL.map(|system| report.document(system));
     if let Some(folder) = &folder {
-        write(folder, &documents, system())?;
+        write(folder, &report, system())?;
     }
     if let (Some(file), Some(path)) = (&file, output) {
         file.write(report.csv()?.as_bytes())?;
@@ -62,6 +60,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     } else if args.csv {
         Answer::text(report.csv()?)
     } else {
-        Answer::document(chosen(&documents, system()))
+        Answer::document(&report.document(system()))
     })
 }

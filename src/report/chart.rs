@@ -1,9 +1,10 @@
+use super::csv_text::csv_text;
 use super::document::{Document, Table};
 use super::json::{ByName, Number};
 use super::reply::{Ending, Report};
 use super::shown;
 use crate::drive::Outcome;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::study::{Active, BoundSide, Chart, ChartPoint, Search};
 use crate::units::{Message, Quantity, System, TableUnits};
 use serde::Serialize;
@@ -17,8 +18,7 @@ pub struct ChartReport<'a> {
     /// The parameter along which the chart runs.
     pub parameter: &'static str,
     /// The outcome that is optimized.
-    #[cfg_attr(test, schemars(with = "Outcome"))]
-    pub objective: &'static str,
+    pub objective: Outcome,
     /// `maximize` or `minimize`.
     #[cfg_attr(test, schemars(with = "crate::study::Sense"))]
     pub sense: &'static str,
@@ -57,7 +57,7 @@ impl<'a> ChartReport<'a> {
         Self {
             chart,
             parameter: chart.along.parameter.name,
-            objective: search.outcome().name(),
+            objective: search.outcome(),
             sense: search.sense.name(),
             points: chart.points.iter().map(ChartPointReport::new).collect(),
             begun: chart.begun.as_ref().map(Message::to_string),
@@ -71,8 +71,6 @@ impl<'a> ChartReport<'a> {
     /// [`Error::Output`].
     pub fn csv(&self, units: TableUnits) -> Result<String> {
         let chart = self.chart;
-        let failed = |error: csv::Error| Error::Output(error.into());
-        let mut writer = csv::Writer::from_writer(vec![]);
         let launched = LAUNCH
             .iter()
             .map(|of| (of.name(), of.quantity(), of.unit()));
@@ -80,10 +78,8 @@ impl<'a> ChartReport<'a> {
         let numbers = columns
             .iter()
             .map(|(name, quantity, unit)| units.head(name, *quantity, unit));
-        writer
-            .write_record(numbers.chain(["active".into(), "event".into()]))
-            .map_err(failed)?;
-        for point in &chart.points {
+        let head = numbers.chain(["active".into(), "event".into()]).collect();
+        let rows = chart.points.iter().map(|point| {
             let numbers = [point.at, point.best.value().unwrap_or(f64::NAN)];
             let launch = launch(point).map(|value| value.unwrap_or(f64::NAN));
             let numbers = numbers.iter().chain(&point.best.solution.x).chain(&launch);
@@ -103,27 +99,19 @@ impl<'a> ChartReport<'a> {
                     .map(ToString::to_string)
                     .unwrap_or_default(),
             ];
-            writer.write_record(numbers.chain(words)).map_err(failed)?;
-        }
-        let bytes = writer
-            .into_inner()
-            .map_err(|error| Error::Output(error.into_error()))?;
-        Ok(String::from_utf8_lossy(&bytes).into_owned())
+            numbers.chain(words).collect()
+        });
+        csv_text(head, rows)
     }
 }
 
 impl ChartPointReport {
     fn new(point: &ChartPoint) -> Self {
         let vary = &point.best.search.vary;
-        let names = vary.iter().map(|vary| vary.parameter.name);
-        let bounds = point
-            .active
-            .iter()
-            .filter_map(|active| Some((active.name.clone(), active.end?)));
         Self {
             at: point.at,
             value: point.best.value().into(),
-            optimum: names.zip(point.best.solution.x.iter().copied()).collect(),
+            optimum: ByName::of_varied(vary, &point.best.solution.x),
             launch: LAUNCH
                 .iter()
                 .map(|of| of.name())
@@ -134,7 +122,7 @@ impl ChartPointReport {
                 .iter()
                 .map(|active| active.name.clone())
                 .collect(),
-            bounds: bounds.collect(),
+            bounds: ByName::of_bounds(&point.active),
             event: point.event.as_ref().map(ToString::to_string),
         }
     }

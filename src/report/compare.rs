@@ -48,8 +48,7 @@ pub struct ComparedDrive {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct DifferenceReport {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The value of the outcome in each drive, SI; `null` if the drives cannot be compared.
     pub values: Option<[Number; 2]>,
     /// The value of b minus the value of a, SI.
@@ -140,7 +139,6 @@ impl<'a> ComparisonReport<'a> {
 
 impl DifferenceReport {
     fn new(of: Outcome, difference: &Result<Difference>) -> Self {
-        let of = of.name();
         match difference {
             Ok(found) => Self {
                 of,

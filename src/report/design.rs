@@ -2,8 +2,7 @@ use super::document::{Detail, Document, Line, Table};
 use super::json::Number;
 use super::limits::ended_at;
 use super::optimum::{
-    DesignReport, GoalReport, LimitReport, OptimumReport, add_convergence, bound_in_words,
-    ended_line, place,
+    DesignReport, LimitReport, OptimumReport, add_convergence, bound_in_words, ended_line, place,
 };
 use super::swings::{OverSwings, goals, notes};
 use super::{Reply, shown};
@@ -41,11 +40,6 @@ impl Designed<'_> {
             .vary
             .iter()
             .map(|vary| (vary.parameter.name, self.own(vary.parameter)));
-        let part = |part: &Improvement| GoalReport {
-            goal: part.goal.expression.clone(),
-            as_set_up: part.as_set_up.into(),
-            best: part.best.into(),
-        };
         let states = self.design.constraint_states(self.best);
         let design = DesignReport {
             rules: if self.design.is_under_rules {
@@ -55,7 +49,7 @@ impl Designed<'_> {
             },
             notes: self.notes.to_vec(),
             as_set_up: before.collect(),
-            parts: self.improvements.iter().map(part).collect(),
+            parts: self.improvements.to_vec(),
             held: states.iter().map(limit_report).collect(),
         };
         let body = OptimumReport {
@@ -71,7 +65,7 @@ impl Designed<'_> {
 
     /// The design for readers: before and after, its rules and limits, the notes, and the
     /// convergence.
-    pub fn document(&self, over: OverSwings<'_>, system: System) -> Document {
+    pub fn document(&self, over: &OverSwings, system: System) -> Document {
         let mut document = Document::default();
         let is_converged = self.best.solution.status == Status::Converged;
         if !is_converged {
@@ -99,7 +93,7 @@ impl Designed<'_> {
                 .chain(assumptions),
         );
         let mut ranges = Document::default();
-        ranges.add(goals(self.best, over.price, system));
+        ranges.add(goals(self.best, over.price.as_ref(), system));
         ranges.add(place(self.best, over, system));
         document.append_detail(ranges, Detail::Rest);
         if is_converged {

@@ -1,5 +1,5 @@
 use super::document::{Document, Line, Table};
-use super::json::{ByName, Components, Number, Range, Settings, settings};
+use super::json::{self, ByName, Number, Range, Settings, settings};
 use super::reply::{Ending, Report};
 use super::shown;
 use crate::aerodynamics::AerodynamicLaw;
@@ -50,9 +50,9 @@ pub struct LaunchReport {
     #[cfg_attr(test, schemars(schema_with = "launch_schema"))]
     pub outcomes: ByName<Number>,
     /// The velocity of the ball, m/s.
-    pub velocity: Components,
+    pub velocity: [Number; 3],
     /// The angular velocity of the ball, rad/s.
-    pub spin_vector: Components,
+    pub spin_vector: [Number; 3],
 }
 
 /// The head of the club after impact.
@@ -60,9 +60,9 @@ pub struct LaunchReport {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ClubReport {
     /// The velocity of the centre of mass, m/s.
-    pub velocity: Components,
+    pub velocity: [Number; 3],
     /// The angular velocity, rad/s.
-    pub angular_velocity: Components,
+    pub angular_velocity: [Number; 3],
 }
 
 /// The fitted and flown range of each quantity that a law may be fitted to; `null` for a quantity
@@ -102,8 +102,8 @@ impl<'a> DriveReport<'a> {
             setup: settings(setup),
             launch: launch(drive),
             club_after: impact.map(|impact| ClubReport {
-                velocity: impact.club_velocity.into(),
-                angular_velocity: impact.club_spin.into(),
+                velocity: json::components(impact.club_velocity),
+                angular_velocity: json::components(impact.club_spin),
             }),
             slipped: impact.map(|impact| matches!(impact.grip, Grip::Slips(_))),
             flight: flight(drive),
@@ -224,8 +224,8 @@ fn schema_of_part(
 pub(super) fn launch(drive: &Drive<f64>) -> LaunchReport {
     LaunchReport {
         outcomes: of_part(drive, OutcomeGroup::Launch),
-        velocity: drive.launch.velocity.into(),
-        spin_vector: drive.launch.spin.into(),
+        velocity: json::components(drive.launch.velocity),
+        spin_vector: json::components(drive.launch.spin),
     }
 }
 

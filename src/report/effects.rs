@@ -36,8 +36,7 @@ pub struct EffectsReport<'a> {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct OutcomeEffects {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The value of the outcome, SI.
     pub value: Number,
     /// The standard uncertainty of the outcome, SI, to first order for independent parameters.
@@ -110,7 +109,7 @@ impl OutcomeEffects {
             }
         };
         Self {
-            of: effects.of.name(),
+            of: effects.of,
             value: effects.value.into(),
             standard_uncertainty: effects.standard_uncertainty().into(),
             linearity: effects.linearity().into(),

@@ -26,8 +26,7 @@ pub struct GradientReport<'a> {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct OutcomeReport {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The value of the outcome, SI; `null` if the drive does not have it.
     pub value: Number,
     /// The derivative by each parameter, SI.
@@ -87,7 +86,7 @@ impl OutcomeReport {
             Ok(taylor) => taylor,
             Err(why) => {
                 return Self {
-                    of: of.name(),
+                    of,
                     value: Number(None),
                     gradient: None,
                     hessian: None,
@@ -101,7 +100,7 @@ impl OutcomeReport {
         let hessian = (!taylor.hessian.is_empty())
             .then(|| Matrix::new(names.clone(), |row, column| taylor.hessian[row][column]));
         Self {
-            of: of.name(),
+            of,
             value: taylor.value.into(),
             gradient: Some(gradient.collect()),
             hessian,

@@ -2,7 +2,8 @@
 
 use crate::atmosphere::in_effect;
 use crate::number::Vector;
-use crate::parameters::{GOLFER, LAW, METHOD, SPEED_OF, Setup, TABLE};
+use crate::parameters::{GOLFER, LAW, METHOD, SPEED_OF, Setup, TABLE, Vary};
+use crate::study::{Active, BoundSide};
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 
@@ -50,14 +51,8 @@ impl schemars::JsonSchema for Number {
 }
 
 /// The components of a vector: up, right, downrange.
-#[derive(Clone, Copy, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Components([Number; 3]);
-
-impl From<Vector<f64>> for Components {
-    fn from(vector: Vector<f64>) -> Self {
-        Self(vector.to_array().map(Number::from))
-    }
+pub(super) fn components(vector: Vector<f64>) -> [Number; 3] {
+    vector.to_array().map(Number::from)
 }
 
 /// A range of values; an open end is `"-inf"` or `"inf"`.
@@ -88,6 +83,24 @@ impl<V> ByName<V> {
     pub fn get(&self, name: &str) -> Option<&V> {
         let entry = self.0.iter().find(|(other, _)| *other == name);
         entry.map(|(_, value)| value)
+    }
+}
+
+impl ByName<Number> {
+    /// Values of varied parameters.
+    pub(super) fn of_varied(vary: &[Vary], values: &[f64]) -> Self {
+        let names = vary.iter().map(|vary| vary.parameter.name);
+        names.zip(values.iter().copied()).collect()
+    }
+}
+
+impl ByName<BoundSide> {
+    /// The parameters that are at a bound.
+    pub(super) fn of_bounds(active: &[Active]) -> Self {
+        let bounds = active.iter();
+        bounds
+            .filter_map(|active| Some((active.name.clone(), active.end?)))
+            .collect()
     }
 }
 

@@ -1,7 +1,7 @@
 use super::document::{Document, Line};
 use super::json::Range;
 use super::reply::Report;
-use crate::aerodynamics::{AerodynamicLaw, Fitted};
+use crate::aerodynamics::{AerodynamicLaw, Fitted, Published};
 use crate::parameters::Law;
 use crate::units::{Message, System};
 use serde::Serialize;
@@ -24,14 +24,9 @@ pub struct LawReport {
     pub name: &'static str,
     /// True for the default law.
     pub is_default: bool,
-    /// The authors.
-    pub authors: &'static str,
-    /// The year of publication.
-    pub year: Option<u16>,
-    /// The ball of the measurements; `null` if the source does not state it.
-    pub ball: Option<&'static str>,
     /// The publication.
-    pub source: &'static str,
+    #[serde(flatten)]
+    pub published: Published,
     /// The formulas of C_D and C_L.
     pub formula: &'static str,
     /// The fitted ranges.
@@ -77,16 +72,13 @@ impl Report for LawsReport {
 
 impl LawReport {
     fn new(law: Law<f64>) -> Self {
-        let (published, fitted) = (law.published(), law.fitted());
+        let fitted = law.fitted();
         let range = |range: Option<[f64; 2]>| range.map(Range::from);
         Self {
             fitted_in_si: fitted,
             name: law.name(),
             is_default: law.name() == Law::default().name(),
-            authors: published.authors,
-            year: published.year,
-            ball: published.ball,
-            source: published.source,
+            published: law.published(),
             formula: law.formula(),
             fitted: FittedReport {
                 to: Some(fitted.to).filter(|to| !to.is_empty()),
@@ -100,7 +92,13 @@ impl LawReport {
 
     /// Authors and year; below them formula, fitted range, ball and source.
     fn lines(&self, system: System) -> [Line; 5] {
-        let year = self.year.map_or(String::new(), |year| format!(" {year}"));
+        let Published {
+            authors,
+            year,
+            ball,
+            source,
+        } = self.published;
+        let year = year.map_or(String::new(), |year| format!(" {year}"));
         let default = if self.is_default { " (default)" } else { "" };
         let range = if self.fitted_in_si == Fitted::UNKNOWN {
             "fitted to: not known".into()
@@ -109,11 +107,11 @@ impl LawReport {
             self.fitted_in_si.in_words(to).in_units(system)
         };
         [
-            Line::item(format!("{}{default}: {}{year}", self.name, self.authors)),
+            Line::item(format!("{}{default}: {authors}{year}", self.name)),
             Line::note(self.formula.trim_end_matches('.')),
             Line::note(range),
-            Line::note(format!("ball: {}", self.ball.unwrap_or("not stated"))),
-            Line::note(format!("source: {}", self.source)),
+            Line::note(format!("ball: {}", ball.unwrap_or("not stated"))),
+            Line::note(format!("source: {source}")),
         ]
     }
 }

@@ -31,17 +31,23 @@ pub(super) struct Limit<'a> {
 impl<'a> Limit<'a> {
     /// A constraint with its multiplier as the gain.
     pub fn new(constraint: &'a Constraint, at: &'a ConstraintValue, slopes: &'a [f64]) -> Self {
-        let gain = if constraint.is_equation() {
-            at.multiplier
-        } else {
-            at.multiplier.abs()
-        };
         Self {
             constraint,
             at,
             slopes,
-            gain,
+            gain: gain(constraint, at),
         }
+    }
+}
+
+/// The gain of the objective for each unit by which a limit is relaxed; for an equation, for each
+/// unit by which its right side is raised.
+pub(super) fn gain(constraint: &Constraint, at: &ConstraintValue) -> f64 {
+    // a decrease of the minimized function is a gain of the objective
+    if constraint.is_equation() {
+        at.multiplier
+    } else {
+        at.multiplier.abs()
     }
 }
 

@@ -7,6 +7,7 @@ mod calibration;
 mod certificate;
 mod chart;
 mod compare;
+mod csv_text;
 mod delivery;
 mod design;
 mod document;
@@ -45,13 +46,12 @@ mod validation;
 mod winfield_tan;
 
 pub use calibration::{
-    CalibrationReport, DataReport, EstimateReport, HeldOutReport, RefusedReport, RemainderReport,
-    StartsReport,
+    CalibrationReport, DataReport, EstimateReport, HeldOutReport, RefusedReport, StartsReport,
 };
 pub use certificate::{
     AgreementReport, CertificateReport, CertificateRow, CheckReport, ContinuityCheck,
     ConvergenceCheck, Curve, LandingCheck, LoopCheck, MissingOutcome, NegativeControl,
-    PlantedError, StepErrorReport, UnmadeCheck,
+    StepErrorReport,
 };
 pub use chart::{ChartPointReport, ChartReport};
 pub use compare::{
@@ -59,24 +59,24 @@ pub use compare::{
 };
 pub use delivery::{
     DeliveryOptions, DeliveryReport, DeliveryRow, ExplainedReport, KnownReport, LaunchMoments,
-    MeanAndDeviation, PopulationReport, RecoveredReport, SearchRange, SpreadReport,
-    UnidentifiedReport, bound_warnings, delivery_toml, population_warnings, recovered_csv,
-    recovered_toml,
+    MeanAndDeviation, PopulationReport, UnidentifiedReport, bound_warnings, delivery_toml,
+    population_warnings, recovered_csv, recovered_toml,
 };
 pub use design::Designed;
 pub use document::{Document, Line, TextOptions, document_files};
 pub use drive::{ClubReport, DriveReport, LaunchReport, LawRange, LawRanges, known_within};
 pub use effects::{EffectReport, EffectsReport, OutcomeEffects, Totals};
 pub use explorer::explorer_state;
+pub use frame::TextFile;
 pub use gradient::{GradientReport, OutcomeReport};
-pub use json::{ByName, Components, Matrix, Number, Range, Setting, Settings};
+pub use json::{ByName, Matrix, Number, Range, Setting, Settings};
 pub use laws::{FittedReport, LawReport, LawsReport};
 pub use lines::{by_reason, remark, wrapped};
 pub use mae494::Mae494Report;
 pub use optimum::{
-    ClubAloneReport, ConstraintReport, DesignReport, GoalReport, LimitReport, LocalReport,
-    Multipliers, OptimumReport, Surroundings, WindowReport, iteration_line, optima_document,
-    optimize_document, optimum_document, optimum_toml,
+    ClubAloneReport, ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers,
+    OptimumReport, Surroundings, WindowReport, iteration_line, optima_document, optimize_document,
+    optimum_document, optimum_toml,
 };
 pub use origin::Origin;
 pub use parameters::{ParameterRange, ParameterReport, ParametersReport};
@@ -87,8 +87,8 @@ pub use presets::{Change, PresetReport, PresetsReport, changes};
 pub use reply::{Empty, Ending, Reply, Report};
 pub use robust::{ModelReport, RobustReport, robust_toml};
 pub use sensitivity::{
-    Analysis, AnalysisReport, DirectionReport, EventReport, FlatEllipseReport, PredictedOptimum,
-    ResolvedOptimum, SensitivityOf, SensitivityReport, StatedChangeReport,
+    Analysis, DirectionReport, EventReport, FlatEllipseReport, PredictedOptimum, ResolvedOptimum,
+    SensitivityOf, SensitivityReport, StatedChangeReport,
 };
 #[cfg(feature = "commands")]
 pub(crate) use setup_file::with_step_of;
@@ -111,13 +111,12 @@ pub use sweep::SweepParquet;
 pub(crate) use sweep::SweepRow;
 pub use sweep::{SweepCsv, SweepJsonLines, summary_document};
 pub use swings::{
-    IntervalReport, NominalReport, OverSwings, ResampledReport, SamplingReport, ScenarioRule,
-    ScenariosReport, StudiesReport,
+    NominalReport, OverSwings, ResampledReport, SamplingReport, ScenarioRule, ScenariosReport,
+    StudiesReport,
 };
 pub use uncertainty::{
-    DistributionName, EllipseReport, EllipseSource, EstimateInterval, IndicesReport, InputReport,
-    LandingPoint, MeasureFirst, MomentsReport, OutcomeUncertaintyReport, SampledReport,
-    UncertaintyReport,
+    DistributionName, EllipseReport, EllipseSource, IndicesReport, InputReport, LandingPoint,
+    MeasureFirst, OutcomeUncertaintyReport, SampledReport, UncertaintyReport,
 };
 pub use validation::{
     BiasInOtherAir, CaseReport, LawScoresReport, ResidualReport, ScoreReport, SetReport,

@@ -1,6 +1,8 @@
+use super::csv_text::csv_text;
 use super::document::{Document, Line, Table};
 use super::json::{ByName, Number};
 use super::reply::{Ending, Report};
+use super::setup_file::{remarks_on_varied, setup_toml};
 use super::shown;
 use super::swings::ScenariosReport;
 use crate::error::{Error, Result};
@@ -113,17 +115,13 @@ impl<'a> ParetoReport<'a> {
 
 impl ParetoPointReport {
     fn new(found: &Pareto, place: usize, point: &ParetoPoint) -> Self {
-        let names = found.search.vary.iter().map(|vary| vary.parameter.name);
         let active = point.active.iter();
-        let bounds = active
-            .clone()
-            .filter_map(|active| Some((active.name.clone(), active.end?)));
         Self {
             values: point.goals.map(Number::from),
-            design: names.zip(point.design.iter().copied()).collect(),
+            design: ByName::of_varied(&found.search.vary, &point.design),
             slope: point.slope.into(),
             role: role(found, place),
-            bounds: bounds.collect(),
+            bounds: ByName::of_bounds(&point.active),
             active: active.map(|active| active.name.clone()).collect(),
             event: point.event.clone(),
         }
@@ -256,9 +254,7 @@ fn notes(found: &Pareto, system: System) -> Vec<String> {
 /// # Errors
 /// [`Error::Output`].
 pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
-    let failed = |error: csv::Error| Error::Output(error.into());
     let search = &found.search;
-    let mut writer = csv::Writer::from_writer(vec![]);
     let goals = search
         .goals
         .iter()
@@ -268,10 +264,8 @@ pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
         units.head(row.name, row.quantity, row.unit)
     });
     let words = ["slope", "role", "active", "event"].map(str::to_owned);
-    writer
-        .write_record(goals.chain(varied).chain(words))
-        .map_err(failed)?;
-    for (place, point) in found.points.iter().enumerate() {
+    let head = goals.chain(varied).chain(words).collect();
+    let rows = found.points.iter().enumerate().map(|(place, point)| {
         let goals = search.goals.iter().zip(&point.goals);
         let goals = goals.map(|((goal, _), value)| units.number(*value, goal.quantity, goal.unit));
         let design = search.vary.iter().zip(&point.design).map(|(vary, value)| {
@@ -292,20 +286,16 @@ pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
             .collect::<Vec<_>>()
             .join("; ");
         let event = point.event.clone().unwrap_or_default();
-        writer
-            .write_record(numbers.chain([role(found, place).unwrap_or_default(), active, event]))
-            .map_err(failed)?;
-    }
-    let bytes = writer
-        .into_inner()
-        .map_err(|error| Error::Output(error.into_error()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+        let words = [role(found, place).unwrap_or_default(), active, event];
+        numbers.chain(words).collect()
+    });
+    csv_text(head, rows)
 }
 
 /// The setup of one point of a front as a setup file in TOML, with full precision.
 ///
 /// # Errors
-/// The errors of [`setup_toml`](super::setup_toml).
+/// The errors of [`setup_toml`].
 pub fn pareto_toml(found: &Pareto, place: usize, preset: &Preset) -> Result<String> {
     let search = &found.search;
     let Some(point) = found.points.get(place) else {
@@ -341,17 +331,6 @@ pub fn pareto_toml(found: &Pareto, place: usize, preset: &Preset) -> Result<Stri
             .iter()
             .map(|limit| format!("subject to {}", limit.expression)),
     );
-    let remarks = search.vary.iter().zip(&point.design).map(|(vary, x)| {
-        let show = |value: f64| vary.parameter.show(Some(value));
-        let chosen = shown::as_declared(vary.parameter, *x);
-        (
-            vary.parameter,
-            format!(
-                "chosen: {chosen} in {} .. {}",
-                show(vary.low),
-                show(vary.high)
-            ),
-        )
-    });
-    super::setup_toml(&point.setup, preset, &about, &remarks.collect::<Vec<_>>())
+    let remarks = remarks_on_varied("chosen", &search.vary, &point.design);
+    setup_toml(&point.setup, preset, &about, &remarks)
 }

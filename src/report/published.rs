@@ -1,35 +1,8 @@
 //! Numbers of a published study. Computed numbers are in the requested units; printed numbers are
 //! also in the units of the paper.
 
-use super::json::Number;
 use super::shown::ratio;
 use crate::units::{Quantity, System, fixed, signed};
-use serde::Serialize;
-
-/// A delivery with its carry.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct DeliveryPoint {
-    /// The loft, rad.
-    #[serde(rename = "club.loft")]
-    pub loft: Number,
-    /// The attack angle, rad.
-    #[serde(rename = "swing.attack_angle")]
-    pub attack_angle: Number,
-    /// The carry, m.
-    pub carry: Number,
-}
-
-/// A loft with its carry.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct LoftCarry {
-    /// The loft, rad.
-    #[serde(rename = "club.loft")]
-    pub loft: f64,
-    /// The carry, m.
-    pub carry: f64,
-}
 
 /// The units in which a study is displayed.
 #[derive(Clone, Copy)]

@@ -3,6 +3,7 @@ use super::json::{ByName, Number, Settings, settings};
 use super::limits::{self, Limit, Objective, ended_at};
 use super::optimum::{ConstraintReport, Multipliers};
 use super::reply::{Ending, Report};
+use super::setup_file::{remarks_on_varied, setup_toml};
 use super::shown;
 use super::swings::ScenariosReport;
 use crate::error::Result;
@@ -97,7 +98,7 @@ impl<'a> RobustReport<'a> {
             allowed: within,
             objective: search.of.expression.clone(),
             sense: search.sense.name(),
-            optimum: by_parameter(found, &found.design),
+            optimum: ByName::of_varied(&search.vary, &found.design),
             multipliers: (0..search.vary.len()).map(multipliers).collect(),
             greatest_loss: found.greatest().into(),
             within: within.into(),
@@ -117,7 +118,7 @@ impl ModelReport {
             model: model.name.clone(),
             reason: Some(model.reason).filter(|reason| !reason.is_empty()),
             value: best.value().into(),
-            optimum: by_parameter(found, &best.solution.x),
+            optimum: ByName::of_varied(&found.search.vary, &best.solution.x),
             loss: found.losses[k].into(),
             share: found.shares[k].into(),
             losses: found.matrix[k].iter().copied().map(Number::from).collect(),
@@ -125,12 +126,6 @@ impl ModelReport {
             constraints: constraints(found, k),
         }
     }
-}
-
-/// Values of the varied parameters, by name.
-fn by_parameter(found: &Robust, numbers: &[f64]) -> ByName<Number> {
-    let names = found.search.vary.iter().map(|vary| vary.parameter.name);
-    names.zip(numbers.iter().copied()).collect()
 }
 
 impl Report for RobustReport<'_> {
@@ -377,7 +372,7 @@ fn of_the_bests(multipliers: [f64; 2], price: String) -> Option<String> {
 /// The setup with the robust design as a setup file in TOML, with full precision.
 ///
 /// # Errors
-/// The errors of [`setup_toml`](super::setup_toml).
+/// The errors of [`setup_toml`].
 pub fn robust_toml(found: &Robust, within: Option<f64>, preset: &Preset) -> Result<String> {
     let search = &found.search;
     let mut about = vec![format!(
@@ -399,17 +394,6 @@ pub fn robust_toml(found: &Robust, within: Option<f64>, preset: &Preset) -> Resu
             .iter()
             .map(|limit| format!("subject to {}", limit.expression)),
     );
-    let remarks = search.vary.iter().zip(&found.design).map(|(vary, x)| {
-        let show = |value: f64| vary.parameter.show(Some(value));
-        let chosen = shown::as_declared(vary.parameter, *x);
-        (
-            vary.parameter,
-            format!(
-                "robust: {chosen} in {} .. {}",
-                show(vary.low),
-                show(vary.high)
-            ),
-        )
-    });
-    super::setup_toml(&found.setup, preset, &about, &remarks.collect::<Vec<_>>())
+    let remarks = remarks_on_varied("robust", &search.vary, &found.design);
+    setup_toml(&found.setup, preset, &about, &remarks)
 }

@@ -14,34 +14,24 @@ use crate::units::{Message, Quantity, System, printed, significant, with_unit};
 use serde::Serialize;
 
 /// The analysis of an optimum.
-#[derive(Clone, Copy, Debug)]
-pub struct Analysis<'a> {
-    /// The optimum.
-    pub best: &'a Optimum,
+#[derive(Debug)]
+pub struct Analysis {
     /// The sensitivities of the optimum, or their errors.
-    pub sensitivities: &'a [(&'static Parameter, Result<Sensitivity>)],
+    pub sensitivities: Vec<(&'static Parameter, Result<Sensitivity>)>,
     /// The flatness of the objective around the optimum.
-    pub flatness: &'a Flatness,
+    pub flatness: Flatness,
     /// The effects of stated changes.
-    pub changes: &'a [Changed],
+    pub changes: Vec<Changed>,
 }
 
-/// An optimum with its sensitivities and windows, SI and radians.
+/// An optimum with its sensitivities and windows, SI and radians. The analysis is `null` if the
+/// search did not converge.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SensitivityReport {
     /// The optimum.
     #[serde(flatten)]
     pub optimum: OptimumReport,
-    /// The analysis of the optimum; every entry is `null` if the search did not converge.
-    #[serde(flatten)]
-    pub analysis: AnalysisReport,
-}
-
-/// The analysis of an optimum, SI and radians; every entry is `null` without an optimum.
-#[derive(Clone, Debug, Default, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct AnalysisReport {
     /// The derivatives of the optimum by each parameter.
     pub sensitivity: Option<ByName<SensitivityOf>>,
     /// The directions of the free parameters, the flattest first.
@@ -148,24 +138,19 @@ pub struct EventReport {
 
 impl SensitivityReport {
     /// The answer of `optimum-sensitivity`.
-    pub fn reply(optima: &Optima, analysis: &Analysis<'_>, warnings: Vec<Message>) -> Reply<Self> {
-        let all = analysis.sensitivities;
+    pub fn reply(optima: &Optima, analysis: &Analysis, warnings: Vec<Message>) -> Reply<Self> {
+        let (best, all) = (&optima.best, &analysis.sensitivities);
         let found = all
             .iter()
             .filter(|(_, sensitivity)| sensitivity.is_ok())
             .count();
-        let body = Self {
-            optimum: OptimumReport::of_many(optima)
-                .with_surroundings(analysis.best, &analysis.surroundings()),
-            analysis: AnalysisReport::new(analysis),
-        };
+        let optimum = OptimumReport::of_many(optima);
+        let optimum = optimum.with_surroundings(best, &analysis.surroundings());
+        let body = Self::new(optimum, best, analysis);
         let reply = Reply::done("optimum-sensitivity", warnings, body);
         match share(found, all.len()) {
             // a parameter without sensitivities has its own message
-            "done" | "partial" => reply.ended(
-                analysis.best.status(),
-                Some(analysis.best.message().to_string()),
-            ),
+            "done" | "partial" => reply.ended(best.status(), Some(best.message().to_string())),
             none => reply.ended(
                 none,
                 Some("this optimum has none of the requested sensitivities".into()),
@@ -182,13 +167,16 @@ impl SensitivityReport {
             warnings,
             from,
             ..
-        } = OptimumReport::reply(optima, OverSwings::default(), warnings);
+        } = OptimumReport::reply(optima, &OverSwings::default(), warnings);
         let reply = Reply::done(
             "optimum-sensitivity",
             warnings,
             Self {
                 optimum: body,
-                analysis: AnalysisReport::default(),
+                sensitivity: None,
+                directions: None,
+                ellipses: None,
+                changes: None,
             },
         );
         let reply = Reply { from, ..reply };
@@ -197,22 +185,19 @@ impl SensitivityReport {
             None => reply.ended(status, message),
         }
     }
-}
 
-impl AnalysisReport {
-    fn new(analysis: &Analysis<'_>) -> Self {
+    fn new(optimum: OptimumReport, best: &Optimum, analysis: &Analysis) -> Self {
         let Analysis {
-            best,
             sensitivities,
             flatness,
             changes,
-        } = *analysis;
+        } = analysis;
         let vary = &best.search.vary;
         let sensitivity = sensitivities
             .iter()
             .map(|(parameter, found)| (parameter.name, SensitivityOf::new(best, found)));
         let directions = flatness.directions.iter().map(|direction| DirectionReport {
-            along: by_parameter(best, &direction.along),
+            along: ByName::of_varied(vary, &direction.along),
             reach: direction.reach.into(),
             losses: direction.losses,
         });
@@ -225,6 +210,7 @@ impl AnalysisReport {
             .iter()
             .map(|changed| StatedChangeReport::new(best, changed));
         Self {
+            optimum,
             sensitivity: Some(sensitivity.collect()),
             directions: Some(directions.collect()),
             ellipses: Some(ellipses.collect()),
@@ -238,7 +224,7 @@ impl SensitivityOf {
         match found {
             Ok(sensitivity) => Self {
                 value: sensitivity.value.into(),
-                optimum: Some(by_parameter(best, &sensitivity.optimum)),
+                optimum: Some(ByName::of_varied(&best.search.vary, &sensitivity.optimum)),
                 curvature: sensitivity.curvature.into(),
                 message: None,
             },
@@ -254,7 +240,7 @@ impl SensitivityOf {
 
 impl StatedChangeReport {
     fn new(best: &Optimum, changed: &Changed) -> Self {
-        let resolved = &changed.resolved;
+        let (vary, resolved) = (&best.search.vary, &changed.resolved);
         let value = resolved.value();
         Self {
             parameter: changed.change.parameter.name,
@@ -262,12 +248,12 @@ impl StatedChangeReport {
             predicted: PredictedOptimum {
                 value: changed.second_order,
                 first_order: changed.first_order,
-                optimum: by_parameter(best, &changed.predicted),
+                optimum: ByName::of_varied(vary, &changed.predicted),
             },
             resolved: ResolvedOptimum {
                 status: resolved.status(),
                 value: value.into(),
-                optimum: value.map(|_| by_parameter(best, &resolved.solution.x)),
+                optimum: value.map(|_| ByName::of_varied(vary, &resolved.solution.x)),
                 message: resolved.message(),
             },
             event: changed.event.as_ref().map(|(after, message)| EventReport {
@@ -279,14 +265,13 @@ impl StatedChangeReport {
     }
 }
 
-/// Values of the varied parameters, by name.
-fn by_parameter(best: &Optimum, numbers: &[f64]) -> ByName<Number> {
-    let vary = best.search.vary.iter();
-    let names = vary.map(|vary| vary.parameter.name);
-    names.zip(numbers.iter().copied()).collect()
-}
+impl Analysis {
+    /// True if a sensitivity exists, or if none was requested.
+    pub fn is_answered(&self) -> bool {
+        let mut all = self.sensitivities.iter();
+        self.sensitivities.is_empty() || all.any(|(_, sensitivity)| sensitivity.is_ok())
+    }
 
-impl Analysis<'_> {
     fn surroundings(&self) -> Surroundings<'_> {
         Surroundings {
             loss: self.flatness.loss,
@@ -296,18 +281,17 @@ impl Analysis<'_> {
     }
 
     /// The optimum with its flatness, the stated changes, and the sensitivities.
-    pub fn document(&self, system: System) -> Document {
-        let best = self.best;
+    pub fn document(&self, best: &Optimum, system: System) -> Document {
         let mut document = Document::default();
         if let Some(drive) = &best.drive {
             document.list(gain_lines(best, drive, system));
         }
         add_place(&mut document, best, Some(&self.surroundings()), system);
-        document.list(flatness_lines(best, self.flatness, system));
-        for changed in self.changes {
+        document.list(flatness_lines(best, &self.flatness, system));
+        for changed in &self.changes {
             document.add(change(best, changed, system));
         }
-        add_sensitivities(&mut document, best, self.sensitivities, system);
+        add_sensitivities(&mut document, best, &self.sensitivities, system);
         if let (Some(drive), Some(value)) = (&best.drive, best.value()) {
             let mut flown = Document::default();
             flown.list(drive_lines(best, value, drive, system));

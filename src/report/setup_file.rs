@@ -1,8 +1,9 @@
 //! Setups as readable files in TOML, which are parsed to the same setup to the last bit.
 
 use super::presets::{SourcedValue, sourced, sources};
+use super::shown;
 use crate::error::Result;
-use crate::parameters::{Parameter, Preset, Setup, TABLE, UNSET, is_given_alike, is_of_step};
+use crate::parameters::{Parameter, Preset, Setup, TABLE, UNSET, Vary, is_given_alike, is_of_step};
 use crate::units::significant;
 
 /// Significant digits that distinguish all double-precision numbers.
@@ -37,6 +38,23 @@ pub fn setup_toml(
     };
     let rows = rows(setup, preset, remarks)?;
     Ok(toml(preset, about, &rows, is_of_preset))
+}
+
+/// The remark of each varied parameter in a setup file: "optimum: 10.4 deg in 4 deg .. 20 deg".
+pub(super) fn remarks_on_varied(
+    word: &str,
+    vary: &[Vary],
+    values: &[f64],
+) -> Vec<(&'static Parameter, String)> {
+    let remark = |(vary, value): (&Vary, &f64)| {
+        let found = shown::as_declared(vary.parameter, *value);
+        let [low, high] = [vary.low, vary.high].map(|end| vary.parameter.show(Some(end)));
+        (
+            vary.parameter,
+            format!("{word}: {found} in {low} .. {high}"),
+        )
+    };
+    vary.iter().zip(values).map(remark).collect()
 }
 
 /// The keys of method and step in a setup file of this program.

@@ -7,20 +7,18 @@ use super::limits::ended_at;
 use super::shown;
 use crate::optimize::Status;
 use crate::study::Optimum;
-use crate::study::swings::{GoalError, Nominal, Price, Resampled, Rule, Scenarios, Swings};
+use crate::study::swings::{GoalError, Nominal, Price, Resampled, Rule, Scenarios};
 use crate::study::uncertainty::Interval;
 use crate::units::{System, counted};
 use serde::Serialize;
 
 /// Additional results over swings; empty for a single drive.
-#[derive(Clone, Copy, Default)]
-pub struct OverSwings<'a> {
-    /// The golfer's swings.
-    pub swings: Option<&'a Swings>,
+#[derive(Clone, Debug, Default)]
+pub struct OverSwings {
     /// The loss of a design that ignores the variation of the swings.
-    pub price: Option<&'a Price>,
+    pub price: Option<Price>,
     /// The optima of resamples of recorded swings.
-    pub resampled: Option<&'a Resampled>,
+    pub resampled: Option<Resampled>,
 }
 
 /// The swings of a search as JSON.
@@ -111,7 +109,7 @@ pub struct NominalReport {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SamplingReport {
     /// The 99 % interval, widened to hold `value` where it would not.
-    pub interval: IntervalReport,
+    pub interval: Interval,
     /// The number of sequences.
     pub sequences: usize,
 }
@@ -121,78 +119,55 @@ pub struct SamplingReport {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ResampledReport {
     /// The 95 % interval of each varied parameter.
-    pub optimum: ByName<IntervalReport>,
+    pub optimum: ByName<Interval>,
     /// The 95 % interval of the objective.
-    pub value: IntervalReport,
+    pub value: Interval,
     /// The number of resamples whose search converged.
     pub rounds: usize,
     /// The 95 % interval of the gain over the design before the search.
-    pub better_than_set_up: Option<IntervalReport>,
+    pub better_than_set_up: Option<Interval>,
     /// The number of swings needed to distinguish the best design from the design before the
     /// search.
     pub swings_to_tell: Option<u64>,
 }
 
-/// A value with an interval, SI.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct IntervalReport {
-    /// The value.
-    pub value: Number,
-    /// The lower end.
-    pub low: Number,
-    /// The upper end.
-    pub high: Number,
-}
-
-impl From<&Interval> for IntervalReport {
-    fn from(of: &Interval) -> Self {
-        Self {
-            value: of.value.into(),
-            low: of.low.into(),
-            high: of.high.into(),
-        }
-    }
-}
-
 impl StudiesReport {
     /// The additional results of an optimum; `None` for a single drive.
-    pub(super) fn new(best: &Optimum, over: OverSwings<'_>) -> Option<Self> {
+    pub(super) fn new(best: &Optimum, over: &OverSwings) -> Option<Self> {
         let search = &best.search;
         if search.scenarios.is_one_drive() {
             return None;
         }
-        let by_name = |values: &[f64]| -> ByName<Number> {
-            let names = search.vary.iter().map(|vary| vary.parameter.name);
-            names.zip(values.iter().copied()).collect()
-        };
         let goals = |values: &[f64]| -> ByName<Number> {
             let names = search.goals().map(|goal| goal.expression.clone());
             names.zip(values.iter().copied()).collect()
         };
-        let error = over.price.and_then(Price::error);
+        let error = over.price.as_ref().and_then(Price::error);
         Some(Self {
             scenarios: ScenariosReport::new(&search.scenarios),
             as_set_up: best.as_set_up.as_deref().map(goals),
-            nominal: nominal(over.price).map(|nominal| NominalReport {
-                optimum: by_name(&nominal.design),
+            nominal: nominal(over.price.as_ref()).map(|nominal| NominalReport {
+                optimum: ByName::of_varied(&search.vary, &nominal.design),
                 promised: goals(&nominal.promised),
                 kept: nominal.kept.as_deref().map(goals),
             }),
-            unknown: unknown(over.price),
+            unknown: unknown(over.price.as_ref()),
             quadrature_error: match error {
                 Some(GoalError::Quadrature(size)) => Some(*size),
                 _ => None,
             },
             sampling: match error {
                 Some(GoalError::Sampling(found, sequences)) => Some(SamplingReport {
-                    interval: found.into(),
+                    interval: *found,
                     sequences: *sequences,
                 }),
                 _ => None,
             },
             beyond_strokes: best.beyond_strokes,
-            resampled: over.resampled.map(|found| resampled_report(best, found)),
+            resampled: over
+                .resampled
+                .as_ref()
+                .map(|found| resampled_report(best, found)),
         })
     }
 }
@@ -201,12 +176,12 @@ fn resampled_report(best: &Optimum, found: &Resampled) -> ResampledReport {
     let vary = best.search.vary.iter();
     let optimum = vary
         .zip(&found.design)
-        .map(|(vary, design)| (vary.parameter.name, IntervalReport::from(design)));
+        .map(|(vary, design)| (vary.parameter.name, *design));
     ResampledReport {
         optimum: optimum.collect(),
-        value: (&found.goal).into(),
+        value: found.goal,
         rounds: found.rounds,
-        better_than_set_up: found.significance.map(|gain| (&gain.better).into()),
+        better_than_set_up: found.significance.map(|gain| gain.better),
         swings_to_tell: found.significance.and_then(|gain| gain.swings),
     }
 }
@@ -283,8 +258,8 @@ pub(super) fn goals(best: &Optimum, price: Option<&Price>, system: System) -> Ta
 }
 
 /// Notes on the designs and on the uncertainty of the answer.
-pub(super) fn notes(best: &Optimum, over: OverSwings<'_>, system: System) -> Vec<Line> {
-    let mut notes = unknown(over.price);
+pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Line> {
+    let mut notes = unknown(over.price.as_ref());
     let strikes = best.search.scenarios.parameters.iter();
     let mut strikes = strikes.filter(|parameter| parameter.name.starts_with("strike."));
     if strikes.next().is_some() || best.setup.strike.toe != 0.0 {
@@ -293,9 +268,9 @@ pub(super) fn notes(best: &Optimum, over: OverSwings<'_>, system: System) -> Vec
             shown::GEAR_EFFECT
         ));
     }
-    notes.extend(designs(best, nominal(over.price)));
+    notes.extend(designs(best, nominal(over.price.as_ref())));
     notes.extend(smoothed_limits(best, system));
-    notes.push(sampling(best, over.price, system));
+    notes.push(sampling(best, over.price.as_ref(), system));
     if best.search.scenarios.rule == Rule::Recorded
         && over.resampled.is_none()
         && best.solution.status == Status::Converged
@@ -306,7 +281,7 @@ pub(super) fn notes(best: &Optimum, over: OverSwings<'_>, system: System) -> Vec
                 .into(),
         );
     }
-    if let Some(found) = over.resampled {
+    if let Some(found) = &over.resampled {
         notes.extend(resampled(best, found, system));
     }
     notes.into_iter().map(Line::flush).collect()

@@ -2,7 +2,7 @@ use super::document::{Detail, Document, Line, Table};
 use super::json::{ByName, Number};
 use super::reply::{Ending, Report, share};
 use super::shown;
-use crate::drive::OutcomeGroup;
+use crate::drive::{Outcome, OutcomeGroup};
 use crate::study::uncertainty::{
     Distribution, Interval, Moments, OutcomeUncertainty, Statistics, Uncertain, Uncertainty,
 };
@@ -73,14 +73,13 @@ pub enum DistributionName {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct OutcomeUncertaintyReport {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// True if the outcome varies by more than rounding errors.
     pub varies: bool,
     /// The moments from the gradient at the means.
-    pub delta: Option<MomentsReport>,
+    pub delta: Option<Moments>,
     /// The moments from gradient and Hessian at the means.
-    pub second_order: Option<MomentsReport>,
+    pub second_order: Option<Moments>,
     /// The statistics of the sample; `null` if no drive of the sample has the outcome.
     pub monte_carlo: Option<SampledReport>,
     /// The Sobol' indices: the share of each uncertain parameter in the variance.
@@ -89,36 +88,14 @@ pub struct OutcomeUncertaintyReport {
     pub measure_first: Option<MeasureFirst>,
 }
 
-/// Mean and standard deviation of an outcome.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct MomentsReport {
-    /// The mean, SI.
-    pub mean: f64,
-    /// The standard deviation, SI.
-    pub standard_uncertainty: f64,
-}
-
-/// An estimate with its 95 % interval.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct EstimateInterval {
-    /// The estimate.
-    pub value: f64,
-    /// The lower end.
-    pub low: f64,
-    /// The upper end.
-    pub high: f64,
-}
-
 /// The statistics of an outcome over the sample.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SampledReport {
     /// The mean, SI.
-    pub mean: EstimateInterval,
+    pub mean: Interval,
     /// The standard deviation, SI.
-    pub standard_uncertainty: EstimateInterval,
+    pub standard_uncertainty: Interval,
     /// The quantiles at 2.5, 50 and 97.5 %, SI.
     pub quantiles: ByName<f64>,
     /// Number of omitted points with a drive that does not have the outcome.
@@ -132,13 +109,13 @@ pub struct IndicesReport {
     /// The parameter.
     pub parameter: &'static str,
     /// The first-order Sobol' index.
-    pub first: Option<EstimateInterval>,
+    pub first: Option<Interval>,
     /// The total Sobol' index.
-    pub total: Option<EstimateInterval>,
+    pub total: Option<Interval>,
     /// The mean of the squared derivative over the sample, SI.
     pub mean_square_slope: Number,
     /// The upper bound of the total index, from the derivatives.
-    pub bound: Option<EstimateInterval>,
+    pub bound: Option<Interval>,
 }
 
 /// The parameter whose exact knowledge reduces the uncertainty of an outcome most.
@@ -240,25 +217,23 @@ impl OutcomeUncertaintyReport {
             let slopes = outcome.slopes[k];
             IndicesReport {
                 parameter: input.parameter.name,
-                first: indices.map(|indices| indices.first.into()),
-                total: indices.map(|indices| indices.total.into()),
+                first: indices.map(|indices| indices.first),
+                total: indices.map(|indices| indices.total),
                 mean_square_slope: slopes.map(|slopes| slopes.mean_square).into(),
-                bound: slopes.map(|slopes| slopes.bound.into()),
+                bound: slopes.map(|slopes| slopes.bound),
             }
         });
         let measure_first = outcome.measure_first(inputs);
         Self {
-            of: outcome.of.name(),
+            of: outcome.of,
             varies: outcome.varies(),
-            delta: outcome.delta.map(|(first, _)| first.into()),
-            second_order: outcome
-                .delta
-                .and_then(|(_, second)| second.map(MomentsReport::from)),
+            delta: outcome.delta.map(|(first, _)| first),
+            second_order: outcome.delta.and_then(|(_, second)| second),
             monte_carlo: sampled.map(|sampled| {
                 let levels = ["2.5 %", "50 %", "97.5 %"];
                 SampledReport {
-                    mean: sampled.mean.into(),
-                    standard_uncertainty: sampled.deviation.into(),
+                    mean: sampled.mean,
+                    standard_uncertainty: sampled.deviation,
                     quantiles: levels.into_iter().zip(sampled.quantiles).collect(),
                     rows_left_out: sampled.left_out,
                 }
@@ -268,25 +243,6 @@ impl OutcomeUncertaintyReport {
                 parameter: parameter.name,
                 standard_uncertainty: deviation,
             }),
-        }
-    }
-}
-
-impl From<Moments> for MomentsReport {
-    fn from(moments: Moments) -> Self {
-        Self {
-            mean: moments.mean,
-            standard_uncertainty: moments.deviation,
-        }
-    }
-}
-
-impl From<Interval> for EstimateInterval {
-    fn from(interval: Interval) -> Self {
-        Self {
-            value: interval.value,
-            low: interval.low,
-            high: interval.high,
         }
     }
 }

@@ -3,17 +3,19 @@
 //! This module is above [`study`](crate::study), because a reproduction uses the same public
 //! functions as a user.
 
+mod delivery;
 mod mae494;
 mod overlay;
 mod winfield_tan;
 
+pub use delivery::{Delivery, LoftCarry};
 pub use mae494::{
-    Average, Constant, Delivery, End, Energy, Landing, Landings, Launched, LoopLanding, Mae494,
-    Method, Noise, Parametric, Peak, Regression, Row, Sawtooth, Searches, Slopes, Subsystems,
-    mae494,
+    Average, ByLaunch, Constant, End, Energy, Landing, Landings, Launched, LongerDifference,
+    LoopLanding, Mae494, Method, Noise, Parametric, Peak, Regression, Row, Sawtooth, Searches,
+    ShorterStep, Slopes, Subsystems, mae494,
 };
 pub use overlay::{LoopRow, loop_landing, while_loop};
 pub use winfield_tan::{
-    Best, Decay, Fitted, MISPRINTS, Mean, Point, ShotComparison, SingleShot, WinfieldTan,
+    Best, Decay, Fitted, FittedNumber, MISPRINTS, Mean, ShotComparison, SingleShot, WinfieldTan,
     winfield_tan,
 };

@@ -8,6 +8,7 @@ use crate::batch::Status;
 use crate::drive::{ExceededCount, Outcome};
 use crate::table::Refusal;
 use crate::units::Message;
+use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// Limits of the ball speed bands, mph.
@@ -131,13 +132,17 @@ impl ClubShots {
 }
 
 /// Rows refused for one kind of reason.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Refused {
     /// Number of rows.
+    #[serde(rename = "rows")]
     pub count: u64,
-    /// Line of the first refused row.
+    /// Line of the first of these rows.
+    #[serde(rename = "first_line")]
     pub line: u64,
-    /// Reason of the first refused row.
+    /// Reason of the first of these rows.
+    #[serde(rename = "first_reason")]
     pub reason: String,
 }
 

@@ -5,6 +5,7 @@ use super::swings::{Measure, Strokes};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::units::Quantity;
+use serde::{Serialize, Serializer};
 
 /// A weighted sum of measures, such as `mean(carry) - 0.5*std(lateral)`, or an outcome of one
 /// drive.
@@ -18,6 +19,28 @@ pub struct Goal {
     pub quantity: Quantity,
     /// Display unit of the goal.
     pub unit: &'static str,
+}
+
+/// The text.
+impl Serialize for Goal {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.expression)
+    }
+}
+
+#[cfg(test)]
+impl schemars::JsonSchema for Goal {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Goal".into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        String::json_schema(generator)
+    }
 }
 
 /// A goal between limits: `std(lateral) <= 12 yd` over swings, or `descent_angle >= 38 deg` for one

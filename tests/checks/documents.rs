@@ -101,7 +101,7 @@ fn the_searches_in_validation_md_are_those_of_the_program() {
         &document("docs/validation.md"),
         "| landing | method | found |",
     );
-    assert_eq!(rows.len(), FOUND.searches.len());
+    assert_eq!(rows.len(), FOUND.noise.searches.len());
     let best = FOUND.optimum.exact().carry;
     let mut landing = Landing::Overshot;
     for row in &rows {
@@ -119,6 +119,7 @@ fn the_searches_in_validation_md_are_those_of_the_program() {
             other => panic!("{other}"),
         };
         let searches = FOUND
+            .noise
             .searches
             .iter()
             .find(|of| (of.landing, of.method) == (landing, method))

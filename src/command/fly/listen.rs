@@ -22,16 +22,8 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 const TOO_MANY: &[u8] =
     b"{\"Code\":503,\"Message\":\"there are too many connections; close one\"}\n";
 
-/// Counts of messages by answer.
-#[derive(Default)]
-struct Counts {
-    flown: AtomicU64,
-    others: AtomicU64,
-    refused: AtomicU64,
-}
-
 /// The messages of a listener, by answer.
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct MessageCounts {
     /// Address and port of the listener.
@@ -39,12 +31,12 @@ pub struct MessageCounts {
     /// Number of connections.
     connections: u64,
     /// Number of shots that were answered with a flight (code 200).
-    flown: u64,
+    flown: AtomicU64,
     /// Number of messages without a shot (code 201), and of shots whose ball does not land (code
     /// 200).
-    others: u64,
+    others: AtomicU64,
     /// Number of messages that cannot be read (code 501).
-    refused: u64,
+    refused: AtomicU64,
 }
 
 /// The error for `--listen` with a file that is not a setup and probably contains shots.
@@ -77,27 +69,22 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
         "listening on {} for messages of GSPro Open Connect; Ctrl-C ends",
         listener.address
     ));
-    let counts = Counts::default();
-    let connections = listener.serve(&stop, TOO_MANY, |stream| {
+    let mut counts = MessageCounts {
+        address: listener.address.to_string(),
+        ..MessageCounts::default()
+    };
+    counts.connections = listener.serve(&stop, TOO_MANY, |stream| {
         serve(stream, &flying, &stop, &counts)
     });
-    let count = |of: &AtomicU64| of.load(Ordering::Relaxed);
-    let summary = MessageCounts {
-        address: listener.address.to_string(),
-        connections,
-        flown: count(&counts.flown),
-        others: count(&counts.others),
-        refused: count(&counts.refused),
-    };
     Ok(if request.is_json() {
-        Answer::json(&Reply::done("fly", warnings.into_vec(), &summary))
+        Answer::json(&Reply::done("fly", warnings.into_vec(), &counts))
     } else {
         Answer::text(format!(
             "{} flown, {} without a shot, {} refused, over {}\n",
-            counted(summary.flown, "shot"),
-            counted(summary.others, "message"),
-            counted(summary.refused, "message"),
-            counted(summary.connections, "connection")
+            counted(counts.flown.into_inner(), "shot"),
+            counted(counts.others.into_inner(), "message"),
+            counted(counts.refused.into_inner(), "message"),
+            counted(counts.connections, "connection")
         ))
     })
 }
@@ -123,7 +110,7 @@ fn serve(
     mut stream: TcpStream,
     flying: &Flying,
     stop: &AtomicBool,
-    counts: &Counts,
+    counts: &MessageCounts,
 ) -> io::Result<()> {
     let mut objects = Objects::default();
     let mut bytes = vec![0; 1 << 14];

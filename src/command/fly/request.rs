@@ -5,7 +5,7 @@ use crate::command::names::outcomes;
 use crate::command::request::Request;
 use crate::drive::OutcomeGroup;
 use crate::shots::Flying;
-use crate::{Error, Outcome, Result, Setup};
+use crate::{Outcome, Result, Setup};
 
 /// The outcomes to compute; "all" means all outcomes of the flight.
 pub fn asked(args: &Args) -> Result<Vec<Outcome>> {
@@ -23,13 +23,10 @@ pub fn asked(args: &Args) -> Result<Vec<Outcome>> {
 /// The setup with ball, air and law. The rows state the launches.
 pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
     let setup = *request.partial_setup();
-    if setup.launch.is_given() {
-        let source = format!("{rows} give the launch of each ball; leave this out").into();
-        return Err(Error::Unreadable {
-            name: request.launch_from(),
-            source,
-        });
-    }
+    request.refuse_launch(
+        &setup,
+        format!("{rows} give the launch of each ball; leave this out"),
+    )?;
     request.refuse_club(&format!("{rows} are launches"))?;
     Ok(setup)
 }

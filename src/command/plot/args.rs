@@ -4,6 +4,7 @@ use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::compare::Pair;
 use crate::command::pareto::GoalArgs;
 use crate::command::picture::Drawing;
+use crate::report::figures::{Causes, Coefficient, View};
 use clap::Subcommand;
 
 #[derive(clap::Args)]
@@ -45,15 +46,6 @@ pub enum PlotKind {
     Launch(PlotSearch),
 }
 
-/// View of a trajectory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum Seen {
-    /// From the side.
-    Side,
-    /// From above.
-    Top,
-}
-
 /// Horizontal axis of a plot of laws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum LawsOver {
@@ -61,26 +53,6 @@ pub enum LawsOver {
     SpinRatio,
     /// Over the Reynolds number.
     Reynolds,
-}
-
-/// The coefficient to draw.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum Drawn {
-    /// The drag coefficient.
-    Cd,
-    /// The lift coefficient.
-    Cl,
-}
-
-/// The uncertainties in a tornado plot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum Moved {
-    /// Parameters that you control: delivery, strike and club, or a stated launch.
-    Control,
-    /// Uncertain inputs of the model: coefficients, ball, air, wind and ground.
-    Model,
-    /// Both kinds in one picture.
-    All,
 }
 
 #[derive(clap::Args)]
@@ -97,8 +69,8 @@ pub struct PlotLaws {
     pub laws: Vec<String>,
 
     /// The coefficient to draw.
-    #[arg(long, value_enum, default_value_t = Drawn::Cd)]
-    pub show: Drawn,
+    #[arg(long, value_enum, default_value_t = Coefficient::Drag)]
+    pub show: Coefficient,
 
     /// The horizontal axis.
     #[arg(long, value_enum, default_value_t = LawsOver::SpinRatio)]
@@ -122,8 +94,8 @@ pub struct PlotTrajectory {
     pub drawing: Drawing,
 
     /// The side from which the trajectory is shown.
-    #[arg(long, value_enum, default_value_t = Seen::Side)]
-    pub view: Seen,
+    #[arg(long, value_enum, default_value_t = View::Side)]
+    pub view: View,
 }
 
 #[derive(clap::Args)]
@@ -233,8 +205,8 @@ pub struct PlotTornado {
     pub sigma: Vec<String>,
 
     /// The uncertainties to draw.
-    #[arg(long, value_enum, default_value_t = Moved::Control)]
-    pub show: Moved,
+    #[arg(long, value_enum, default_value_t = Causes::Control)]
+    pub show: Causes,
 }
 
 #[derive(clap::Args)]

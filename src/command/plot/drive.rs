@@ -2,14 +2,13 @@
 
 use super::args::{PlotFace, PlotFairway, PlotSearch, PlotStrike};
 use crate::command::args::SearchArgs;
+use crate::command::names::sigmas;
 use crate::command::output::{Answer, spinner, system, tell};
 use crate::command::picture::{Drawing, Target};
 use crate::command::request::{Request, Source};
 use crate::optimize::{Observer, Status};
 use crate::report::figures::{face_figure, fairway_figure, launches_figure, strikes_figure};
-use crate::study::{
-    Cause, Face, Landing, Launches, Optimum, Sigma, causes, optimum, with_defaults,
-};
+use crate::study::{Cause, Face, Landing, Launches, Optimum, causes, optimum, with_defaults};
 use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
 
@@ -17,11 +16,7 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = Target::new(&request, &args.drawing)?;
     let (setup, best) = searched(&request, &args.search)?;
-    let given = args
-        .sigma
-        .iter()
-        .map(|text| Sigma::read(&setup, text))
-        .collect::<Result<Vec<_>>>()?;
+    let given = sigmas(&setup, &args.sigma)?;
     let of = [Outcome::Carry, Outcome::Lateral];
     let mut landings = vec![Landing::of(
         "as set up",

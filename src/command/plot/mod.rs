@@ -7,7 +7,7 @@ pub use args::Args;
 
 use crate::atmosphere::AirState;
 use crate::command::compare::warnings;
-use crate::command::names::{outcomes, usual, variables};
+use crate::command::names::{outcomes, sigmas, usual, variables};
 use crate::command::output::{Answer, bar, show, spinner, system, tell};
 use crate::command::pareto;
 use crate::command::picture::{Drawing, Target};
@@ -16,21 +16,21 @@ use crate::command::verify::tell_left_out;
 use crate::optimize::{Observer, Status};
 use crate::parameters::{Law, Parameter};
 use crate::report::figures::{
-    At, Causes, ChartFigures, Coefficient, OnMap, Over, View, chart_figures, difference_figure,
-    laws_figure, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    At, ChartFigures, OnMap, Over, View, chart_figures, difference_figure, laws_figure, map_figure,
+    tornado_figure, trajectory_figure, vcurve_figure,
 };
 use crate::report::plot::Figure;
 use crate::reproduce::while_loop;
 use crate::study::certificate::certify;
 use crate::study::{
-    Constraint, Fineness, Map, NamedDrive, Optimum, Region, Search, Sigma, Vary, chart, effects,
-    map, optimum, short_drive, usual_loss, with_defaults,
+    Constraint, Fineness, Map, NamedDrive, Optimum, Region, Search, Vary, chart, effects, map,
+    optimum, short_drive, usual_loss, with_defaults,
 };
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
 use args::{
-    Drawn, LawsOver, Moved, PlotChart, PlotCompare, PlotKind, PlotLaws, PlotSearch, PlotTornado,
-    PlotTrajectory, PlotVcurve, Seen,
+    LawsOver, PlotChart, PlotCompare, PlotKind, PlotLaws, PlotSearch, PlotTornado, PlotTrajectory,
+    PlotVcurve,
 };
 use drive::{at_optimum, face, fairway, launches, strikes};
 
@@ -57,12 +57,8 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
     let setup = request.within_tolerance(request.setup()?)?;
     let flown = NamedDrive::new("", &setup)?;
     flown.drive.landed()?;
-    let view = match args.view {
-        Seen::Side => View::Side,
-        Seen::Top => View::Top,
-    };
-    let figure = trajectory_figure(&[flown], view, system()).map_err(|error| match error {
-        Error::Plot { reason, .. } if view == View::Top => {
+    let figure = trajectory_figure(&[flown], args.view, system()).map_err(|error| match error {
+        Error::Plot { reason, .. } if args.view == View::Top => {
             let name = args.drawing.output.display().to_string();
             Error::Plot {
                 name,
@@ -248,11 +244,7 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     let target = Target::new(&request, &args.drawing)?;
     let setup = request.within_tolerance(request.setup()?)?;
     let of = Outcome::named(&args.of)?;
-    let given = args
-        .sigma
-        .iter()
-        .map(|text| Sigma::read(&setup, text))
-        .collect::<Result<Vec<_>>>()?;
+    let given = sigmas(&setup, &args.sigma)?;
     let bar = bar("uncertainties");
     let found = effects(
         &setup,
@@ -262,14 +254,9 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     );
     bar.finish();
     let found = found?;
-    let causes = match args.show {
-        Moved::Control => Causes::Control,
-        Moved::Model => Causes::Model,
-        Moved::All => Causes::All,
-    };
     let figure = found
         .first()
-        .and_then(|effects| tornado_figure(effects, causes, At::SetUp, system()));
+        .and_then(|effects| tornado_figure(effects, args.show, At::SetUp, system()));
     let Some(figure) = figure else {
         let reason = format!(
             "no uncertainty of this kind has an effect on {} here; take another `show` (control, \
@@ -379,14 +366,10 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
     } else {
         asked.into_iter().map(named).collect()
     }?;
-    let of = match args.show {
-        Drawn::Cd => Coefficient::Drag,
-        Drawn::Cl => Coefficient::Lift,
-    };
     target.put(
         request.is_json(),
         &args.drawing,
-        &laws_figure(&laws, &setup, over, of),
+        &laws_figure(&laws, &setup, over, args.show),
         vec![],
     )
 }

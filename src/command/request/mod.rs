@@ -300,6 +300,17 @@ impl Request {
         words
     }
 
+    /// Refuses a setup that gives the launch; `why` is the reason, with advice.
+    pub fn refuse_launch(&self, setup: &Setup<f64>, why: impl Into<String>) -> Result<()> {
+        if !setup.launch.is_given() {
+            return Ok(());
+        }
+        Err(Error::Unreadable {
+            name: self.launch_from(),
+            source: why.into().into(),
+        })
+    }
+
     /// The option or file that states the launch: "--launch", "the launch in mine.toml".
     pub fn launch_from(&self) -> String {
         let of_launch = || {

@@ -32,15 +32,6 @@ impl Setting {
         })
     }
 
-    /// Reads `CONDITION=VALUE`, the value of an option such as `--launch` or `--launch-a`.
-    ///
-    /// # Errors
-    /// [`Error::Unreadable`] for a text without `=`; for an unknown condition.
-    fn read_launch(argument: &'static str, text: &str) -> Result<Self> {
-        let (name, value) = split(argument, text, "ball_speed=167mph")?;
-        Self::of_launch(argument, name, value)
-    }
-
     /// A launch condition with its value, from a separate option (`--ball-speed 167mph`) or from
     /// `--launch`.
     ///
@@ -87,10 +78,11 @@ impl Setting {
     /// # Errors
     /// [`Error::Unreadable`] for a text without `=`; for an unknown condition.
     pub fn read_all_launch(argument: &'static str, texts: &[String]) -> Result<Vec<Self>> {
-        texts
-            .iter()
-            .map(|text| Self::read_launch(argument, text))
-            .collect()
+        let read = |text: &String| {
+            let (name, value) = split(argument, text, "ball_speed=167mph")?;
+            Self::of_launch(argument, name, value)
+        };
+        texts.iter().map(read).collect()
     }
 
     /// Returns true for a launch condition.

@@ -72,11 +72,6 @@ impl Files {
         }
     }
 
-    /// Returns true if `--resume` finds rows to continue.
-    fn can_be_resumed(&self, resume: bool) -> bool {
-        resume && Journal::path(&self.whole).exists()
-    }
-
     /// Refuses to lose the rows of an earlier sweep, or to replace a file that no sweep wrote.
     pub fn check(&self, resume: bool, overwrite: bool) -> Result<()> {
         let journal = Journal::path(&self.whole);
@@ -118,7 +113,7 @@ fn nothing_left(path: &Path) -> Error {
 impl<'a> ResumableFile<'a> {
     /// Begins or continues the file. The destination must have been checked.
     pub fn open(files: Files, writer: &'a Writer, resume: bool, overwrite: bool) -> Result<Self> {
-        if files.can_be_resumed(resume) {
+        if resume && Journal::path(&files.whole).exists() {
             return Self::go_on(files, writer);
         }
         let unwritable = |error: io::Error| unwritable(&files.whole, &error);

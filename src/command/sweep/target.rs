@@ -140,18 +140,15 @@ impl Target {
                 args.overwrite,
             )?)));
         }
-        let mut stream = if self.is_standard_output() {
-            Stream {
-                to: To::Standard,
-                status_counts: StatusCounts::default(),
-            }
+        let device = if self.is_standard_output() {
+            None
         } else {
-            let file = OpenOptions::new().write(true).open(&self.path);
-            let file = file.map_err(|error| unwritable(&self.path, &error))?;
-            Stream {
-                to: To::Device(file),
-                status_counts: StatusCounts::default(),
-            }
+            let device = OpenOptions::new().write(true).open(&self.path);
+            Some(device.map_err(|error| unwritable(&self.path, &error))?)
+        };
+        let mut stream = Stream {
+            device,
+            status_counts: StatusCounts::default(),
         };
         stream.write(&writer.head())?;
         Ok(Output::Stream(stream))
@@ -165,20 +162,16 @@ pub enum Output<'a> {
 }
 
 pub struct Stream {
-    to: To,
+    /// The device; `None` for standard output.
+    device: Option<File>,
     status_counts: StatusCounts,
-}
-
-enum To {
-    Standard,
-    Device(File),
 }
 
 impl Stream {
     fn write(&mut self, bytes: &[u8]) -> Result<()> {
-        let written = match &mut self.to {
-            To::Standard => running().host.write(bytes),
-            To::Device(file) => file.write_all(bytes).and_then(|()| file.flush()),
+        let written = match &mut self.device {
+            None => running().host.write(bytes),
+            Some(device) => device.write_all(bytes).and_then(|()| device.flush()),
         };
         written.map_err(|error| {
             if error.kind() == io::ErrorKind::BrokenPipe {

@@ -58,7 +58,7 @@ pub struct CalibrationReport<'a> {
     /// The results of the searches from several starts.
     pub starts: StartsReport,
     /// The residual of each measured value.
-    pub residuals: Vec<RemainderReport>,
+    pub residuals: Vec<Remainder>,
     /// The prediction errors on held-out data.
     pub held_out: Vec<HeldOutReport>,
     /// Every parameter of the fitted setup by its dotted name.
@@ -148,26 +148,6 @@ impl StartsReport {
     }
 }
 
-/// The residual of a measured value.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct RemainderReport {
-    /// The row of the file.
-    pub row: usize,
-    /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
-    /// The parameter in which the row states an optimum of the outcome; `null` for a measured
-    /// value.
-    pub parameter: Option<&'static str>,
-    /// The measured value, SI.
-    pub measured: Number,
-    /// The computed minus the measured value, SI.
-    pub difference: Number,
-    /// The difference in units of the standard uncertainty.
-    pub residual: Number,
-}
-
 /// The prediction errors on held-out data.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -227,7 +207,7 @@ impl<'a> CalibrationReport<'a> {
                 last: found.fit.why_refused.clone(),
             },
             starts: StartsReport::new(found),
-            residuals: found.remainders.iter().map(RemainderReport::new).collect(),
+            residuals: found.remainders.clone(),
             held_out: held_out
                 .iter()
                 .map(|(fit, held)| HeldOutReport::new(fit, held))
@@ -334,19 +314,6 @@ impl EstimateReport {
             interval_95: estimate.standard_error.map(interval),
             at_bound: estimate.is_at_bound,
             determined: estimate.is_determined,
-        }
-    }
-}
-
-impl RemainderReport {
-    fn new(remainder: &Remainder) -> Self {
-        Self {
-            row: remainder.row,
-            of: remainder.outcome.name(),
-            parameter: remainder.stationary.map(|parameter| parameter.name),
-            measured: remainder.measured.into(),
-            difference: remainder.difference.into(),
-            residual: remainder.residual.into(),
         }
     }
 }

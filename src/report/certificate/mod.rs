@@ -6,7 +6,7 @@ mod text;
 pub use report::{
     AgreementReport, CertificateReport, CertificateRow, CheckReport, ContinuityCheck,
     ConvergenceCheck, Curve, LandingCheck, LoopCheck, MissingOutcome, NegativeControl,
-    PlantedError, StepErrorReport, UnmadeCheck,
+    StepErrorReport,
 };
 pub(super) use text::settled;
 

@@ -1,13 +1,15 @@
 use super::text::{ending, lines, rows_table};
 use super::{stopped, verdict_of};
 use crate::derivative::check::{Check, Point};
+use crate::drive::Outcome;
 use crate::report::document::{Document, Line};
 use crate::report::json::Number;
 use crate::report::lines::by_reason;
 use crate::report::reply::{Ending, Report};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{
-    Agreement, AtLanding, Certificate, Continuity, Convergence, DetectionTest, Row, StepError,
+    Agreement, AtLanding, Certificate, Continuity, Convergence, DetectionTest, NotExamined, Row,
+    StepError,
 };
 use crate::units::{Message, System};
 use serde::Serialize;
@@ -36,7 +38,7 @@ pub struct CertificateReport<'a> {
     /// The error of the time step in outcomes and derivatives. It has no verdict.
     pub step_errors: Vec<StepErrorReport>,
     /// Omitted checks, with the reasons.
-    pub not_examined: Vec<UnmadeCheck>,
+    pub not_examined: Vec<NotExamined>,
     /// The finite differences of carry in the while-loop of the MAE 494 report, for each parameter
     /// by which the derivative of carry is certified.
     pub while_loop: Vec<LoopCheck>,
@@ -49,8 +51,7 @@ pub struct CertificateReport<'a> {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct CertificateRow {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The parameter.
     pub parameter: &'static str,
     /// `pass`, `fail` or `corner`.
@@ -134,21 +135,7 @@ pub struct NegativeControl {
     /// True if every injected error was detected.
     pub caught: bool,
     /// The injected errors.
-    pub planted: Vec<PlantedError>,
-}
-
-/// An error injected into the derivatives.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct PlantedError {
-    /// The name of the error.
-    pub error: &'static str,
-    /// Number of rows that the error changes.
-    pub rows: usize,
-    /// Number of rows in which finite differences detect the error.
-    pub caught: usize,
-    /// Number of rows in which num-dual detects the error.
-    pub caught_by_num_dual: usize,
+    pub planted: Vec<DetectionTest>,
 }
 
 /// A derivative at the landing compared with finite differences at a fixed time.
@@ -159,8 +146,7 @@ pub struct LandingCheck {
     #[serde(flatten)]
     pub check: CheckReport,
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The parameter.
     pub parameter: &'static str,
     /// The contribution of the landing time to the derivative, SI.
@@ -171,19 +157,9 @@ pub struct LandingCheck {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ContinuityCheck {
-    /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
-    /// The parameter.
-    pub parameter: &'static str,
-    /// The value of the parameter where the number changes, SI.
-    pub at: f64,
-    /// The number of steps below and above that value.
-    pub steps: [usize; 2],
-    /// The relative jumps of value, gradient and Hessian.
-    pub jumps: [f64; 3],
-    /// The largest allowed relative jumps.
-    pub tolerances: [f64; 3],
+    /// The jumps of the outcome.
+    #[serde(flatten)]
+    pub found: Continuity,
     /// `pass` or `fail`.
     #[cfg_attr(test, schemars(with = "crate::derivative::check::Verdict"))]
     pub verdict: &'static str,
@@ -194,8 +170,7 @@ pub struct ContinuityCheck {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ConvergenceCheck {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The steps, s.
     pub steps: Vec<f64>,
     /// The relative error of the value at each step.
@@ -219,8 +194,7 @@ pub struct ConvergenceCheck {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct StepErrorReport {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The time step and the shorter step for comparison, s.
     pub steps: [f64; 2],
     /// The error of the value, relative to the numbers from which the outcome is computed.
@@ -232,16 +206,6 @@ pub struct StepErrorReport {
     /// The error of the derivative relative to the outcome, for a change of the parameter by its
     /// typical size.
     pub derivative_error_of_outcome: Number,
-}
-
-/// An omitted check.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct UnmadeCheck {
-    /// The check.
-    pub check: String,
-    /// The reason.
-    pub message: &'static str,
 }
 
 /// A finite difference of the while-loop's carry.
@@ -266,8 +230,7 @@ pub struct LoopCheck {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct MissingOutcome {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The reason.
     pub message: Message,
 }
@@ -275,12 +238,8 @@ pub struct MissingOutcome {
 impl<'a> CertificateReport<'a> {
     /// The report of a certificate, with the while-loop for comparison.
     pub fn new(certificate: &'a Certificate, loops: &'a [LoopRow]) -> Self {
-        let not_examined = certificate.not_examined.iter().map(|it| UnmadeCheck {
-            check: it.check.clone(),
-            message: it.reason,
-        });
         let missing = certificate.missing.iter().map(|(of, why)| MissingOutcome {
-            of: of.name(),
+            of: *of,
             message: why.clone(),
         });
         Self {
@@ -290,7 +249,7 @@ impl<'a> CertificateReport<'a> {
             rows: certificate.rows.iter().map(CertificateRow::new).collect(),
             negative_control: NegativeControl {
                 caught: certificate.caught(),
-                planted: certificate.planted.iter().map(PlantedError::new).collect(),
+                planted: certificate.planted.to_vec(),
             },
             landing: certificate.landing.iter().map(LandingCheck::new).collect(),
             continuity: certificate
@@ -304,7 +263,7 @@ impl<'a> CertificateReport<'a> {
                 .map(ConvergenceCheck::new)
                 .collect(),
             step_errors: certificate.step.iter().map(StepErrorReport::new).collect(),
-            not_examined: not_examined.collect(),
+            not_examined: certificate.not_examined.clone(),
             while_loop: loops.iter().map(LoopCheck::new).collect(),
             missing: missing.collect(),
         }
@@ -369,7 +328,7 @@ impl CertificateRow {
         let check = &row.first;
         let best = check.best_step();
         Self {
-            of: row.of.name(),
+            of: row.of,
             parameter: row.parameter.name,
             verdict: row.verdict().name(),
             exact: check.exact.into(),
@@ -420,22 +379,11 @@ impl Curve {
     }
 }
 
-impl PlantedError {
-    fn new(planted: &DetectionTest) -> Self {
-        Self {
-            error: planted.error.name(),
-            rows: planted.rows,
-            caught: planted.caught,
-            caught_by_num_dual: planted.caught_by_num_dual,
-        }
-    }
-}
-
 impl LandingCheck {
     fn new(row: &AtLanding) -> Self {
         Self {
             check: CheckReport::new(&row.check),
-            of: row.of.name(),
+            of: row.of,
             parameter: row.parameter.name,
             landing_term: row.landing_term.into(),
         }
@@ -445,12 +393,7 @@ impl LandingCheck {
 impl ContinuityCheck {
     fn new(found: &Continuity) -> Self {
         Self {
-            of: found.of.name(),
-            parameter: found.parameter.name,
-            at: found.at,
-            steps: found.steps,
-            jumps: found.jumps,
-            tolerances: found.bars,
+            found: found.clone(),
             verdict: verdict_of(found.passed()),
         }
     }
@@ -460,7 +403,7 @@ impl ConvergenceCheck {
     fn new(found: &Convergence) -> Self {
         let errors = |which: usize| found.errors.iter().map(|(_, pair)| pair[which]).collect();
         Self {
-            of: found.of.name(),
+            of: found.of,
             steps: found.errors.iter().map(|(step, _)| *step).collect(),
             value_errors: errors(0),
             gradient_errors: errors(1),
@@ -475,7 +418,7 @@ impl ConvergenceCheck {
 impl StepErrorReport {
     fn new(found: &StepError) -> Self {
         Self {
-            of: found.of.name(),
+            of: found.of,
             steps: found.steps,
             value_error: found.value.into(),
             parameter: found.derivative.map(|(parameter, _)| parameter.name),

@@ -6,10 +6,11 @@ mod text;
 pub use recovered::{population_warnings, recovered_csv, recovered_toml};
 
 use super::document::Document;
-use super::json::ByName;
+use super::json::{ByName, Range};
 use super::reply::{Ending, Report, share};
 use super::setup_file::setup_toml;
 use super::shown;
+use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Preset, Setup};
 use crate::study::delivery::{
@@ -33,7 +34,7 @@ pub struct DeliveryReport<'a> {
     /// The delivery of each shot; one entry for a single shot.
     pub rows: Vec<DeliveryRow>,
     /// Mean and standard deviation of each parameter over the shots.
-    pub spread: Vec<SpreadReport>,
+    pub spread: Vec<Spread>,
     /// The normal distribution of the swings behind the shots, without the measurement errors of
     /// the launch monitor; `null` for fewer than 10 shots with a delivery.
     pub population: Option<PopulationReport>,
@@ -88,17 +89,7 @@ pub struct KnownReport {
     /// The source of the prior uncertainty; `null` if the user stated it.
     pub source: Option<&'static str>,
     /// The range of the search.
-    pub range: SearchRange,
-}
-
-/// The range of a search.
-#[derive(Clone, Copy, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct SearchRange {
-    /// Lower end, SI.
-    pub low: f64,
-    /// Upper end, SI.
-    pub high: f64,
+    pub range: Range,
 }
 
 /// An outcome of a launch, measured and computed.
@@ -106,8 +97,7 @@ pub struct SearchRange {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ExplainedReport {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The measured value, SI.
     pub measured: f64,
     /// The standard uncertainty of the measured value, SI.
@@ -129,18 +119,6 @@ pub struct UnidentifiedReport {
     pub changes: ByName<f64>,
 }
 
-/// Mean and standard deviation of a parameter.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct SpreadReport {
-    /// The parameter.
-    pub parameter: &'static str,
-    /// The mean over the shots whose fit converged, SI.
-    pub mean: f64,
-    /// The standard deviation, SI; `null` for a single shot.
-    pub deviation: Option<f64>,
-}
-
 /// The population of swings behind the shots of a table.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -152,7 +130,7 @@ pub struct PopulationReport {
     /// The launch outcomes, measured and computed from the distribution.
     pub launches: Vec<LaunchMoments>,
     /// The distribution of each parameter.
-    pub spread: Vec<RecoveredReport>,
+    pub spread: Vec<Recovered>,
     /// The correlations of the parameters, −1 to 1, in the order of `spread`.
     pub correlations: Vec<Vec<f64>>,
 }
@@ -162,8 +140,7 @@ pub struct PopulationReport {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LaunchMoments {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "crate::Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// Mean and standard deviation of the measured launches.
     pub measured: MeanAndDeviation,
     /// Mean and standard deviation of launches from the distribution, with the measurement errors
@@ -181,25 +158,6 @@ pub struct MeanAndDeviation {
     pub deviation: f64,
 }
 
-/// The distribution of a parameter of the swings.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct RecoveredReport {
-    /// The parameter.
-    pub parameter: &'static str,
-    /// The mean, SI.
-    pub mean: f64,
-    /// The standard deviation, SI.
-    pub deviation: f64,
-    /// The fraction of the prior variance that a shot removes, 0 to 1.
-    #[serde(rename = "told")]
-    pub identified: f64,
-    /// The standard uncertainty of the mean, SI.
-    pub mean_standard_uncertainty: f64,
-    /// The standard uncertainty of the deviation, SI.
-    pub deviation_standard_uncertainty: f64,
-}
-
 impl<'a> DeliveryReport<'a> {
     /// The report of these deliveries and of their population.
     pub fn new(
@@ -207,19 +165,12 @@ impl<'a> DeliveryReport<'a> {
         recovered: Option<&'a Population>,
         options: DeliveryOptions,
     ) -> Self {
-        let spread = Spread::of(deliveries)
-            .into_iter()
-            .map(|spread| SpreadReport {
-                parameter: spread.parameter.name,
-                mean: spread.mean,
-                deviation: spread.deviation,
-            });
         Self {
             deliveries,
             recovered,
             options,
             rows: deliveries.iter().map(DeliveryRow::new).collect(),
-            spread: spread.collect(),
+            spread: Spread::of(deliveries),
             population: recovered.map(PopulationReport::new),
         }
     }
@@ -307,10 +258,7 @@ impl KnownReport {
             before: unknown.prior,
             standard_uncertainty_before: unknown.sigma,
             source: unknown.source,
-            range: SearchRange {
-                low: unknown.low,
-                high: unknown.high,
-            },
+            range: [unknown.low, unknown.high].into(),
         }
     }
 }
@@ -318,7 +266,7 @@ impl KnownReport {
 impl ExplainedReport {
     fn new(explained: &Explained) -> Self {
         Self {
-            of: explained.measured.outcome.name(),
+            of: explained.measured.outcome,
             measured: explained.measured.value,
             standard_uncertainty: explained.measured.sigma,
             computed: explained.computed,
@@ -342,23 +290,15 @@ impl UnidentifiedReport {
 impl PopulationReport {
     fn new(population: &Population) -> Self {
         let launch = |returned: &PredictedOutcome| LaunchMoments {
-            of: returned.of.name(),
+            of: returned.of,
             measured: returned.measured.into(),
             recovered: returned.recovered.into(),
-        };
-        let spread = |spread: &Recovered| RecoveredReport {
-            parameter: spread.parameter.name,
-            mean: spread.mean,
-            deviation: spread.deviation,
-            identified: spread.variance_removed,
-            mean_standard_uncertainty: spread.mean_error,
-            deviation_standard_uncertainty: spread.deviation_error,
         };
         Self {
             shots: population.shots,
             kept: population.prior_factor,
             launches: population.predicted.iter().map(launch).collect(),
-            spread: population.spreads.iter().map(spread).collect(),
+            spread: population.spreads.clone(),
             correlations: population.correlations.clone(),
         }
     }

@@ -1,9 +1,10 @@
 //! The swings behind measured shots as files of swings: a table, or a distribution.
 
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::parameters::Parameter;
+use crate::report::csv_text::csv_text;
 use crate::report::shown;
-use crate::study::delivery::{Delivery, Population, PredictedOutcome, Recovered};
+use crate::study::delivery::{Delivery, Population, Posterior, PredictedOutcome, Recovered};
 use crate::units::{Message, System, counted, significant};
 
 /// Minimum fraction of the prior variance that a shot removes from an identified parameter.
@@ -15,33 +16,17 @@ const HALF: f64 = 0.5;
 /// # Errors
 /// [`Error::Output`].
 pub fn recovered_csv(all: &[Delivery]) -> Result<String> {
-    let failed = |error: csv::Error| Error::Output(error.into());
-    let mut writer = csv::Writer::from_writer(vec![]);
-    for (i, delivered) in all.iter().filter_map(Delivery::explained).enumerate() {
-        if i == 0 {
-            let head = delivered
-                .posteriors
-                .iter()
-                .map(|known| known.unknown.parameter);
-            writer
-                .write_record(
-                    head.map(|parameter| format!("{} [{}]", parameter.name, parameter.quantity.si)),
-                )
-                .map_err(failed)?;
-        }
-        writer
-            .write_record(
-                delivered
-                    .posteriors
-                    .iter()
-                    .map(|known| format!("{:?}", known.value)),
-            )
-            .map_err(failed)?;
-    }
-    let bytes = writer
-        .into_inner()
-        .map_err(|error| Error::Output(error.into_error()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    let mut found = all.iter().filter_map(Delivery::explained).peekable();
+    let Some(first) = found.peek() else {
+        return Ok(String::new());
+    };
+    let parameters = first.posteriors.iter().map(|known| known.unknown.parameter);
+    let head = parameters.map(|row| format!("{} [{}]", row.name, row.quantity.si));
+    let value = |known: &Posterior| format!("{:?}", known.value);
+    csv_text(
+        head.collect(),
+        found.map(|delivered| delivered.posteriors.iter().map(value).collect()),
+    )
 }
 
 /// The distribution of the swings behind shots as a file of swings in TOML. Remarks state the

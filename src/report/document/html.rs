@@ -1,18 +1,18 @@
 use super::{Block, Document, Table};
 use crate::error::Result;
-use crate::report::frame::{Frame, Pair, both, picture_files, pictures, scrolled};
+use crate::report::frame::{Frame, Pair, TextFile, both, picture_files, pictures, scrolled};
 use crate::units::System;
 use maud::{Markup, html};
 
 /// A document as a self-contained HTML page, with the pictures and data of its figures as separate
-/// files. Returns the names and contents of all files, `index.html` first. `documents` is the
+/// files. Returns all files, `index.html` first. `documents` is the
 /// document in each system of [`System::ALL`]; the reader can switch between them. The page opens
 /// with `system`, which also determines the names of the data.
 ///
 /// # Errors
 /// The errors of [`figure_svg`](crate::report::plot::figure_svg) and
 /// [`figure_csv`](crate::report::plot::figure_csv).
-pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<(String, String)>> {
+pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<TextFile>> {
     let [metric, us] = documents;
     let chosen = if system == System::ALL[0] { metric } else { us };
     let figures = metric.figures().zip(us.figures());
@@ -39,7 +39,10 @@ pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<(
         footer: None,
         system,
     };
-    let mut files = vec![("index.html".to_owned(), frame.page())];
+    let mut files = vec![TextFile {
+        name: "index.html".into(),
+        text: frame.page(),
+    }];
     files.extend(picture_files(&pairs, system)?);
     Ok(files)
 }

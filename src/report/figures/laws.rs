@@ -16,10 +16,13 @@ pub enum Over {
 
 /// The coefficient to draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "commands", derive(clap::ValueEnum))]
 pub enum Coefficient {
-    /// C_D.
+    /// The drag coefficient.
+    #[cfg_attr(feature = "commands", value(name = "cd"))]
     Drag,
-    /// C_L.
+    /// The lift coefficient.
+    #[cfg_attr(feature = "commands", value(name = "cl"))]
     Lift,
 }
 

@@ -1,6 +1,5 @@
 //! Plots of the results of studies.
 
-mod at;
 mod chart;
 mod difference;
 mod face;
@@ -16,7 +15,6 @@ mod tornado;
 mod trajectory;
 mod vcurve;
 
-pub use at::At;
 pub use chart::{ChartFigures, chart_figures};
 pub use difference::difference_figure;
 pub use face::face_figure;
@@ -27,6 +25,7 @@ pub(super) use map::capital;
 pub use map::{OnMap, map_figure};
 pub use pareto::pareto_figure;
 pub use strikes::strikes_figure;
+pub use style::At;
 pub use tornado::{Causes, tornado_figure};
 pub use trajectory::{View, trajectory_figure};
 pub use vcurve::vcurve_figure;

@@ -1,8 +1,28 @@
-//! Common style of the plots of drives (a drive has the same colour and dashes in all of them), and
-//! conversion of grids to fields.
+//! Common style of the plots of drives (a drive has the same colour and dashes in all of them, and
+//! the same words in titles), and conversion of grids to fields.
 
 use crate::report::plot::{Field, Hue, Measure};
 use crate::study::{Plane, Vary};
+use std::fmt;
+
+/// The drive that a picture shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum At {
+    /// The drive as set up.
+    SetUp,
+    /// The drive at the optimum.
+    Optimum,
+}
+
+/// The text in titles: "as set up", "at the optimum".
+impl fmt::Display for At {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::SetUp => "as set up",
+            Self::Optimum => "at the optimum",
+        })
+    }
+}
 
 /// The colour of a drive, and true if its lines are dashed. Names other than "as set up" and
 /// "optimum" have a style by their index.

@@ -13,12 +13,13 @@ const MOST: usize = 15;
 
 /// The uncertainties in a tornado plot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "commands", derive(clap::ValueEnum))]
 pub enum Causes {
-    /// Parameters that the golfer controls: delivery, strike and club, or a stated launch.
+    /// Parameters that you control: delivery, strike and club, or a stated launch.
     Control,
     /// Uncertain inputs of the model: coefficients, ball, air, wind and ground.
     Model,
-    /// Parameters that the golfer controls, and uncertain inputs of the model.
+    /// Both kinds in one picture.
     All,
 }
 

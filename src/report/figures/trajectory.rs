@@ -8,13 +8,14 @@ use crate::report::shown;
 use crate::study::NamedDrive;
 use crate::units::{Quantity, System, significant};
 
-/// The view of a trajectory.
+/// The view of a trajectory. The target is to the right of the picture; seen from above, right of
+/// the target line is at the bottom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "commands", derive(clap::ValueEnum))]
 pub enum View {
-    /// Downrange and up.
+    /// From the side.
     Side,
-    /// Downrange and right, seen from above with the target to the right of the picture: right of
-    /// the target line is at the bottom.
+    /// From above.
     Top,
 }
 

@@ -5,6 +5,7 @@ mod picture;
 mod table;
 mod units;
 
+pub use picture::TextFile;
 pub(super) use picture::{Pair, in_each, picture_files, pictures, svg_name};
 pub(super) use table::{is_of_numbers, scrolled};
 pub(super) use units::both;

@@ -9,6 +9,15 @@ use maud::{Markup, PreEscaped, html};
 /// A plot with its texts in the units of each of [`System::ALL`].
 pub(in crate::report) type Pair = [Figure; 2];
 
+/// A file of a page.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TextFile {
+    /// The file name.
+    pub name: String,
+    /// The content.
+    pub text: String,
+}
+
 /// Widths of pictures, pixels: a column on a phone or in print, where text has its normal size, and
 /// a screen.
 const WIDTHS: [(&str, u32); 2] = [("narrow", 340), ("broad", 560)];
@@ -28,14 +37,14 @@ pub(in crate::report) fn csv_name(figure: &Figure) -> String {
     format!("{}.csv", figure.name)
 }
 
-/// The names and contents of the plots' files: a picture in each system of units, and the data.
+/// The files of plots: a picture in each system of units, and the data.
 ///
 /// # Errors
 /// The errors of [`figure_svg`] and [`figure_csv`].
 pub(in crate::report) fn picture_files<'a>(
     pairs: impl IntoIterator<Item = &'a Pair>,
     data_of: System,
-) -> Result<Vec<(String, String)>> {
+) -> Result<Vec<TextFile>> {
     let mut files = vec![];
     for pair in pairs {
         for (figure, system) in pair.iter().zip(System::ALL) {
@@ -43,9 +52,15 @@ pub(in crate::report) fn picture_files<'a>(
                 system,
                 ..Look::default()
             };
-            files.push((svg_name(figure, system), figure_svg(figure, &look)?));
+            files.push(TextFile {
+                name: svg_name(figure, system),
+                text: figure_svg(figure, &look)?,
+            });
             if system == data_of {
-                files.push((csv_name(figure), figure_csv(figure)?));
+                files.push(TextFile {
+                    name: csv_name(figure),
+                    text: figure_csv(figure)?,
+                });
             }
         }
     }

@@ -20,7 +20,7 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: Published) {
         noise.step,
         significant(noise.teeth.width.to_degrees(), 3),
         Quantity::LENGTH.read_off_difference(noise.teeth.height, shown.length_unit()),
-        noise.wrong_signs(),
+        noise.wrong_signs,
         noise.slopes.len(),
     ));
     document.figure(zoomed(&noise.zoom));
@@ -35,9 +35,9 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: Published) {
         "A shorter time step does not help. At loft 10°, attack angle 0° the loop's \
                     differences with it:",
     );
-    let rows = noise.shorter_steps.iter().map(|(step, slope)| {
-        let slope = shown.per_radian(*slope);
-        vec![format!("{step} s"), slope, String::new()]
+    let rows = noise.shorter_steps.iter().map(|at| {
+        let slope = shown.per_radian(at.overshot);
+        vec![format!("{} s", at.step), slope, String::new()]
     });
     document.table(&["time step", "loop", ""], rows);
     document.paragraph(
@@ -57,7 +57,7 @@ fn add_slopes(document: &mut Document, noise: &Noise, shown: Published) {
             per_radian(slopes.at_fixed_time),
             per_radian(slopes.overshot),
             per_radian(slopes.interpolated),
-            if slopes.overshot * slopes.exact < 0.0 {
+            if slopes.sign_is_wrong {
                 "the loop's sign is wrong"
             } else {
                 ""
@@ -80,13 +80,12 @@ fn add_slopes(document: &mut Document, noise: &Noise, shown: Published) {
 
 /// Adds a table of longer differences.
 fn add_longer_differences(document: &mut Document, noise: &Noise, shown: Published) {
-    let rows = noise.longer_differences.iter().map(|(difference, slopes)| {
-        let [overshot, interpolated, smooth] = slopes.map(|slope| shown.per_radian(slope));
+    let rows = noise.longer_differences.iter().map(|slopes| {
         vec![
-            format!("{} rad", significant(*difference, 3)),
-            overshot,
-            interpolated,
-            smooth,
+            format!("{} rad", significant(slopes.difference, 3)),
+            shown.per_radian(slopes.overshot),
+            shown.per_radian(slopes.interpolated),
+            shown.per_radian(slopes.smooth),
             String::new(),
         ]
     });

@@ -4,7 +4,7 @@ use super::tables::degrees;
 use crate::report::document::Document;
 use crate::report::published::Published;
 use crate::report::shown::{ratio, stated};
-use crate::reproduce::{Launched, Mae494};
+use crate::reproduce::{ByLaunch, Launched, Mae494};
 use crate::units::{Quantity, fixed, signed};
 
 pub(super) fn energy(document: &mut Document, found: &Mae494, shown: Published) {
@@ -98,7 +98,8 @@ fn optima_of_subsystems(found: &Mae494, shown: Published) -> String {
 /// Adds a table of the slopes of carry through each part of the launch.
 fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: Published) {
     let parts = &found.subsystems;
-    let through = |parts: &[f64; 3]| {
+    let through = |parts: ByLaunch| {
+        let parts = parts.to_array();
         let for_a_degree = |part: f64| with_sign(shown.length_number(part).to_radians());
         let [speed, angle, spin] = parts.map(for_a_degree);
         let sum: f64 = parts.iter().sum();
@@ -110,8 +111,8 @@ fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: Published
         ]
     };
     let rows = [
-        ("loft", &parts.by_loft),
-        ("attack angle", &parts.by_attack_angle),
+        ("loft", parts.by_loft),
+        ("attack angle", parts.by_attack_angle),
     ];
     document.table(
         &[

@@ -12,6 +12,7 @@ const FOUND: f64 = 0.01;
 pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published) {
     let best = found.optimum.exact();
     let count = found
+        .noise
         .searches
         .first()
         .map_or(0, |searches| searches.ends.len());
@@ -34,7 +35,7 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published
         ),
         shown.length(best.carry),
     ));
-    let rows = found.searches.iter().map(|searches| {
+    let rows = found.noise.searches.iter().map(|searches| {
         let missed = searches.missed(best.carry);
         let worst = missed.last().copied().unwrap_or_default();
         let median = missed.get(missed.len() / 2).copied().unwrap_or_default();
@@ -58,7 +59,7 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published
         ],
         rows,
     );
-    document.figure(ends(&found.searches, &best));
+    document.figure(ends(&found.noise.searches, &best));
 }
 
 fn landing(landing: Landing) -> &'static str {

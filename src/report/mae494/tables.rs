@@ -143,20 +143,23 @@ fn held(row: &Row, shown: Published) -> String {
 pub(super) fn average(document: &mut Document, found: &Mae494, shown: Published) {
     let average = &found.average;
     document.heading("The average over attack angles");
-    let longest = average.rows.iter().max_by(|a, b| a.1.total_cmp(&b.1));
-    let whole = longest.map_or(String::new(), |(loft, carry)| {
+    let longest = average
+        .rows
+        .iter()
+        .max_by(|a, b| a.carry.total_cmp(&b.carry));
+    let whole = longest.map_or(String::new(), |longest| {
         format!(
             "Of the lofts computed, {:.0}° has the longest ({}). ",
-            loft.to_degrees(),
-            shown.length(*carry)
+            longest.loft.to_degrees(),
+            shown.length(longest.carry)
         )
     });
     document.paragraph(format!(
         "Carry averaged over the attack angles 0, 1 … 10° is longest at {:.0}° by the report. \
          {whole}The exact best is {}, with {}.",
         average.printed.to_degrees(),
-        degrees(average.best.0),
-        shown.length(average.best.1),
+        degrees(average.best.loft),
+        shown.length(average.best.carry),
     ));
 }
 

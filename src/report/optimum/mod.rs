@@ -1,7 +1,6 @@
 //! The best drive, or the best design over swings: JSON, text, and setup file.
 
 mod best_drive;
-mod design;
 mod multipliers;
 mod report;
 mod setup_file;
@@ -9,10 +8,11 @@ mod surroundings;
 mod text;
 
 pub(super) use best_drive::{drive_lines, gain_lines};
-pub use design::{DesignReport, GoalReport, LimitReport};
 pub(super) use multipliers::{bound_in_words, constraint_in_words};
 pub(super) use report::constraints;
-pub use report::{ConstraintReport, LocalReport, Multipliers, OptimumReport};
+pub use report::{
+    ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimumReport,
+};
 pub(super) use setup_file::best_toml;
 pub use setup_file::optimum_toml;
 pub use surroundings::{ClubAloneReport, Surroundings, WindowReport};

@@ -3,13 +3,14 @@
 use super::super::Reply;
 use super::super::drive::{LaunchReport, LawRanges, flight, launch, law_range};
 use super::super::json::{ByName, Number, Settings, settings};
+use super::super::limits::gain;
 use super::super::swings::{OverSwings, StudiesReport};
-use super::design::DesignReport;
 use super::surroundings::{ClubAloneReport, Surroundings, WindowReport};
 use crate::drive::Outcome;
 use crate::optimize::{ConstraintValue, Effort};
 #[cfg(test)]
 use crate::study::Sense;
+use crate::study::design::Improvement;
 use crate::study::{Constraint, LocalOptimum, Optima, Optimum, Sample};
 use crate::units::Message;
 use serde::Serialize;
@@ -102,17 +103,11 @@ pub struct ConstraintReport {
 
 impl ConstraintReport {
     pub(in crate::report) fn new(constraint: &Constraint, at: &ConstraintValue) -> Self {
-        // a decrease of the minimized function is a gain of the objective
-        let multiplier = if constraint.is_equation() {
-            at.multiplier
-        } else {
-            at.multiplier.abs()
-        };
         Self {
             expression: constraint.expression.clone(),
             value: at.value,
             violation: at.violation.abs(),
-            multiplier,
+            multiplier: gain(constraint, at),
         }
     }
 }
@@ -142,15 +137,11 @@ impl LocalReport {
     /// The local optima. Interrupted searches are omitted.
     pub(super) fn all(optima: &Optima) -> Vec<Self> {
         let vary = &optima.best.search.vary;
-        let one = |local: &LocalOptimum| {
-            let names = vary.iter().map(|vary| vary.parameter.name);
-            let x = local.solution.x.iter().copied();
-            Self {
-                status: local.status(),
-                value: local.value.into(),
-                optimum: names.zip(x).collect(),
-                starts: local.starts.len(),
-            }
+        let one = |local: &LocalOptimum| Self {
+            status: local.status(),
+            value: local.value.into(),
+            optimum: ByName::of_varied(vary, &local.solution.x),
+            starts: local.starts.len(),
         };
         optima.ended().map(one).collect()
     }
@@ -197,7 +188,7 @@ impl StartReport {
 
 impl OptimumReport {
     /// The answer of `optimize`.
-    pub fn reply(optima: &Optima, over: OverSwings<'_>, warnings: Vec<Message>) -> Reply<Self> {
+    pub fn reply(optima: &Optima, over: &OverSwings, warnings: Vec<Message>) -> Reply<Self> {
         let body = Self {
             swings: StudiesReport::new(&optima.best, over),
             ..Self::of_many(optima)
@@ -222,10 +213,7 @@ impl OptimumReport {
     pub fn new(optimum: &Optimum) -> Self {
         let (solution, vary) = (&optimum.solution, &optimum.search.vary);
         let found = optimum.value().is_some();
-        let by_name = |values: &[f64]| -> ByName<Number> {
-            let names = vary.iter().map(|vary| vary.parameter.name);
-            names.zip(values.iter().copied()).collect()
-        };
+        let by_name = |values: &[f64]| ByName::of_varied(vary, values);
         let multipliers = |i: usize| {
             let (lower, upper) = (solution.lower_multipliers[i], solution.upper_multipliers[i]);
             (vary[i].parameter.name, Multipliers { lower, upper })
@@ -278,4 +266,49 @@ impl OptimumReport {
             ..self
         }
     }
+}
+
+/// The limits of a design, and its changes.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct DesignReport {
+    /// The rules that limit the design: `golf`, the Rules of Golf, or `none`.
+    #[cfg_attr(test, schemars(extend("enum" = ["golf", "none"])))]
+    pub rules: &'static str,
+    /// The assumptions, in sentences.
+    pub notes: Vec<String>,
+    /// The values of the varied parameters before the search.
+    pub as_set_up: ByName<Number>,
+    /// The goals before the search and with the best design, over all swings; empty without a best
+    /// design.
+    pub parts: Vec<Improvement>,
+    /// The rules and limits.
+    pub held: Vec<LimitReport>,
+}
+
+/// A rule or limit of a design.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct LimitReport {
+    /// The name of the rule or limit.
+    pub name: String,
+    /// The limited expression.
+    pub expression: String,
+    /// The source of the rule; `null` for a limit of the user.
+    pub source: Option<&'static str>,
+    /// The kind of enforcement: `bound` of a varied parameter, `limit` of the search, `value` that
+    /// no varied parameter changes, or `unknown`: its value is unknown.
+    #[cfg_attr(test, schemars(extend("enum" = ["bound", "limit", "value", "unknown"])))]
+    pub by: &'static str,
+    /// The lower limit, SI; `null` without one.
+    pub low: Number,
+    /// The upper limit, SI; `null` without one.
+    pub high: Number,
+    /// The value of the expression, SI.
+    pub value: Number,
+    /// The distance from the nearer limit, SI; negative if the limit is violated.
+    pub margin: Number,
+    /// The multiplier of an active limit: the gain of the goal per SI unit by which the limit is
+    /// relaxed; `null` if the limit is inactive.
+    pub price: Number,
 }

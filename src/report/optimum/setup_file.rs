@@ -1,7 +1,8 @@
 //! The setup at an optimum as a setup file.
 
+use super::super::setup_file::{remarks_on_varied, setup_toml};
+use super::super::shown;
 use super::super::uncertainty::distribution_text;
-use super::super::{setup_toml, shown};
 use crate::error::Result;
 use crate::parameters::Preset;
 use crate::study::swings::Swings;
@@ -57,18 +58,6 @@ pub(in crate::report) fn best_toml(
         interrupted.map(|interrupted| format!("interrupted: {interrupted}; the best so far:")),
     );
     about.push(format!("{}: {}", optimum.status(), optimum.message()));
-    let remarks = search
-        .vary
-        .iter()
-        .zip(&optimum.solution.x)
-        .map(|(vary, x)| {
-            let show = |value: f64| vary.parameter.show(Some(value));
-            let best = shown::as_declared(vary.parameter, *x);
-            let (low, high) = (show(vary.low), show(vary.high));
-            (
-                vary.parameter,
-                format!("optimum: {best} in {low} .. {high}"),
-            )
-        });
-    setup_toml(&optimum.setup, preset, &about, &remarks.collect::<Vec<_>>())
+    let remarks = remarks_on_varied("optimum", &search.vary, &optimum.solution.x);
+    setup_toml(&optimum.setup, preset, &about, &remarks)
 }

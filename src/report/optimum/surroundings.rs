@@ -124,12 +124,11 @@ pub struct ClubAloneReport {
 
 impl ClubAloneReport {
     pub(super) fn new(club: &ClubAlone) -> Self {
-        let vary = club.optimum.search.vary.iter();
-        let names = vary.map(|vary| vary.parameter.name);
+        let best = &club.optimum;
         Self {
             club_gain: club.value - club.as_set_up,
             swing_gain: club.rest,
-            optimum: names.zip(club.optimum.solution.x.iter().copied()).collect(),
+            optimum: ByName::of_varied(&best.search.vary, &best.solution.x),
         }
     }
 }

@@ -15,7 +15,7 @@ use crate::units::{Quantity, System, counted, counted_of, fixed, with_unit};
 /// the drive or the goals over the swings, and for several starts the results of all searches.
 pub fn optimize_document(
     optima: &Optima,
-    over: OverSwings<'_>,
+    over: &OverSwings,
     around: Option<&Surroundings<'_>>,
     system: System,
 ) -> Document {
@@ -39,7 +39,7 @@ pub fn optimize_document(
 /// is the answer.
 pub fn optimum_document(
     optimum: &Optimum,
-    over: OverSwings<'_>,
+    over: &OverSwings,
     around: Option<&Surroundings<'_>>,
     system: System,
 ) -> Document {
@@ -60,7 +60,7 @@ pub fn optimum_document(
         add_place(&mut document, optimum, around, system);
         document.list(drive_lines(optimum, value, drive, system));
     } else {
-        document.add(goals(optimum, over.price, system));
+        document.add(goals(optimum, over.price.as_ref(), system));
         document.add(place(optimum, over, system));
         add_constraints(&mut document, optimum, system);
         document.list(notes(optimum, over, system));
@@ -78,7 +78,7 @@ pub(in crate::report) fn add_place(
     around: Option<&Surroundings<'_>>,
     system: System,
 ) {
-    let mut place = place(optimum, OverSwings::default(), system);
+    let mut place = place(optimum, &OverSwings::default(), system);
     for text in around
         .iter()
         .flat_map(|around| around.lines(optimum, system))
@@ -90,10 +90,10 @@ pub(in crate::report) fn add_place(
 }
 
 /// The varied parameters as a table; for swings, with the best design for the mean swing.
-pub(in crate::report) fn place(optimum: &Optimum, over: OverSwings<'_>, system: System) -> Table {
+pub(in crate::report) fn place(optimum: &Optimum, over: &OverSwings, system: System) -> Table {
     let (search, solution) = (&optimum.search, &optimum.solution);
     let is_one_drive = search.scenarios.is_one_drive();
-    let nominal = nominal_design(over.price);
+    let nominal = nominal_design(over.price.as_ref());
     let rows = search.vary.iter().enumerate().map(|(i, vary)| {
         let mean_swing = nominal.map_or(shown::NONE.into(), |design| {
             shown::within(vary, design[i], system)

@@ -18,12 +18,12 @@ use maud::{Markup, html};
 const NAMED: usize = 3;
 
 /// The summary at the beginning of the page.
-pub(super) fn answer(findings: &Findings<'_>) -> Markup {
+pub(super) fn answer(findings: &Findings) -> Markup {
     let yours = findings
         .flown
         .first()
         .and_then(|flown| findings.of.value(&flown.drive));
-    let best = findings.best.and_then(|best| Some((best, best.value()?)));
+    let best = findings.best().and_then(|best| Some((best, best.value()?)));
     html! {
         section.answer {
             h2 { (headline(findings, yours, best.map(|(_, value)| value))) }
@@ -40,7 +40,7 @@ pub(super) fn answer(findings: &Findings<'_>) -> Markup {
 }
 
 /// The result in a line: "Carry 286.8 → 301.2 yd: +14.3 yd".
-fn headline(findings: &Findings<'_>, yours: Option<f64>, best: Option<f64>) -> Markup {
+fn headline(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Markup {
     let of = findings.of;
     let name = capital(&shown::words(of.name()));
     both(|system| {
@@ -81,9 +81,9 @@ fn change(of: Outcome, from: f64, to: f64, system: System) -> String {
     signed(by, of.quantity().read_off(by, unit))
 }
 
-fn tiles(findings: &Findings<'_>, yours: Option<f64>, best: Option<f64>) -> Markup {
+fn tiles(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Markup {
     let of = findings.of;
-    let [at_yours, at_best] = [findings.effects_of(of), findings.at_best];
+    let [at_yours, at_best] = [findings.effects_of(of), findings.at_best.as_ref()];
     let known = |uncertainty: Option<f64>| {
         let uncertainty = uncertainty.filter(|uncertainty| *uncertainty > 0.0);
         html! { @if let Some(size) = uncertainty { dd.known { "± " (both(|system| of_known_size(of, size, system))) } } }
@@ -177,7 +177,7 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
 }
 
 /// The sources of the uncertainty after ±.
-fn what_is_known(findings: &Findings<'_>) -> Markup {
+fn what_is_known(findings: &Findings) -> Markup {
     let of = findings
         .effects_of(findings.of)
         .filter(|effects| effects.standard_uncertainty() > 0.0);

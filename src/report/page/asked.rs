@@ -16,10 +16,10 @@ use maud::{Markup, html};
 const NAMED: usize = 3;
 
 /// The title of the page: the setup or the stated launch, and the first changes.
-pub(super) fn title(findings: &Findings<'_>, system: System) -> Result<String> {
+pub(super) fn title(findings: &Findings, system: System) -> Result<String> {
     // a setup file has its own name
     if findings.is_of_a_file() {
-        return Ok(findings.name.into());
+        return Ok(findings.name.clone());
     }
     let changed = changed(findings, system)?;
     let named = if changed.len() > NAMED {
@@ -30,7 +30,7 @@ pub(super) fn title(findings: &Findings<'_>, system: System) -> Result<String> {
     let drive = if findings.stated.launch.is_given() {
         stated(findings, &launch(findings), system)
     } else {
-        findings.name.into()
+        findings.name.clone()
     };
     let changes = changed[..named]
         .iter()
@@ -43,7 +43,7 @@ pub(super) fn title(findings: &Findings<'_>, system: System) -> Result<String> {
 }
 
 /// The stated launch conditions.
-fn launch(findings: &Findings<'_>) -> Vec<&'static str> {
+fn launch(findings: &Findings) -> Vec<&'static str> {
     findings
         .stated
         .given_launch_conditions()
@@ -53,7 +53,7 @@ fn launch(findings: &Findings<'_>) -> Vec<&'static str> {
 }
 
 /// The line below the title. The description of a preset applies only to the preset's drive.
-pub(super) fn subtitle(findings: &Findings<'_>) -> Result<String> {
+pub(super) fn subtitle(findings: &Findings) -> Result<String> {
     let preset = findings.preset.name;
     let changes = changed(findings, System::default())?.len() as u64;
     Ok(match (findings.stated.launch.is_given(), changes) {
@@ -70,7 +70,7 @@ pub(super) fn subtitle(findings: &Findings<'_>) -> Result<String> {
 
 /// The differences from the preset, without the launch, which has its own line, and without the
 /// club if no impact is computed.
-fn changed(findings: &Findings<'_>, system: System) -> Result<Vec<Change>> {
+fn changed(findings: &Findings, system: System) -> Result<Vec<Change>> {
     let is_launched = findings.stated.launch.is_given();
     let is_told = |change: &Change| {
         let is_of_club = |parameter: &Parameter| is_launched && parameter.is_of_strike();
@@ -78,7 +78,7 @@ fn changed(findings: &Findings<'_>, system: System) -> Result<Vec<Change>> {
             .parameter
             .is_some_and(|parameter| parameter.is_of_launch() || is_of_club(parameter))
     };
-    Ok(changes(findings.stated, findings.preset, system)?
+    Ok(changes(&findings.stated, findings.preset, system)?
         .into_iter()
         .filter(is_told)
         .collect())
@@ -86,7 +86,7 @@ fn changed(findings: &Findings<'_>, system: System) -> Result<Vec<Change>> {
 
 /// The summary of the request: golfer, club and wind, varied and constant parameters, and the
 /// differences from the preset.
-pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
+pub(super) fn asked(findings: &Findings) -> Result<Markup> {
     const GOLFER: [&str; 4] = [
         "swing.speed",
         "swing.attack_angle",
@@ -105,7 +105,7 @@ pub(super) fn asked(findings: &Findings<'_>) -> Result<Markup> {
             |change: &Change| format!("{} {}", change.name, from_to(&change.from, &change.to));
         changes.iter().map(one).collect::<Vec<_>>().join("; ")
     };
-    let search = findings.found.map(|found| &found.search);
+    let search = findings.found.as_ref().map(|found| &found.search);
     Ok(html! {
         dl.asked {
             @if launch.is_empty() {
@@ -165,7 +165,7 @@ fn to(low: &str, high: &str) -> String {
 }
 
 /// Parameters with their values: "swing speed 115 mph, swing path 0 deg".
-fn stated(findings: &Findings<'_>, names: &[&str], system: System) -> String {
+fn stated(findings: &Findings, names: &[&str], system: System) -> String {
     let one = |name: &&str| {
         let row = findings.stated.variable(name).ok()?;
         Some(format!(
@@ -178,7 +178,7 @@ fn stated(findings: &Findings<'_>, names: &[&str], system: System) -> String {
 }
 
 /// The wind, without components that are 0.
-fn wind(findings: &Findings<'_>, system: System) -> String {
+fn wind(findings: &Findings, system: System) -> String {
     const WIND: [&str; 5] = [
         "wind.downrange",
         "wind.right",

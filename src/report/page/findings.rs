@@ -1,5 +1,6 @@
 use crate::drive::Outcome;
 use crate::flight::Flight;
+use crate::optimize::Status;
 use crate::parameters::{Preset, Setup};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::Row;
@@ -24,68 +25,112 @@ pub enum ExplorerLink {
 }
 
 /// The contents of a page. The page omits missing sections; `remarks` has the reasons.
-pub struct Findings<'a> {
+pub struct Findings {
     /// The name of the setup.
-    pub name: &'a str,
+    pub name: String,
     /// The setup of the request.
-    pub stated: &'a Setup<f64>,
+    pub stated: Setup<f64>,
     /// The setup of the computed drives, with the chosen method and step.
-    pub setup: &'a Setup<f64>,
+    pub setup: Setup<f64>,
     /// The outcome that the report is about.
     pub of: Outcome,
     /// The preset of the setup.
     pub preset: &'static Preset,
     /// The drive as set up, and at the optimum.
-    pub flown: &'a [NamedDrive],
+    pub flown: Vec<NamedDrive>,
     /// The landings of the drives that fly.
-    pub landings: &'a [Landing],
+    pub landings: Vec<Landing>,
     /// The map of carry over launch conditions, with the launches of the drives.
-    pub launches: Option<&'a Launches>,
+    pub launches: Option<Launches>,
     /// The carry over the strike, for the club as set up.
-    pub face: Option<&'a Face>,
+    pub face: Option<Face>,
     /// The carry over the strike, for the optimal club.
-    pub best_face: Option<&'a Face>,
+    pub best_face: Option<Face>,
     /// The result of the search, converged or not.
-    pub found: Option<&'a Optimum>,
-    /// The optimum.
-    pub best: Option<&'a Optimum>,
+    pub found: Option<Optimum>,
     /// The reason why there is no optimum.
-    pub why_none: Option<&'a Message>,
+    pub why_none: Option<Message>,
     /// The flatness of the objective around the optimum.
-    pub flatness: Option<&'a Flatness>,
+    pub flatness: Option<Flatness>,
     /// The optimum of the club with the swing as set up.
-    pub club_alone: Option<&'a ClubAlone>,
+    pub club_alone: Option<ClubAlone>,
     /// Carry and total over attack angle and loft.
-    pub lofts: Option<&'a Plane>,
+    pub lofts: Option<Plane>,
     /// The map around the optimum.
-    pub map: Option<&'a Map>,
+    pub map: Option<Map>,
     /// The constraints, each with the map of its outcome.
-    pub limits: &'a [(Constraint, Map)],
+    pub limits: Vec<(Constraint, Map)>,
     /// The region of the map in which drives lose little compared with the optimum.
-    pub region: Option<&'a Region>,
+    pub region: Option<Region>,
     /// The optimum along a parameter.
-    pub chart: Option<&'a Chart>,
+    pub chart: Option<Chart>,
     /// The effects of stated uncertainties on outcomes.
-    pub effects: &'a [Effects],
+    pub effects: Vec<Effects>,
     /// The effects of uncertainties on the outcome of the report, at the optimum.
-    pub at_best: Option<&'a Effects>,
+    pub at_best: Option<Effects>,
     /// Finite differences compared with exact derivatives.
-    pub rows: &'a [Row],
+    pub rows: Vec<Row>,
     /// Finite differences of the MAE 494 report's while-loop.
-    pub loops: &'a [LoopRow],
+    pub loops: Vec<LoopRow>,
     /// The explorer; `None` for a setup that it cannot have.
-    pub explorer: Option<&'a ExplorerLink>,
+    pub explorer: Option<ExplorerLink>,
     /// The units shown when the page opens.
     pub system: System,
     /// Warnings.
-    pub remarks: &'a [Message],
+    pub remarks: Vec<Message>,
     /// The command that made the page.
-    pub command: &'a str,
+    pub command: String,
     /// The date of the page.
-    pub date: &'a str,
+    pub date: String,
 }
 
-impl Findings<'_> {
+impl Findings {
+    /// The report of a setup, with empty sections.
+    pub fn new(
+        name: String,
+        stated: Setup<f64>,
+        setup: Setup<f64>,
+        of: Outcome,
+        preset: &'static Preset,
+    ) -> Self {
+        Self {
+            name,
+            stated,
+            setup,
+            of,
+            preset,
+            flown: vec![],
+            landings: vec![],
+            launches: None,
+            face: None,
+            best_face: None,
+            found: None,
+            why_none: None,
+            flatness: None,
+            club_alone: None,
+            lofts: None,
+            map: None,
+            limits: vec![],
+            region: None,
+            chart: None,
+            effects: vec![],
+            at_best: None,
+            rows: vec![],
+            loops: vec![],
+            explorer: None,
+            system: System::default(),
+            remarks: vec![],
+            command: String::new(),
+            date: String::new(),
+        }
+    }
+
+    /// The optimum, if the search has converged.
+    pub fn best(&self) -> Option<&Optimum> {
+        let found = self.found.as_ref();
+        found.filter(|found| found.solution.status == Status::Converged)
+    }
+
     /// The effects of uncertainties on an outcome of the drive as set up.
     pub(super) fn effects_of(&self, of: Outcome) -> Option<&Effects> {
         self.effects.iter().find(|effects| effects.of == of)

@@ -19,7 +19,7 @@ struct Column<'a> {
 
 /// Carry, total and varied parameters of the drive as set up, of the best club with the swing as set
 /// up, and of the optimum.
-pub(super) fn steps(findings: &Findings<'_>, best: &Optimum) -> Markup {
+pub(super) fn steps(findings: &Findings, best: &Optimum) -> Markup {
     let columns = columns(findings, best);
     html! {
         table.steps {
@@ -59,13 +59,13 @@ fn outcomes(of: Outcome) -> Vec<Outcome> {
     }
 }
 
-fn columns<'a>(findings: &Findings<'a>, best: &'a Optimum) -> Vec<Column<'a>> {
+fn columns<'a>(findings: &'a Findings, best: &'a Optimum) -> Vec<Column<'a>> {
     let yours = Column {
         name: "yours",
-        setup: findings.setup,
+        setup: &findings.setup,
         drive: findings.flown.first().map(|flown| &flown.drive),
     };
-    let club = findings.club_alone.map(|club| Column {
+    let club = findings.club_alone.as_ref().map(|club| Column {
         name: "best club alone",
         setup: &club.optimum.setup,
         drive: club.optimum.drive.as_ref(),

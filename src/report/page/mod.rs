@@ -15,7 +15,7 @@ use super::figures::{
     At, Causes, OnMap, View, capital, chart_figures, face_figure, fairway_figure, launches_figure,
     map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
-use super::frame::{Frame, Pair, both, in_each, picture_files, pictures};
+use super::frame::{Frame, Pair, TextFile, both, in_each, picture_files, pictures};
 use super::optimum::best_toml;
 use super::plot::{Figure, Look, figure_svg};
 use super::{setup_toml, shown};
@@ -24,57 +24,53 @@ use crate::study::{Chart, Effects, Map, NamedDrive};
 use crate::units::{Message, System};
 use maud::{Markup, html};
 
-/// A file of a report.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Document {
-    /// The file name.
-    pub name: String,
-    /// The content.
-    pub text: String,
-}
-
 /// The files of a report: `index.html`, [`SETUP_FILE`], and for each plot `NAME-us.svg`,
 /// `NAME-metric.svg` and `NAME.csv`.
 ///
 /// # Errors
 /// The errors of [`figure_svg`], [`figure_csv`](super::plot::figure_csv) and [`setup_toml`].
-pub fn report_documents(findings: &Findings<'_>) -> Result<Vec<Document>> {
+pub fn report_documents(findings: &Findings) -> Result<Vec<TextFile>> {
     let plots = plots(findings);
-    let setup = match findings.best {
+    let setup = match findings.best() {
         Some(best) => best_toml(best, None, None, findings.preset)?,
         None => setup_toml(
-            findings.setup,
+            &findings.setup,
             findings.preset,
             &[format!("{}, as set up", findings.name)],
             &[],
         )?,
     };
     let mut files = vec![
-        ("index.html".to_owned(), page(findings, &plots)?),
-        (SETUP_FILE.to_owned(), setup),
+        TextFile {
+            name: "index.html".into(),
+            text: page(findings, &plots)?,
+        },
+        TextFile {
+            name: SETUP_FILE.into(),
+            text: setup,
+        },
     ];
     files.extend(picture_files(plots.all(), System::default())?);
-    Ok(files
-        .into_iter()
-        .map(|(name, text)| Document { name, text })
-        .collect())
+    Ok(files)
 }
 
 /// The plots of the page.
-fn plots(findings: &Findings<'_>) -> Plots {
-    let (mut drive, left_out) = trajectories(findings.flown);
+fn plots(findings: &Findings) -> Plots {
+    let (mut drive, left_out) = trajectories(&findings.flown);
     if !findings.landings.is_empty() {
         // insert the landings after the view from the side
         drive.insert(
             drive.len().min(1),
-            in_each(|system| fairway_figure(findings.landings, system)),
+            in_each(|system| fairway_figure(&findings.landings, system)),
         );
     }
     let launches = findings
         .launches
+        .as_ref()
         .map(|launches| in_each(|system| launches_figure(launches, system)));
     let face = findings
         .face
+        .as_ref()
         .map(|face| in_each(|system| face_figure(face, system)));
     Plots {
         drive,
@@ -83,11 +79,13 @@ fn plots(findings: &Findings<'_>) -> Plots {
         left_out,
         map: findings
             .map
+            .as_ref()
             .map(|map| in_each(|system| mapped(findings, map, system)))
             .into_iter()
             .collect(),
         chart: findings
             .chart
+            .as_ref()
             .map(|chart| charts(findings, chart))
             .unwrap_or_default(),
         // effects of 0 have no bar
@@ -98,7 +96,7 @@ fn plots(findings: &Findings<'_>) -> Plots {
             .flatten()
             .collect(),
         // finite differences without any error, such as for a derivative of 0, have no curve
-        curves: Some(vcurve_figure(findings.rows, findings.loops, At::SetUp))
+        curves: Some(vcurve_figure(&findings.rows, &findings.loops, At::SetUp))
             .filter(|figure| figure_svg(figure, &Look::default()).is_ok())
             .map(|figure| alike(&figure))
             .into_iter()
@@ -107,14 +105,14 @@ fn plots(findings: &Findings<'_>) -> Plots {
 }
 
 /// The faces of the drive as set up and of the optimum.
-fn strikes(findings: &Findings<'_>) -> Vec<Pair> {
+fn strikes(findings: &Findings) -> Vec<Pair> {
     let faces = [
-        ("as set up", findings.face),
-        ("optimum", findings.best_face),
+        ("as set up", &findings.face),
+        ("optimum", &findings.best_face),
     ];
     let designs: Vec<_> = faces
         .into_iter()
-        .filter_map(|(name, face)| Some((name, face?)))
+        .filter_map(|(name, face)| Some((name, face.as_ref()?)))
         .collect();
     let [metric, us] = System::ALL.map(|system| strikes_figure(&designs, system));
     metric
@@ -129,24 +127,14 @@ fn alike(figure: &Figure) -> Pair {
     in_each(|_| figure.clone())
 }
 
-fn mapped(findings: &Findings<'_>, map: &Map, system: System) -> Figure {
-    let Findings {
-        setup,
-        limits,
-        best,
-        region,
-        ..
-    } = *findings;
-    map_figure(
-        map,
-        &OnMap {
-            setup,
-            limits,
-            best,
-            region,
-        },
-        system,
-    )
+fn mapped(findings: &Findings, map: &Map, system: System) -> Figure {
+    let on = OnMap {
+        setup: &findings.setup,
+        limits: &findings.limits,
+        best: findings.best(),
+        region: findings.region.as_ref(),
+    };
+    map_figure(map, &on, system)
 }
 
 /// The effects of some causes for the drive as set up, if there are any.
@@ -155,8 +143,9 @@ fn tornados(effects: &Effects, causes: Causes) -> Option<Pair> {
     Some([metric?, us?])
 }
 
-fn charts(findings: &Findings<'_>, chart: &Chart) -> Vec<Pair> {
-    let [metric, us] = System::ALL.map(|system| chart_figures(chart, findings.best, system).drawn);
+fn charts(findings: &Findings, chart: &Chart) -> Vec<Pair> {
+    let [metric, us] =
+        System::ALL.map(|system| chart_figures(chart, findings.best(), system).drawn);
     metric
         .into_iter()
         .zip(us)
@@ -217,7 +206,7 @@ impl Plots {
     }
 }
 
-fn page(findings: &Findings<'_>, plots: &Plots) -> Result<String> {
+fn page(findings: &Findings, plots: &Plots) -> Result<String> {
     let [metric, us] = System::ALL.map(|system| asked::title(findings, system));
     let (metric, us) = (metric?, us?);
     let title = |system| {
@@ -241,7 +230,7 @@ fn page(findings: &Findings<'_>, plots: &Plots) -> Result<String> {
     Ok(frame.page())
 }
 
-fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
+fn main(findings: &Findings, plots: &Plots) -> Result<Markup> {
     let of = shown::words(findings.of.name());
     // the reason is at the beginning of the summary
     let why = findings.why_not_flown();
@@ -259,7 +248,7 @@ fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
             @for [metric, us] in &plots.left_out {
                 p.faint { (both(|system| capital(if system == System::Us { us } else { metric }))) "." }
             }
-            @if let Some(explorer) = findings.explorer { (sections::explorer(explorer)) }
+            @if let Some(explorer) = &findings.explorer { (sections::explorer(explorer)) }
             (pictures(&plots.strike)?)
             h3 { "As set up, on a launch monitor" }
             (sections::panel(findings))
@@ -270,7 +259,7 @@ fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
                 (pictures(&plots.strikes)?)
             }
         }
-        @if let Some(plane) = findings.lofts {
+        @if let Some(plane) = &findings.lofts {
             section { h2 { "Carry and total by loft and attack angle" } (lofts::lofts(plane)) }
         }
         @if !plots.map.is_empty() { section { h2 { "The map" } (pictures(&plots.map)?) } }
@@ -279,23 +268,23 @@ fn main(findings: &Findings<'_>, plots: &Plots) -> Result<Markup> {
             section { h2 { "What moves the " (of) ", at the drive as set up" } (pictures(&plots.effects)?) }
         }
         section {
-            @if let Some(best) = findings.best {
+            @if let Some(best) = findings.best() {
                 h2 { "The optimum" }
-                (sections::optimum(best, findings.flatness))
+                (sections::optimum(best, findings.flatness.as_ref()))
                 h3 { "Launch and flight" }
             } @else {
                 h2 { "Launch and flight" }
             }
-            (sections::outcomes(findings.flown))
+            (sections::outcomes(&findings.flown))
         }
         @if !plots.effects.is_empty() {
-            section { h2 { "The uncertainties and their sources" } (sections::uncertainties(findings.effects)) }
+            section { h2 { "The uncertainties and their sources" } (sections::uncertainties(&findings.effects)) }
         }
         @if !findings.rows.is_empty() {
             details {
                 summary { h2 { "How exact the derivatives are, at the drive as set up" } }
                 (pictures(&plots.curves)?)
-                (sections::verdicts(findings.rows))
+                (sections::verdicts(&findings.rows))
             }
         }
         details { summary { h2 { "The setup" } } (sections::setup(findings)?) }

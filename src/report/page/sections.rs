@@ -18,7 +18,7 @@ use crate::units::{System, counted, significant, typeset};
 use maud::{Markup, Render, html};
 
 /// The numbers of a launch monitor, for the drive as set up.
-pub(super) fn panel(findings: &Findings<'_>) -> Markup {
+pub(super) fn panel(findings: &Findings) -> Markup {
     const SHOWN: [Outcome; 10] = [
         Outcome::BallSpeed,
         Outcome::SmashFactor,
@@ -219,10 +219,10 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
 }
 
 /// Every number of the setup, with its source.
-pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
+pub(super) fn setup(findings: &Findings) -> Result<Markup> {
     let is_launched = findings.setup.launch.is_given();
     let [us, metric] = [System::Us, System::Metric]
-        .map(|system| sources(findings.setup, findings.preset, Some(system)));
+        .map(|system| sources(&findings.setup, findings.preset, Some(system)));
     let rows = us?.into_iter().zip(metric?);
     let rows = rows.filter(|(us, _)| !(is_launched && is_of_strike(findings, us.name)));
     let either = |us: &str, metric: &str| {
@@ -253,15 +253,15 @@ pub(super) fn setup(findings: &Findings<'_>) -> Result<Markup> {
 }
 
 /// True for the name of a parameter or choice of swing, club, strike or impact.
-fn is_of_strike(findings: &Findings<'_>, name: &str) -> bool {
+fn is_of_strike(findings: &Findings, name: &str) -> bool {
     let parameter = findings.setup.parameter(name);
     [GOLFER, SPEED_OF].contains(&name) || parameter.is_ok_and(Parameter::is_of_strike)
 }
 
 /// The source of a value; a remark instead for an automatically chosen method or step, and for spin
 /// values that the launch does not state.
-fn source_of(findings: &Findings<'_>, row: &SourcedValue) -> String {
-    let (flown, stated) = (findings.setup, findings.stated);
+fn source_of(findings: &Findings, row: &SourcedValue) -> String {
+    let (flown, stated) = (&findings.setup, &findings.stated);
     let is_chosen = match row.name {
         METHOD => flown.method != stated.method,
         "flight.step" => flown.flight.step != stated.flight.step,
@@ -308,9 +308,9 @@ pub(super) fn explorer(link: &ExplorerLink) -> Markup {
 }
 
 /// The footer: status of the search, and the command that made the page.
-pub(super) fn footer(findings: &Findings<'_>) -> Markup {
+pub(super) fn footer(findings: &Findings) -> Markup {
     html! {
-        @if let Some(found) = findings.found {
+        @if let Some(found) = &findings.found {
             p {
                 "The search: " (found.status()) ": " (both(|system| found.message().in_units(system))) " \
                     ("
@@ -318,7 +318,7 @@ pub(super) fn footer(findings: &Findings<'_>) -> Markup {
             }
         }
         p {
-            a href=(SETUP_FILE) { (SETUP_FILE) } " is the " (if findings.best.is_some() { "best \
+            a href=(SETUP_FILE) { (SETUP_FILE) } " is the " (if findings.best().is_some() { "best \
                 drive" } else { "drive \
                 as set up" })
             ", for " code { "longdrive simulate " (SETUP_FILE) } ". "

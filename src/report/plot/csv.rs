@@ -1,6 +1,7 @@
 use super::axis::{Axis, Scale};
 use super::figure::{Bar, Field, Figure, Layer};
-use crate::error::{Error, Result};
+use crate::error::Result;
+use crate::report::csv_text::csv_text;
 use crate::units::TableUnits;
 
 /// A row of the data.
@@ -51,18 +52,8 @@ pub fn figure_csv_in(figure: &Figure, units: TableUnits) -> Result<String> {
     });
     let rows: Vec<Row<'_>> = of_views.collect();
     let columns = Columns::of(figure, &rows, units);
-    let failed = |error: csv::Error| Error::Output(error.into());
-    let mut writer = csv::Writer::from_writer(vec![]);
-    writer.write_record(columns.heads()).map_err(failed)?;
-    for row in &rows {
-        writer
-            .write_record(columns.cells(figure, row))
-            .map_err(failed)?;
-    }
-    let bytes = writer
-        .into_inner()
-        .map_err(|error| Error::Output(error.into_error()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    let cells = rows.iter().map(|row| columns.cells(figure, row));
+    csv_text(columns.heads().map(str::to_owned).collect(), cells)
 }
 
 /// The columns after kind and name.

@@ -27,7 +27,6 @@ mod interpolation;
 mod layers;
 mod layout;
 mod legend;
-mod line_names;
 mod marks;
 mod palette;
 mod panels;

@@ -3,7 +3,7 @@
 use crate::drive::Outcome;
 use crate::report::document::{Document, Line, Table};
 use crate::report::reply::{Ending, Report};
-use crate::shots::{Band, ClubShots, FLOOR, ShotStatistics, Sums};
+use crate::shots::{Band, ClubShots, FLOOR, Refused, ShotStatistics, Sums};
 use crate::units::{Message, System, counted, fixed, printed, signed};
 use serde::Serialize;
 
@@ -46,12 +46,9 @@ pub struct ShotsReport<'a> {
 pub struct RefusedRows {
     /// The kind of reason.
     pub kind: &'static str,
-    /// Number of rows.
-    pub rows: u64,
-    /// The line of the first of these rows.
-    pub first_line: u64,
-    /// The reason of the first of these rows.
-    pub first_reason: String,
+    /// Their number, and the first of them.
+    #[serde(flatten)]
+    pub refused: Refused,
 }
 
 /// The residuals of an outcome, SI.
@@ -59,8 +56,7 @@ pub struct RefusedRows {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct OutcomeResiduals {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The residuals of all rows.
     #[serde(flatten)]
     pub all: SumsReport,
@@ -90,8 +86,7 @@ pub struct ClubShotsReport {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ClubOutcome {
     /// The outcome.
-    #[cfg_attr(test, schemars(with = "Outcome"))]
-    pub of: &'static str,
+    pub of: Outcome,
     /// The mean of the predictions, SI.
     pub predicted: Option<f64>,
     /// The residuals, predicted − measured.
@@ -102,7 +97,7 @@ pub struct ClubOutcome {
 impl ClubShotsReport {
     fn new(of: &[Outcome], club: &str, shots: &ClubShots) -> Self {
         let outcome = |(at, of): (usize, &Outcome)| ClubOutcome {
-            of: of.name(),
+            of: *of,
             predicted: shots.predicted[at].bias(),
             residuals: SumsReport::new(&shots.residuals[at]),
         };
@@ -177,12 +172,10 @@ impl<'a> ShotsReport<'a> {
     ) -> Self {
         let refused = tally.refused.iter().map(|(kind, refused)| RefusedRows {
             kind,
-            rows: refused.count,
-            first_line: refused.line,
-            first_reason: refused.reason.clone(),
+            refused: refused.clone(),
         });
         let residual = |(at, of): (usize, &Outcome)| OutcomeResiduals {
-            of: of.name(),
+            of: *of,
             all: SumsReport::new(&tally.all[at]),
             instruments: instrument_deviation(*of),
             bands: tally

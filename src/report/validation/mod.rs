@@ -3,10 +3,11 @@
 mod figures;
 mod text;
 
+use super::csv_text::csv_text;
 use super::document::Document;
 use super::json::{ByName, Number};
 use super::reply::Report;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::study::validation::{Case, Compared, LawScores, Residual, Score, SetScores};
 use crate::units::System;
 use serde::Serialize;
@@ -104,12 +105,9 @@ pub struct ScoreReport {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ResidualReport {
-    /// The index of the drive in `cases`, from 0.
-    pub case: usize,
-    /// The computed value, SI.
-    pub predicted: f64,
-    /// The published value, SI.
-    pub published: f64,
+    /// The values.
+    #[serde(flatten)]
+    pub values: Residual,
     /// The computed minus the published value, SI.
     pub difference: f64,
 }
@@ -128,8 +126,6 @@ impl<'a> ValidationReport<'a> {
     /// # Errors
     /// [`Error::Output`].
     pub fn csv(&self) -> Result<String> {
-        let failed = |error: csv::Error| Error::Output(error.into());
-        let mut writer = csv::Writer::from_writer(vec![]);
         let head = [
             "set",
             "case",
@@ -141,7 +137,7 @@ impl<'a> ValidationReport<'a> {
             "difference",
             "source",
         ];
-        writer.write_record(head).map_err(failed)?;
+        let mut rows = vec![];
         for set in self.found {
             for law in &set.laws {
                 for score in &law.scores {
@@ -160,15 +156,12 @@ impl<'a> ValidationReport<'a> {
                             .into_iter()
                             .chain(numbers.iter().map(String::as_str))
                             .chain([case.source.as_str()]);
-                        writer.write_record(row).map_err(failed)?;
+                        rows.push(row.map(str::to_owned).collect());
                     }
                 }
             }
         }
-        let bytes = writer
-            .into_inner()
-            .map_err(|error| Error::Output(error.into_error()))?;
-        Ok(String::from_utf8_lossy(&bytes).into_owned())
+        csv_text(head.map(str::to_owned).to_vec(), rows)
     }
 }
 
@@ -229,9 +222,7 @@ impl LawScoresReport {
 impl ScoreReport {
     fn new(score: &Score) -> Self {
         let residual = |one: &Residual| ResidualReport {
-            case: one.case,
-            predicted: one.predicted,
-            published: one.published,
+            values: *one,
             difference: one.difference(),
         };
         Self {

@@ -5,7 +5,7 @@ use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Layer, Measure};
 use crate::report::published::Published;
 use crate::report::shown::stated;
-use crate::reproduce::WinfieldTan;
+use crate::reproduce::{FittedNumber, WinfieldTan};
 use crate::units::{Quantity, System, significant};
 
 /// Speeds of the displayed values in m/s and in mph; the two lists agree within 3 %. The flights of
@@ -186,7 +186,10 @@ fn coefficients(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> (f64, f64) 
 }
 
 pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
-    let (rate, error) = found.fitted.decay;
+    let FittedNumber {
+        value: rate,
+        standard_uncertainty: error,
+    } = found.fitted.decay;
     document.heading("The spin decay");
     document.paragraph(format!(
         "The paper takes a decay constant of 0.6 to 0.7, without a unit; later measurements give \

@@ -4,9 +4,9 @@ mod law;
 mod tables;
 
 use super::document::Document;
-use super::published::{DeliveryPoint, LoftCarry, Published};
+use super::published::Published;
 use super::reply::Report;
-use crate::reproduce::{Best, Point, SingleShot, WinfieldTan};
+use crate::reproduce::{Best, Delivery, FittedNumber, LoftCarry, SingleShot, WinfieldTan};
 use crate::units::System;
 use serde::Serialize;
 
@@ -36,63 +36,35 @@ pub struct WinfieldTanReport<'a> {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PaperNumbers {
     /// The single shot.
-    pub shot: ShotNumbers,
+    pub shot: SingleShot,
     /// The optimum.
-    pub optimum: DeliveryPoint,
+    pub optimum: Delivery,
     /// Table 1.
-    pub table1: Vec<DeliveryPoint>,
+    pub table1: Vec<Delivery>,
     /// Table 2.
-    pub table2: Vec<DeliveryPoint>,
+    pub table2: Vec<Delivery>,
     /// The loft with the best average carry.
     pub average: LoftCarry,
-}
-
-/// The numbers of a shot.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ShotNumbers {
-    /// The carry, m.
-    pub carry: f64,
-    /// The time of flight, s.
-    pub flight_time: f64,
-    /// The height of the apex, m.
-    pub apex_height: f64,
-    /// The time of the apex, s.
-    pub apex_time: f64,
-}
-
-/// A fitted number.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct FittedNumber {
-    /// The estimate, SI.
-    pub value: f64,
-    /// The standard uncertainty of the estimate, SI.
-    pub standard_uncertainty: f64,
 }
 
 impl<'a> WinfieldTanReport<'a> {
     /// The report of this reproduction.
     pub fn new(found: &'a WinfieldTan) -> Self {
-        let (value, standard_uncertainty) = found.fitted.decay;
         Self {
             found,
             computed: PaperNumbers::new(
                 found,
                 |best| best.computed,
-                &found.shot.computed,
+                found.shot.computed,
                 found.average.best,
             ),
             printed: PaperNumbers::new(
                 found,
                 |best| best.printed,
-                &found.shot.printed,
+                found.shot.printed,
                 found.average.printed,
             ),
-            spin_decay: FittedNumber {
-                value,
-                standard_uncertainty,
-            },
+            spin_decay: found.fitted.decay,
             study: STUDY,
         }
     }
@@ -101,32 +73,16 @@ impl<'a> WinfieldTanReport<'a> {
 impl PaperNumbers {
     fn new(
         found: &WinfieldTan,
-        of: fn(&Best) -> Point,
-        shot: &SingleShot,
-        (loft, carry): (f64, f64),
+        of: fn(&Best) -> Delivery,
+        shot: SingleShot,
+        average: LoftCarry,
     ) -> Self {
-        let row = |best: &Best| of(best).into();
         Self {
-            shot: ShotNumbers {
-                carry: shot.carry,
-                flight_time: shot.flight_time,
-                apex_height: shot.apex_height,
-                apex_time: shot.apex_time,
-            },
-            optimum: of(&found.optimum).into(),
-            table1: found.table1.iter().map(row).collect(),
-            table2: found.table2.iter().map(row).collect(),
-            average: LoftCarry { loft, carry },
-        }
-    }
-}
-
-impl From<Point> for DeliveryPoint {
-    fn from(point: Point) -> Self {
-        Self {
-            loft: point.loft.into(),
-            attack_angle: point.attack_angle.into(),
-            carry: point.carry.into(),
+            shot,
+            optimum: of(&found.optimum),
+            table1: found.table1.iter().map(of).collect(),
+            table2: found.table2.iter().map(of).collect(),
+            average,
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::report::document::Document;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::published::Published;
-use crate::reproduce::{Best, MISPRINTS, WinfieldTan};
+use crate::reproduce::{Best, LoftCarry, MISPRINTS, WinfieldTan};
 use crate::units::{Quantity, fixed};
 
 pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Published) {
@@ -262,18 +262,21 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
     document.paragraph("Carry averaged over attack angles of 0, 1 … 10°, at each loft.");
     document.table(
         &["loft", "average carry"],
-        mean.rows
-            .iter()
-            .map(|(loft, carry)| vec![format!("{:.0}°", loft.to_degrees()), shown.length(*carry)]),
+        mean.rows.iter().map(|row| {
+            vec![
+                format!("{:.0}°", row.loft.to_degrees()),
+                shown.length(row.carry),
+            ]
+        }),
     );
     let row = |loft: f64, carry: String, what: &str| vec![degrees(loft), carry, what.to_owned()];
-    let computed = |(loft, carry): (f64, f64), what: &str| row(loft, shown.length(carry), what);
+    let computed = |best: LoftCarry, what: &str| row(best.loft, shown.length(best.carry), what);
     document.table(
         &["best loft", "average carry", "how"],
         [
             row(
-                mean.printed.0,
-                shown.printed_length(mean.printed.1),
+                mean.printed.loft,
+                shown.printed_length(mean.printed.carry),
                 "printed: maximum of a polynomial of fifth order",
             ),
             computed(
@@ -284,12 +287,12 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
         ],
     );
     let carry = Axis::linear(Measure::new("average carry", Quantity::LENGTH, "yd"));
-    let points = |rows: &[(f64, f64)]| rows.iter().map(|(loft, carry)| [*loft, *carry]).collect();
-    let (best_loft, best_carry) = mean.by_polynomial;
+    let points = |rows: &[LoftCarry]| rows.iter().map(|row| [row.loft, row.carry]).collect();
+    let best = mean.by_polynomial;
     let best = Layer::Mark {
-        name: degrees(best_loft),
+        name: degrees(best.loft),
         hue: Hue::Series(0),
-        at: [best_loft, best_carry],
+        at: [best.loft, best.carry],
     };
     document.figure(
         Figure::new(
@@ -307,7 +310,7 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
         .with(Layer::dots(
             "printed optimum",
             1,
-            vec![[mean.printed.0, mean.printed.1]],
+            vec![[mean.printed.loft, mean.printed.carry]],
         ))
         .with(best),
     );

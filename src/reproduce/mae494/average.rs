@@ -1,20 +1,24 @@
-use super::delivery::{ATTACK_ANGLE, LOFT};
 use super::printed;
 use crate::derivative::{Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::{Domain, Evaluation, Options, Status, Taylor, minimize};
 use crate::parameters::Setup;
+use crate::reproduce::delivery::{ATTACK_ANGLE, LOFT, LoftCarry};
+use serde::Serialize;
 
 /// Third study of the report: mean carry over the attack angles 0, 1 … 10°, by loft.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Average {
     /// Best loft as printed, rad.
+    #[serde(skip)]
     pub printed: f64,
-    /// Lofts of the report, rad, with mean carry, m.
-    pub rows: Vec<(f64, f64)>,
-    /// The exact optimum: loft, rad, and average carry, m.
-    pub best: (f64, f64),
+    /// The best loft and its average carry.
+    #[serde(flatten)]
+    pub best: LoftCarry,
+    /// The average carry of each loft of the report.
+    pub rows: Vec<LoftCarry>,
 }
 
 impl Average {
@@ -53,9 +57,10 @@ impl Average {
         };
         let rows = lofts.iter().map(|degrees| {
             let loft = degrees.to_radians();
-            Ok((loft, average(&[loft])?.value))
+            let carry = average(&[loft])?.value;
+            Ok(LoftCarry { loft, carry })
         });
-        let rows: Vec<(f64, f64)> = rows.collect::<Result<_>>()?;
+        let rows = rows.collect::<Result<_>>()?;
 
         let problem = |x: &[f64]| {
             let objective = average(x).map_err(|error| error.to_string())?.negated();
@@ -76,7 +81,10 @@ impl Average {
             Some(value) if found.status == Status::Converged => Ok(Self {
                 printed,
                 rows,
-                best: (found.x[0], -value),
+                best: LoftCarry {
+                    loft: found.x[0],
+                    carry: -value,
+                },
             }),
             _ => Err(Error::NotConverged {
                 status: found.status.name(),

@@ -1,4 +1,3 @@
-use super::delivery::{ATTACK_ANGLE, Delivery, LOFT};
 use super::{Row, tables};
 use crate::derivative::{self, Evaluator, Order};
 use crate::drive::Outcome;
@@ -8,61 +7,105 @@ use crate::optimize::{
     Domain, Evaluation, Observers, Options, Problem, Status, minimize_from, starts,
 };
 use crate::parameters::Setup;
+use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
+use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
 
 /// A straight launch with its carry.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Launched {
-    /// Ball speed, m/s.
+    /// The ball speed, m/s.
+    #[serde(rename = "ball_speed")]
     pub speed: f64,
-    /// Launch angle, rad.
+    /// The launch angle, rad.
+    #[serde(rename = "launch_angle")]
     pub angle: f64,
-    /// Backspin, rad/s.
+    /// The backspin, rad/s.
+    #[serde(rename = "backspin")]
     pub spin: f64,
-    /// Carry, m.
+    /// The carry, m.
     pub carry: f64,
 }
 
 /// Energy argument against the report's distances: maximum ball speed, and maximum carry at that
 /// speed.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Energy {
     /// Maximum ball speed, (1 + e)/(1 + m/M) V, m/s.
+    #[serde(rename = "fastest_ball_speed")]
     pub fastest: f64,
     /// Launch of maximum carry at that ball speed, over launch angle and spin.
     pub farthest: Launched,
     /// Derivative of carry by ball speed at that launch, m per m/s.
+    #[serde(rename = "carry_per_ball_speed")]
     pub price_of_speed: f64,
     /// Slowest launch that reaches the report's longest carry.
     pub needed: Launched,
     /// The club's kinetic energy, ½ M V², J.
+    #[serde(rename = "club_energy")]
     pub club: f64,
     /// The ball's kinetic energy at maximum speed, ½ m v², J.
+    #[serde(rename = "ball_energy")]
     pub ball: f64,
     /// The ball's kinetic energy for the report's longest carry, J.
+    #[serde(rename = "ball_energy_needed")]
     pub ball_needed: f64,
 }
 
 /// The report's "subsystem optimum": the best launch of the flight alone, compared with launches
 /// that the impact can produce.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Subsystems {
     /// Launch at the optimum of the whole system.
     pub whole: Launched,
-    /// Launch that flies farthest at the ball speed of [`whole`](Self::whole).
+    /// Launch that flies farthest at the ball speed of `whole`.
     pub flight: Launched,
     /// Delivery with the largest ball speed at the attack angle of the optimum,
     /// with its carry.
     pub impact: Delivery,
-    /// Derivatives of carry by ball speed, launch angle and backspin at the optimum: m per m/s, per
-    /// rad, per rad/s.
-    pub slopes: [f64; 3],
-    /// Derivative of carry by loft through ball speed, launch angle and backspin, m/rad. The sum is
-    /// 0 at the optimum.
-    pub by_loft: [f64; 3],
-    /// Derivative of carry by attack angle through ball speed, launch angle and backspin, m/rad.
-    /// The sum is the multiplier of the bound on the attack angle.
-    pub by_attack_angle: [f64; 3],
+    /// Derivatives of carry by each launch condition at the optimum: m per m/s, per rad, per rad/s.
+    #[serde(rename = "carry_by")]
+    pub slopes: ByLaunch,
+    /// Derivative of carry by loft through each launch condition, m/rad. The sum is 0 at the
+    /// optimum.
+    #[serde(rename = "carry_by_loft_through")]
+    pub by_loft: ByLaunch,
+    /// Derivative of carry by attack angle through each launch condition, m/rad. The sum is the
+    /// multiplier of the bound on the attack angle.
+    #[serde(rename = "carry_by_attack_angle_through")]
+    pub by_attack_angle: ByLaunch,
+}
+
+/// A number for each condition of a straight launch.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct ByLaunch {
+    /// For the ball speed.
+    pub ball_speed: f64,
+    /// For the launch angle.
+    pub launch_angle: f64,
+    /// For the backspin.
+    pub backspin: f64,
+}
+
+impl ByLaunch {
+    /// Ball speed, launch angle, backspin.
+    pub fn to_array(self) -> [f64; 3] {
+        [self.ball_speed, self.launch_angle, self.backspin]
+    }
+}
+
+impl From<[f64; 3]> for ByLaunch {
+    fn from([ball_speed, launch_angle, backspin]: [f64; 3]) -> Self {
+        Self {
+            ball_speed,
+            launch_angle,
+            backspin,
+        }
+    }
 }
 
 /// Speeds, m/s, and spins, rad/s, wide enough for any golf ball.
@@ -134,9 +177,9 @@ impl Subsystems {
             },
             flight: own_choice,
             impact: square,
-            slopes,
-            by_loft: through(0),
-            by_attack_angle: through(1),
+            slopes: slopes.into(),
+            by_loft: through(0).into(),
+            by_attack_angle: through(1).into(),
         })
     }
 }

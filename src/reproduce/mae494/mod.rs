@@ -7,7 +7,6 @@
 //! compared with the exact one.
 
 mod average;
-mod delivery;
 mod launches;
 mod lbfgs;
 mod noise;
@@ -20,9 +19,8 @@ mod tables;
 mod while_loop;
 
 pub use average::Average;
-pub use delivery::Delivery;
-pub use launches::{Energy, Launched, Subsystems};
-pub use noise::{Landings, Noise, Sawtooth, Slopes};
+pub use launches::{ByLaunch, Energy, Launched, Subsystems};
+pub use noise::{Landings, LongerDifference, Noise, Sawtooth, ShorterStep, Slopes};
 pub use objective::{Landing, Method};
 pub use parametric::{Constant, Parametric};
 pub use regression::{Peak, Regression};
@@ -33,6 +31,7 @@ pub(super) use while_loop::fly_past_the_ground;
 
 use crate::error::Result;
 use crate::parameters::Setup;
+use crate::reproduce::delivery::Delivery;
 use crate::units::System;
 
 /// Reproduction of the report.
@@ -56,10 +55,8 @@ pub struct Mae494 {
     pub average: Average,
     /// Parametric study.
     pub parametric: Parametric,
-    /// Discontinuities of the flight loop.
+    /// Discontinuities of the flight loop, and searches with them.
     pub noise: Noise,
-    /// Searches with discontinuous and smooth landings.
-    pub searches: Vec<Searches>,
 }
 
 impl Mae494 {
@@ -91,9 +88,7 @@ pub fn mae494(mut progress: impl FnMut(&str)) -> Result<Mae494> {
     let energy = Energy::new(&setup, optimum.printed.carry)?;
     let subsystems = Subsystems::new(&optimum)?;
     progress("the flight loop's noise");
-    let noise = Noise::new(&setup)?;
-    progress("searches with the flight loop");
-    let searches = searches::searches(&setup)?;
+    let noise = Noise::new(&setup, &mut progress)?;
     progress("the parametric study");
     Ok(Mae494 {
         average: Average::new(&setup)?,
@@ -106,6 +101,5 @@ pub fn mae494(mut progress: impl FnMut(&str)) -> Result<Mae494> {
         energy,
         subsystems,
         noise,
-        searches,
     })
 }

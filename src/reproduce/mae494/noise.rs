@@ -1,39 +1,76 @@
-use super::delivery::{Delivery, LOFT};
+use super::searches::{Searches, searches};
 use super::tables;
 use super::while_loop::{LoopLanding, fly_past_the_ground};
 use crate::derivative;
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Setup;
+use crate::reproduce::delivery::{Delivery, LOFT};
+use serde::Serialize;
 
 /// The "noise" of the report's flight loop: carry is a sawtooth function of loft, and finite
 /// differences give the slope of a single tooth.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Noise {
-    /// Time step of the report's flight loop, s.
+    /// The attack angle, rad.
+    #[serde(rename = "swing.attack_angle")]
+    pub attack_angle: f64,
+    /// The time step of the report's flight loop, s.
     pub step: f64,
-    /// Step of forward differences, rad: √ε, as in MATLAB's `fmincon`.
+    /// The step of forward differences by loft, rad: √ε, as in MATLAB's `fmincon`.
     pub difference: f64,
-    /// Carry by loft near 10°, at attack angle 0°.
-    pub zoom: Vec<Landings>,
-    /// The jumps of the carry in [`zoom`](Self::zoom).
+    /// The jumps (teeth) of the carry in `zoom`.
     pub teeth: Sawtooth,
-    /// Derivatives of carry by loft at attack angle 0°.
+    /// The derivative of carry by loft at each loft, m/rad.
     pub slopes: Vec<Slopes>,
-    /// Forward differences of the report's loop at loft 10°, attack angle 0°, for shorter time
-    /// steps, s.
-    pub shorter_steps: Vec<(f64, f64)>,
-    /// Differences with larger steps, rad, at loft 10°, attack angle 0°: of the report's loop, of
-    /// its interpolated landing, and of the smooth landing.
-    pub longer_differences: Vec<(f64, [f64; 3])>,
+    /// Number of lofts where the sign of the difference is wrong.
+    pub wrong_signs: usize,
+    /// Forward differences of the report's loop at loft 10°, for shorter time steps.
+    pub shorter_steps: Vec<ShorterStep>,
+    /// Differences at loft 10° with larger steps of the loft.
+    pub longer_differences: Vec<LongerDifference>,
+    /// Carry by loft near 10°.
+    pub zoom: Vec<Landings>,
+    /// Searches for each way to compute the landing and each method.
+    pub searches: Vec<Searches>,
+}
+
+/// The loop's forward difference for a shorter time step.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct ShorterStep {
+    /// The time step, s.
+    pub step: f64,
+    /// The forward difference of the report's loop, m/rad.
+    #[serde(rename = "loop")]
+    pub overshot: f64,
+}
+
+/// Forward differences for a larger step of the loft.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct LongerDifference {
+    /// The step of the loft, rad.
+    pub difference: f64,
+    /// The forward difference of the report's loop, m/rad.
+    #[serde(rename = "loop")]
+    pub overshot: f64,
+    /// The forward difference of the loop's interpolated landing, m/rad.
+    pub interpolated: f64,
+    /// The forward difference of the smooth landing, m/rad.
+    pub smooth: f64,
 }
 
 /// Carry at one loft for three definitions of the landing.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Landings {
-    /// Loft, rad.
+    /// The loft, rad.
+    #[serde(rename = "club.loft")]
     pub loft: f64,
     /// Carry at the end of the report's loop, m.
+    #[serde(rename = "loop")]
     pub overshot: f64,
     /// Carry interpolated between the last two steps of the report's loop, m.
     pub interpolated: f64,
@@ -42,7 +79,8 @@ pub struct Landings {
 }
 
 /// Sawtooth of the carry of the report's loop where the number of steps changes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Sawtooth {
     /// Number of jumps in [`Noise::zoom`].
     pub count: usize,
@@ -53,18 +91,23 @@ pub struct Sawtooth {
 }
 
 /// Derivatives of carry by loft, m/rad.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Slopes {
-    /// Loft, rad.
+    /// The loft, rad.
+    #[serde(rename = "club.loft")]
     pub loft: f64,
     /// Exact derivative at landing.
     pub exact: f64,
     /// Exact derivative at the fixed landing time, without the landing term.
     pub at_fixed_time: f64,
     /// Forward difference of the report's loop.
+    #[serde(rename = "loop")]
     pub overshot: f64,
     /// Forward difference of the loop's interpolated landing.
     pub interpolated: f64,
+    /// True if the forward difference of the report's loop has the wrong sign.
+    pub sign_is_wrong: bool,
 }
 
 /// Number of intervals between the points of [`Noise::zoom`], and its half-width about 10°, deg.
@@ -73,7 +116,7 @@ const REACH: f64 = 0.5;
 
 impl Noise {
     /// The study of the noise, in the air and with the club of a setup.
-    pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
+    pub(super) fn new(setup: &Setup<f64>, progress: &mut impl FnMut(&str)) -> Result<Self> {
         let (step, difference) = (setup.flight.step, f64::EPSILON.sqrt());
         let smooth_at = |loft: f64| tables::carried(&level(setup, loft));
         let ten = 10.0_f64.to_radians();
@@ -87,35 +130,35 @@ impl Noise {
         let slopes =
             (6..=20).map(|degrees| Slopes::at(setup, f64::from(degrees).to_radians(), difference));
         let shorter = [step, 0.1 * step, 0.01 * step, 0.001 * step];
-        let shorter = shorter.map(|shorter| Ok((shorter, forward(ten, difference, shorter)?[0])));
+        let shorter = shorter.map(|step| {
+            let [overshot, _] = forward(ten, difference, step)?;
+            Ok(ShorterStep { step, overshot })
+        });
         let longer = [difference, 1e-6, 1e-4, 1e-3, 1e-2, 1e-1].map(|longer| {
             let [overshot, interpolated] = forward(ten, longer, step)?;
-            Ok((
-                longer,
-                [
-                    overshot,
-                    interpolated,
-                    (smooth_at(ten + longer)? - smooth_at(ten)?) / longer,
-                ],
-            ))
+            Ok(LongerDifference {
+                difference: longer,
+                overshot,
+                interpolated,
+                smooth: (smooth_at(ten + longer)? - smooth_at(ten)?) / longer,
+            })
         });
+        let slopes = slopes.collect::<Result<Vec<_>>>()?;
+        let shorter_steps = shorter.into_iter().collect::<Result<_>>()?;
+        let longer_differences = longer.into_iter().collect::<Result<_>>()?;
+        progress("searches with the flight loop");
         Ok(Self {
+            attack_angle: 0.0,
             step,
             difference,
             teeth: Sawtooth::of(&zoom),
+            wrong_signs: slopes.iter().filter(|at| at.sign_is_wrong).count(),
+            slopes,
+            shorter_steps,
+            longer_differences,
             zoom,
-            slopes: slopes.collect::<Result<_>>()?,
-            shorter_steps: shorter.into_iter().collect::<Result<_>>()?,
-            longer_differences: longer.into_iter().collect::<Result<_>>()?,
+            searches: searches(setup)?,
         })
-    }
-
-    /// Number of lofts at which the forward difference of the report's loop has the wrong sign.
-    pub fn wrong_signs(&self) -> usize {
-        self.slopes
-            .iter()
-            .filter(|slopes| slopes.overshot * slopes.exact < 0.0)
-            .count()
     }
 }
 
@@ -146,6 +189,7 @@ impl Slopes {
             at_fixed_time,
             overshot,
             interpolated,
+            sign_is_wrong: overshot * exact < 0.0,
         })
     }
 }

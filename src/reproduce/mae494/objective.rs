@@ -1,6 +1,5 @@
 //! Objective of the searches on the report's problem.
 
-use super::delivery::{ATTACK_ANGLE, Delivery, LOFT};
 use super::printed;
 use super::tables::carried;
 use super::while_loop::fly_past_the_ground;
@@ -9,12 +8,17 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::optimize::{Domain, Taylor};
 use crate::parameters::Setup;
+use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
+use serde::Serialize;
 use std::cell::Cell;
 
 /// Definition of the landing point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
 pub enum Landing {
     /// End of the report's loop, below the ground.
+    #[serde(rename = "loop")]
     Overshot,
     /// Interpolated between the last two steps of the report's loop.
     Interpolated,
@@ -22,40 +26,22 @@ pub enum Landing {
     Smooth,
 }
 
-impl Landing {
-    /// JSON name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Overshot => "loop",
-            Self::Interpolated => "interpolated",
-            Self::Smooth => "smooth",
-        }
-    }
-}
-
 /// Optimization method.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub enum Method {
     /// argmin's L-BFGS with the Moré–Thuente line search; gradients by forward differences.
+    #[serde(rename = "lbfgs-differences")]
     LimitedMemory,
     /// argmin's L-BFGS with exact gradients.
+    #[serde(rename = "lbfgs-exact-gradients")]
     LimitedMemoryExact,
     /// This library's optimizer with a BFGS Hessian; gradients by forward differences.
+    #[serde(rename = "longdrive-differences")]
     QuasiNewton,
     /// This library's optimizer with exact gradients and Hessians.
+    #[serde(rename = "longdrive-exact")]
     Exact,
-}
-
-impl Method {
-    /// JSON name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::LimitedMemory => "lbfgs-differences",
-            Self::LimitedMemoryExact => "lbfgs-exact-gradients",
-            Self::QuasiNewton => "longdrive-differences",
-            Self::Exact => "longdrive-exact",
-        }
-    }
 }
 
 /// The report's ranges of loft and attack angle.

@@ -5,11 +5,13 @@ use crate::optimize::{
     Domain, Exact, Functions, Observers, Options, Status, Values, minimize_from, starts,
 };
 use nalgebra::{SMatrix, SVector};
+use serde::Serialize;
 
 /// The report's regression: a polynomial in loft through five distances at one swing elevation.
 ///
 /// The listing fits 1, λ², λ³, λ⁴, λ⁵, but evaluates the coefficients with 1, λ, λ², λ³, λ⁴.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Regression {
     /// Maximum with the wrong powers, as in the listing.
     pub slipped: Peak,
@@ -20,9 +22,11 @@ pub struct Regression {
 }
 
 /// Maximum of a polynomial within the report's range of loft.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Peak {
-    /// Loft, rad.
+    /// The loft, rad.
+    #[serde(rename = "club.loft")]
     pub loft: f64,
     /// Value of the polynomial, m.
     pub distance: f64,

@@ -1,13 +1,15 @@
-use super::delivery::Delivery;
 use super::lbfgs::search_by_lbfgs;
 use super::objective::{Landing, Method, Objective, domain};
 use super::tables::carried_if_flown;
 use crate::error::Result;
 use crate::optimize::{Evaluation, Options, minimize, starts};
 use crate::parameters::Setup;
+use crate::reproduce::delivery::Delivery;
+use serde::Serialize;
 
 /// Searches with one landing and method, from common starts.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Searches {
     /// Definition of the landing.
     pub landing: Landing,
@@ -18,11 +20,13 @@ pub struct Searches {
 }
 
 /// Result of a search.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct End {
     /// Starting point.
     pub start: Delivery,
     /// End point, with the carry of the smooth landing.
+    #[serde(rename = "end")]
     pub at: Delivery,
     /// Number of flights; a flight with exact derivatives counts once.
     pub flights: u64,

@@ -1,9 +1,9 @@
-use super::delivery::{ATTACK_ANGLE, Delivery, LOFT};
 use super::printed;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::optimize::Observers;
 use crate::parameters::{Setup, Vary};
+use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
 use crate::study::{Active, Optimum, Search, optima};
 
 /// A row of a printed table compared with the exact optimum of the same model.

@@ -2,41 +2,44 @@ use super::printed;
 use crate::error::{Error, Result};
 use crate::parameters::Setup;
 use crate::reproduce::Average;
+use crate::reproduce::delivery::LoftCarry;
 use crate::units::Quantity;
 use nalgebra::{DMatrix, DVector};
 
 /// Mean carry over attack angles of 0, 1 … 10°, and its best loft.
 #[derive(Clone, Debug)]
 pub struct Mean {
-    /// Lofts 7, 8 … 12°, rad, with mean carry, m.
-    pub rows: Vec<(f64, f64)>,
-    /// Maximum of the quintic polynomial through these means, as in the paper: loft, rad, and mean
-    /// carry, m.
-    pub by_polynomial: (f64, f64),
+    /// Mean carries of the lofts 7, 8 … 12°.
+    pub rows: Vec<LoftCarry>,
+    /// Maximum of the quintic polynomial through these means, as in the paper.
+    pub by_polynomial: LoftCarry,
     /// Points of the polynomial between the first and last loft.
-    pub polynomial: Vec<(f64, f64)>,
-    /// Exact optimum of the mean: loft, rad, and carry, m.
-    pub best: (f64, f64),
-    /// Printed optimum: loft, rad, and carry, m.
-    pub printed: (f64, f64),
+    pub polynomial: Vec<LoftCarry>,
+    /// Exact optimum of the mean.
+    pub best: LoftCarry,
+    /// Printed optimum.
+    pub printed: LoftCarry,
 }
 
 impl Mean {
     pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
         let [loft, carry] = printed::AVERAGE;
         let average = Average::at(setup, &printed::AVERAGED_LOFTS, loft)?;
-        let printed = (
-            loft.to_radians(),
-            carry * Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN),
-        );
+        let printed = LoftCarry {
+            loft: loft.to_radians(),
+            carry: carry * Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN),
+        };
         let through = Polynomial::through(&average.rows).ok_or_else(refused)?;
-        let by_polynomial = through.top(average.best.0)?;
-        let [from, to] = [average.rows.first(), average.rows.last()]
-            .map(|row| row.map_or(0.0, |(loft, _)| *loft));
+        let by_polynomial = through.top(average.best.loft)?;
+        let [from, to] =
+            [average.rows.first(), average.rows.last()].map(|row| row.map_or(0.0, |row| row.loft));
         let along = |i: usize| from + (to - from) * i as f64 / (CURVE - 1) as f64;
         let polynomial = (0..CURVE)
             .map(along)
-            .map(|loft| (loft, through.at(loft)[0]))
+            .map(|loft| LoftCarry {
+                loft,
+                carry: through.at(loft)[0],
+            })
             .collect();
         Ok(Self {
             rows: average.rows,
@@ -59,13 +62,13 @@ struct Polynomial {
 }
 
 impl Polynomial {
-    fn through(rows: &[(f64, f64)]) -> Option<Self> {
+    fn through(rows: &[LoftCarry]) -> Option<Self> {
         let n = rows.len();
-        let middle = rows.iter().map(|(loft, _)| loft).sum::<f64>() / n as f64;
+        let middle = rows.iter().map(|row| row.loft).sum::<f64>() / n as f64;
         let powers = DMatrix::from_fn(n, n, |row, power| {
-            (rows[row].0 - middle).to_degrees().powi(power as i32)
+            (rows[row].loft - middle).to_degrees().powi(power as i32)
         });
-        let values = DVector::from_iterator(n, rows.iter().map(|(_, carry)| *carry));
+        let values = DVector::from_iterator(n, rows.iter().map(|row| row.carry));
         Some(Self {
             middle,
             coefficients: powers.lu().solve(&values)?,
@@ -84,7 +87,7 @@ impl Polynomial {
     }
 
     /// Maximum near a loft, by Newton's method.
-    fn top(&self, near: f64) -> Result<(f64, f64)> {
+    fn top(&self, near: f64) -> Result<LoftCarry> {
         let mut loft = near;
         for _ in 0..50 {
             let [_, slope, curvature] = self.at(loft);
@@ -93,9 +96,9 @@ impl Polynomial {
             }
             loft -= (slope / curvature).to_radians();
         }
-        let [value, slope, _] = self.at(loft);
+        let [carry, slope, _] = self.at(loft);
         if slope.abs() < 1e-9 {
-            Ok((loft, value))
+            Ok(LoftCarry { loft, carry })
         } else {
             Err(refused())
         }

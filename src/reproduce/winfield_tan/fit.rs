@@ -4,6 +4,7 @@ use crate::error::Result;
 use crate::optimize::least_squares::FitObserver;
 use crate::parameters::{Method, Parameter, Setup};
 use crate::study::calibrate::{Calibration, FitPlan, ShotTable, calibrate};
+use serde::Serialize;
 
 /// Printed values as data for a calibration.
 const PRINTED: &str = include_str!("printed.csv");
@@ -23,10 +24,20 @@ pub struct Fitted {
     pub law: Calibration,
     /// Calibration including the decay rate.
     pub with_decay: Calibration,
-    /// Decay rate and its standard error, 1/s. The standard error is scaled by the residuals.
-    pub decay: (f64, f64),
+    /// Decay rate, 1/s. Its uncertainty is scaled by the residuals.
+    pub decay: FittedNumber,
     /// Smallest sum of squares at given decay rates.
     pub profile: Vec<Decay>,
+}
+
+/// A fitted number.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct FittedNumber {
+    /// The estimate, SI.
+    pub value: f64,
+    /// The standard uncertainty of the estimate, SI.
+    pub standard_uncertainty: f64,
 }
 
 /// Best fit at a decay rate.
@@ -64,11 +75,12 @@ impl Fitted {
         let last = with_decay.estimates[all.len() - 1];
         let left =
             with_decay.statistics.chi_square / with_decay.statistics.degrees_of_freedom as f64;
-        let decay = (
-            last.value,
-            last.standard_error
+        let decay = FittedNumber {
+            value: last.value,
+            standard_uncertainty: last
+                .standard_error
                 .map_or(f64::INFINITY, |error| error * left.sqrt()),
-        );
+        };
         let mut from = *setup;
         let mut profile = vec![];
         for rate in PROFILE {

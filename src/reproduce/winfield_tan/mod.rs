@@ -12,13 +12,14 @@ mod shot;
 mod tables;
 
 pub use average::Mean;
-pub use fit::{Decay, Fitted};
+pub use fit::{Decay, Fitted, FittedNumber};
 pub use printed::MISPRINTS;
 pub use shot::{ShotComparison, SingleShot};
-pub use tables::{Best, Point};
+pub use tables::Best;
 
 use crate::error::Result;
 use crate::parameters::Setup;
+use crate::reproduce::delivery::Delivery;
 use crate::units::System;
 
 /// Reproduction of the paper.
@@ -31,7 +32,7 @@ pub struct WinfieldTan {
     /// The optimum over loft and attack angle.
     pub optimum: Best,
     /// Best loft at attack angles around the optimum.
-    pub ridge: Vec<Point>,
+    pub ridge: Vec<Delivery>,
     /// Table 1: best attack angle at each loft.
     pub table1: Vec<Best>,
     /// Table 2: best loft at each attack angle.

@@ -4,19 +4,26 @@ use crate::error::Result;
 use crate::impact::strike;
 use crate::parameters::Setup;
 use crate::units::Quantity;
+use serde::Serialize;
 
-/// Printed values of the single shot, SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Printed values of the single shot, SI. JSON has those of the flight.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SingleShot {
     /// Upward ball speed, m/s.
+    #[serde(skip)]
     pub up: f64,
     /// Downrange ball speed, m/s.
+    #[serde(skip)]
     pub downrange: f64,
     /// Backspin, rad/s.
+    #[serde(skip)]
     pub backspin: f64,
     /// Downrange club speed after impact, m/s.
+    #[serde(skip)]
     pub club_after: f64,
     /// Launch angle, rad.
+    #[serde(skip)]
     pub launch_angle: f64,
     /// Carry, m.
     pub carry: f64,

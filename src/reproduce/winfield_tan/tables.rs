@@ -5,70 +5,62 @@ use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::optimize::{Observer, Status};
 use crate::parameters::{Setup, Vary};
+use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
 use crate::study::{Search, optimum as search};
 use crate::units::Quantity;
 
-const LOFT: &str = "club.loft";
-const ATTACK_ANGLE: &str = "swing.attack_angle";
 /// Search ranges, deg, far beyond the printed values.
 const LOFTS: [f64; 2] = [-10.0, 40.0];
 const ATTACKS: [f64; 2] = [-20.0, 50.0];
-
-/// Delivery with its carry, SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
-    /// Loft, rad.
-    pub loft: f64,
-    /// Attack angle, rad.
-    pub attack_angle: f64,
-    /// Carry, m.
-    pub carry: f64,
-}
 
 /// An optimum, computed and printed.
 #[derive(Clone, Copy, Debug)]
 pub struct Best {
     /// Computed optimum.
-    pub computed: Point,
+    pub computed: Delivery,
     /// Printed optimum, corrected.
-    pub printed: Point,
+    pub printed: Delivery,
     /// Computed carry of the printed delivery, m.
     pub at_printed: f64,
 }
 
-fn yards(carry: f64) -> f64 {
-    carry * Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN)
-}
-
-fn point(loft: f64, attack_angle: f64, carry: f64) -> Point {
-    Point {
-        loft: loft.to_radians(),
-        attack_angle: attack_angle.to_radians(),
-        carry: yards(carry),
-    }
+/// A printed delivery, in degrees and yards.
+fn printed_delivery(loft: f64, attack_angle: f64, carry: f64) -> Delivery {
+    let yard = Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN);
+    Delivery::in_degrees(loft, attack_angle, carry * yard)
 }
 
 pub(super) fn optimum(setup: &Setup<f64>) -> Result<Best> {
     let [loft, attack, carry] = printed::OPTIMUM;
-    best(setup, point(loft, attack, carry), &[LOFT, ATTACK_ANGLE])
+    best(
+        setup,
+        printed_delivery(loft, attack, carry),
+        &[LOFT, ATTACK_ANGLE],
+    )
 }
 
 pub(super) fn table1(setup: &Setup<f64>) -> Result<Vec<Best>> {
     printed::TABLE_1
         .iter()
-        .map(|[loft, attack, carry]| best(setup, point(*loft, *attack, *carry), &[ATTACK_ANGLE]))
+        .map(|[loft, attack, carry]| {
+            best(
+                setup,
+                printed_delivery(*loft, *attack, *carry),
+                &[ATTACK_ANGLE],
+            )
+        })
         .collect()
 }
 
 pub(super) fn table2(setup: &Setup<f64>) -> Result<Vec<Best>> {
     printed::TABLE_2
         .iter()
-        .map(|[attack, loft, carry]| best(setup, point(*loft, *attack, *carry), &[LOFT]))
+        .map(|[attack, loft, carry]| best(setup, printed_delivery(*loft, *attack, *carry), &[LOFT]))
         .collect()
 }
 
 /// Best loft at attack angles within ±6° of the optimum.
-pub(super) fn ridge(setup: &Setup<f64>, top: &Best) -> Result<Vec<Point>> {
+pub(super) fn ridge(setup: &Setup<f64>, top: &Best) -> Result<Vec<Delivery>> {
     let steps = (-6..=6).map(|step| top.computed.attack_angle + f64::from(step).to_radians());
     let mut from = top.computed;
     steps
@@ -80,8 +72,8 @@ pub(super) fn ridge(setup: &Setup<f64>, top: &Best) -> Result<Vec<Point>> {
         .collect()
 }
 
-fn best(setup: &Setup<f64>, printed: Point, names: &[&str]) -> Result<Best> {
-    let at_printed = Drive::new(&at(setup, printed))?.landed()?.carry;
+fn best(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Best> {
+    let at_printed = Drive::new(&printed.set(setup))?.landed()?.carry;
     Ok(Best {
         computed: searched(setup, printed, names)?,
         printed,
@@ -89,14 +81,8 @@ fn best(setup: &Setup<f64>, printed: Point, names: &[&str]) -> Result<Best> {
     })
 }
 
-fn at(setup: &Setup<f64>, point: Point) -> Setup<f64> {
-    let mut at = *setup;
-    (at.club.loft, at.swing.attack_angle) = (point.loft, point.attack_angle);
-    at
-}
-
 /// The optimum over the named parameters, from a starting point.
-fn searched(setup: &Setup<f64>, from: Point, names: &[&str]) -> Result<Point> {
+fn searched(setup: &Setup<f64>, from: Delivery, names: &[&str]) -> Result<Delivery> {
     let range = |name: &&str| {
         let [low, high] = if *name == LOFT { LOFTS } else { ATTACKS };
         Vary::new(setup.variable(name)?, low.to_radians(), high.to_radians())
@@ -106,16 +92,13 @@ fn searched(setup: &Setup<f64>, from: Point, names: &[&str]) -> Result<Point> {
         vary,
         ..Search::largest(Outcome::Carry)
     };
-    let found = search(&at(setup, from), asked, Observer::default())?;
+    let found = search(&from.set(setup), asked, Observer::default())?;
     match found.value() {
-        Some(carry) if found.solution.status == Status::Converged => {
-            let (loft, attack_angle) = (found.setup.club.loft, found.setup.swing.attack_angle);
-            Ok(Point {
-                loft,
-                attack_angle,
-                carry,
-            })
-        }
+        Some(carry) if found.solution.status == Status::Converged => Ok(Delivery {
+            loft: found.setup.club.loft,
+            attack_angle: found.setup.swing.attack_angle,
+            carry,
+        }),
         _ => Err(Error::NotConverged {
             status: found.status(),
             message: found.message(),

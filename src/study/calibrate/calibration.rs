@@ -4,6 +4,7 @@ use super::statistics::Statistics;
 use crate::drive::Outcome;
 use crate::optimize::least_squares::{Fit, Status};
 use crate::parameters::{Parameter, Setup};
+use serde::Serialize;
 
 /// A fitted parameter, SI.
 #[derive(Clone, Copy, Debug)]
@@ -21,13 +22,16 @@ pub struct Estimate {
 }
 
 /// A residual with its origin.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Remainder {
     /// The row of the table.
     pub row: usize,
     /// The measured outcome; [`Outcome::Carry`] for a stationary parameter.
+    #[serde(rename = "of")]
     pub outcome: Outcome,
     /// The stationary parameter, if the carry of the row is maximal in a parameter.
+    #[serde(rename = "parameter")]
     pub stationary: Option<&'static Parameter>,
     /// The measured value, SI; `None` for a stationary parameter.
     pub measured: Option<f64>,

@@ -4,6 +4,7 @@ use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::flight::Flight;
 use crate::parameters::{Parameter, Setup};
+use serde::Serialize;
 
 /// Search range for a change of the number of steps, in units of the parameter's scale.
 const FARTHEST: f64 = 0.1;
@@ -28,7 +29,8 @@ const PROMISED: [f64; 3] = [1e-13, 1e-12, 1e-10];
 
 /// Smoothness of an outcome where the number of time steps changes: the jump between adjacent
 /// floating-point values of a parameter.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Continuity {
     /// The outcome.
     pub of: Outcome,
@@ -43,6 +45,7 @@ pub struct Continuity {
     pub jumps: [f64; 3],
     /// Tolerances of the jumps of value, gradient and Hessian: 1e-13, 1e-12 and 1e-10, or more if
     /// rounding makes the samples scatter more.
+    #[serde(rename = "tolerances")]
     pub bars: [f64; 3],
 }
 

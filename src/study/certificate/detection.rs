@@ -5,6 +5,7 @@ use crate::derivative::check::Verdict;
 use crate::derivative::gradient;
 use crate::drive::{Drive, Outcome};
 use crate::parameters::{Parameter, Setup};
+use serde::{Serialize, Serializer};
 
 /// A wrong derivative injected in place of the right one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,8 +32,18 @@ impl InjectedError {
     }
 }
 
+/// The name.
+impl Serialize for InjectedError {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+schema_of_names!(InjectedError, "InjectedError");
+
 /// Detection rate of an injected error.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct DetectionTest {
     /// The injected error.
     pub error: InjectedError,

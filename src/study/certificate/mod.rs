@@ -29,6 +29,7 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::units::Message;
 use rayon::prelude::*;
+use serde::Serialize;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Maximum number of failures named per check.
@@ -38,11 +39,13 @@ const NAMED: usize = 3;
 pub type Missing = (Outcome, Message);
 
 /// A check that was not run.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct NotExamined {
     /// Name of the check: "convergence with the time step".
     pub check: String,
     /// Reason.
+    #[serde(rename = "message")]
     pub reason: &'static str,
 }
 

@@ -9,6 +9,7 @@ use crate::parameters::{Parameter, Setup};
 use crate::study::calibrate::Measurement;
 use crate::units::counted;
 use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
 
 /// Joint normal distribution of the swings behind many shots, without the launch monitor's errors.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,7 +27,8 @@ pub struct Population {
 }
 
 /// Distribution of one parameter over the swings, SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Recovered {
     /// The parameter.
     pub parameter: &'static Parameter,
@@ -36,10 +38,13 @@ pub struct Recovered {
     pub deviation: f64,
     /// Fraction of the prior variance that a single shot removes at the mean swing. The remaining
     /// variance comes from the prior.
+    #[serde(rename = "told")]
     pub variance_removed: f64,
     /// Standard uncertainty of the mean.
+    #[serde(rename = "mean_standard_uncertainty")]
     pub mean_error: f64,
     /// Standard uncertainty of the standard deviation.
+    #[serde(rename = "deviation_standard_uncertainty")]
     pub deviation_error: f64,
 }
 

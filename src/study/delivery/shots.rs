@@ -6,6 +6,7 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::study::calibrate::{Measurement, Shot, ShotTable, instrument};
 use rayon::prelude::*;
+use serde::Serialize;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The delivery of one row, or its error.
@@ -28,7 +29,8 @@ impl Delivery {
 }
 
 /// Distribution of a parameter's estimates over all shots, SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Spread {
     /// The parameter.
     pub parameter: &'static Parameter,

@@ -3,11 +3,13 @@
 use crate::error::Result;
 use crate::parameters::Setup;
 use crate::study::{Goal, Optimum, goals_of};
+use serde::Serialize;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A statistic over all swings, for the initial and for the best design.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Improvement {
     /// The statistic.
     pub goal: Goal,

@@ -1,12 +1,15 @@
 use super::Distribution;
 use crate::number::Taylor;
+use serde::Serialize;
 
 /// A mean and a standard deviation.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Moments {
     /// The mean.
     pub mean: f64,
     /// The standard deviation.
+    #[serde(rename = "standard_uncertainty")]
     pub deviation: f64,
 }
 

@@ -13,18 +13,20 @@ pub use sets::{Computation, SETS, Set};
 use crate::error::Result;
 use crate::parameters::Law;
 use predicted::Predicted;
+use serde::Serialize;
 
 /// Temperature range for drives without a stated air, K: 15 and 35 °C.
 pub const SWEPT: [f64; 2] = [288.15, 308.15];
 
 /// A computed and a published value, SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Residual {
-    /// Index of the case in its set.
+    /// Index of the case in its set, from 0.
     pub case: usize,
-    /// Computed value.
+    /// Computed value, SI.
     pub predicted: f64,
-    /// Published value.
+    /// Published value, SI.
     pub published: f64,
 }
 

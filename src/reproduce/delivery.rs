@@ -1,21 +1,37 @@
 use crate::parameters::Setup;
+use serde::Serialize;
 
-/// Parameters that the report varies.
+/// Parameters that the studies vary.
 pub(super) const LOFT: &str = "club.loft";
 pub(super) const ATTACK_ANGLE: &str = "swing.attack_angle";
 
-/// Delivery with its carry.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A delivery with its carry.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Delivery {
-    /// Loft, rad.
+    /// The loft, rad.
+    #[serde(rename = "club.loft")]
     pub loft: f64,
-    /// Attack angle, rad (the report's swing elevation).
+    /// The attack angle (the report's swing elevation), rad.
+    #[serde(rename = "swing.attack_angle")]
     pub attack_angle: f64,
-    /// Carry, m.
+    /// The carry, m.
+    pub carry: f64,
+}
+
+/// A loft with its carry.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct LoftCarry {
+    /// The loft, rad.
+    #[serde(rename = "club.loft")]
+    pub loft: f64,
+    /// The carry, m.
     pub carry: f64,
 }
 
 impl Delivery {
+    /// A delivery with its angles in degrees.
     pub(super) fn in_degrees(loft: f64, attack_angle: f64, carry: f64) -> Self {
         Self {
             loft: loft.to_radians(),
