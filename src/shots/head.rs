@@ -6,10 +6,11 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, club_column, given_air,
+    Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, cells, club_column, given_air,
     near_known, nearest_head, rest_of_head, split_unit, words,
 };
 use crate::units::Message;
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// A column with values to read.
@@ -24,38 +25,68 @@ pub(super) struct Read {
 
 /// The column heads of an export, interpreted.
 #[derive(Clone, Debug)]
-pub(super) struct ExportHead {
-    pub separator: u8,
-    pub heads: Vec<String>,
+pub struct Export {
+    pub(super) separator: u8,
+    pub(super) heads: Vec<String>,
     /// Units in a line below the column heads; `None` without this line.
-    pub units: Option<Vec<String>>,
-    pub maker: Option<&'static str>,
-    pub read: Vec<Read>,
+    pub(super) units: Option<Vec<String>>,
+    pub(super) maker: Option<&'static str>,
+    pub(super) read: Vec<Read>,
     /// Columns of the club: speed, attack angle, path, face angle.
-    pub club: [Option<(usize, Column)>; 4],
-    pub further: Vec<Further>,
-    pub further_columns: Vec<Column>,
+    pub(super) club: [Option<(usize, Column)>; 4],
+    pub(super) further: Vec<Further>,
+    pub(super) further_columns: Vec<Column>,
     /// Column with the origin of the spin, and column with the conditions of the values.
-    pub spin_type: Option<usize>,
-    pub condition: Option<usize>,
+    pub(super) spin_type: Option<usize>,
+    pub(super) condition: Option<usize>,
     /// Column with the name of the club.
-    pub club_name: Option<usize>,
-    pub is_export: bool,
+    pub(super) club_name: Option<usize>,
+    pub(super) is_export: bool,
     /// The decimal mark of the table; `None` if the first rows do not show it.
-    pub decimal_mark: Option<DecimalMark>,
+    pub(super) decimal_mark: Option<DecimalMark>,
     /// Columns that an earlier run of `fly` added.
-    pub added: Range<usize>,
+    pub(super) added: Range<usize>,
     /// Air density of the setup, for rows that state none.
-    pub air: f64,
-    pub remarks: Vec<Message>,
+    pub(super) air: f64,
+    pub(super) remarks: Vec<Message>,
 }
 
-impl ExportHead {
+impl Export {
+    /// Cell separator.
+    pub fn separator(&self) -> u8 {
+        self.separator
+    }
+
+    /// The column heads as written.
+    pub fn heads(&self) -> &[String] {
+        &self.heads
+    }
+
+    /// Units in a line below the column heads; `None` without this line.
+    pub fn units(&self) -> Option<&[String]> {
+        self.units.as_deref()
+    }
+
+    /// True if numbers have decimal commas.
+    pub fn has_decimal_comma(&self) -> bool {
+        self.decimal_mark == Some(DecimalMark::Comma)
+    }
+
+    /// The cells of a row.
+    pub fn cells<'a>(&self, text: &'a str) -> Vec<Cow<'a, str>> {
+        cells(text, self.separator)
+    }
+
+    /// Columns that an earlier run of `fly` added.
+    pub(crate) fn added(&self) -> Range<usize> {
+        self.added.clone()
+    }
+
     /// Interprets the column heads of a table for shots.
     ///
     /// # Errors
     /// [`Error::Table`] for a missing launch column, or a unit of the wrong dimension.
-    pub fn read(setup: &Setup<f64>, mut head: Head, table: &TextTable) -> Result<Self> {
+    pub(super) fn read(setup: &Setup<f64>, mut head: Head, table: &TextTable) -> Result<Self> {
         add_totals(setup, &mut head)?;
         let meant = Interpretation::of(Some(setup), &mut head, table);
         let Head {
@@ -146,7 +177,7 @@ impl ExportHead {
     /// # Errors
     /// The name of a parameter without a column in this section. A missing air column is allowed:
     /// the setup gives the air.
-    pub fn align(
+    pub(super) fn align(
         &mut self,
         further: &[&'static Parameter],
     ) -> std::result::Result<(), &'static str> {
@@ -206,7 +237,7 @@ impl ExportHead {
         Ok(())
     }
 
-    pub fn has(&self, of: Outcome) -> bool {
+    pub(super) fn has(&self, of: Outcome) -> bool {
         self.read.iter().any(|read| read.of == of)
     }
 
@@ -318,7 +349,7 @@ impl ExportHead {
     }
 
     /// Parameters that every row has.
-    pub fn parameters(&self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
+    pub(super) fn parameters(&self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
         let launch = LAUNCH
             .iter()
             .map(|name| setup.parameter(name))
@@ -330,7 +361,7 @@ impl ExportHead {
     }
 
     /// Column head of a launch condition, for messages.
-    pub fn name_of(&self, of: Outcome) -> String {
+    pub(super) fn name_of(&self, of: Outcome) -> String {
         self.read
             .iter()
             .find(|read| read.of == of)
@@ -338,7 +369,7 @@ impl ExportHead {
     }
 
     /// Unit in which the column of an outcome is read; `None` without such a column.
-    pub fn unit_of(&self, of: Outcome) -> Option<&str> {
+    pub(super) fn unit_of(&self, of: Outcome) -> Option<&str> {
         let read = self.read.iter().find(|read| read.of == of)?;
         Some(read.column.unit())
     }

@@ -1,9 +1,8 @@
 //! Source of shots: an export, or messages of GSPro Open Connect.
 
-use super::head::ExportHead;
+use super::head::Export;
 use super::objects::{Objects, Piece};
 use super::open_connect;
-use super::section::{Export, Section};
 use super::shot::{LAUNCH, Shot};
 use super::written;
 use crate::batch::CHUNK;
@@ -58,17 +57,18 @@ pub(super) struct TableRows {
     remarks: Vec<Message>,
 }
 
-/// Rows of a section of an export.
-pub(super) struct Records {
+/// A section of a table: the rows below one line of column heads.
+#[derive(Clone, Debug)]
+pub struct Section {
+    /// The column heads of the section.
     pub export: Arc<Export>,
-    /// True if these rows are the first of a later section.
+    /// True if the shots of this chunk are the first of a later section.
     pub begins: bool,
-    records: Vec<Record>,
 }
 
 /// A chunk of unread rows.
 pub(super) enum Chunk {
-    Records(Records),
+    Records(Section, Vec<Record>),
     Pieces(Vec<Piece>),
 }
 
@@ -141,9 +141,8 @@ impl Shots {
             ..*setup
         };
         let (table, head) = TextTable::open(text, &setup, &TableOptions::LAUNCHES)?;
-        let head = ExportHead::read(&setup, head, &table)?;
-        let parameters = head.parameters(&setup)?;
-        let export = Arc::new(Export { head });
+        let export = Arc::new(Export::read(&setup, head, &table)?);
+        let parameters = export.parameters(&setup)?;
         let rows = TableRows {
             table,
             setup,
@@ -181,7 +180,7 @@ impl Shots {
     /// Maker of the export, if its column heads identify it; for JSON, the name of the format.
     pub fn maker(&self) -> Option<&'static str> {
         match &self.layout {
-            Layout::Export(export) => export.head.maker,
+            Layout::Export(export) => export.maker,
             Layout::OpenConnect if self.is_written => Some("JSON lines of longdrive fly"),
             Layout::OpenConnect => Some("GSPro Open Connect"),
         }
@@ -201,7 +200,7 @@ impl Shots {
     /// Remarks on the columns.
     pub fn remarks(&self) -> &[Message] {
         match &self.layout {
-            Layout::Export(export) => &export.head.remarks,
+            Layout::Export(export) => &export.remarks,
             Layout::OpenConnect => &[],
         }
     }
@@ -213,13 +212,13 @@ impl Shots {
 
     /// True if the table has a column of this outcome.
     pub fn has(&self, of: Outcome) -> bool {
-        matches!(&self.layout, Layout::Export(export) if export.head.has(of))
+        matches!(&self.layout, Layout::Export(export) if export.has(of))
     }
 
     /// Column head of an outcome.
     pub fn name_of(&self, of: Outcome) -> String {
         match &self.layout {
-            Layout::Export(export) => export.head.name_of(of),
+            Layout::Export(export) => export.name_of(of),
             Layout::OpenConnect => of.name().into(),
         }
     }
@@ -227,7 +226,7 @@ impl Shots {
     /// Unit in which the column of an outcome is read; `None` without such a column.
     pub fn unit_of(&self, of: Outcome) -> Option<&str> {
         match &self.layout {
-            Layout::Export(export) => export.head.unit_of(of),
+            Layout::Export(export) => export.unit_of(of),
             Layout::OpenConnect => None,
         }
     }
@@ -238,9 +237,8 @@ impl Shots {
             return;
         };
         rows.is_air_given = true;
-        if Arc::make_mut(export).head.ignore_air() {
+        if Arc::make_mut(export).ignore_air() {
             rows.further = export
-                .head
                 .further
                 .iter()
                 .map(|further| further.parameter)
@@ -277,11 +275,11 @@ impl TableRows {
             return Ok(None);
         }
         let begins = std::mem::take(&mut self.is_begun);
-        Ok(Some(Chunk::Records(Records {
+        let section = Section {
             export: self.export.clone(),
             begins,
-            records,
-        })))
+        };
+        Ok(Some(Chunk::Records(section, records)))
     }
 
     /// Begins a section.
@@ -289,14 +287,14 @@ impl TableRows {
         let head = self
             .table
             .head(record, &self.setup, &TableOptions::LAUNCHES)?;
-        if head.is_like(&self.export.head.heads, self.export.head.units.as_deref()) {
+        if head.is_like(&self.export.heads, self.export.units.as_deref()) {
             return Ok(());
         }
-        let mut head = ExportHead::read(&self.setup, head, &self.table)?;
+        let mut export = Export::read(&self.setup, head, &self.table)?;
         if self.is_air_given {
-            head.ignore_air();
+            export.ignore_air();
         }
-        head.align(&self.further).map_err(|missing| {
+        export.align(&self.further).map_err(|missing| {
             let reason = format!(
                 "its head has no column of {missing}, as the first has; give the \
                                   sections the same columns, or separate files"
@@ -308,8 +306,8 @@ impl TableRows {
         let located = |remark: &Message| {
             Message::from(format!("from line {} on: ", record.line)).message(remark.clone())
         };
-        self.remarks.extend(head.remarks.iter().map(located));
-        (self.export, self.is_begun) = (Arc::new(Export { head }), true);
+        self.remarks.extend(export.remarks.iter().map(located));
+        (self.export, self.is_begun) = (Arc::new(export), true);
         Ok(())
     }
 }
@@ -347,16 +345,12 @@ impl Chunk {
     /// section.
     pub fn shots(self, further: &[&'static Parameter]) -> (Vec<Shot>, Option<Section>) {
         match self {
-            Self::Records(Records {
-                export,
-                begins,
-                records,
-            }) => {
+            Self::Records(section, records) => {
                 let shots = records
                     .into_iter()
-                    .map(|record| export.head.shot(record))
+                    .map(|record| section.export.shot(record))
                     .collect();
-                (shots, Some(Section { export, begins }))
+                (shots, Some(section))
             }
             Self::Pieces(pieces) => (
                 pieces

@@ -3,7 +3,7 @@
 use super::export::launch;
 use super::flown::REFUSED;
 use super::objects::Objects;
-use super::shot::{Club, Origin, Point, Shot, Value, of_conditions, within};
+use super::shot::{Club, Origin, Shot, Value, of_conditions, within};
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{Refusal, is_straight_by_assumption};
@@ -147,7 +147,7 @@ fn point(
     shot: &mut Shot,
     message: &Map<String, Json>,
     further: &[&'static Parameter],
-) -> Result<Point, Refusal> {
+) -> Result<Vec<f64>, Refusal> {
     let own = members(message, "parameters")?;
     if let Some((name, _)) = own
         .iter()

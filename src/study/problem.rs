@@ -530,17 +530,10 @@ impl SearchProblem {
         ))
     }
 
-    /// The problem over the scenarios with other weights.
-    pub fn weighted(&self, weights: Vec<f64>) -> Weighted<'_> {
-        Weighted {
-            problem: self,
-            weights,
-        }
-    }
-
-    /// Goals with exact values and gradients. The Hessians contain all products of outcome
-    /// gradients, but second derivatives only of the drives in `part`.
-    fn evaluated(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
+    /// Goals over the scenarios with these weights, with exact values and gradients. The Hessians
+    /// contain all products of outcome gradients, but second derivatives only of the drives in
+    /// `part`.
+    pub fn weighted(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
         if let ([drive], true) = (self.drives.as_slice(), self.is_of_outcomes) {
             let goals = drive.at(x).map_err(|error| error.to_string())?;
             return Ok(self.as_functions(goals));
@@ -597,18 +590,6 @@ fn refuse_distributed(search: &Search) -> Result<()> {
 
 impl Problem for SearchProblem {
     fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
-        self.evaluated(x, &self.scenarios.weights)
-    }
-}
-
-/// The problem over its scenarios with other weights.
-pub(super) struct Weighted<'a> {
-    problem: &'a SearchProblem,
-    weights: Vec<f64>,
-}
-
-impl Problem for Weighted<'_> {
-    fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
-        self.problem.evaluated(x, &self.weights)
+        self.weighted(x, &self.scenarios.weights)
     }
 }

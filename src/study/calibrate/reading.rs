@@ -9,8 +9,9 @@ use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Interpretation, Shot as Stated};
 use crate::table::{
     CONDITIONS, ClubColumns, Column, Content, Fault, Head, Stated as Launch, TextTable,
-    club_column, conditions, contradiction, given_air, implausible, implausible_club,
-    implausible_launch, impossible, in_degrees, is_straight_by_assumption, near_known, outside,
+    club_column, columns_remark, conditions, contradiction, given_air, implausible,
+    implausible_club, implausible_launch, impossible, in_degrees, is_straight_by_assumption,
+    near_known, outside,
 };
 use crate::units::{Digits, Message, Quantity};
 
@@ -195,7 +196,10 @@ impl Reading {
         check_columns(&head)
             .map_err(|(at, reason)| refused(format!(", column {}", at + 1), reason))?;
         let written = head.named(|column| column.content == Content::Written);
-        remarks.extend(written.remark("columns that a sweep computes are not read"));
+        remarks.extend(columns_remark(
+            "columns that a sweep computes are not read",
+            &written,
+        ));
         // for a delivery the launch is a measurement; otherwise it is the input of the flight
         let is_launched = head.is_launched() && club == ClubColumns::Ignored;
         setup
@@ -740,7 +744,7 @@ fn inputs(columns: &[Column]) -> Vec<&'static str> {
 fn without_totals(head: &mut Head) -> Option<Message> {
     let is_total =
         |column: &Column| matches!(column.content, Content::Outcome(of) if of.needs_run());
-    let remark = head.named(is_total).remark(NO_GROUND);
+    let remark = columns_remark(NO_GROUND, &head.named(is_total));
     for column in head.columns.iter_mut().filter(|column| is_total(column)) {
         column.content = Content::Note;
     }

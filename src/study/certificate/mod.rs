@@ -131,6 +131,43 @@ impl Certificate {
             .collect()
     }
 
+    /// Adds the checks of the flight.
+    fn check_flight(
+        &mut self,
+        setup: &Setup<f64>,
+        of: &[Outcome],
+        wrt: &[&'static Parameter],
+        has_corner: bool,
+        work: &Work<'_>,
+    ) -> Result<()> {
+        // at a corner no outcome is smooth; the row of each parameter reports the corner
+        let goes_on = || !has_corner && !work.is_stopped();
+        let pair = &wrt[..wrt.len().min(2)];
+        if goes_on() {
+            self.landing = landing::at_landing(setup, wrt)?;
+        }
+        if goes_on() {
+            self.continuity = continuity::continuity(setup, of, pair, &goes_on)?;
+        }
+        if goes_on() {
+            self.convergence = convergence::convergence(setup, of, pair, &goes_on)?;
+        }
+        if !work.is_stopped() {
+            self.step = step::step_errors(setup, of, wrt)?;
+        }
+        let conditions = Conditions {
+            is_interrupted: work.is_interrupted(),
+            has_corner,
+            has_log_wind: setup.wind.roughness.is_some(),
+        };
+        self.not_examined = conditions.not_examined([
+            self.landing.is_empty(),
+            self.continuity.is_empty(),
+            self.convergence.is_empty(),
+        ]);
+        Ok(())
+    }
+
     /// True if every injected error was detected in every row.
     pub fn caught(&self) -> bool {
         self.planted.iter().all(DetectionTest::is_caught)
@@ -187,19 +224,23 @@ pub fn certify(
         .into_iter()
         .filter(|of| of.group() == OutcomeGroup::Flight)
         .collect();
-    let flight = FlightChecks::new(setup, &flown, wrt, has_corner, &work)?;
-    Ok(Certificate {
+    let mut certificate = Certificate {
         rows,
-        landing: flight.landing,
-        continuity: flight.continuity,
-        convergence: flight.convergence,
-        step: flight.step,
-        not_examined: flight.not_examined,
+        landing: vec![],
+        continuity: vec![],
+        convergence: vec![],
+        step: vec![],
+        not_examined: vec![],
         planted,
         missing,
         corners: drive.corners(setup),
-        stopped: work.interrupted_at(),
-    })
+        stopped: None,
+    };
+    if !flown.is_empty() {
+        certificate.check_flight(setup, &flown, wrt, has_corner, &work)?;
+    }
+    certificate.stopped = work.interrupted_at();
+    Ok(certificate)
 }
 
 /// The progress of a certificate.
@@ -240,57 +281,6 @@ impl Work<'_> {
     fn interrupted_at(&self) -> Option<[usize; 2]> {
         let done = self.done.load(Ordering::Relaxed);
         self.is_interrupted().then_some([done, self.all])
-    }
-}
-
-/// Results of the checks of the flight; empty if no outcome belongs to the flight.
-#[derive(Default)]
-struct FlightChecks {
-    landing: Vec<AtLanding>,
-    continuity: Vec<Continuity>,
-    convergence: Vec<Convergence>,
-    step: Vec<StepError>,
-    not_examined: Vec<NotExamined>,
-}
-
-impl FlightChecks {
-    fn new(
-        setup: &Setup<f64>,
-        of: &[Outcome],
-        wrt: &[&'static Parameter],
-        has_corner: bool,
-        work: &Work<'_>,
-    ) -> Result<Self> {
-        let mut checks = Self::default();
-        if of.is_empty() {
-            return Ok(checks);
-        }
-        // at a corner no outcome is smooth; the row of each parameter reports the corner
-        let goes_on = || !has_corner && !work.is_stopped();
-        let pair = &wrt[..wrt.len().min(2)];
-        if goes_on() {
-            checks.landing = landing::at_landing(setup, wrt)?;
-        }
-        if goes_on() {
-            checks.continuity = continuity::continuity(setup, of, pair, &goes_on)?;
-        }
-        if goes_on() {
-            checks.convergence = convergence::convergence(setup, of, pair, &goes_on)?;
-        }
-        if !work.is_stopped() {
-            checks.step = step::step_errors(setup, of, wrt)?;
-        }
-        let conditions = Conditions {
-            is_interrupted: work.is_interrupted(),
-            has_corner,
-            has_log_wind: setup.wind.roughness.is_some(),
-        };
-        checks.not_examined = conditions.not_examined([
-            checks.landing.is_empty(),
-            checks.continuity.is_empty(),
-            checks.convergence.is_empty(),
-        ]);
-        Ok(checks)
     }
 }
 
