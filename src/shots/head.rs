@@ -26,10 +26,12 @@ pub(super) struct Read {
 /// The column heads of an export, interpreted.
 #[derive(Clone, Debug)]
 pub struct Export {
-    pub(super) separator: u8,
-    pub(super) heads: Vec<String>,
+    /// Cell separator.
+    pub separator: u8,
+    /// The column heads as written.
+    pub heads: Vec<String>,
     /// Units in a line below the column heads; `None` without this line.
-    pub(super) units: Option<Vec<String>>,
+    pub units: Option<Vec<String>>,
     pub(super) maker: Option<&'static str>,
     pub(super) read: Vec<Read>,
     /// Columns of the club: speed, attack angle, path, face angle.
@@ -45,28 +47,13 @@ pub struct Export {
     /// The decimal mark of the table; `None` if the first rows do not show it.
     pub(super) decimal_mark: Option<DecimalMark>,
     /// Columns that an earlier run of `fly` added.
-    pub(super) added: Range<usize>,
+    pub(crate) added: Range<usize>,
     /// Air density of the setup, for rows that state none.
     pub(super) air: f64,
     pub(super) remarks: Vec<Message>,
 }
 
 impl Export {
-    /// Cell separator.
-    pub fn separator(&self) -> u8 {
-        self.separator
-    }
-
-    /// The column heads as written.
-    pub fn heads(&self) -> &[String] {
-        &self.heads
-    }
-
-    /// Units in a line below the column heads; `None` without this line.
-    pub fn units(&self) -> Option<&[String]> {
-        self.units.as_deref()
-    }
-
     /// True if numbers have decimal commas.
     pub fn has_decimal_comma(&self) -> bool {
         self.decimal_mark == Some(DecimalMark::Comma)
@@ -75,11 +62,6 @@ impl Export {
     /// The cells of a row.
     pub fn cells<'a>(&self, text: &'a str) -> Vec<Cow<'a, str>> {
         cells(text, self.separator)
-    }
-
-    /// Columns that an earlier run of `fly` added.
-    pub(crate) fn added(&self) -> Range<usize> {
-        self.added.clone()
     }
 
     /// Interprets the column heads of a table for shots.
@@ -150,7 +132,7 @@ impl Export {
         );
         let has_comma = table.separator != b',' && self.decimal_mark != Some(DecimalMark::Point);
         for read in &mut self.read {
-            read.column = read.column.clone().with_decimal_comma(has_comma);
+            read.column.format.has_decimal_comma = has_comma;
         }
     }
 
@@ -293,7 +275,7 @@ impl Export {
                     .iter()
                     .any(|read| read.column.content == column.content)
             };
-            column.content == Content::Written || column.is_of_given_air() || is_twice()
+            column.content == Content::Written || column.is_of_given_air || is_twice()
         };
         let not_read = columns
             .iter()

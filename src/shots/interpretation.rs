@@ -106,7 +106,7 @@ fn weather_of_rows(
     };
     if columns
         .iter()
-        .any(|column| column.is_stated_air() || column.is_of_given_air())
+        .any(|column| column.is_stated_air() || column.is_of_given_air)
     {
         return;
     }

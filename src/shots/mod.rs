@@ -54,7 +54,7 @@ pub use flown::Flown;
 pub use fly::Flying;
 pub use head::Export;
 pub(crate) use interpretation::Interpretation;
-pub use objects::{Objects, Piece};
+pub use objects::Objects;
 pub(crate) use open_connect::ASSUMED;
 pub use shot::{Club, Origin, Shot, Value};
 pub(crate) use sizes::size;

@@ -1,7 +1,7 @@
 //! Source of shots: an export, or messages of GSPro Open Connect.
 
 use super::head::Export;
-use super::objects::{Objects, Piece};
+use super::objects::Objects;
 use super::open_connect;
 use super::shot::{LAUNCH, Shot};
 use super::written;
@@ -66,27 +66,21 @@ pub struct Section {
     pub begins: bool,
 }
 
-/// A chunk of unread rows.
-pub(super) enum Chunk {
-    Records(Section, Vec<Record>),
-    Pieces(Vec<Piece>),
+/// A chunk of unread rows or messages.
+pub(super) struct Chunk {
+    /// The section of the table; `None` for messages.
+    section: Option<Section>,
+    records: Vec<Record>,
 }
 
 impl Shots {
-    /// Opens a file; "-" is standard input.
+    /// Opens a file, and reads the rows of its table that `filter` selects, by default all rows; "-"
+    /// is standard input.
     ///
     /// # Errors
-    /// The errors of [`read`](Self::read), and of opening the file.
-    pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        Self::open_rows(setup, path, RowFilter::default())
-    }
-
-    /// Opens a file and selects rows of its table.
-    ///
-    /// # Errors
-    /// The errors of [`open`](Self::open); a filter of a file that is not a table. The last row is
-    /// followed by an error if the filter selects none.
-    pub fn open_rows(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
+    /// The errors of [`read`](Self::read), and of opening the file; a filter of a file that is not a
+    /// table. The last row is followed by an error if the filter selects none.
+    pub fn open(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
         let text = if path == Path::new("-") {
             Text::open("standard input", io::stdin())?
         } else {
@@ -190,7 +184,7 @@ impl Shots {
     pub fn final_remarks(&self) -> Vec<Message> {
         match &self.rows {
             Rows::Table(rows) => {
-                let of_filter = rows.table.filter().remark();
+                let of_filter = rows.table.filter.remark();
                 rows.remarks.iter().cloned().chain(of_filter).collect()
             }
             Rows::Objects(..) => vec![],
@@ -275,11 +269,11 @@ impl TableRows {
             return Ok(None);
         }
         let begins = std::mem::take(&mut self.is_begun);
-        let section = Section {
+        let section = Some(Section {
             export: self.export.clone(),
             begins,
-        };
-        Ok(Some(Chunk::Records(section, records)))
+        });
+        Ok(Some(Chunk { section, records }))
     }
 
     /// Begins a section.
@@ -318,11 +312,11 @@ impl Rows {
         match self {
             Self::Table(rows) => rows.next_rows(most),
             Self::Objects(source, objects, name) => {
-                let mut pieces = vec![];
+                let mut records = vec![];
                 let mut bytes = vec![0; PIECE];
-                while pieces.len() < most {
-                    if let Some(piece) = objects.next_piece() {
-                        pieces.push(piece);
+                while records.len() < most {
+                    if let Some(message) = objects.next_object() {
+                        records.push(message);
                         continue;
                     }
                     let read = name.io(source.read(&mut bytes))?;
@@ -334,7 +328,11 @@ impl Rows {
                         break;
                     }
                 }
-                Ok((!pieces.is_empty()).then_some(Chunk::Pieces(pieces)))
+                let chunk = Chunk {
+                    section: None,
+                    records,
+                };
+                Ok(Some(chunk).filter(|chunk| !chunk.records.is_empty()))
             }
         }
     }
@@ -344,22 +342,12 @@ impl Chunk {
     /// Reads the shots of these rows, each with values of the parameters `further`, and their
     /// section.
     pub fn shots(self, further: &[&'static Parameter]) -> (Vec<Shot>, Option<Section>) {
-        match self {
-            Self::Records(section, records) => {
-                let shots = records
-                    .into_iter()
-                    .map(|record| section.export.shot(record))
-                    .collect();
-                (shots, Some(section))
-            }
-            Self::Pieces(pieces) => (
-                pieces
-                    .into_iter()
-                    .map(|piece| open_connect::shot(piece, further))
-                    .collect(),
-                None,
-            ),
-        }
+        let Self { section, records } = self;
+        let shot = |record: Record| match &section {
+            Some(section) => section.export.shot(record),
+            None => open_connect::shot(record, further),
+        };
+        (records.into_iter().map(shot).collect(), section)
     }
 }
 

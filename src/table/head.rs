@@ -194,10 +194,10 @@ fn resolve_sweep_names(columns: &mut [Column]) {
     if !columns.iter().any(Column::is_status) {
         return;
     }
-    if columns.iter().any(Column::is_dotted_condition) {
+    if columns.iter().any(|column| column.is_dotted_condition) {
         for column in columns
             .iter_mut()
-            .filter(|column| !column.is_dotted_condition())
+            .filter(|column| !column.is_dotted_condition)
         {
             if matches!(column.content, Content::Outcome(outcome) if CONDITIONS.contains(&outcome))
             {

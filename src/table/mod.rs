@@ -35,7 +35,8 @@ pub(crate) use plausible::{
     implausible, implausible_club, implausible_launch, impossible, outside,
 };
 pub use points::open_table;
-pub(crate) use records::{Record, cells, quoted};
+pub use records::Record;
+pub(crate) use records::{cells, quoted};
 pub use refusal::Refusal;
 pub(crate) use refusal::{NonShot, NonShotRows};
 pub use row_filter::RowFilter;
