@@ -29,7 +29,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// ([`values`](Self::values)).
 pub(super) struct SearchProblem {
     /// The setup as given.
-    set_up: Setup<f64>,
+    pub set_up: Setup<f64>,
     /// The setup with a value for every varied parameter.
     setup: Setup<f64>,
     vary: Vec<&'static Parameter>,
@@ -157,11 +157,6 @@ impl SearchProblem {
     pub fn start(&self) -> Vec<f64> {
         let own = |parameter: &&'static Parameter| self.setup.value(parameter);
         self.vary.iter().filter_map(own).collect()
-    }
-
-    /// The setup as given.
-    pub fn set_up(&self) -> &Setup<f64> {
-        &self.set_up
     }
 
     /// The setup with the varied parameters at `x`, and with its own swing.
@@ -515,7 +510,7 @@ impl SearchProblem {
         let flown = columns(&self.moved(x)?, &self.of, &self.scenarios, &self.stop)?;
         let ends: Vec<_> = tables
             .iter()
-            .map(|(strokes, _)| self.columns_of(strokes.outcomes(), &flown))
+            .map(|(strokes, _)| self.columns_of(&strokes.outcomes, &flown))
             .collect();
         let is_beyond = |k: usize| {
             let mut all = tables.iter().zip(&ends);

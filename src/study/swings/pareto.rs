@@ -6,7 +6,7 @@ use crate::optimize::{Observers, Options, Problem, Status};
 use crate::parameters::{Setup, Vary};
 use crate::study::cancellable::stopped;
 use crate::study::problem::SearchProblem;
-use crate::study::verdict::{Active, active, status_of, violated};
+use crate::study::verdict::{Active, active, status_name, violated};
 use crate::study::{ChartEvent, Constraint, Goal, Search, Sense};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -247,7 +247,7 @@ fn named(none: FrontError, search: &ParetoSearch, problem: &SearchProblem) -> Er
         _ => found.message.clone(),
     };
     Error::NotConverged {
-        status: status_of(&found),
+        status: status_name(found.status),
         message: format!("for the {} {}: {why}", sense.adjective(), goal.expression).into(),
     }
 }
