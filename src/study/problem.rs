@@ -10,7 +10,7 @@
 use super::cancellable::{each_until, stopped, stopped_before};
 use super::goal::Goal;
 use super::search::{Search, Sense};
-use super::swings::flown::{columns, moved, no_flight};
+use super::swings::flown::{columns, no_flight};
 use super::swings::part::part_of;
 use super::swings::{Measure, Scenarios};
 use crate::batch::Batch;
@@ -113,7 +113,7 @@ impl SearchProblem {
             part_of(&scenarios)
         };
         let evaluator = |point: &Vec<f64>| {
-            let setup = moved(&begun, &scenarios.parameters, point)?;
+            let setup = begun.with_values(&scenarios.parameters, point)?;
             Evaluator::new(&setup, &of, &vary, Order::Second)
         };
         // report the error of the first scenario, independently of the threads
@@ -161,7 +161,7 @@ impl SearchProblem {
 
     /// The setup with the varied parameters at `x`, and with its own swing.
     pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
-        moved(&self.setup, &self.vary, x)
+        self.setup.with_values(&self.vary, x)
     }
 
     /// Evaluator of the goals' outcomes without derivatives, for a search over one drive.

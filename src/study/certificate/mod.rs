@@ -155,16 +155,17 @@ impl Certificate {
         if !work.is_stopped() {
             self.step = step::step_errors(setup, of, wrt)?;
         }
-        let conditions = Conditions {
-            is_interrupted: work.is_interrupted(),
-            has_corner,
-            has_log_wind: setup.wind.roughness.is_some(),
+        let prevented = match (work.is_interrupted(), has_corner) {
+            (true, _) => Some("it was interrupted before"),
+            (_, true) => Some("an outcome has a corner here"),
+            _ => None,
         };
-        self.not_examined = conditions.not_examined([
+        let empty = [
             self.landing.is_empty(),
             self.continuity.is_empty(),
             self.convergence.is_empty(),
-        ]);
+        ];
+        self.not_examined = not_examined(empty, prevented, setup.wind.roughness.is_some());
         Ok(())
     }
 
@@ -309,65 +310,46 @@ fn rows_by_parameter(
     Ok(by_parameter.collect::<Result<Vec<_>>>()?.concat())
 }
 
-/// Conditions that prevent the checks of the flight.
-struct Conditions {
-    is_interrupted: bool,
-    has_corner: bool,
+/// The checks of the flight without a result, with the reason. `empty` is in the order landing,
+/// continuity, convergence; `prevented` is an interruption or a corner.
+fn not_examined(
+    empty: [bool; 3],
+    prevented: Option<&'static str>,
     has_log_wind: bool,
-}
-
-impl Conditions {
-    /// The checks without a result, with the reason; `empty` is in the order landing, continuity,
-    /// convergence.
-    fn not_examined(&self, empty: [bool; 3]) -> Vec<NotExamined> {
-        let checks = [
-            (
-                "the landing as an implicit function",
-                self.reason("the ground is too far down"),
-            ),
-            (
-                "smoothness where the number of time steps changes",
-                self.interruption_or_corner().unwrap_or(
-                    "the number does not change within a tenth of the first parameter's size",
-                ),
-            ),
-            (
-                "convergence with the time step",
-                self.reason(
-                    "the steps at which an order shows are too long for this flight, or for the \
-                     decay of its spin",
-                ),
-            ),
-        ];
-        checks
-            .into_iter()
-            .zip(empty)
-            .filter(|(_, is_empty)| *is_empty)
-            .map(|((check, reason), _)| NotExamined {
-                check: check.into(),
-                reason,
-            })
-            .collect()
-    }
-
-    fn reason(&self, otherwise: &'static str) -> &'static str {
-        match self.interruption_or_corner() {
-            Some(reason) => reason,
-            None if self.has_log_wind => {
-                "the logarithmic wind changes within half a metre above the ground, and most of \
-                 the compared time steps cross this layer in one step"
-            }
-            None => otherwise,
+) -> Vec<NotExamined> {
+    let without_log_wind = |otherwise: &'static str| match has_log_wind {
+        true => {
+            "the logarithmic wind changes within half a metre above the ground, and most of the \
+             compared time steps cross this layer in one step"
         }
-    }
-
-    fn interruption_or_corner(&self) -> Option<&'static str> {
-        match (self.is_interrupted, self.has_corner) {
-            (true, _) => Some("it was interrupted before"),
-            (_, true) => Some("an outcome has a corner here"),
-            _ => None,
-        }
-    }
+        false => otherwise,
+    };
+    let checks = [
+        (
+            "the landing as an implicit function",
+            without_log_wind("the ground is too far down"),
+        ),
+        (
+            "smoothness where the number of time steps changes",
+            "the number does not change within a tenth of the first parameter's size",
+        ),
+        (
+            "convergence with the time step",
+            without_log_wind(
+                "the steps at which an order shows are too long for this flight, or for the decay \
+                 of its spin",
+            ),
+        ),
+    ];
+    checks
+        .into_iter()
+        .zip(empty)
+        .filter(|(_, is_empty)| *is_empty)
+        .map(|((check, reason), _)| NotExamined {
+            check: check.into(),
+            reason: prevented.unwrap_or(reason),
+        })
+        .collect()
 }
 
 /// Separates outcomes that exist, with derivatives, from missing outcomes; at least one must exist.

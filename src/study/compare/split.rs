@@ -8,10 +8,6 @@ use std::collections::HashMap;
 /// Relative rounding error of a share, which is a sum of derivatives.
 const OF_SHARES: f64 = 1e-11;
 
-/// Derivatives of the outcomes at a point of the path, times the parameter differences; `None` if
-/// an outcome does not exist there.
-type Slopes = Option<Vec<Vec<f64>>>;
-
 /// Shares of several outcomes along a path. Each point is flown once, with the derivatives of all
 /// outcomes.
 pub(super) struct Split<'a> {
@@ -26,8 +22,9 @@ pub(super) struct Split<'a> {
 #[derive(Default)]
 struct Side {
     evaluator: Option<Evaluator>,
-    /// Derivatives at the positions already flown; the key is the bits of the position on the path.
-    flown: HashMap<u64, Slopes>,
+    /// Derivatives of the outcomes, times the parameter differences, at the positions already flown;
+    /// `None` if an outcome does not exist there. The key is the bits of the position on the path.
+    flown: HashMap<u64, Option<Vec<Vec<f64>>>>,
 }
 
 impl<'a> Split<'a> {

@@ -195,7 +195,9 @@ impl ParetoSearch {
         let active = self.active(&point.x, &point.active_set);
         let event = point.event.as_ref().map(|event| match event {
             FrontEvent::Jump => "from here on another branch of designs is better".to_owned(),
-            FrontEvent::Changed { before } => changed(&active, &self.active(&point.x, before)),
+            FrontEvent::Changed { before } => {
+                ChartEvent::between(&self.active(&point.x, before), &active).to_string()
+            }
         });
         Ok(ParetoPoint {
             setup: problem.moved(&point.x)?,
@@ -213,22 +215,6 @@ impl ParetoSearch {
         let is_lower = |i: usize| x[i] - self.vary[i].low <= self.vary[i].high - x[i];
         active(&self.vary, &self.subject_to, held, is_lower)
     }
-}
-
-/// Describes the change of the active bounds and constraints.
-fn changed(active: &[Active], before: &[Active]) -> String {
-    let only = |these: &[Active], others: &[Active]| -> Vec<Active> {
-        let these = these.iter();
-        these
-            .filter(|active| !others.contains(active))
-            .cloned()
-            .collect()
-    };
-    let event = ChartEvent::Changed {
-        begins: only(active, before),
-        ends: only(before, active),
-    };
-    event.to_string()
 }
 
 /// The error for an end of the front that was not found, with the name of its goal.

@@ -153,7 +153,7 @@ impl Aim {
     /// node that lands nearest to it.
     fn starts(&self, from: [f64; 2]) -> Result<Vec<[f64; 2]>, Error> {
         let [across, up] = self.vary;
-        let plane = Plane::fly(&self.setup, &LANDING, across, up, NODES)?;
+        let plane = Plane::fly(&self.setup, &LANDING, across, up, NODES, Order::Value)?;
         let misses = plane.values[0].iter().zip(&plane.values[1]);
         // NaN for a drive that does not land
         let misses: Vec<[f64; 2]> = misses
