@@ -32,7 +32,6 @@
 //! assert_eq!((statistics.rows, statistics.flown), (2, 1));
 //! ```
 
-mod air;
 mod export;
 mod flown;
 mod fly;

@@ -154,17 +154,6 @@ impl Head {
         self.columns.iter().any(Column::is_of_the_strike)
     }
 
-    /// True if there is a complete launch and no column of the delivery.
-    pub fn is_launched(&self) -> bool {
-        let has = |outcome| {
-            self.columns
-                .iter()
-                .any(|column| column.content == Content::Outcome(outcome))
-        };
-        let has_spin = has(Outcome::Spin) || has(Outcome::Backspin);
-        has(Outcome::BallSpeed) && has(Outcome::LaunchAngle) && has_spin && !self.has_strike()
-    }
-
     /// Column heads of the columns that satisfy `is`.
     pub fn named(&self, is: impl Fn(&Column) -> bool) -> Vec<&str> {
         self.columns

@@ -1,7 +1,6 @@
 //! Compromises of a front, and the step from one to the next.
 
-use super::combined::Combined;
-use super::context::{FrontContext, with_limit};
+use super::context::{Combined, FrontContext, with_limit};
 use super::result::FrontEvent;
 use crate::error::{Error, Result};
 use crate::number::Taylor;

@@ -7,7 +7,6 @@
 //! The ε-constraint method, a bound ε on b, finds the same points, but dx/dε is infinite at an end
 //! in the interior of the bounds; dx/ds is not.
 
-mod combined;
 mod compromise;
 mod context;
 mod result;

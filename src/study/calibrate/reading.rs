@@ -201,7 +201,8 @@ impl Reading {
             &written,
         ));
         // for a delivery the launch is a measurement; otherwise it is the input of the flight
-        let is_launched = head.is_launched() && club == ClubColumns::Ignored;
+        let is_launched =
+            has_whole_launch(&head.columns) && !head.has_strike() && club == ClubColumns::Ignored;
         setup
             .refuse_replaced(&inputs(&head.columns))
             .map_err(|error| refused(String::new(), error.to_string()))?;
@@ -537,12 +538,6 @@ impl Reading {
             .any(|column| column.content == Content::Outcome(outcome))
     }
 
-    /// True if the table has all columns of a launch.
-    fn has_whole_launch(&self) -> bool {
-        let has_spin = self.has(Outcome::Spin) || self.has(Outcome::Backspin);
-        self.has(Outcome::BallSpeed) && self.has(Outcome::LaunchAngle) && has_spin
-    }
-
     /// Column heads of the launch and of the club, if the table has the club and a complete launch.
     pub fn launch_beside_club(&self) -> Option<[String; 2]> {
         let heads = |is: &dyn Fn(&Column) -> bool| {
@@ -557,7 +552,7 @@ impl Reading {
             &|column| matches!(column.content, Content::Outcome(of) if CONDITIONS.contains(&of)),
         );
         let club = heads(&Column::is_of_the_strike);
-        (self.has_whole_launch() && !club.is_empty()).then_some([launch, club])
+        (has_whole_launch(&self.columns) && !club.is_empty()).then_some([launch, club])
     }
 
     /// The column head of outcome `of`, for messages.
@@ -593,7 +588,7 @@ impl Reading {
             return None;
         }
         // if the table has all columns of a launch, a delivery needs a complete launch
-        let is_whole = self.club == ClubColumns::Read && self.has_whole_launch();
+        let is_whole = self.club == ClubColumns::Read && has_whole_launch(&self.columns);
         self.launch(*stated)
             .err()
             .filter(|wrong| !wrong.is_incomplete || is_whole)
@@ -725,6 +720,17 @@ fn assumed_sigma(column: &Column, outcome: Outcome) -> Message {
     .words(" is taken for each (")
     .message(instrument.source())
     .words(")")
+}
+
+/// True if there are all columns of a launch.
+fn has_whole_launch(columns: &[Column]) -> bool {
+    let has = |of: Outcome| {
+        columns
+            .iter()
+            .any(|column| column.content == Content::Outcome(of))
+    };
+    let has_spin = has(Outcome::Spin) || has(Outcome::Backspin);
+    has(Outcome::BallSpeed) && has(Outcome::LaunchAngle) && has_spin
 }
 
 /// Names of the parameters that have a column.
