@@ -32,14 +32,14 @@ pub(super) struct SearchProblem {
     pub set_up: Setup<f64>,
     /// The setup with a value for every varied parameter.
     setup: Setup<f64>,
-    vary: Vec<&'static Parameter>,
+    pub vary: Vec<&'static Parameter>,
     scenarios: Scenarios,
     /// The outcomes of a drive. If `is_of_outcomes`, each goal is one of the outcomes, in order.
     of: Vec<Outcome>,
     goals: Vec<Goal>,
     /// True if every goal is an outcome of one drive.
     is_of_outcomes: bool,
-    sense: Sense,
+    pub sense: Sense,
     /// An evaluator for each scenario.
     drives: Vec<Evaluator>,
     /// Subset of the scenarios whose drives have second derivatives, in order.
@@ -145,11 +145,6 @@ impl SearchProblem {
         let limited = |drive: Evaluator| drive.with_largest_defect(largest_defect);
         self.drives = self.drives.into_iter().map(limited).collect();
         self
-    }
-
-    /// Factor that turns the objective into the minimized function: −1 or 1.
-    pub fn sign(&self) -> f64 {
-        self.sense.sign()
     }
 
     /// Start of the search: the setup's own values of the varied parameters. A parameter without a
@@ -473,19 +468,13 @@ impl SearchProblem {
         Ok(values)
     }
 
-    /// Goals at `x` with smoothed kinks and jumps, over the scenarios with these weights, with
-    /// derivatives to an order: the objective, then the limited goals.
+    /// Goals at `x` with smoothed kinks and jumps, with derivatives to an order: the objective, then
+    /// the limited goals.
     ///
     /// # Errors
     /// [`Error::NoFlight`] for a swing that does not fly; [`Error::NotConverged`] once `stop` is
     /// true.
-    pub fn goals_until(
-        &self,
-        x: &[f64],
-        weights: &[f64],
-        order: Order,
-        stop: &AtomicBool,
-    ) -> Result<Vec<Taylor>> {
+    pub fn goals_until(&self, x: &[f64], order: Order, stop: &AtomicBool) -> Result<Vec<Taylor>> {
         let all: Vec<usize> = (0..self.drives.len()).collect();
         let flown = self.flown(&all, x, order, stop);
         let flown = flown.map_err(|reason| match stop.load(Ordering::Relaxed) {
@@ -494,7 +483,7 @@ impl SearchProblem {
                 reason: reason.into(),
             },
         })?;
-        Ok(self.measured(x, &flown, weights, order))
+        Ok(self.measured(x, &flown, &self.scenarios.weights, order))
     }
 
     /// Share of the scenarios in which the ball ends at a distance outside of a table of strokes;

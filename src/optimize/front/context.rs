@@ -143,10 +143,6 @@ impl FrontContext<'_> {
         ])
     }
 
-    pub fn ends(&self, ends: &[Solution; 2]) -> Result<[[f64; 2]; 2]> {
-        Ok([self.values(&ends[0].x)?, self.values(&ends[1].x)?])
-    }
-
     /// Returns the front as a single point, if one point minimises both functions.
     pub fn common_minimum(&self, ends: &[Solution; 2], values: [[f64; 2]; 2]) -> Option<Front> {
         let size = |k: usize| values[0][k].abs().max(values[1][k].abs());
