@@ -4,18 +4,18 @@
 //! `cargo run --release --example own_function`
 
 use longdrive::number::Number;
-use longdrive::optimize::{Domain, Exact, Functions, Options, Values, minimize};
+use longdrive::optimize::{Domain, Evaluation, Exact, Functions, Options, minimize};
 use std::f64::consts::PI;
 
 /// Radius and height of a closed can, dm.
 struct Can;
 
 impl Functions for Can {
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
         let (radius, height) = (x[0], x[1]);
         let area = radius * (radius + height) * (2.0 * PI);
         let volume = radius * radius * height * PI;
-        Ok(Values {
+        Ok(Evaluation {
             objective: area,
             constraints: vec![volume],
         })

@@ -8,7 +8,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
         grid_coefficients(
-            self.table.grid(),
+            &self.table.grid,
             [self.factors.cd_factor, self.factors.cl_factor],
             stream,
         )
@@ -16,7 +16,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
 
     fn has_corner_at_zero_spin(&self) -> bool {
         // C_D is constant below the least spin of a table, unless that is 0
-        self.table.grid().full_lift.is_none()
+        self.table.grid.full_lift.is_none()
     }
 
     fn continuous_derivatives(&self) -> Option<u32> {
@@ -24,7 +24,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
     }
 
     fn fitted(&self) -> Fitted {
-        let grid = self.table.grid();
+        let grid = &self.table.grid;
         let range = |variable| {
             grid.axes()
                 .find(|axis| axis.variable == variable)
@@ -35,7 +35,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
             spin: range(AxisVariable::Spin),
             reynolds: range(AxisVariable::Reynolds),
             speed: range(AxisVariable::Speed),
-            to: self.table.description(),
+            to: &self.table.description,
             held: [[true; 2]; 4],
         }
     }

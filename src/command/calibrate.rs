@@ -174,7 +174,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 fn read_shots(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<ShotTable> {
     let file = args.data.display();
     let filter = RowFilter::read(&args.only)?;
-    let mut table = ShotTable::open_rows(setup, &args.data, filter)?;
+    let mut table = ShotTable::open(setup, &args.data, filter)?;
     if request.gives_air() {
         table.in_given_air();
     }

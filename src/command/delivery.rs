@@ -104,7 +104,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         None => of_launch(&requests.club, &setup, &launched, &unknowns)?,
         Some(file) => {
             let filter = RowFilter::read(&args.only)?;
-            let table = ShotTable::open_launch_rows(&setup, file, filter)?;
+            let table = ShotTable::open_launches(&setup, file, filter)?;
             of_shots(table, &requests, &setup, &unknowns)?
         }
     };

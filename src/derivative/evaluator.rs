@@ -103,20 +103,9 @@ impl Evaluator {
         }
     }
 
-    /// Limits the second derivatives to those that involve the last parameter.
-    pub(super) fn with_last_parameter(self) -> Self {
-        Self {
-            entries: Entries::Last,
-            ..self
-        }
-    }
-
-    /// Limits the second derivatives to those by one parameter alone.
-    pub(super) fn with_diagonal(self) -> Self {
-        Self {
-            entries: Entries::Diagonal,
-            ..self
-        }
+    /// Limits the second derivatives to these entries of the Hessians.
+    pub(super) fn with_entries(self, entries: Entries) -> Self {
+        Self { entries, ..self }
     }
 
     /// Limits evaluation to this instruction level.

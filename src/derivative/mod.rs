@@ -13,6 +13,7 @@ pub use evaluator::{Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
+use directions::Entries;
 
 /// Value and gradient of an outcome.
 ///
@@ -68,7 +69,7 @@ pub fn diagonal(
     wrt: &[&'static Parameter],
 ) -> Result<Vec<Taylor>> {
     Evaluator::new(setup, of, wrt, Order::Second)?
-        .with_diagonal()
+        .with_entries(Entries::Diagonal)
         .at_setup(None, &mut |_, _| ())
 }
 
@@ -113,6 +114,6 @@ pub(crate) fn towards_last(
     wrt: &[&'static Parameter],
 ) -> Result<Vec<Taylor>> {
     Evaluator::new(setup, of, wrt, Order::Second)?
-        .with_last_parameter()
+        .with_entries(Entries::Last)
         .at_setup(None, &mut |_, _| ())
 }

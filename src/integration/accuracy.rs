@@ -101,24 +101,12 @@ pub(super) fn accuracy_until(
     let mut worst = None;
     for _ in 0..STEPS {
         sample.refine(step)?;
-        let mut found = sample.largest_error(step, SAFETY * tolerance)?;
+        let mut found = sample.accuracy(step, SAFETY * tolerance)?;
         if found.is_ok() && sample.test_all()? {
-            found = sample.largest_error(step, SAFETY * tolerance)?;
+            found = sample.accuracy(step, SAFETY * tolerance)?;
         }
         match found {
-            Ok(StepErrors {
-                error,
-                largest_defect,
-            }) => {
-                let drives = sample.exact.defects().count();
-                return Ok(Accuracy {
-                    method: METHOD,
-                    step,
-                    error,
-                    drives,
-                    largest_defect,
-                });
-            }
+            Ok(accuracy) => return Ok(accuracy),
             Err(drive) => worst = Some(drive),
         }
         step *= 0.5_f64.powf(0.25);
@@ -130,12 +118,6 @@ pub(super) fn accuracy_until(
         METHOD.name()
     );
     Err(Error::Tolerance { tolerance, reason })
-}
-
-/// Errors of a step that meets the tolerance.
-struct StepErrors {
-    error: f64,
-    largest_defect: f64,
 }
 
 /// A drive for which a step fails: its row, and the failing outcome with its error in m. `None` if
@@ -232,25 +214,27 @@ impl<'s> Sample<'s> {
         Ok(true)
     }
 
-    /// The largest error with `step`, or the first drive that does not land or whose error exceeds
+    /// The accuracy with `step`, or the first drive that does not land or whose error exceeds
     /// `limit`.
     ///
     /// # Errors
     /// [`Error::NoFlight`] if no drive lands.
-    fn largest_error(
+    fn accuracy(
         &self,
         step: f64,
         limit: f64,
-    ) -> Result<std::result::Result<StepErrors, FailingDrive>> {
+    ) -> Result<std::result::Result<Accuracy, FailingDrive>> {
+        let mut found = Accuracy {
+            method: METHOD,
+            step,
+            error: 0.0,
+            drives: self.exact.defects().count(),
+            largest_defect: ROUNDING,
+        };
         let with = |status| (0..self.exact.rows()).find(|&row| self.exact.status(row) == status);
         match (with(Status::Landed), with(Status::Diverged)) {
             // a drive not tested yet may land
-            (None, _) if !self.further.is_empty() => {
-                return Ok(Ok(StepErrors {
-                    error: 0.0,
-                    largest_defect: ROUNDING,
-                }));
-            }
+            (None, _) if !self.further.is_empty() => return Ok(Ok(found)),
             (None, None) => {
                 return Err(Error::NoFlight {
                     reason: "none of the drives lands, so no step can be chosen for them".into(),
@@ -260,10 +244,6 @@ impl<'s> Sample<'s> {
             (None, Some(row)) => return Ok(Err((row, None))),
             _ => {}
         }
-        let mut found = StepErrors {
-            error: 0.0,
-            largest_defect: ROUNDING,
-        };
         for phase in 0..PHASES {
             let flown = self.flown(step * (1.0 - 0.035 * f64::from(phase)))?;
             for row in (0..flown.rows()).filter(|&row| self.exact.status(row) == Status::Landed) {

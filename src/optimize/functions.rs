@@ -7,15 +7,15 @@ use num_dual::Dual64;
 ///
 /// ```
 /// use longdrive::number::Number;
-/// use longdrive::optimize::{Domain, Exact, Functions, Options, Values, minimize};
+/// use longdrive::optimize::{Domain, Evaluation, Exact, Functions, Options, minimize};
 ///
 /// /// The lightest can of a given volume: least surface 2πr² + 2πrh with πr²h = 1.
 /// struct Can;
 ///
 /// impl Functions for Can {
-///     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+///     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
 ///         let (pi, r, h) = (std::f64::consts::PI, x[0], x[1]);
-///         Ok(Values { objective: (r * r + r * h) * (2.0 * pi), constraints: vec![r * r * h * pi] })
+///         Ok(Evaluation { objective: (r * r + r * h) * (2.0 * pi), constraints: vec![r * r * h * pi] })
 ///     }
 /// }
 ///
@@ -32,16 +32,7 @@ pub trait Functions {
     /// # Errors
     /// The reason, in a sentence, why the functions have no value at `x`. The search then shortens
     /// its step.
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String>;
-}
-
-/// Values of a problem's functions.
-#[derive(Clone, Debug)]
-pub struct Values<T> {
-    /// Objective f.
-    pub objective: T,
-    /// Constraint functions c₁ … cₘ.
-    pub constraints: Vec<T>,
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String>;
 }
 
 /// Functions with exact gradients and Hessians.
@@ -102,7 +93,7 @@ impl<F: Functions> Problem for Gradients<F> {
 /// Hessian.
 fn put<T>(
     evaluation: &mut Option<Evaluation>,
-    values: Values<T>,
+    values: Evaluation<T>,
     columns: usize,
     rows: usize,
     write: impl Fn(&mut Taylor, &T),

@@ -16,29 +16,15 @@ pub struct Kink {
 }
 
 impl Kink {
-    /// The kink as an active bound, if it lies on a bound towards which the objective falls.
-    pub(super) fn on_bound(self) -> Option<KinkOnBound> {
-        let (multiplier, is_lower) = match (self.slope_below, self.slope_above) {
-            (None, Some(above)) if above > 0.0 => (above, true),
-            (Some(below), None) if below < 0.0 => (-below, false),
-            _ => return None,
-        };
-        Some(KinkOnBound {
-            kink: self,
-            multiplier,
-            is_lower,
-        })
+    /// The one-sided derivative, if the kink lies on a bound towards which the objective falls:
+    /// > 0 at a lower bound, < 0 at an upper one. Its size is the multiplier of the bound.
+    pub(super) fn slope_from_bound(self) -> Option<f64> {
+        match (self.slope_below, self.slope_above) {
+            (None, Some(above)) if above > 0.0 => Some(above),
+            (Some(below), None) if below < 0.0 => Some(below),
+            _ => None,
+        }
     }
-}
-
-/// A kink on a bound towards which the objective falls.
-#[derive(Clone, Copy)]
-pub(super) struct KinkOnBound {
-    pub kink: Kink,
-    /// Multiplier of the bound: the one-sided derivative.
-    pub multiplier: f64,
-    /// True for the lower bound.
-    pub is_lower: bool,
 }
 
 /// Half the distance between the points compared, in units of the variables' scale.

@@ -1,12 +1,12 @@
 //! Runs one search with its observer, through argmin's `Executor`.
 
 use super::domain::Domain;
-use super::kink::{Kink, KinkOnBound};
+use super::kink::Kink;
 use super::observer::{Observer, SaveSnapshot, Snapshot};
 use super::options::Options;
 use super::problem::Problem;
 use super::solution::{Iteration, Solution};
-use super::sqp::{IterationInfo, ProblemRef, Progress, Sqp, SqpState};
+use super::sqp::{Progress, Sqp, SqpState};
 use super::status::Status;
 use crate::error::{Error, Result};
 use argmin::core::checkpointing::{Checkpoint, CheckpointingFrequency};
@@ -51,9 +51,8 @@ pub fn minimize_observed(
         return Err(other_problem());
     }
     let (failure, interrupt) = (Arc::default(), observer.interrupt.clone());
-    let problem = ProblemRef(problem);
     let found = run(problem, domain, start, options, observer, &failure)?;
-    match found.kink.and_then(Kink::on_bound) {
+    match found.kink {
         Some(kink) if found.status == Status::StalledAtKink => {
             let observer = Observer {
                 interrupt,
@@ -78,7 +77,7 @@ pub(super) fn other_problem() -> Error {
 
 /// One run of argmin's executor.
 fn run(
-    problem: ProblemRef<'_>,
+    problem: &dyn Problem,
     domain: &Domain,
     start: &[f64],
     options: &Options,
@@ -107,10 +106,7 @@ fn run(
     };
     let mut executor = Executor::new(problem, solver)
         .configure(|_| fresh)
-        .add_observer(
-            IterationObserver::new(observer.iteration),
-            ObserverMode::Always,
-        )
+        .add_observer(IterationObserver(observer.iteration), ObserverMode::Always)
         .timer(false);
     if checkpoint.save.is_some() || checkpoint.resumed.is_some() {
         executor = executor.checkpointing(checkpoint);
@@ -130,24 +126,22 @@ fn run(
     ))
 }
 
-/// A kink on a bound towards which the objective falls is an optimum in that variable. Fixes the
+/// A kink on a bound towards which the objective falls is an optimum in that variable. Fixes such a
 /// variable on the bound, with the one-sided derivative as multiplier, and minimises over the other
 /// variables.
 fn fix_on_bound(
-    problem: ProblemRef<'_>,
+    problem: &dyn Problem,
     domain: &Domain,
     options: &Options,
     observer: Observer,
     found: Solution,
-    on_bound: KinkOnBound,
+    kink: Kink,
 ) -> Solution {
-    let KinkOnBound {
-        kink,
-        multiplier,
-        is_lower,
-    } = on_bound;
+    let Some(slope) = kink.slope_from_bound() else {
+        return found;
+    };
     let (i, mut fixed) = (kink.variable, domain.clone());
-    let bound = if is_lower {
+    let bound = if slope > 0.0 {
         domain.variables.low[i]
     } else {
         domain.variables.high[i]
@@ -166,13 +160,9 @@ fn fix_on_bound(
     if end.status != Status::Converged {
         return found;
     }
-    let (lower, upper) = if is_lower {
-        (multiplier, 0.0)
-    } else {
-        (0.0, multiplier)
-    };
-    (end.lower_multipliers[i], end.upper_multipliers[i]) = (lower, upper);
-    end.gradient[i] = lower - upper;
+    end.lower_multipliers[i] = slope.max(0.0);
+    end.upper_multipliers[i] = (-slope).max(0.0);
+    end.gradient[i] = slope;
     end.message += &format!("; variable {i} lies on its bound, where the objective has a kink");
     end.iterations += found.iterations;
     end.evaluations += found.evaluations;
@@ -248,48 +238,14 @@ impl Checkpoint<Sqp, SqpState> for SnapshotIo {
 }
 
 /// Passes argmin's iterations to the observer.
-struct IterationObserver {
-    callback: Box<dyn FnMut(&Iteration)>,
-    /// Last iteration reported to the callback; its allocation is reused.
-    current: Iteration,
-}
+struct IterationObserver(Box<dyn FnMut(&Iteration)>);
 
 impl IterationObserver {
-    fn new(callback: Box<dyn FnMut(&Iteration)>) -> Self {
-        Self {
-            callback,
-            current: Iteration::default(),
+    /// An interrupted iteration has no numbers to show.
+    fn show(&mut self, state: &SqpState) {
+        if let Some(iteration) = state.get_residuals() {
+            (self.0)(iteration);
         }
-    }
-
-    fn show(&mut self, number: u64, state: &SqpState) {
-        let (Some(at), Some(info)) = (state.get_param(), state.get_residuals()) else {
-            return;
-        };
-        let mut x = std::mem::take(&mut self.current.x);
-        x.clone_from(at);
-        let IterationInfo {
-            kkt_residual,
-            violation,
-            radius,
-            accepted,
-            predicted_reduction,
-            actual_reduction,
-            model,
-        } = info.clone();
-        self.current = Iteration {
-            number,
-            value: state.get_cost(),
-            x,
-            kkt_residual,
-            violation,
-            radius,
-            accepted,
-            predicted_reduction,
-            actual_reduction,
-            model,
-        };
-        (self.callback)(&self.current);
     }
 }
 
@@ -300,7 +256,7 @@ impl Observe<SqpState> for IterationObserver {
         state: &SqpState,
         _: &KV,
     ) -> std::result::Result<(), argmin::core::Error> {
-        self.show(0, state);
+        self.show(state);
         Ok(())
     }
 
@@ -309,7 +265,7 @@ impl Observe<SqpState> for IterationObserver {
         state: &SqpState,
         _: &KV,
     ) -> std::result::Result<(), argmin::core::Error> {
-        self.show(state.get_iter() + 1, state);
+        self.show(state);
         Ok(())
     }
 }

@@ -71,7 +71,7 @@ mod trial_step;
 pub use crate::number::Taylor;
 pub use checkpoint::{Checkpoint, Run};
 pub use domain::{Bounds, Domain};
-pub use functions::{Exact, Functions, Gradients, Values};
+pub use functions::{Exact, Functions, Gradients};
 pub use kink::Kink;
 pub use minimize::{minimize, minimize_observed};
 pub use multistart::{Callback, LocalMinimum, Observers, minimize_from, starts};

@@ -31,13 +31,6 @@ pub(super) struct Workspace {
     feasibility: QpSolver,
 }
 
-/// Step of least squared violation, and the violation of each row after it: > 0 below the lower
-/// limit, < 0 above the upper.
-struct LeastViolation {
-    step: Step,
-    remaining: Vec<f64>,
-}
-
 /// Weight of ½‖d‖², which is added to the squared violations to make the step of least violation
 /// unique and short.
 const SHORT: f64 = 1e-8;
@@ -81,11 +74,11 @@ impl Model<'_> {
             Some(step) => (step, false),
             None => {
                 let least = self.least_violation(program, &mut workspace.feasibility);
-                let relaxed = relaxed(program, &least.remaining);
+                let relaxed = relaxed(program, &least.d);
                 (
                     solver
                         .solve(&relaxed)
-                        .unwrap_or_else(|| self.with_previous_multipliers(least.step)),
+                        .unwrap_or_else(|| self.with_previous_multipliers(least)),
                     true,
                 )
             }
@@ -196,7 +189,7 @@ impl Model<'_> {
     /// Step of least squared violation within the normal part of the trust region. If the
     /// second-order model of the violation rises along it (for a step across a narrow valley, say),
     /// the curvature of the constraints is added and the step computed again.
-    fn least_violation(&self, program: &QuadraticProgram, solver: &mut QpSolver) -> LeastViolation {
+    fn least_violation(&self, program: &QuadraticProgram, solver: &mut QpSolver) -> Step {
         let (n, m) = (program.low.len(), program.rows.len());
         let mut elastic = elastic(program, NORMAL_PART * self.radius);
         let mut solve = |elastic: &QuadraticProgram| {
@@ -216,12 +209,7 @@ impl Model<'_> {
         }
         step.d = step.d.rows(0, n).into_owned();
         step.sides.truncate(n);
-        let remaining = program
-            .rows
-            .iter()
-            .map(|row| -row.excess(&step.d))
-            .collect();
-        LeastViolation { step, remaining }
+        step
     }
 
     /// Positive semidefinite part of Σ vⱼ ∇²cⱼ, the curvature term of the Hessian of ½‖v‖², in
@@ -405,10 +393,12 @@ fn elastic(program: &QuadraticProgram, radius: f64) -> QuadraticProgram {
     }
 }
 
-/// Relaxes the rows of a program by the remaining violations.
-fn relaxed(program: &QuadraticProgram, remaining: &[f64]) -> QuadraticProgram {
+/// Relaxes the rows of a program by their violations after the step `d` of least violation.
+fn relaxed(program: &QuadraticProgram, d: &DVector<f64>) -> QuadraticProgram {
     let mut relaxed = program.clone();
-    for (row, remaining) in relaxed.rows.iter_mut().zip(remaining) {
+    for row in &mut relaxed.rows {
+        // > 0 below the lower limit, < 0 above the upper
+        let remaining = -row.excess(d);
         if row.low == row.high {
             row.low -= remaining;
             row.high = row.low;

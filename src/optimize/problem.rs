@@ -24,13 +24,13 @@ impl<F: Fn(&[f64]) -> std::result::Result<Evaluation, String>> Problem for F {
     }
 }
 
-/// All functions of a problem at a point.
+/// All functions of a problem at a point, as numbers or with their derivatives.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
-pub struct Evaluation {
+pub struct Evaluation<T = Taylor> {
     /// Objective f.
-    pub objective: Taylor,
+    pub objective: T,
     /// Constraint functions c₁ … cₘ.
-    pub constraints: Vec<Taylor>,
+    pub constraints: Vec<T>,
 }
 
 impl Evaluation {

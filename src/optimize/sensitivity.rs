@@ -202,12 +202,6 @@ struct KktSystem<'a> {
     active: Vec<usize>,
 }
 
-/// Derivatives of the primal and dual variables by the parameter.
-struct KktDerivatives {
-    x: Vec<f64>,
-    multipliers: Vec<f64>,
-}
-
 impl<'a> KktSystem<'a> {
     fn new(solution: &'a Solution, domain: &Domain, at: &'a Evaluation) -> Self {
         let active_set = ActiveSet::new(solution, domain);
@@ -223,7 +217,7 @@ impl<'a> KktSystem<'a> {
     /// Derivatives of the optimum by p.
     fn response(&self) -> Result<Response> {
         let (n, at) = (self.solution.x.len(), self.at);
-        let KktDerivatives { x, multipliers } = self.solve()?;
+        let [x, multipliers] = self.solve()?;
         let direct = self.lagrangian_sum(at.objective.hessian[n][n], |j| {
             at.constraints[j].hessian[n][n]
         });
@@ -252,7 +246,7 @@ impl<'a> KktSystem<'a> {
     }
 
     /// Solves the differentiated KKT conditions for dx*/dp and dλ*/dp.
-    fn solve(&self) -> Result<KktDerivatives> {
+    fn solve(&self) -> Result<[Vec<f64>; 2]> {
         let Self {
             solution,
             scale,
@@ -291,7 +285,7 @@ impl<'a> KktSystem<'a> {
         for (k, &j) in active.iter().enumerate() {
             multipliers[j] = change[f + k] * unit / self.row_length(j);
         }
-        Ok(KktDerivatives { x, multipliers })
+        Ok([x, multipliers])
     }
 
     /// Length of the scaled gradient of constraint j. Rows of the system are divided by it, so that

@@ -102,7 +102,9 @@ impl Solution {
         let Some(search) = search else {
             return Self::without_evaluation(domain, status, message, start, undefined_at_start);
         };
-        let bound_multipliers = BoundMultipliers::new(&search, &domain.variables);
+        let bounds = &domain.variables;
+        let lower_multipliers = bound_multipliers(&search, 1.0, |i, x| x <= bounds.low[i]);
+        let upper_multipliers = bound_multipliers(&search, -1.0, |i, x| x >= bounds.high[i]);
         let constraints = constraint_values(&search, &domain.constraints);
         let hessian = unscaled_hessian(&search);
         let State {
@@ -116,8 +118,8 @@ impl Solution {
             status,
             message,
             value: Some(f.objective.value),
-            lower_multipliers: bound_multipliers.lower,
-            upper_multipliers: bound_multipliers.upper,
+            lower_multipliers,
+            upper_multipliers,
             hessian,
             gradient: f.objective.gradient,
             constraints,
@@ -186,32 +188,23 @@ impl Solution {
     }
 }
 
-/// Multipliers of the bounds: components of the Lagrangian's gradient at active bounds.
-struct BoundMultipliers {
-    lower: Vec<f64>,
-    upper: Vec<f64>,
-}
-
-impl BoundMultipliers {
-    fn new(search: &State, bounds: &Bounds) -> Self {
-        let x = &search.point.x;
-        let gradient = search.point.lagrangian_gradient(&search.multipliers);
-        let multiplier = |is_at_bound: bool, inward_derivative: f64| {
-            if is_at_bound {
-                inward_derivative.max(0.0)
-            } else {
-                0.0
-            }
-        };
-        Self {
-            lower: (0..x.len())
-                .map(|i| multiplier(x[i] <= bounds.low[i], gradient[i]))
-                .collect(),
-            upper: (0..x.len())
-                .map(|i| multiplier(x[i] >= bounds.high[i], -gradient[i]))
-                .collect(),
+/// Multipliers of the active bounds on one side: components of the Lagrangian's gradient.
+/// `inward` is 1 for lower bounds and −1 for upper ones.
+fn bound_multipliers(
+    search: &State,
+    inward: f64,
+    is_active: impl Fn(usize, f64) -> bool,
+) -> Vec<f64> {
+    let gradient = search.point.lagrangian_gradient(&search.multipliers);
+    let x = search.point.x.iter().copied().enumerate();
+    x.map(|(i, x)| {
+        if is_active(i, x) {
+            (inward * gradient[i]).max(0.0)
+        } else {
+            0.0
         }
-    }
+    })
+    .collect()
 }
 
 /// Values, violations and multipliers of the constraints.

@@ -5,11 +5,11 @@ use super::kink::Kink;
 use super::options::Options;
 use super::problem::{Evaluation, Problem};
 use super::quadratic_model::QuadraticModel;
-use super::scaling::{Residual, Scaling};
+use super::scaling::Scaling;
+use super::solution::Iteration;
 use super::start::first_point;
 use super::state::{Evaluate, State};
 use super::status::{Status, Verdict};
-use super::trial_step::Reduction;
 use argmin::core::{
     Error, IterState, KV, Problem as Counted, Solver, TerminationReason, TerminationStatus,
 };
@@ -17,51 +17,8 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// argmin's state for this solver: the point, the objective, and the iteration info for observers.
-pub type SqpState = IterState<Vec<f64>, (), (), (), IterationInfo, f64>;
-
-/// Residuals and trust region after one iteration.
-#[derive(Clone, Debug)]
-pub struct IterationInfo {
-    /// Relative KKT residual.
-    pub kkt_residual: f64,
-    /// Largest relative violation of a constraint.
-    pub violation: f64,
-    /// Trust-region radius Δ for the next step.
-    pub radius: f64,
-    /// True if the step was accepted.
-    pub accepted: bool,
-    /// Predicted reduction of the merit function by the step; 0 at the start.
-    pub predicted_reduction: f64,
-    /// Actual reduction of the merit function by the step; 0 at the start.
-    pub actual_reduction: f64,
-    /// The model at the iterate, if it is observed.
-    pub model: Option<QuadraticModel>,
-}
-
-/// The ratio test of a step.
-#[derive(Clone, Copy, Debug)]
-struct StepTest {
-    is_accepted: bool,
-    reduction: Reduction,
-}
-
-impl StepTest {
-    /// The test of the start, to which no step leads.
-    const START: Self = Self {
-        is_accepted: true,
-        reduction: Reduction {
-            actual: 0.0,
-            predicted: 0.0,
-            size: 0.0,
-        },
-    };
-}
-
-/// Shared reference to the problem. argmin takes ownership of its problem, but several runs use the
-/// same problem.
-#[derive(Clone, Copy)]
-pub(super) struct ProblemRef<'a>(pub &'a dyn Problem);
+/// argmin's state for this solver: the point, the objective, and the iteration for observers.
+pub type SqpState = IterState<Vec<f64>, (), (), (), Iteration, f64>;
 
 /// The SQP solver. [`minimize`](super::minimize()) builds and runs it.
 #[derive(Clone)]
@@ -105,14 +62,15 @@ impl Progress {
 }
 
 impl Sqp {
-    /// One iteration: Nocedal & Wright (2006), algorithm 18.4, with the merit function φ = f +
+    /// Iteration `number`: Nocedal & Wright (2006), algorithm 18.4, with the merit function φ = f +
     /// ν‖v‖₂ of the constraint violations v, second-order corrections, and the trust-region update
     /// of Conn, Gould & Toint (2000), algorithm 6.1.1.
     fn iterate(
         &mut self,
         state: &mut State,
+        number: u64,
         evaluate: &mut Evaluate<'_>,
-    ) -> Result<StepTest, Error> {
+    ) -> Result<Iteration, Error> {
         // linearise the constraints, convexify the Hessian, solve the quadratic program: minimise ½
         // dᵀB d + ∇f·d with c + ∇c·d within limits, x + d within bounds, ‖d‖∞ ≤ Δ
         let mut step = state.trial_step();
@@ -146,10 +104,29 @@ impl Sqp {
         state.kink_sides.update(&state.scaling, &state.point, other);
 
         self.apply_stopping_tests(state, Some(&trial.step), evaluate)?;
-        Ok(StepTest {
-            is_accepted,
-            reduction,
+        Ok(Iteration {
+            number,
+            accepted: is_accepted,
+            predicted_reduction: reduction.predicted,
+            actual_reduction: reduction.actual,
+            ..self.iteration(state)
         })
+    }
+
+    /// The iterate in `state`, for observers, as the start of a search.
+    fn iteration(&self, state: &State) -> Iteration {
+        Iteration {
+            number: 0,
+            value: state.point.f.objective.value,
+            x: state.point.x.clone(),
+            kkt_residual: state.residual.largest(),
+            violation: state.residual.feasibility,
+            radius: state.radius,
+            accepted: true,
+            predicted_reduction: 0.0,
+            actual_reduction: 0.0,
+            model: self.has_models.then(|| QuadraticModel::of(state)),
+        }
     }
 
     pub(super) fn is_interrupted(&self) -> bool {
@@ -172,40 +149,16 @@ impl Sqp {
         ));
         Ok(())
     }
-
-    /// Writes the iterate and its iteration info to argmin's state.
-    fn with_iteration_info(&self, mut info: SqpState, state: &State, test: StepTest) -> SqpState {
-        // reuse the allocation of the previous point
-        let mut x = info.take_param().unwrap_or_default();
-        x.clone_from(&state.point.x);
-        let Residual {
-            feasibility: violation,
-            ..
-        } = state.residual;
-        let kkt_residual = state.residual.largest();
-        let iteration = IterationInfo {
-            kkt_residual,
-            violation,
-            radius: state.radius,
-            accepted: test.is_accepted,
-            predicted_reduction: test.reduction.predicted,
-            actual_reduction: test.reduction.actual,
-            model: self.has_models.then(|| QuadraticModel::of(state)),
-        };
-        info.param(x)
-            .cost(state.point.f.objective.value)
-            .residuals(iteration)
-    }
 }
 
-impl Solver<ProblemRef<'_>, SqpState> for Sqp {
+impl<'a> Solver<&'a dyn Problem, SqpState> for Sqp {
     fn name(&self) -> &str {
         "SQP"
     }
 
     fn init(
         &mut self,
-        problem: &mut Counted<ProblemRef<'_>>,
+        problem: &mut Counted<&'a dyn Problem>,
         mut info: SqpState,
     ) -> Result<(SqpState, Option<KV>), Error> {
         let start = self
@@ -243,14 +196,14 @@ impl Solver<ProblemRef<'_>, SqpState> for Sqp {
         if let Err(error) = self.apply_stopping_tests(&mut state, None, &mut evaluate) {
             self.interrupted_by(error, &state, 0)?;
         }
-        let info = self.with_iteration_info(info, &state, StepTest::START);
+        let info = with_iteration(info, self.iteration(&state));
         self.progress.state = Some(state);
         Ok((info, None))
     }
 
     fn next_iter(
         &mut self,
-        problem: &mut Counted<ProblemRef<'_>>,
+        problem: &mut Counted<&'a dyn Problem>,
         info: SqpState,
     ) -> Result<(SqpState, Option<KV>), Error> {
         let Some(mut state) = self.progress.state.take() else {
@@ -258,8 +211,8 @@ impl Solver<ProblemRef<'_>, SqpState> for Sqp {
         };
         let (m, interrupt) = (self.domain.constraints.dimension(), self.interrupt.clone());
         let mut evaluate = |x: &[f64]| evaluate(problem, &interrupt, x, m);
-        let info = match self.iterate(&mut state, &mut evaluate) {
-            Ok(test) => self.with_iteration_info(info, &state, test),
+        let info = match self.iterate(&mut state, info.iter + 1, &mut evaluate) {
+            Ok(iteration) => with_iteration(info, iteration),
             Err(error) => {
                 self.interrupted_by(error, &state, info.iter)?;
                 self.progress.is_interrupted_within = true;
@@ -294,11 +247,19 @@ impl Solver<ProblemRef<'_>, SqpState> for Sqp {
     }
 }
 
+/// Writes an iteration to argmin's state.
+fn with_iteration(mut info: SqpState, iteration: Iteration) -> SqpState {
+    // reuse the allocation of the previous point
+    let mut x = info.take_param().unwrap_or_default();
+    x.clone_from(&iteration.x);
+    info.param(x).cost(iteration.value).residuals(iteration)
+}
+
 /// Evaluates the functions at x. The inner error means that they are undefined there (a wrong shape
 /// or a non-finite value counts as undefined); the outer error is argmin's and ends an interrupted
 /// search. An evaluation that fails after an interrupt counts as interrupted.
 fn evaluate(
-    problem: &mut Counted<ProblemRef<'_>>,
+    problem: &mut Counted<&dyn Problem>,
     interrupt: &AtomicBool,
     x: &[f64],
     constraints: usize,
@@ -306,7 +267,7 @@ fn evaluate(
     let is_interrupted = || interrupt.load(Ordering::Relaxed);
     if !is_interrupted() {
         let checked = |evaluation: Evaluation| evaluation.checked(x.len(), constraints);
-        let found = problem.problem("evaluations", |p| Ok(p.0.evaluate(x).and_then(checked)))?;
+        let found = problem.problem("evaluations", |p| Ok(p.evaluate(x).and_then(checked)))?;
         if found.is_ok() || !is_interrupted() {
             return Ok(found);
         }

@@ -421,6 +421,18 @@ impl Setup<f64> {
         Ok(())
     }
 
+    /// The setup with other values of some parameters, SI.
+    ///
+    /// # Errors
+    /// The errors of [`set_value`](Self::set_value).
+    pub fn with_values(&self, parameters: &[&'static Parameter], values: &[f64]) -> Result<Self> {
+        let mut changed = *self;
+        for (parameter, value) in parameters.iter().zip(values) {
+            changed.set_value(parameter, Some(*value))?;
+        }
+        Ok(changed)
+    }
+
     /// The error for a coefficient of another law, which may share its name with a coefficient of
     /// this law.
     fn of_other_law(&self, parameter: &Parameter) -> Error {

@@ -1,7 +1,7 @@
 //! Reads the rows of an export as shots.
 
 use super::flown::REFUSED;
-use super::head::{ExportHead, Read};
+use super::head::{Export, Read};
 use super::shot::{Club, Origin, Shot, StatedOfClub as Stated, Value, of_conditions, within};
 use crate::drive::Outcome;
 use crate::table::{
@@ -18,9 +18,9 @@ pub(super) const OF_SPIN: [Outcome; 4] = [
     Outcome::SpinAxis,
 ];
 
-impl ExportHead {
+impl Export {
     /// Reads the shot of a record.
-    pub fn shot(&self, record: Record) -> Shot {
+    pub(super) fn shot(&self, record: Record) -> Shot {
         let unclosed = record.unclosed();
         let Record { line, text, .. } = record;
         let row = cells(&text, self.separator);

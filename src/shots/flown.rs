@@ -1,7 +1,7 @@
 //! Shots with the results of their flights.
 
-use super::section::Section;
 use super::shot::Shot;
+use super::source::Section;
 use crate::batch::{Block, Status};
 use crate::drive::{ExceededLimits, Outcome};
 

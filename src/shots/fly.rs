@@ -1,7 +1,6 @@
 //! Flies shots in batches.
 
 use super::flown::Flown;
-use super::objects::Piece;
 use super::open_connect;
 use super::shot::{LAUNCH, Shot};
 use super::source::{Chunk, Shots};
@@ -10,6 +9,7 @@ use crate::batch::{Batch, CHUNK, Run, in_order};
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Vary};
+use crate::table::Record;
 use std::sync::atomic::Ordering;
 
 /// Batch and requested outcomes for flying shots.
@@ -157,8 +157,8 @@ impl Flying {
     }
 
     /// Flies the shot of a message of GSPro Open Connect.
-    pub fn message(&self, piece: Piece) -> Flown {
-        self.flown(vec![open_connect::shot(piece, &[])])
+    pub fn message(&self, message: Record) -> Flown {
+        self.flown(vec![open_connect::shot(message, &[])])
     }
 
     fn flown(&self, shots: Vec<Shot>) -> Flown {

@@ -6,10 +6,12 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, club_column, given_air,
-    near_known, nearest_head, rest_of_head, split_unit, words,
+    Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, air_as_given, air_of_rows,
+    air_of_setup, cells, club_column, given_air, near_known, nearest_head, rest_of_head,
+    split_unit, words,
 };
 use crate::units::Message;
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// A column with values to read.
@@ -24,38 +26,50 @@ pub(super) struct Read {
 
 /// The column heads of an export, interpreted.
 #[derive(Clone, Debug)]
-pub(super) struct ExportHead {
+pub struct Export {
+    /// Cell separator.
     pub separator: u8,
+    /// The column heads as written.
     pub heads: Vec<String>,
     /// Units in a line below the column heads; `None` without this line.
     pub units: Option<Vec<String>>,
-    pub maker: Option<&'static str>,
-    pub read: Vec<Read>,
+    pub(super) maker: Option<&'static str>,
+    pub(super) read: Vec<Read>,
     /// Columns of the club: speed, attack angle, path, face angle.
-    pub club: [Option<(usize, Column)>; 4],
-    pub further: Vec<Further>,
-    pub further_columns: Vec<Column>,
+    pub(super) club: [Option<(usize, Column)>; 4],
+    pub(super) further: Vec<Further>,
+    pub(super) further_columns: Vec<Column>,
     /// Column with the origin of the spin, and column with the conditions of the values.
-    pub spin_type: Option<usize>,
-    pub condition: Option<usize>,
+    pub(super) spin_type: Option<usize>,
+    pub(super) condition: Option<usize>,
     /// Column with the name of the club.
-    pub club_name: Option<usize>,
-    pub is_export: bool,
+    pub(super) club_name: Option<usize>,
+    pub(super) is_export: bool,
     /// The decimal mark of the table; `None` if the first rows do not show it.
-    pub decimal_mark: Option<DecimalMark>,
+    pub(super) decimal_mark: Option<DecimalMark>,
     /// Columns that an earlier run of `fly` added.
-    pub added: Range<usize>,
+    pub(crate) added: Range<usize>,
     /// Air density of the setup, for rows that state none.
-    pub air: f64,
-    pub remarks: Vec<Message>,
+    pub(super) air: f64,
+    pub(super) remarks: Vec<Message>,
 }
 
-impl ExportHead {
+impl Export {
+    /// True if numbers have decimal commas.
+    pub fn has_decimal_comma(&self) -> bool {
+        self.decimal_mark == Some(DecimalMark::Comma)
+    }
+
+    /// The cells of a row.
+    pub fn cells<'a>(&self, text: &'a str) -> Vec<Cow<'a, str>> {
+        cells(text, self.separator)
+    }
+
     /// Interprets the column heads of a table for shots.
     ///
     /// # Errors
     /// [`Error::Table`] for a missing launch column, or a unit of the wrong dimension.
-    pub fn read(setup: &Setup<f64>, mut head: Head, table: &TextTable) -> Result<Self> {
+    pub(super) fn read(setup: &Setup<f64>, mut head: Head, table: &TextTable) -> Result<Self> {
         add_totals(setup, &mut head)?;
         let meant = Interpretation::of(Some(setup), &mut head, table);
         let Head {
@@ -119,7 +133,7 @@ impl ExportHead {
         );
         let has_comma = table.separator != b',' && self.decimal_mark != Some(DecimalMark::Point);
         for read in &mut self.read {
-            read.column = read.column.clone().with_decimal_comma(has_comma);
+            read.column.format.has_decimal_comma = has_comma;
         }
     }
 
@@ -146,7 +160,7 @@ impl ExportHead {
     /// # Errors
     /// The name of a parameter without a column in this section. A missing air column is allowed:
     /// the setup gives the air.
-    pub fn align(
+    pub(super) fn align(
         &mut self,
         further: &[&'static Parameter],
     ) -> std::result::Result<(), &'static str> {
@@ -206,7 +220,7 @@ impl ExportHead {
         Ok(())
     }
 
-    pub fn has(&self, of: Outcome) -> bool {
+    pub(super) fn has(&self, of: Outcome) -> bool {
         self.read.iter().any(|read| read.of == of)
     }
 
@@ -262,7 +276,7 @@ impl ExportHead {
                     .iter()
                     .any(|read| read.column.content == column.content)
             };
-            column.content == Content::Written || column.is_of_given_air() || is_twice()
+            column.content == Content::Written || column.is_of_given_air || is_twice()
         };
         let not_read = columns
             .iter()
@@ -318,7 +332,7 @@ impl ExportHead {
     }
 
     /// Parameters that every row has.
-    pub fn parameters(&self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
+    pub(super) fn parameters(&self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
         let launch = LAUNCH
             .iter()
             .map(|name| setup.parameter(name))
@@ -330,7 +344,7 @@ impl ExportHead {
     }
 
     /// Column head of a launch condition, for messages.
-    pub fn name_of(&self, of: Outcome) -> String {
+    pub(super) fn name_of(&self, of: Outcome) -> String {
         self.read
             .iter()
             .find(|read| read.of == of)
@@ -338,9 +352,47 @@ impl ExportHead {
     }
 
     /// Unit in which the column of an outcome is read; `None` without such a column.
-    pub fn unit_of(&self, of: Outcome) -> Option<&str> {
+    pub(super) fn unit_of(&self, of: Outcome) -> Option<&str> {
         let read = self.read.iter().find(|read| read.of == of)?;
         Some(read.column.unit())
+    }
+}
+
+/// The air of the rows.
+impl Export {
+    /// Index of the air column among the further columns.
+    fn air_at(&self) -> Option<usize> {
+        self.further_columns.iter().position(Column::is_stated_air)
+    }
+
+    /// Remark on the air of the export; `None` if the export states no air.
+    pub(super) fn air_remark(&self) -> Option<String> {
+        self.air_at()
+            .map(|at| air_of_rows(&self.further_columns[at].head))
+    }
+
+    /// Ignores the air of the export, because the setup gives it explicitly; true if there was any.
+    pub(super) fn ignore_air(&mut self) -> bool {
+        let (Some(at), Some(replaced)) = (self.air_at(), self.air_remark()) else {
+            return false;
+        };
+        self.further.remove(at);
+        let column = self.further_columns.remove(at);
+        for remark in self
+            .remarks
+            .iter_mut()
+            .filter(|remark| remark.to_string() == replaced)
+        {
+            *remark = air_as_given(&column.head).into();
+        }
+        true
+    }
+
+    /// Message for a row without usable air.
+    pub(super) fn air_note<S: AsRef<str>>(&self, row: &[S]) -> Option<String> {
+        let at = self.air_at()?;
+        let stated = self.further_columns[at].stated_air(row[self.further[at].at].as_ref());
+        stated.err().map(|why| air_of_setup(&why))
     }
 }
 

@@ -1,12 +1,39 @@
 //! Interpretation of an export: its maker, missing units, and sign conventions.
 
-use super::maker::maker;
 use super::sign_conventions::SignConventions;
 use crate::drive::Outcome;
 use crate::parameters::Setup;
 use crate::table::{
     Column, Content, Head, TextTable, assume_units, split_unit, states_weather, words,
 };
+
+/// Makers with column heads (in lower case) that occur together only in their exports. Sources:
+/// docs/sources.md.
+const SIGNATURES: [(&str, &[&str]); 16] = [
+    ("TrackMan", &["carry flat length"]),
+    ("TrackMan", &["tmd no"]),
+    ("TrackMan", &["dyn loft", "spin rate"]),
+    ("TrackMan", &["dynamic loft", "landing angle", "hang time"]),
+    ("Garmin", &["carry deviation distance"]),
+    ("Garmin", &["carry abweichungsdistanz"]),
+    ("FlightScope", &["launch v", "launch h"]),
+    ("FlightScope", &["launch angle v", "height"]),
+    ("Foresight", &["push pull", "peak height"]),
+    ("Foresight", &["tilt angle", "total spin"]),
+    ("Foresight", &["side angle", "offline", "face to target"]),
+    ("Foresight", &["azimuth", "offline"]),
+    ("Rapsodo", &["side carry", "club type"]),
+    ("Uneekor", &["side angle", "side distance"]),
+    ("Square", &["index", "offline", "dynamic loft"]),
+    (
+        "Awesome Golf",
+        &[
+            "vertical launch",
+            "horizontal launch",
+            "carry lateral distance",
+        ],
+    ),
+];
 
 /// Interpretation of an export.
 #[derive(Clone, Debug, Default)]
@@ -57,6 +84,15 @@ impl Interpretation {
     }
 }
 
+/// The maker for these column heads, in lower case without units.
+fn maker(heads: &[String]) -> Option<&'static str> {
+    let has = |head: &&str| heads.iter().any(|other| other == head);
+    SIGNATURES
+        .iter()
+        .find(|(_, all)| all.iter().all(has))
+        .map(|(maker, _)| *maker)
+}
+
 /// TrackMan: `Condition` states altitude and temperature. They determine the air of each row,
 /// unless a column states the density or the setup gives the weather.
 fn weather_of_rows(
@@ -70,7 +106,7 @@ fn weather_of_rows(
     };
     if columns
         .iter()
-        .any(|column| column.is_stated_air() || column.is_of_given_air())
+        .any(|column| column.is_stated_air() || column.is_of_given_air)
     {
         return;
     }

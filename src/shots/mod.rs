@@ -32,16 +32,13 @@
 //! assert_eq!((statistics.rows, statistics.flown), (2, 1));
 //! ```
 
-mod air;
 mod export;
 mod flown;
 mod fly;
 mod head;
 mod interpretation;
-mod maker;
 mod objects;
 mod open_connect;
-mod section;
 mod shot;
 mod sign_conventions;
 mod sizes;
@@ -54,12 +51,12 @@ mod written;
 pub use crate::table::Refusal;
 pub use flown::Flown;
 pub use fly::Flying;
+pub use head::Export;
 pub(crate) use interpretation::Interpretation;
-pub use objects::{Objects, Piece};
+pub use objects::Objects;
 pub(crate) use open_connect::ASSUMED;
-pub use section::{Export, Section};
 pub use shot::{Club, Origin, Shot, Value};
 pub(crate) use sizes::size;
 pub(crate) use source::is_json;
-pub use source::{Layout, Shots};
+pub use source::{Layout, Section, Shots};
 pub use statistics::{BANDS, Band, ClubShots, FLOOR, Refused, ShotStatistics, Sums};

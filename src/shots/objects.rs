@@ -1,20 +1,10 @@
 //! Finds JSON objects in a byte stream: one per line, consecutive, or in an array.
 
+use crate::table::Record;
 use std::collections::VecDeque;
 
 /// Maximum length of an object, bytes.
 const LONGEST: usize = 1 << 16;
-
-/// A JSON object, or other text in its place.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Piece {
-    /// Number of the first line of the piece, from 1.
-    pub line: u64,
-    /// The text.
-    pub text: String,
-    /// True if all braces are closed.
-    pub is_whole: bool,
-}
 
 /// State of the scanner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,8 +20,8 @@ enum State {
     TooLong,
 }
 
-/// Finds objects in bytes as they arrive. Truncated objects and other text are pieces too. Such a
-/// piece ends with its line, or before the next opening brace, so that later objects are found.
+/// Finds objects in bytes as they arrive. Truncated objects and other text are records too. Such a
+/// record ends with its line, or before the next opening brace, so that later objects are found.
 #[derive(Clone, Debug)]
 pub struct Objects {
     state: State,
@@ -39,7 +29,7 @@ pub struct Objects {
     is_line_start: bool,
     begun: u64,
     bytes: Vec<u8>,
-    found: VecDeque<Piece>,
+    found: VecDeque<Record>,
 }
 
 impl Default for Objects {
@@ -67,7 +57,7 @@ impl Objects {
     }
 
     /// The next complete object.
-    pub fn next_piece(&mut self) -> Option<Piece> {
+    pub fn next_object(&mut self) -> Option<Record> {
         self.found.pop_front()
     }
 
@@ -92,7 +82,7 @@ impl Objects {
         let text = String::from_utf8_lossy(&std::mem::take(&mut self.bytes))
             .trim_end()
             .to_owned();
-        self.found.push_back(Piece {
+        self.found.push_back(Record {
             line: self.begun,
             text,
             is_whole,
@@ -176,7 +166,7 @@ mod tests {
             objects.push(bytes);
         }
         objects.finish();
-        std::iter::from_fn(|| objects.next_piece())
+        std::iter::from_fn(|| objects.next_object())
             .map(|piece| (piece.line, piece.text, piece.is_whole))
             .collect()
     }

@@ -2,14 +2,13 @@
 
 use super::export::{OF_SPIN, add_notes, launch};
 use super::flown::REFUSED;
-use super::objects::Piece;
 use super::shot::{Club, Origin, Shot, StatedOfClub, Value, of_conditions};
 use super::sizes::size;
 use super::written;
 use crate::drive::Outcome;
 use crate::error::nearest;
 use crate::parameters::Parameter;
-use crate::table::{Refusal, implausible};
+use crate::table::{Record, Refusal, implausible};
 use crate::units::Quantity;
 use serde_json::{Map, Value as Json};
 
@@ -102,12 +101,12 @@ fn suggestion(ball: &Map<String, Json>, key: &str) -> String {
 
 /// Reads the shot of a message. A message without ball data, such as a heartbeat, is refused. In a
 /// line that `fly` wrote, exactly the parameters `further` have values.
-pub(super) fn shot(piece: Piece, further: &[&'static Parameter]) -> Shot {
-    let Piece {
+pub(super) fn shot(record: Record, further: &[&'static Parameter]) -> Shot {
+    let Record {
         line,
         text,
         is_whole,
-    } = piece;
+    } = record;
     let parsed = if is_whole {
         serde_json::from_str::<Json>(&text).map_err(|error| syntax_error(&error))
     } else {

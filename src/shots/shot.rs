@@ -115,10 +115,6 @@ impl Club {
     }
 }
 
-/// Input of a flight: launch (ball speed, launch angle, launch direction, backspin, sidespin), then
-/// further parameters of the table, SI.
-pub(super) type Point = Vec<f64>;
-
 /// A row.
 #[derive(Clone, Debug)]
 pub struct Shot {
@@ -140,7 +136,9 @@ pub struct Shot {
     pub notes: Vec<String>,
     /// True if direction or spin tilt is assumed, so that lateral results are not compared.
     pub is_straight_by_assumption: bool,
-    pub(super) point: Result<Point, Refusal>,
+    /// Input of the flight: launch (ball speed, launch angle, launch direction, backspin, sidespin),
+    /// then further parameters of the table, SI.
+    pub(super) point: Result<Vec<f64>, Refusal>,
     /// True if the row has exactly one cell per column.
     pub(crate) has_cells_of_head: bool,
 }

@@ -62,7 +62,7 @@ impl SignConventions {
                 _ => false,
             };
             if is_turned {
-                *column = column.clone().turned();
+                column.is_turned = !column.is_turned;
             }
         }
     }

@@ -1,9 +1,8 @@
 //! Source of shots: an export, or messages of GSPro Open Connect.
 
-use super::head::ExportHead;
-use super::objects::{Objects, Piece};
+use super::head::Export;
+use super::objects::Objects;
 use super::open_connect;
-use super::section::{Export, Section};
 use super::shot::{LAUNCH, Shot};
 use super::written;
 use crate::batch::CHUNK;
@@ -58,35 +57,30 @@ pub(super) struct TableRows {
     remarks: Vec<Message>,
 }
 
-/// Rows of a section of an export.
-pub(super) struct Records {
+/// A section of a table: the rows below one line of column heads.
+#[derive(Clone, Debug)]
+pub struct Section {
+    /// The column heads of the section.
     pub export: Arc<Export>,
-    /// True if these rows are the first of a later section.
+    /// True if the shots of this chunk are the first of a later section.
     pub begins: bool,
+}
+
+/// A chunk of unread rows or messages.
+pub(super) struct Chunk {
+    /// The section of the table; `None` for messages.
+    section: Option<Section>,
     records: Vec<Record>,
 }
 
-/// A chunk of unread rows.
-pub(super) enum Chunk {
-    Records(Records),
-    Pieces(Vec<Piece>),
-}
-
 impl Shots {
-    /// Opens a file; "-" is standard input.
+    /// Opens a file, and reads the rows of its table that `filter` selects, by default all rows; "-"
+    /// is standard input.
     ///
     /// # Errors
-    /// The errors of [`read`](Self::read), and of opening the file.
-    pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        Self::open_rows(setup, path, RowFilter::default())
-    }
-
-    /// Opens a file and selects rows of its table.
-    ///
-    /// # Errors
-    /// The errors of [`open`](Self::open); a filter of a file that is not a table. The last row is
-    /// followed by an error if the filter selects none.
-    pub fn open_rows(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
+    /// The errors of [`read`](Self::read), and of opening the file; a filter of a file that is not a
+    /// table. The last row is followed by an error if the filter selects none.
+    pub fn open(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
         let text = if path == Path::new("-") {
             Text::open("standard input", io::stdin())?
         } else {
@@ -141,9 +135,8 @@ impl Shots {
             ..*setup
         };
         let (table, head) = TextTable::open(text, &setup, &TableOptions::LAUNCHES)?;
-        let head = ExportHead::read(&setup, head, &table)?;
-        let parameters = head.parameters(&setup)?;
-        let export = Arc::new(Export { head });
+        let export = Arc::new(Export::read(&setup, head, &table)?);
+        let parameters = export.parameters(&setup)?;
         let rows = TableRows {
             table,
             setup,
@@ -181,7 +174,7 @@ impl Shots {
     /// Maker of the export, if its column heads identify it; for JSON, the name of the format.
     pub fn maker(&self) -> Option<&'static str> {
         match &self.layout {
-            Layout::Export(export) => export.head.maker,
+            Layout::Export(export) => export.maker,
             Layout::OpenConnect if self.is_written => Some("JSON lines of longdrive fly"),
             Layout::OpenConnect => Some("GSPro Open Connect"),
         }
@@ -191,7 +184,7 @@ impl Shots {
     pub fn final_remarks(&self) -> Vec<Message> {
         match &self.rows {
             Rows::Table(rows) => {
-                let of_filter = rows.table.filter().remark();
+                let of_filter = rows.table.filter.remark();
                 rows.remarks.iter().cloned().chain(of_filter).collect()
             }
             Rows::Objects(..) => vec![],
@@ -201,7 +194,7 @@ impl Shots {
     /// Remarks on the columns.
     pub fn remarks(&self) -> &[Message] {
         match &self.layout {
-            Layout::Export(export) => &export.head.remarks,
+            Layout::Export(export) => &export.remarks,
             Layout::OpenConnect => &[],
         }
     }
@@ -213,13 +206,13 @@ impl Shots {
 
     /// True if the table has a column of this outcome.
     pub fn has(&self, of: Outcome) -> bool {
-        matches!(&self.layout, Layout::Export(export) if export.head.has(of))
+        matches!(&self.layout, Layout::Export(export) if export.has(of))
     }
 
     /// Column head of an outcome.
     pub fn name_of(&self, of: Outcome) -> String {
         match &self.layout {
-            Layout::Export(export) => export.head.name_of(of),
+            Layout::Export(export) => export.name_of(of),
             Layout::OpenConnect => of.name().into(),
         }
     }
@@ -227,7 +220,7 @@ impl Shots {
     /// Unit in which the column of an outcome is read; `None` without such a column.
     pub fn unit_of(&self, of: Outcome) -> Option<&str> {
         match &self.layout {
-            Layout::Export(export) => export.head.unit_of(of),
+            Layout::Export(export) => export.unit_of(of),
             Layout::OpenConnect => None,
         }
     }
@@ -238,9 +231,8 @@ impl Shots {
             return;
         };
         rows.is_air_given = true;
-        if Arc::make_mut(export).head.ignore_air() {
+        if Arc::make_mut(export).ignore_air() {
             rows.further = export
-                .head
                 .further
                 .iter()
                 .map(|further| further.parameter)
@@ -277,11 +269,11 @@ impl TableRows {
             return Ok(None);
         }
         let begins = std::mem::take(&mut self.is_begun);
-        Ok(Some(Chunk::Records(Records {
+        let section = Some(Section {
             export: self.export.clone(),
             begins,
-            records,
-        })))
+        });
+        Ok(Some(Chunk { section, records }))
     }
 
     /// Begins a section.
@@ -289,14 +281,14 @@ impl TableRows {
         let head = self
             .table
             .head(record, &self.setup, &TableOptions::LAUNCHES)?;
-        if head.is_like(&self.export.head.heads, self.export.head.units.as_deref()) {
+        if head.is_like(&self.export.heads, self.export.units.as_deref()) {
             return Ok(());
         }
-        let mut head = ExportHead::read(&self.setup, head, &self.table)?;
+        let mut export = Export::read(&self.setup, head, &self.table)?;
         if self.is_air_given {
-            head.ignore_air();
+            export.ignore_air();
         }
-        head.align(&self.further).map_err(|missing| {
+        export.align(&self.further).map_err(|missing| {
             let reason = format!(
                 "its head has no column of {missing}, as the first has; give the \
                                   sections the same columns, or separate files"
@@ -308,8 +300,8 @@ impl TableRows {
         let located = |remark: &Message| {
             Message::from(format!("from line {} on: ", record.line)).message(remark.clone())
         };
-        self.remarks.extend(head.remarks.iter().map(located));
-        (self.export, self.is_begun) = (Arc::new(Export { head }), true);
+        self.remarks.extend(export.remarks.iter().map(located));
+        (self.export, self.is_begun) = (Arc::new(export), true);
         Ok(())
     }
 }
@@ -320,11 +312,11 @@ impl Rows {
         match self {
             Self::Table(rows) => rows.next_rows(most),
             Self::Objects(source, objects, name) => {
-                let mut pieces = vec![];
+                let mut records = vec![];
                 let mut bytes = vec![0; PIECE];
-                while pieces.len() < most {
-                    if let Some(piece) = objects.next_piece() {
-                        pieces.push(piece);
+                while records.len() < most {
+                    if let Some(message) = objects.next_object() {
+                        records.push(message);
                         continue;
                     }
                     let read = name.io(source.read(&mut bytes))?;
@@ -336,7 +328,11 @@ impl Rows {
                         break;
                     }
                 }
-                Ok((!pieces.is_empty()).then_some(Chunk::Pieces(pieces)))
+                let chunk = Chunk {
+                    section: None,
+                    records,
+                };
+                Ok(Some(chunk).filter(|chunk| !chunk.records.is_empty()))
             }
         }
     }
@@ -346,26 +342,12 @@ impl Chunk {
     /// Reads the shots of these rows, each with values of the parameters `further`, and their
     /// section.
     pub fn shots(self, further: &[&'static Parameter]) -> (Vec<Shot>, Option<Section>) {
-        match self {
-            Self::Records(Records {
-                export,
-                begins,
-                records,
-            }) => {
-                let shots = records
-                    .into_iter()
-                    .map(|record| export.head.shot(record))
-                    .collect();
-                (shots, Some(Section { export, begins }))
-            }
-            Self::Pieces(pieces) => (
-                pieces
-                    .into_iter()
-                    .map(|piece| open_connect::shot(piece, further))
-                    .collect(),
-                None,
-            ),
-        }
+        let Self { section, records } = self;
+        let shot = |record: Record| match &section {
+            Some(section) => section.export.shot(record),
+            None => open_connect::shot(record, further),
+        };
+        (records.into_iter().map(shot).collect(), section)
     }
 }
 

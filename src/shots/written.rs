@@ -3,7 +3,7 @@
 use super::export::launch;
 use super::flown::REFUSED;
 use super::objects::Objects;
-use super::shot::{Club, Origin, Point, Shot, Value, of_conditions, within};
+use super::shot::{Club, Origin, Shot, Value, of_conditions, within};
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{Refusal, is_straight_by_assumption};
@@ -24,7 +24,7 @@ pub(super) fn begins(beginning: &str) -> bool {
     let mut objects = Objects::default();
     objects.push(beginning.as_bytes());
     let first = objects
-        .next_piece()
+        .next_object()
         .and_then(|piece| serde_json::from_str::<Json>(&piece.text).ok());
     first
         .as_ref()
@@ -36,7 +36,7 @@ pub(super) fn begins(beginning: &str) -> bool {
 pub(super) fn further(setup: &Setup<f64>, beginning: &str) -> Vec<&'static Parameter> {
     let mut objects = Objects::default();
     objects.push(beginning.as_bytes());
-    let lines = std::iter::from_fn(|| objects.next_piece());
+    let lines = std::iter::from_fn(|| objects.next_object());
     let mut lines =
         lines.filter_map(|piece| serde_json::from_str::<Map<String, Json>>(&piece.text).ok());
     let flown = lines.find(|line| {
@@ -147,7 +147,7 @@ fn point(
     shot: &mut Shot,
     message: &Map<String, Json>,
     further: &[&'static Parameter],
-) -> Result<Point, Refusal> {
+) -> Result<Vec<f64>, Refusal> {
     let own = members(message, "parameters")?;
     if let Some((name, _)) = own
         .iter()

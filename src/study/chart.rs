@@ -61,6 +61,21 @@ pub enum ChartEvent {
 }
 
 impl ChartEvent {
+    /// The change from the active set `before` to `after`.
+    pub(super) fn between(before: &[Active], after: &[Active]) -> Self {
+        let only = |these: &[Active], others: &[Active]| {
+            let these = these.iter();
+            these
+                .filter(|active| !others.contains(active))
+                .cloned()
+                .collect()
+        };
+        Self::Changed {
+            begins: only(after, before),
+            ends: only(before, after),
+        }
+    }
+
     /// Description of the event; `name` formats each bound and constraint.
     pub fn words(&self, name: impl Fn(&Active) -> String) -> String {
         match self {
@@ -477,19 +492,8 @@ impl Follower<'_> {
             next,
             is_as_before,
         );
-        let only = |these: &[Active], others: &[Active]| {
-            these
-                .iter()
-                .filter(|active| !others.contains(active))
-                .cloned()
-                .collect::<Vec<_>>()
-        };
-        let (begins, ends) = (
-            only(&after.active, &here.active),
-            only(&here.active, &after.active),
-        );
         ChartPoint {
-            event: Some(ChartEvent::Changed { begins, ends }),
+            event: Some(ChartEvent::between(&here.active, &after.active)),
             ..after
         }
     }

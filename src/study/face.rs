@@ -61,7 +61,7 @@ impl Face {
     pub fn of(setup: &Setup<f64>) -> Result<Self> {
         let half = half_of(setup);
         let [across, up] = ranges(setup, half)?;
-        let plane = Plane::fly_with_gradients(setup, &Self::OUTCOMES, across, up, NODES)?;
+        let plane = Plane::fly(setup, &Self::OUTCOMES, across, up, NODES, Order::First)?;
         let longest = plane
             .largest(0, |at| is_on(half, at))
             .ok_or_else(|| Error::NoFlight {
@@ -153,7 +153,14 @@ fn ranges(setup: &Setup<f64>, [x, y]: [f64; 2]) -> Result<[Vary; 2]> {
 /// Points on the face, with the tilt of the spin axis relative to the drive `centred`, rad.
 fn tilts(setup: &Setup<f64>, centred: &Setup<f64>, half: [f64; 2]) -> Result<Vec<([f64; 2], f64)>> {
     let [across, up] = ranges(setup, half.map(|half| TILTED * half))?;
-    let plane = Plane::fly(setup, &[Outcome::SpinAxis], across, up, ARROWS)?;
+    let plane = Plane::fly(
+        setup,
+        &[Outcome::SpinAxis],
+        across,
+        up,
+        ARROWS,
+        Order::Value,
+    )?;
     let straight = Drive::new(centred)
         .ok()
         .and_then(|drive| Outcome::SpinAxis.value(&drive))

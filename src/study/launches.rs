@@ -1,5 +1,6 @@
 use super::Vary;
 use super::plane::Plane;
+use crate::derivative::Order;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::parameters::{LaunchConditions, Setup};
@@ -105,7 +106,14 @@ impl Launches {
         };
         let across = vary("launch.launch_angle", 0, |one| one.launch_angle)?;
         let up = vary("launch.backspin", 1, |one| one.backspin)?;
-        let plane = Plane::fly_with_gradients(&setup, &[Outcome::Carry], across, up, [NODES; 2])?;
+        let plane = Plane::fly(
+            &setup,
+            &[Outcome::Carry],
+            across,
+            up,
+            [NODES; 2],
+            Order::First,
+        )?;
         if plane.values[0].iter().all(Option::is_none) {
             return Err(Error::NoFlight {
                 reason: "no flight: no launch of the map flies and lands".into(),

@@ -2,6 +2,7 @@
 
 use super::Vary;
 use super::plane::Plane;
+use crate::derivative::Order;
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
@@ -34,7 +35,7 @@ pub fn lofts(setup: &Setup<f64>, other: &Setup<f64>) -> Result<Option<Plane>> {
         Ok(steps(parameter, values, NODES[axis], LEAST_STEPS[axis]))
     };
     let (across, up) = (vary("swing.attack_angle", 0)?, vary("club.loft", 1)?);
-    let plane = Plane::fly(setup, &LOFT_OUTCOMES, across, up, NODES)?;
+    let plane = Plane::fly(setup, &LOFT_OUTCOMES, across, up, NODES, Order::Value)?;
     let flies = plane.values[0].iter().any(Option::is_some);
     Ok(Some(plane).filter(|_| flies))
 }

@@ -113,7 +113,7 @@ pub fn map(
     let gradients = Evaluator::new(setup, &[of], &wrt, Order::First)?;
     let columns = fineness.nodes;
     let ranges = [across, up];
-    let mut plane = Plane::fly_with_gradients(setup, &[of], across, up, [columns; 2])?;
+    let mut plane = Plane::fly(setup, &[of], across, up, [columns; 2], Order::First)?;
     let found = plane.values.pop().unwrap_or_default();
     let first_missing = found.iter().position(Option::is_none);
     let missing = first_missing

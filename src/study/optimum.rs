@@ -436,7 +436,7 @@ impl Study {
         let setup = self.problem.moved(&solution.x)?;
         let mut drive = None;
         let mut beyond_strokes = None;
-        let start = *self.problem.set_up();
+        let start = self.problem.set_up;
         let mut start_drive = None;
         if solution.value.is_some() {
             if self.search.scenarios.is_one_drive() {

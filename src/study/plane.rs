@@ -1,8 +1,9 @@
 use super::Vary;
 use crate::batch::{Batch, CHUNK};
+use crate::derivative::Order;
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::Setup;
 use rayon::prelude::*;
 
 /// Outcomes at the nodes of a grid over two parameters, computed as a batch.
@@ -25,8 +26,8 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// Flies a setup with two of its parameters at the nodes of a grid. The setup need not have
-    /// values for these two.
+    /// Flies a setup with two of its parameters at the nodes of a grid, with the gradients unless
+    /// `order` is [`Order::Value`]. The setup need not have values for these two.
     ///
     /// # Errors
     /// The errors of [`Batch::new`].
@@ -35,35 +36,15 @@ impl Plane {
         of: &[Outcome],
         across: Vary,
         up: Vary,
-        nodes: [usize; 2],
-    ) -> Result<Self> {
-        Self::differentiate(setup, of, across, up, nodes, &[])
-    }
-
-    /// Flies a setup as [`Plane::fly`] does, with the gradient at each node.
-    ///
-    /// # Errors
-    /// The errors of [`Batch::new`].
-    pub fn fly_with_gradients(
-        setup: &Setup<f64>,
-        of: &[Outcome],
-        across: Vary,
-        up: Vary,
-        nodes: [usize; 2],
-    ) -> Result<Self> {
-        let wrt = [across.parameter, up.parameter];
-        Self::differentiate(setup, of, across, up, nodes, &wrt)
-    }
-
-    fn differentiate(
-        setup: &Setup<f64>,
-        of: &[Outcome],
-        across: Vary,
-        up: Vary,
         [columns, rows]: [usize; 2],
-        wrt: &[&'static Parameter],
+        order: Order,
     ) -> Result<Self> {
-        let batch = Batch::new(setup, &[across.parameter, up.parameter], of, wrt)?;
+        let both = [across.parameter, up.parameter];
+        let wrt = match order {
+            Order::Value => &[][..],
+            Order::First | Order::Second => &both,
+        };
+        let batch = Batch::new(setup, &both, of, wrt)?;
         let mut plane = Self {
             across,
             up,

@@ -10,7 +10,7 @@
 use super::cancellable::{each_until, stopped, stopped_before};
 use super::goal::Goal;
 use super::search::{Search, Sense};
-use super::swings::flown::{columns, moved, no_flight};
+use super::swings::flown::{columns, no_flight};
 use super::swings::part::part_of;
 use super::swings::{Measure, Scenarios};
 use crate::batch::Batch;
@@ -29,17 +29,17 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// ([`values`](Self::values)).
 pub(super) struct SearchProblem {
     /// The setup as given.
-    set_up: Setup<f64>,
+    pub set_up: Setup<f64>,
     /// The setup with a value for every varied parameter.
     setup: Setup<f64>,
-    vary: Vec<&'static Parameter>,
+    pub vary: Vec<&'static Parameter>,
     scenarios: Scenarios,
     /// The outcomes of a drive. If `is_of_outcomes`, each goal is one of the outcomes, in order.
     of: Vec<Outcome>,
     goals: Vec<Goal>,
     /// True if every goal is an outcome of one drive.
     is_of_outcomes: bool,
-    sense: Sense,
+    pub sense: Sense,
     /// An evaluator for each scenario.
     drives: Vec<Evaluator>,
     /// Subset of the scenarios whose drives have second derivatives, in order.
@@ -113,7 +113,7 @@ impl SearchProblem {
             part_of(&scenarios)
         };
         let evaluator = |point: &Vec<f64>| {
-            let setup = moved(&begun, &scenarios.parameters, point)?;
+            let setup = begun.with_values(&scenarios.parameters, point)?;
             Evaluator::new(&setup, &of, &vary, Order::Second)
         };
         // report the error of the first scenario, independently of the threads
@@ -147,11 +147,6 @@ impl SearchProblem {
         self
     }
 
-    /// Factor that turns the objective into the minimized function: −1 or 1.
-    pub fn sign(&self) -> f64 {
-        self.sense.sign()
-    }
-
     /// Start of the search: the setup's own values of the varied parameters. A parameter without a
     /// value starts in the middle of its range.
     pub fn start(&self) -> Vec<f64> {
@@ -159,14 +154,9 @@ impl SearchProblem {
         self.vary.iter().filter_map(own).collect()
     }
 
-    /// The setup as given.
-    pub fn set_up(&self) -> &Setup<f64> {
-        &self.set_up
-    }
-
     /// The setup with the varied parameters at `x`, and with its own swing.
     pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
-        moved(&self.setup, &self.vary, x)
+        self.setup.with_values(&self.vary, x)
     }
 
     /// Evaluator of the goals' outcomes without derivatives, for a search over one drive.
@@ -478,19 +468,13 @@ impl SearchProblem {
         Ok(values)
     }
 
-    /// Goals at `x` with smoothed kinks and jumps, over the scenarios with these weights, with
-    /// derivatives to an order: the objective, then the limited goals.
+    /// Goals at `x` with smoothed kinks and jumps, with derivatives to an order: the objective, then
+    /// the limited goals.
     ///
     /// # Errors
     /// [`Error::NoFlight`] for a swing that does not fly; [`Error::NotConverged`] once `stop` is
     /// true.
-    pub fn goals_until(
-        &self,
-        x: &[f64],
-        weights: &[f64],
-        order: Order,
-        stop: &AtomicBool,
-    ) -> Result<Vec<Taylor>> {
+    pub fn goals_until(&self, x: &[f64], order: Order, stop: &AtomicBool) -> Result<Vec<Taylor>> {
         let all: Vec<usize> = (0..self.drives.len()).collect();
         let flown = self.flown(&all, x, order, stop);
         let flown = flown.map_err(|reason| match stop.load(Ordering::Relaxed) {
@@ -499,7 +483,7 @@ impl SearchProblem {
                 reason: reason.into(),
             },
         })?;
-        Ok(self.measured(x, &flown, weights, order))
+        Ok(self.measured(x, &flown, &self.scenarios.weights, order))
     }
 
     /// Share of the scenarios in which the ball ends at a distance outside of a table of strokes;
@@ -515,7 +499,7 @@ impl SearchProblem {
         let flown = columns(&self.moved(x)?, &self.of, &self.scenarios, &self.stop)?;
         let ends: Vec<_> = tables
             .iter()
-            .map(|(strokes, _)| self.columns_of(strokes.outcomes(), &flown))
+            .map(|(strokes, _)| self.columns_of(&strokes.outcomes, &flown))
             .collect();
         let is_beyond = |k: usize| {
             let mut all = tables.iter().zip(&ends);
@@ -530,17 +514,10 @@ impl SearchProblem {
         ))
     }
 
-    /// The problem over the scenarios with other weights.
-    pub fn weighted(&self, weights: Vec<f64>) -> Weighted<'_> {
-        Weighted {
-            problem: self,
-            weights,
-        }
-    }
-
-    /// Goals with exact values and gradients. The Hessians contain all products of outcome
-    /// gradients, but second derivatives only of the drives in `part`.
-    fn evaluated(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
+    /// Goals over the scenarios with these weights, with exact values and gradients. The Hessians
+    /// contain all products of outcome gradients, but second derivatives only of the drives in
+    /// `part`.
+    pub fn weighted(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
         if let ([drive], true) = (self.drives.as_slice(), self.is_of_outcomes) {
             let goals = drive.at(x).map_err(|error| error.to_string())?;
             return Ok(self.as_functions(goals));
@@ -597,18 +574,6 @@ fn refuse_distributed(search: &Search) -> Result<()> {
 
 impl Problem for SearchProblem {
     fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
-        self.evaluated(x, &self.scenarios.weights)
-    }
-}
-
-/// The problem over its scenarios with other weights.
-pub(super) struct Weighted<'a> {
-    problem: &'a SearchProblem,
-    weights: Vec<f64>,
-}
-
-impl Problem for Weighted<'_> {
-    fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
-        self.problem.evaluated(x, &self.weights)
+        self.weighted(x, &self.scenarios.weights)
     }
 }

@@ -3,6 +3,7 @@
 use super::optimum::Optimum;
 use super::plane::Plane;
 use super::{Constraint, Vary};
+use crate::derivative::Order;
 use crate::error::Result;
 
 /// Region of a map in which drives lose at most a stated amount of an optimum's outcome and meet
@@ -77,6 +78,7 @@ impl Region {
                 across,
                 up,
                 [columns; 2],
+                Order::Value,
             )?;
             Ok(Self::judged(best, value, loss, &plane))
         };

@@ -116,7 +116,7 @@ fn fly(problem: &SearchProblem, interrupt: &AtomicBool) -> Result<Option<Vec<Poi
             let constraints = values.split_off(1);
             Some(Point {
                 x: x.clone(),
-                objective: problem.sign() * values[0],
+                objective: problem.sense.sign() * values[0],
                 constraints,
             })
         }));

@@ -81,11 +81,7 @@ pub(super) fn active(
 }
 
 /// Name of the status of a search.
-pub(super) fn status_of(solution: &Solution) -> &'static str {
-    status_name(solution.status)
-}
-
-fn status_name(status: Status) -> &'static str {
+pub(super) fn status_name(status: Status) -> &'static str {
     match status {
         Status::Undefined => "no-flight",
         status => status.name(),
@@ -125,7 +121,7 @@ pub(super) fn violated(
 impl LocalOptimum {
     /// Name of the status; `no-flight` if the optimizer reports `undefined`.
     pub fn status(&self) -> &'static str {
-        status_of(&self.solution)
+        status_name(self.solution.status)
     }
 }
 
@@ -138,7 +134,7 @@ impl Optimum {
 
     /// Name of the status; `no-flight` if the optimizer reports `undefined`.
     pub fn status(&self) -> &'static str {
-        status_of(&self.solution)
+        status_name(self.solution.status)
     }
 
     /// Result of the search in a sentence, in terms of the drive or the design.

@@ -22,7 +22,7 @@ impl Column {
     /// A sentence if the cell states no density of a golf course.
     pub fn stated_air(&self, cell: &str) -> Result<f64, String> {
         let name = &self.head;
-        if self.is_weather() {
+        if self.is_weather {
             return density_in(cell)
                 .ok_or_else(|| format!("{name}: it states no altitude and temperature"));
         }

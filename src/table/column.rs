@@ -36,23 +36,23 @@ pub(crate) struct Column {
     unit: Option<String>,
     /// The parsed unit, if it matches the column's quantity.
     size: Option<Unit>,
-    format: Format,
+    pub format: Format,
     /// True for an angle of an export without a unit, which is read in degrees.
-    is_in_assumed_degrees: bool,
+    pub is_in_assumed_degrees: bool,
     /// True for a launch condition with its dotted name.
-    is_dotted_condition: bool,
+    pub is_dotted_condition: bool,
     /// True for air that the weather of the setup overrides.
-    is_of_given_air: bool,
+    pub is_of_given_air: bool,
     /// Handedness of the golfer.
     golfer: Golfer,
     /// True if each cell contains a unit.
-    has_units_in_cells: bool,
+    pub has_units_in_cells: bool,
     /// True if the unit is assumed, because the table states none.
     is_unit_assumed: bool,
     /// True if positive values are to the left.
-    is_turned: bool,
+    pub is_turned: bool,
     /// True if cells describe the weather in words, from which the air density is computed.
-    is_weather: bool,
+    pub is_weather: bool,
 }
 
 /// Format of a table.
@@ -201,11 +201,6 @@ impl Column {
         self.content == Content::Note && self.head != NOTE && !self.is_of_given_air
     }
 
-    /// True for air that the weather of the setup overrides.
-    pub fn is_of_given_air(&self) -> bool {
-        self.is_of_given_air
-    }
-
     /// True for an angle without a unit, which is read in degrees.
     pub fn is_in_assumed_degrees(&self) -> bool {
         self.is_in_assumed_degrees && self.content != Content::Note
@@ -216,19 +211,9 @@ impl Column {
         matches!(self.content, Content::Input(parameter) if parameter.is_of_strike())
     }
 
-    /// True for a launch condition with its dotted name, `launch.ball_speed`.
-    pub fn is_dotted_condition(&self) -> bool {
-        self.is_dotted_condition
-    }
-
     /// True for the status column of a sweep.
     pub fn is_status(&self) -> bool {
         self.content == Content::Written && self.head == STATUS
-    }
-
-    /// True if cells may have decimal commas.
-    pub fn has_decimal_comma(&self) -> bool {
-        self.format.has_decimal_comma
     }
 
     /// True if cells are read as numbers.
@@ -304,32 +289,6 @@ impl Column {
         Self { size, ..self }
     }
 
-    /// Sets whether numbers may have decimal commas.
-    #[must_use]
-    pub fn with_decimal_comma(mut self, has_decimal_comma: bool) -> Self {
-        self.format.has_decimal_comma = has_decimal_comma;
-        self
-    }
-
-    /// Marks the column as having a unit in each cell.
-    #[must_use]
-    pub fn with_units_in_cells(self) -> Self {
-        Self {
-            has_units_in_cells: true,
-            is_in_assumed_degrees: false,
-            ..self
-        }
-    }
-
-    /// Reverses the sign convention.
-    #[must_use]
-    pub fn turned(self) -> Self {
-        Self {
-            is_turned: !self.is_turned,
-            ..self
-        }
-    }
-
     /// Marks the column as the air of each row, described in words.
     #[must_use]
     pub fn of_weather(self, density: &'static Parameter) -> Self {
@@ -350,21 +309,11 @@ impl Column {
         }
     }
 
-    /// True if cells describe the weather in words.
-    pub fn is_weather(&self) -> bool {
-        self.is_weather
-    }
-
     /// True if a cell states its unit.
     pub fn has_unit_in(&self, cell: &str) -> bool {
         self.format.is_export
             && cell_number(cell, self.format.has_decimal_comma)
                 .is_some_and(|cell| cell.unit.is_some())
-    }
-
-    /// Physical quantity of the numbers.
-    pub fn kind(&self) -> Option<Quantity> {
-        self.quantity()
     }
 
     fn unreadable(&self, why: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Error {
@@ -374,7 +323,8 @@ impl Column {
         }
     }
 
-    fn quantity(&self) -> Option<Quantity> {
+    /// Physical quantity of the numbers.
+    pub fn quantity(&self) -> Option<Quantity> {
         match self.content {
             Content::Input(parameter) => Some(parameter.quantity),
             Content::Outcome(outcome) | Content::Sigma(outcome) => Some(outcome.quantity()),

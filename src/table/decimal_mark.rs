@@ -108,7 +108,7 @@ impl DecimalMarkCheck {
     /// # Errors
     /// A sentence if this cell, or one before it, is ambiguous.
     pub fn check(&mut self, row: u64, column: &Column, text: &str) -> Result<(), String> {
-        if !(column.has_decimal_comma() && column.is_a_number()) {
+        if !(column.format.has_decimal_comma && column.is_a_number()) {
             return Ok(());
         }
         let number = digits(text);

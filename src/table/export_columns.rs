@@ -27,7 +27,8 @@ pub(crate) fn assume_units(
     for (at, column) in columns.iter_mut().enumerate() {
         let is_unstated = column.lacks_unit() || column.is_in_assumed_degrees();
         if is_unstated && states_unit(at, column) {
-            *column = column.clone().with_units_in_cells();
+            column.has_units_in_cells = true;
+            column.is_in_assumed_degrees = false;
             continue;
         }
         if !column.lacks_unit() {
@@ -35,7 +36,7 @@ pub(crate) fn assume_units(
         }
         let Some((_, unit)) = DEFAULT_UNITS
             .iter()
-            .find(|(quantity, _)| column.kind() == Some(*quantity))
+            .find(|(quantity, _)| column.quantity() == Some(*quantity))
         else {
             continue;
         };
@@ -93,7 +94,7 @@ pub(crate) fn near_known(columns: &[Column]) -> String {
 pub(crate) fn given_air(columns: &[Column]) -> Option<String> {
     columns
         .iter()
-        .find(|column| column.is_of_given_air())
+        .find(|column| column.is_of_given_air)
         .map(|column| air_as_given(&column.head))
 }
 

@@ -66,9 +66,6 @@ pub(crate) struct Head {
     pub encoding: Option<&'static str>,
 }
 
-/// Names of columns, for messages.
-pub(crate) struct Names<'a>(pub Vec<&'a str>);
-
 impl Head {
     /// Interprets the column heads of a text table; `first` is the row below, which may contain
     /// units.
@@ -157,26 +154,13 @@ impl Head {
         self.columns.iter().any(Column::is_of_the_strike)
     }
 
-    /// True if there is a complete launch and no column of the delivery.
-    pub fn is_launched(&self) -> bool {
-        let has = |outcome| {
-            self.columns
-                .iter()
-                .any(|column| column.content == Content::Outcome(outcome))
-        };
-        let has_spin = has(Outcome::Spin) || has(Outcome::Backspin);
-        has(Outcome::BallSpeed) && has(Outcome::LaunchAngle) && has_spin && !self.has_strike()
-    }
-
     /// Column heads of the columns that satisfy `is`.
-    pub fn named(&self, is: impl Fn(&Column) -> bool) -> Names<'_> {
-        Names(
-            self.columns
-                .iter()
-                .filter(|column| is(column))
-                .map(|column| column.head.as_str())
-                .collect(),
-        )
+    pub fn named(&self, is: impl Fn(&Column) -> bool) -> Vec<&str> {
+        self.columns
+            .iter()
+            .filter(|column| is(column))
+            .map(|column| column.head.as_str())
+            .collect()
     }
 }
 
@@ -199,10 +183,10 @@ fn resolve_sweep_names(columns: &mut [Column]) {
     if !columns.iter().any(Column::is_status) {
         return;
     }
-    if columns.iter().any(Column::is_dotted_condition) {
+    if columns.iter().any(|column| column.is_dotted_condition) {
         for column in columns
             .iter_mut()
-            .filter(|column| !column.is_dotted_condition())
+            .filter(|column| !column.is_dotted_condition)
         {
             if matches!(column.content, Content::Outcome(outcome) if CONDITIONS.contains(&outcome))
             {
@@ -218,11 +202,9 @@ fn resolve_sweep_names(columns: &mut [Column]) {
     }
 }
 
-impl Names<'_> {
-    /// Message `what: a, b`; `None` without names.
-    pub fn remark(&self, what: &str) -> Option<Message> {
-        (!self.0.is_empty()).then(|| format!("{what}: {}", self.0.join(", ")).into())
-    }
+/// Message `what: a, b` on columns; `None` without columns.
+pub(crate) fn columns_remark(what: &str, names: &[&str]) -> Option<Message> {
+    (!names.is_empty()).then(|| format!("{what}: {}", names.join(", ")).into())
 }
 
 /// Errors in column heads: all unknown names, or the first other error.

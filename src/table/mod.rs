@@ -28,14 +28,15 @@ pub(crate) use decimal_mark::{DecimalMark, DecimalMarkCheck};
 #[cfg(feature = "commands")]
 pub(crate) use export_columns::ASSUMED_UNITS;
 pub(crate) use export_columns::{ClubColumns, assume_units, given_air, in_degrees, near_known};
-pub(crate) use head::{Head, TableOptions};
+pub(crate) use head::{Head, TableOptions, columns_remark};
 pub(crate) use heads::rest_of_head;
 pub(crate) use launch_monitor::{nearest_head, split_unit, words};
 pub(crate) use plausible::{
     implausible, implausible_club, implausible_launch, impossible, outside,
 };
 pub use points::open_table;
-pub(crate) use records::{Record, cells, quoted};
+pub use records::Record;
+pub(crate) use records::{cells, quoted};
 pub use refusal::Refusal;
 pub(crate) use refusal::{NonShot, NonShotRows};
 pub use row_filter::RowFilter;

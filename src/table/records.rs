@@ -13,14 +13,15 @@ const LONGEST: u64 = 1 << 20;
 /// line.
 const MOST_LINES: usize = 32;
 
-/// A record.
-#[derive(Clone, Debug)]
-pub(crate) struct Record {
+/// A row of a table, or a JSON object or other text in its place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Record {
     /// Number of the record's first line, from 1.
     pub line: u64,
+    /// The text.
     pub text: String,
-    /// A quote is not closed.
-    pub is_open: bool,
+    /// True if all quotes of a row and all braces of an object are closed.
+    pub is_whole: bool,
 }
 
 impl Record {
@@ -32,7 +33,7 @@ impl Record {
                 self.line
             )
         };
-        self.is_open.then(|| Refusal::new(Refusal::QUOTE, reason()))
+        (!self.is_whole).then(|| Refusal::new(Refusal::QUOTE, reason()))
     }
 }
 
@@ -124,7 +125,7 @@ impl Lines {
             return Ok(Some(Record {
                 line,
                 text,
-                is_open: false,
+                is_whole: true,
             }));
         }
         let first = text.clone();
@@ -137,7 +138,7 @@ impl Lines {
                 return Ok(Some(Record {
                     line,
                     text,
-                    is_open: false,
+                    is_whole: true,
                 }));
             }
         }
@@ -145,7 +146,7 @@ impl Lines {
         Ok(Some(Record {
             line,
             text: first,
-            is_open: true,
+            is_whole: false,
         }))
     }
 }
@@ -240,7 +241,7 @@ mod tests {
         let rows = |text: &'static str| {
             let mut lines = Lines::new(Box::new(text.as_bytes()), text, Encoding::Utf8);
             std::iter::from_fn(|| lines.record(b',').unwrap())
-                .map(|record| (record.line, record.text, record.is_open))
+                .map(|record| (record.line, record.text, !record.is_whole))
                 .collect::<Vec<_>>()
         };
         let row = |line, text: &str, is_open| (line, text.to_owned(), is_open);

@@ -104,7 +104,8 @@ pub(crate) struct TextTable {
     encoding: Encoding,
     /// True for exports, which may contain further lines of column heads.
     has_sections: bool,
-    filter: RowFilter,
+    /// The selection of rows, with the numbers of rows read so far.
+    pub filter: RowFilter,
 }
 
 impl TextTable {
@@ -234,11 +235,6 @@ impl TextTable {
             }
         }
         Ok(Some(Entry::Row(record)))
-    }
-
-    /// The selection of rows, with the numbers of rows read so far.
-    pub fn filter(&self) -> &RowFilter {
-        &self.filter
     }
 
     /// Pushes a record back to the front of the input.

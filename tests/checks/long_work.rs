@@ -5,7 +5,7 @@ use crate::program;
 use longdrive::number::Number;
 use longdrive::optimize::{
     Checkpoint, Domain, Evaluation, Exact, Functions, Observer, Observers, Options, Problem, Run,
-    Snapshot, Solution, Status, Values,
+    Snapshot, Solution, Status,
 };
 use longdrive::optimize::{least_squares, minimize_from, minimize_observed, starts};
 use longdrive::{Error, Setup};
@@ -18,9 +18,9 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 struct Valley;
 
 impl Functions for Valley {
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
         let objective = (x[1] - x[0] * x[0]).powi(2) * 100.0 + (-x[0] + 1.0).powi(2);
-        Ok(Values {
+        Ok(Evaluation {
             objective,
             constraints: vec![x[0] * x[0] + x[1] * x[1]],
         })

@@ -4,8 +4,8 @@ use longdrive::number::Number;
 use longdrive::optimize::least_squares::{self, Rows, fit};
 use longdrive::optimize::sensitivity::response;
 use longdrive::optimize::{
-    Checkpoint, Domain, Exact, Functions, Observer, Observers, Options, Problem, Run, Snapshot,
-    Status, Values, minimize, minimize_from, minimize_observed, starts,
+    Checkpoint, Domain, Evaluation, Exact, Functions, Observer, Observers, Options, Problem, Run,
+    Snapshot, Status, minimize, minimize_from, minimize_observed, starts,
 };
 use serde_json::Value;
 use std::sync::atomic::Ordering;
@@ -15,12 +15,12 @@ use std::sync::{Arc, Mutex};
 struct Valley;
 
 impl Functions for Valley {
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
         let steps = x
             .windows(2)
             .map(|pair| (pair[1] - pair[0].powi(2)).powi(2) * 100.0 + (-pair[0] + 1.0).powi(2));
         let square = x.iter().fold(T::zero(), |sum, x| sum + x.powi(2));
-        Ok(Values {
+        Ok(Evaluation {
             objective: steps.fold(T::zero(), |sum, step| sum + step),
             constraints: vec![square],
         })

@@ -3,7 +3,9 @@
 use crate::common::close;
 use longdrive::number::Number;
 use longdrive::optimize::front::{Front, FrontError, FrontEvent, front};
-use longdrive::optimize::{Domain, Exact, Functions, Observers, Options, Problem, Status, Values};
+use longdrive::optimize::{
+    Domain, Evaluation, Exact, Functions, Observers, Options, Problem, Status,
+};
 use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -12,9 +14,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 struct Distances;
 
 impl Functions for Distances {
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
         let first = x[0].powi(2) + x[1].powi(2);
-        Ok(Values {
+        Ok(Evaluation {
             objective: first,
             constraints: vec![(x[0] - 2.0).powi(2) + (x[1] - 1.0).powi(2)],
         })
@@ -25,8 +27,8 @@ impl Functions for Distances {
 struct Blind;
 
 impl Functions for Blind {
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
-        Ok(Values {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
+        Ok(Evaluation {
             objective: x[0].powi(2) + (x[1] - 3.0).powi(2),
             constraints: vec![(x[0] - 1.0).powi(2)],
         })
@@ -38,9 +40,9 @@ impl Functions for Blind {
 struct Hollow;
 
 impl Functions for Hollow {
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
         let at = |p: f64| -(-((x[0] - p).powi(2) + (x[1] - p).powi(2))).exp() + 1.0;
-        Ok(Values {
+        Ok(Evaluation {
             objective: at(0.5_f64.sqrt()),
             constraints: vec![at(-0.5_f64.sqrt())],
         })
@@ -51,8 +53,8 @@ impl Functions for Hollow {
 struct Straight;
 
 impl Functions for Straight {
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
-        Ok(Values {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
+        Ok(Evaluation {
             objective: x[0] + x[1],
             constraints: vec![-x[0]],
         })
@@ -63,8 +65,8 @@ impl Functions for Straight {
 struct Corner;
 
 impl Functions for Corner {
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
-        Ok(Values {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
+        Ok(Evaluation {
             objective: x[0].powi(2) + x[1].powi(2) * 2.0,
             constraints: vec![-x[0] - x[1]],
         })
@@ -305,9 +307,9 @@ fn concave_and_straight_fronts_have_no_knee() {
 fn no_front_if_one_point_is_best_for_both_goals() {
     struct Both;
     impl Functions for Both {
-        fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+        fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
             let first = (x[0] - 1.0).powi(2) + x[1].powi(2);
-            Ok(Values {
+            Ok(Evaluation {
                 objective: first,
                 constraints: vec![first * 2.0 + 1.0],
             })

@@ -6,6 +6,7 @@ use crate::shots::flown;
 use longdrive::report::{ShotFormat, ShotWriter};
 use longdrive::shots::{Flown, ShotStatistics, Shots};
 use longdrive::study::calibrate::ShotTable;
+use longdrive::table::RowFilter;
 use longdrive::units::System;
 use longdrive::{Outcome, Setup};
 use std::io::Cursor;
@@ -353,14 +354,21 @@ fn every_shot_is_explained_by_its_stated_values() {
     ] {
         let file = format!("{}/data/cases/{name}", env!("CARGO_MANIFEST_DIR"));
         let setup = Setup::default();
-        let table = ShotTable::open_launches(&setup, std::path::Path::new(&file)).unwrap();
+        let table =
+            ShotTable::open_launches(&setup, std::path::Path::new(&file), RowFilter::default())
+                .unwrap();
         assert_eq!(table.shots.len(), rows, "{name}");
     }
     let file = format!(
         "{}/data/cases/blank-club-path.csv",
         env!("CARGO_MANIFEST_DIR")
     );
-    let table = ShotTable::open_launches(&Setup::default(), std::path::Path::new(&file)).unwrap();
+    let table = ShotTable::open_launches(
+        &Setup::default(),
+        std::path::Path::new(&file),
+        RowFilter::default(),
+    )
+    .unwrap();
     let told: Vec<String> = table.remarks.iter().map(ToString::to_string).collect();
     let says = "Club Path: not stated; the prior is used in its place: row 2, row 3, row 4";
     assert!(told.iter().any(|told| told == says), "{told:?}");
@@ -552,7 +560,8 @@ fn same_shots_with_a_club_of_zeros_and_without_one() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
         std::fs::write(&path, text(club)).unwrap();
-        let table = ShotTable::open_launches(&Setup::default(), &path).unwrap();
+        let table =
+            ShotTable::open_launches(&Setup::default(), &path, RowFilter::default()).unwrap();
         table
             .shots
             .iter()

@@ -4,6 +4,7 @@
 use crate::command_line::{json, longdrive, number};
 use longdrive::Setup;
 use longdrive::study::calibrate::ShotTable;
+use longdrive::table::RowFilter;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -584,7 +585,9 @@ fn json_lines_of_fly_have_all_measured_values() {
     let folder = tempfile::tempdir().unwrap();
     let lines = folder.path().join("flown.jsonl").display().to_string();
     assert_eq!(longdrive(&["fly", sample, "-o", &lines]).status, 0);
-    let open = |file: &str| ShotTable::open(&Setup::default(), Path::new(file)).unwrap();
+    let open = |file: &str| {
+        ShotTable::open(&Setup::default(), Path::new(file), RowFilter::default()).unwrap()
+    };
     let (table, again) = (open(sample), open(&lines));
     assert_eq!((table.residuals(), again.residuals()), (48, 48));
     for (shot, other) in table.shots.iter().zip(&again.shots) {

@@ -4,6 +4,7 @@
 use crate::command_line::json;
 use crate::shots::flown;
 use longdrive::study::calibrate::ShotTable;
+use longdrive::table::RowFilter;
 use longdrive::{Outcome, Setup};
 use std::fs;
 use std::io::Cursor;
@@ -68,12 +69,15 @@ fn calibrate_and_delivery_omit_the_rows_that_fly_refuses() {
     assert_eq!(rows(&table), flies);
     let folder = tempfile::tempdir().unwrap();
     let file = place(folder.path(), "shots.csv", &text);
-    let launches = ShotTable::open_launches(&Setup::default(), Path::new(&file)).unwrap();
+    let launches =
+        ShotTable::open_launches(&Setup::default(), Path::new(&file), RowFilter::default())
+            .unwrap();
     let with_club = text
         .replace("Side [yd]\n", "Side [yd],Club Speed [mph]\n")
         .replace(",5\n", ",5,103\n");
     let file = place(folder.path(), "club.csv", &with_club);
-    let clubs = ShotTable::open_launches(&Setup::default(), Path::new(&file)).unwrap();
+    let clubs = ShotTable::open_launches(&Setup::default(), Path::new(&file), RowFilter::default())
+        .unwrap();
     for (table, of) in [
         (&table, "calibrate"),
         (&launches, "delivery"),
@@ -109,7 +113,9 @@ fn delivery_omits_the_incomplete_launches_that_fly_refuses() {
         .replace(",5\n", ",5,103\n");
     for (name, text) in [("shots.csv", &text), ("club.csv", &with_club)] {
         let file = place(folder.path(), name, text);
-        let table = ShotTable::open_launches(&Setup::default(), Path::new(&file)).unwrap();
+        let table =
+            ShotTable::open_launches(&Setup::default(), Path::new(&file), RowFilter::default())
+                .unwrap();
         assert_eq!(rows(&table), flies, "{name}");
         let told = "rows left out, since they lack a value that every shot needs: row 2 (Ball \
                     Speed), row 4 (Launch Angle), row 6 (Total Spin)";
@@ -125,7 +131,8 @@ fn delivery_omits_the_incomplete_launches_that_fly_refuses() {
         "slow.csv",
         "Ball Speed [mph],Launch Angle [deg],Club Speed [mph]\n150,12,103\n150,,103\n",
     );
-    let table = ShotTable::open_launches(&Setup::default(), Path::new(&file)).unwrap();
+    let table = ShotTable::open_launches(&Setup::default(), Path::new(&file), RowFilter::default())
+        .unwrap();
     assert_eq!(rows(&table), [1, 2]);
 }
 
@@ -245,7 +252,7 @@ fn no_spin_and_topspin_are_out_of_range_in_every_format() {
 #[test]
 fn exports_without_units_are_read_as_in_fly() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/data/shots/rapsodo.csv");
-    let table = ShotTable::open(&Setup::default(), Path::new(file)).unwrap();
+    let table = ShotTable::open(&Setup::default(), Path::new(file), RowFilter::default()).unwrap();
     let with_units = read(
         "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis \
          [deg],Apex [ft],Carry Distance [yd],\

@@ -3,7 +3,7 @@
 
 use longdrive::number::Number;
 use longdrive::optimize::{
-    Domain, Exact, Functions, Gradients, Options, Problem, Solution, Status, Values, minimize,
+    Domain, Evaluation, Exact, Functions, Gradients, Options, Problem, Solution, Status, minimize,
 };
 
 const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -46,8 +46,8 @@ fn converged(found: &Solution, value: f64, tolerance: f64) {
     );
 }
 
-fn plain<T>(objective: T) -> Result<Values<T>, String> {
-    Ok(Values {
+fn plain<T>(objective: T) -> Result<Evaluation<T>, String> {
+    Ok(Evaluation {
         objective,
         constraints: vec![],
     })
@@ -57,7 +57,7 @@ fn plain<T>(objective: T) -> Result<Values<T>, String> {
 struct DoubleWell;
 
 impl Functions for DoubleWell {
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
         plain(x[0].powi(4) - x[0].powi(2))
     }
 }
@@ -91,10 +91,10 @@ fn without_second_derivatives_a_stationary_point_is_reported_as_not_examined() {
 struct Exponential;
 
 impl Functions for Exponential {
-    fn evaluate<T: Number>(&self, v: &[T]) -> Result<Values<T>, String> {
+    fn evaluate<T: Number>(&self, v: &[T]) -> Result<Evaluation<T>, String> {
         let (x, y) = (v[0], v[1]);
         let polynomial = x * x * 4.0 + y * y * 2.0 + x * y * 4.0 + y * 2.0 + 1.0;
-        Ok(Values {
+        Ok(Evaluation {
             objective: x.exp() * polynomial,
             constraints: vec![x * x + y, x * y],
         })
@@ -105,8 +105,8 @@ impl Functions for Exponential {
 struct Parabola;
 
 impl Functions for Parabola {
-    fn evaluate<T: Number>(&self, v: &[T]) -> Result<Values<T>, String> {
-        Ok(Values {
+    fn evaluate<T: Number>(&self, v: &[T]) -> Result<Evaluation<T>, String> {
+        Ok(Evaluation {
             objective: v[0],
             constraints: vec![v[0] * v[0] + v[1]],
         })
@@ -149,9 +149,9 @@ fn exact_minima_beyond_a_point_where_a_constraint_touches_a_bound() {
 struct Profit;
 
 impl Functions for Profit {
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
         let amount = x[1] + x[2] + x[3] - 175_000.0;
-        Ok(Values {
+        Ok(Evaluation {
             objective: -(amount * (x[0] * x[0] + x[0] * 3.0 + 3.0)) * 0.7,
             constraints: x.to_vec(),
         })
@@ -162,8 +162,8 @@ impl Functions for Profit {
 struct Product;
 
 impl Functions for Product {
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
-        Ok(Values {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
+        Ok(Evaluation {
             objective: -(x[0] * x[1]),
             constraints: x.to_vec(),
         })
@@ -174,8 +174,8 @@ impl Functions for Product {
 struct Disc;
 
 impl Functions for Disc {
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
-        Ok(Values {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
+        Ok(Evaluation {
             objective: -(x[0] + x[1]),
             constraints: vec![x[0] * x[0] + x[1] * x[1]],
         })
@@ -213,8 +213,8 @@ fn exact_optima_that_lie_far_from_the_start() {
 struct Twice;
 
 impl Functions for Twice {
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
-        Ok(Values {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
+        Ok(Evaluation {
             objective: x[0] * x[0],
             constraints: vec![x[0], x[0]],
         })
@@ -251,7 +251,7 @@ fn contradictions_by_very_little_are_infeasible_in_few_iterations() {
 struct WithConstant(f64);
 
 impl Functions for WithConstant {
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
         plain((x[0] - 3.0).powi(2) + self.0)
     }
 }
@@ -278,7 +278,7 @@ const COVARIANCE: [[f64; 5]; 5] = [
 ];
 
 impl Functions for Portfolio {
-    fn evaluate<T: Number>(&self, w: &[T]) -> Result<Values<T>, String> {
+    fn evaluate<T: Number>(&self, w: &[T]) -> Result<Evaluation<T>, String> {
         let zero = w[0] * 0.0;
         let dot = |weights: &[f64; 5]| {
             w.iter()
@@ -289,7 +289,7 @@ impl Functions for Portfolio {
             .iter()
             .zip(&COVARIANCE)
             .fold(zero, |sum, (w, row)| sum + *w * dot(row));
-        Ok(Values {
+        Ok(Evaluation {
             objective: variance.sqrt(),
             constraints: vec![dot(&[1.0; 5]), dot(&RETURNS)],
         })
@@ -324,7 +324,7 @@ fn larger<T: Number>(a: T, b: T) -> T {
 struct Paraboloids;
 
 impl Functions for Paraboloids {
-    fn evaluate<T: Number>(&self, v: &[T]) -> Result<Values<T>, String> {
+    fn evaluate<T: Number>(&self, v: &[T]) -> Result<Evaluation<T>, String> {
         let (x, y) = (v[0], v[1]);
         plain(larger(
             (x - 1.0).powi(2) + y.powi(2),
@@ -337,7 +337,7 @@ impl Functions for Paraboloids {
 struct Valley;
 
 impl Functions for Valley {
-    fn evaluate<T: Number>(&self, v: &[T]) -> Result<Values<T>, String> {
+    fn evaluate<T: Number>(&self, v: &[T]) -> Result<Evaluation<T>, String> {
         plain(larger(v[0] - v[1], v[1] - v[0]) + (v[0] + v[1] - 1.0).powi(2))
     }
 }
@@ -371,14 +371,14 @@ struct GreatestLoss {
 }
 
 impl Functions for GreatestLoss {
-    fn evaluate<T: Number>(&self, v: &[T]) -> Result<Values<T>, String> {
+    fn evaluate<T: Number>(&self, v: &[T]) -> Result<Evaluation<T>, String> {
         let (loft, attack, greatest) = (v[0], v[1], v[2]);
         let loss = |(best, slope): (&f64, &f64)| {
             let carry = (loft - *best).powi(2) * self.curvature - (attack - 0.087) * *slope + 275.0;
             carry - greatest - 275.0
         };
         let constraints = self.bests.iter().zip(&self.slopes).map(loss).collect();
-        Ok(Values {
+        Ok(Evaluation {
             objective: greatest,
             constraints,
         })

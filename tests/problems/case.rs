@@ -33,9 +33,9 @@ macro_rules! problems {
             fn evaluate<T: ::longdrive::number::Number>(
                 &self,
                 $x: &[T],
-            ) -> Result<::longdrive::optimize::Values<T>, String> {
+            ) -> Result<::longdrive::optimize::Evaluation<T>, String> {
                 let (objective, constraints): (T, Vec<T>) = $body;
-                Ok(::longdrive::optimize::Values { objective, constraints })
+                Ok(::longdrive::optimize::Evaluation { objective, constraints })
             }
         })+
 

@@ -132,8 +132,8 @@ fn serve(
             Err(error) if error.kind() == ErrorKind::Interrupted => true,
             Err(error) => return Err(error),
         };
-        while let Some(piece) = objects.next_piece() {
-            let flown = flying.message(piece);
+        while let Some(message) = objects.next_object() {
+            let flown = flying.message(message);
             let of = match flown.status(0) {
                 Some(Status::Landed) => &counts.flown,
                 Some(_) => &counts.others,

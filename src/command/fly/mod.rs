@@ -128,7 +128,7 @@ fn read_shots(
     request: &Request,
     setup: &Setup<f64>,
 ) -> Result<Shots> {
-    let mut shots = Shots::open_rows(setup, file, filter)?;
+    let mut shots = Shots::open(setup, file, filter)?;
     if request.gives_air() {
         shots.in_given_air();
     }

@@ -1,7 +1,7 @@
 //! Compromises of a front, and the step from one to the next.
 
-use super::combined::Combined;
-use super::context::{FrontContext, with_limit};
+use super::context::{Combined, FrontContext, with_limit};
+use super::result::FrontEvent;
 use crate::error::{Error, Result};
 use crate::number::Taylor;
 use crate::optimize::continuation::predicted;
@@ -27,7 +27,15 @@ pub(super) struct Compromise {
     /// dx/ds; zeros if unknown, so that the predictor returns the same point.
     pub rates: Vec<f64>,
     pub active_set: ActiveSet,
+    /// Event on the traced path.
+    pub event: Option<FrontEvent>,
     pub derivatives: Option<(Solution, Response)>,
+}
+
+impl Compromise {
+    pub fn is_jump(&self) -> bool {
+        self.event == Some(FrontEvent::Jump)
+    }
 }
 
 /// Plane of the two functions, each scaled to 0 at its own minimum and to 1 at the other function's
@@ -62,6 +70,7 @@ impl Plane<'_> {
             slope: None,
             rates: vec![0.0; end.x.len()],
             active_set: self.active_set(&end),
+            event: None,
             derivatives: None,
         };
         // a corrector search at this end gives the front's derivatives
@@ -131,6 +140,7 @@ impl Plane<'_> {
                 |response| response.x.clone(),
             ),
             active_set,
+            event: None,
             derivatives: response.map(|response| (solution, response)),
         })
     }

@@ -7,7 +7,6 @@
 //! The ε-constraint method, a bound ε on b, finds the same points, but dx/dε is infinite at an end
 //! in the interior of the bounds; dx/ds is not.
 
-mod combined;
 mod compromise;
 mod context;
 mod result;
@@ -65,8 +64,9 @@ pub fn front(
     let isolated = context
         .isolated_minimum(0, first, values)
         .and_then(|first| {
-            let ends = [first, context.isolated_minimum(1, second, values)?];
-            Ok((context.ends(&ends)?, ends))
+            let second = context.isolated_minimum(1, second, values)?;
+            let values = [context.values(&first.x)?, context.values(&second.x)?];
+            Ok((values, [first, second]))
         });
     let (values, ends) = match isolated {
         Err(_) if context.is_interrupted() => {

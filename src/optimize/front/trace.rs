@@ -17,26 +17,9 @@ const NO_COMPROMISE: &str = "no compromise was found in a part of the front";
 /// A point is a kink of the front if the slopes on its two sides differ by more than this fraction.
 const KINK: f64 = 1e-3;
 
-/// A compromise on the traced path, with its event.
-#[derive(Clone)]
-struct PathPoint {
-    place: Compromise,
-    event: Option<FrontEvent>,
-}
-
-impl PathPoint {
-    fn new(place: Compromise) -> Self {
-        Self { place, event: None }
-    }
-
-    fn is_jump(&self) -> bool {
-        self.event == Some(FrontEvent::Jump)
-    }
-}
-
 /// A traced path, and the reason if a part of it is missing.
 struct Path {
-    points: Vec<PathPoint>,
+    points: Vec<Compromise>,
     ended: Option<String>,
 }
 
@@ -80,13 +63,13 @@ pub(super) fn trace_front(
     }
     let smallest_sum = smallest_sum(&path, knee.as_ref());
     let knee_at = knee.as_ref().map(|knee| knee.at);
-    points.extend(knee.map(PathPoint::new));
-    points.sort_by(|a, b| a.place.at.total_cmp(&b.place.at));
+    points.extend(knee);
+    points.sort_by(|a, b| a.at.total_cmp(&b.at));
     let (points, dominated) = nondominated(points, &path, plane.span);
     let knee = knee_at.and_then(|at| {
         points
             .iter()
-            .position(|point| (point.place.at - at).abs() <= 2.0 * LOCATED)
+            .position(|point| (point.at - at).abs() <= 2.0 * LOCATED)
     });
     Ok(Front {
         points: points
@@ -102,16 +85,15 @@ pub(super) fn trace_front(
 }
 
 /// Smallest a + b of a path and its knee, at most 1.
-fn smallest_sum(path: &[PathPoint], knee: Option<&Compromise>) -> f64 {
+fn smallest_sum(path: &[Compromise], knee: Option<&Compromise>) -> f64 {
     path.iter()
-        .map(|point| &point.place)
         .chain(knee)
         .fold(1.0, |least, place| f64::min(least, place.sum))
 }
 
 /// Converts a compromise to a point of the front. An end takes its active set from the minimisation
 /// of a single function: in the search for a compromise its multipliers vanish.
-fn front_point(point: PathPoint, end_active_sets: &[ActiveSet; 2]) -> FrontPoint {
+fn front_point(point: Compromise, end_active_sets: &[ActiveSet; 2]) -> FrontPoint {
     let Compromise {
         at,
         x,
@@ -119,8 +101,9 @@ fn front_point(point: PathPoint, end_active_sets: &[ActiveSet; 2]) -> FrontPoint
         slope,
         rates,
         active_set,
+        event,
         ..
-    } = point.place;
+    } = point;
     let active_set = match at {
         _ if at <= -1.0 => end_active_sets[0].clone(),
         _ if at >= 1.0 => end_active_sets[1].clone(),
@@ -132,7 +115,7 @@ fn front_point(point: PathPoint, end_active_sets: &[ActiveSet; 2]) -> FrontPoint
         slope,
         rates,
         active_set,
-        event: point.event,
+        event,
     }
 }
 
@@ -141,19 +124,16 @@ fn front_point(point: PathPoint, end_active_sets: &[ActiveSet; 2]) -> FrontPoint
 fn trace_from_both_ends(plane: &Plane<'_>, first: Compromise, second: Compromise) -> Path {
     let context = plane.context;
     let mut path = trace(plane, first, 1.0);
-    let reaches_second = path.points.last().is_some_and(|PathPoint { place, .. }| {
+    let reaches_second = path.points.last().is_some_and(|place| {
         context.distance(&place.x, &second.x) <= TOO_FAR && place.at >= 1.0 - STRAIGHT
     });
     if reaches_second {
         // replace the traced end by the result of the second function's minimisation
         let event = path
             .points
-            .pop_if(|point| point.place.at >= 1.0)
+            .pop_if(|point| point.at >= 1.0)
             .and_then(|point| point.event);
-        path.points.push(PathPoint {
-            place: second,
-            event,
-        });
+        path.points.push(Compromise { event, ..second });
         path.ended = None;
         return path;
     }
@@ -166,7 +146,7 @@ fn trace_from_both_ends(plane: &Plane<'_>, first: Compromise, second: Compromise
         .points
         .last()
         .zip(back.first())
-        .is_some_and(|(last, first)| last.place.at >= first.place.at);
+        .is_some_and(|(last, first)| last.at >= first.at);
     if is_connected {
         path.ended = None;
     }
@@ -175,16 +155,16 @@ fn trace_from_both_ends(plane: &Plane<'_>, first: Compromise, second: Compromise
 }
 
 /// Joins two branches of a front, and keeps the better branch where they overlap.
-fn join_branches(mut path: Vec<PathPoint>, mut back: Vec<PathPoint>) -> Vec<PathPoint> {
+fn join_branches(mut path: Vec<Compromise>, mut back: Vec<Compromise>) -> Vec<Compromise> {
     let (whole_path, whole_back) = (path.clone(), back.clone());
-    path.retain(|point| !is_worse_than_branch(&point.place, &whole_back));
-    back.retain(|point| !is_worse_than_branch(&point.place, &whole_path));
-    let mut all: Vec<(PathPoint, bool)> = path
+    path.retain(|point| !is_worse_than_branch(point, &whole_back));
+    back.retain(|point| !is_worse_than_branch(point, &whole_path));
+    let mut all: Vec<(Compromise, bool)> = path
         .into_iter()
         .map(|point| (point, false))
         .chain(back.into_iter().map(|point| (point, true)))
         .collect();
-    all.sort_by(|(a, _), (b, _)| a.place.at.total_cmp(&b.place.at));
+    all.sort_by(|(a, _), (b, _)| a.at.total_cmp(&b.at));
     let mut previous_branch = None;
     let mut joined = vec![];
     for (mut point, branch) in all {
@@ -198,10 +178,10 @@ fn join_branches(mut path: Vec<PathPoint>, mut back: Vec<PathPoint>) -> Vec<Path
 }
 
 /// True if a + b of a compromise is larger than the linear interpolation of a branch.
-fn is_worse_than_branch(place: &Compromise, branch: &[PathPoint]) -> bool {
+fn is_worse_than_branch(place: &Compromise, branch: &[Compromise]) -> bool {
     branch
         .windows(2)
-        .map(|pair| (&pair[0].place, &pair[1].place))
+        .map(|pair| (&pair[0], &pair[1]))
         .find(|(before, after)| (before.at..=after.at).contains(&place.at))
         .is_some_and(|(before, after)| {
             let part = (place.at - before.at) / (after.at - before.at);
@@ -211,7 +191,7 @@ fn is_worse_than_branch(place: &Compromise, branch: &[PathPoint]) -> bool {
 
 /// Traces the front towards s = `end` (−1 or 1).
 fn trace(plane: &Plane<'_>, from: Compromise, end: f64) -> Path {
-    let mut points = vec![PathPoint::new(from)];
+    let mut points = vec![from];
     let mut step = AdaptiveStep::new(2.0);
     let ended_for = |points, reason: String| Path {
         points,
@@ -219,7 +199,7 @@ fn trace(plane: &Plane<'_>, from: Compromise, end: f64) -> Path {
     };
     // s in the direction of the trace, which rises from −1 to 1
     let travelled = |place: &Compromise| end * place.at;
-    while let Some(here) = points.last().map(|point| point.place.clone())
+    while let Some(here) = points.last().cloned()
         && travelled(&here) < 1.0
         && !plane.context.is_interrupted()
     {
@@ -237,7 +217,7 @@ fn trace(plane: &Plane<'_>, from: Compromise, end: f64) -> Path {
         }
         step.adapt(distance);
         if next.active_set == here.active_set {
-            points.push(PathPoint::new(next));
+            points.push(next);
         } else {
             points.extend(locate_event(plane, &here, next, end));
         }
@@ -256,7 +236,7 @@ fn locate_event(
     here: &Compromise,
     next: Compromise,
     end: f64,
-) -> Vec<PathPoint> {
+) -> Vec<Compromise> {
     let travelled = |place: &Compromise| end * place.at;
     let compromise_at = |before: &Compromise, at: f64| Some(plane.next(before, end * at).ok()?.0);
     let mut place = locate_change(
@@ -272,7 +252,7 @@ fn locate_event(
     // at the end of the front the slope has one side, and nothing follows the change
     if travelled(&place) >= 1.0 {
         place.slope = slope_before;
-        return vec![PathPoint::new(place)];
+        return vec![place];
     }
     // a kink of the front has no unique slope
     let differ = |a: f64, b: f64| (a - b).abs() > KINK * a.abs().max(b.abs());
@@ -283,36 +263,31 @@ fn locate_event(
         .map(|(after, _)| after);
     let changed_from = |before: ActiveSet| Some(FrontEvent::Changed { before });
     if end > 0.0 {
-        return vec![PathPoint {
-            place,
+        return vec![Compromise {
             event: changed_from(here.active_set.clone()),
+            ..place
         }];
     }
     // tracing backwards: seen from the first end, the active set of `here` begins at this point
     let seen_from_first_end = Compromise {
         active_set: here.active_set.clone(),
+        event: changed_from(place.active_set.clone()),
         ..place.clone()
     };
-    vec![
-        PathPoint {
-            place: seen_from_first_end,
-            event: changed_from(place.active_set.clone()),
-        },
-        PathPoint::new(place),
-    ]
+    vec![seen_from_first_end, place]
 }
 
 /// Points at equal distances along a path in the plane of the two functions, with its ends and its
 /// events.
-fn spread_evenly(plane: &Plane<'_>, path: &[PathPoint], count: usize) -> Vec<PathPoint> {
+fn spread_evenly(plane: &Plane<'_>, path: &[Compromise], count: usize) -> Vec<Compromise> {
     let lengths = path_lengths(path);
     let last = path.len() - 1;
     // keep the ends, the events, and the last point before another branch
     let is_kept = |i: usize| {
-        let precedes_jump = path.get(i + 1).is_some_and(PathPoint::is_jump);
+        let precedes_jump = path.get(i + 1).is_some_and(Compromise::is_jump);
         i == 0 || i == last || precedes_jump || path[i].event.is_some()
     };
-    let mut points: Vec<PathPoint> = (0..path.len())
+    let mut points: Vec<Compromise> = (0..path.len())
         .filter(|i| is_kept(*i))
         .map(|i| path[i].clone())
         .collect();
@@ -328,38 +303,35 @@ fn spread_evenly(plane: &Plane<'_>, path: &[PathPoint], count: usize) -> Vec<Pat
             continue;
         };
         let part = (length - lengths[after - 1]) / (lengths[after] - lengths[after - 1]);
-        let to = before.place.at + part * (behind.place.at - before.place.at);
+        let to = before.at + part * (behind.at - before.at);
         // start from the nearer neighbour, and from both across a jump
         let starts = [(before, part <= 0.5), (behind, part > 0.5)];
         let found = starts
             .into_iter()
             .filter(|(_, is_nearer)| *is_nearer || behind.is_jump())
-            .filter_map(|(start, _)| plane.next(&start.place, to).ok())
+            .filter_map(|(start, _)| plane.next(start, to).ok())
             .map(|(place, _)| place)
             .min_by(|a, b| a.sum.total_cmp(&b.sum));
-        points.extend(found.map(PathPoint::new));
+        points.extend(found);
     }
     points
 }
 
 /// Length of the path up to each of its points, in the plane of the two functions.
-fn path_lengths(path: &[PathPoint]) -> Vec<f64> {
+fn path_lengths(path: &[Compromise]) -> Vec<f64> {
     let in_plane =
         |place: &Compromise| [0.5 * (place.sum + place.at), 0.5 * (place.sum - place.at)];
     let mut lengths = vec![0.0];
     for pair in path.windows(2) {
-        let [from, to] = [in_plane(&pair[0].place), in_plane(&pair[1].place)];
+        let [from, to] = [in_plane(&pair[0]), in_plane(&pair[1])];
         lengths.push(lengths[lengths.len() - 1] + (to[0] - from[0]).hypot(to[1] - from[1]));
     }
     lengths
 }
 
 /// Knee of the front, if it has one.
-fn find_knee(plane: &Plane<'_>, path: &[PathPoint]) -> Option<Compromise> {
-    let nearest = path
-        .iter()
-        .map(|point| &point.place)
-        .min_by(|a, b| a.sum.total_cmp(&b.sum))?;
+fn find_knee(plane: &Plane<'_>, path: &[Compromise]) -> Option<Compromise> {
+    let nearest = path.iter().min_by(|a, b| a.sum.total_cmp(&b.sum))?;
     if nearest.at.abs() >= 1.0 || 0.5 * (1.0 - nearest.sum) < STRAIGHT {
         return None;
     }
@@ -367,19 +339,24 @@ fn find_knee(plane: &Plane<'_>, path: &[PathPoint]) -> Option<Compromise> {
         .knee(nearest)
         .ok()
         .filter(|knee| knee.sum <= nearest.sum + SAME)
-        .or_else(|| Some(nearest.clone()))
+        .or_else(|| {
+            Some(Compromise {
+                event: None,
+                ..nearest.clone()
+            })
+        })
 }
 
 /// Removes duplicates, and points that another point of `points` or `path` dominates. Also returns
 /// the number of dominated points.
 fn nondominated(
-    points: Vec<PathPoint>,
-    path: &[PathPoint],
+    points: Vec<Compromise>,
+    path: &[Compromise],
     span: [f64; 2],
-) -> (Vec<PathPoint>, usize) {
+) -> (Vec<Compromise>, usize) {
     let dominates =
         |a: &Compromise, b: &Compromise| (0..2).all(|k| a.values[k] < b.values[k] - SAME * span[k]);
-    let mut kept: Vec<PathPoint> = vec![];
+    let mut kept: Vec<Compromise> = vec![];
     let mut dominated = 0;
     let mut follows_jump = false;
     for point in &points {
@@ -387,7 +364,7 @@ fn nondominated(
         let is_dominated = points
             .iter()
             .chain(path)
-            .any(|other| dominates(&other.place, &point.place));
+            .any(|other| dominates(other, point));
         if is_dominated {
             dominated += 1;
             continue;
@@ -398,11 +375,11 @@ fn nondominated(
         }
         let duplicate = kept
             .last_mut()
-            .filter(|last| (last.place.at - point.place.at).abs() <= 2.0 * LOCATED);
+            .filter(|last| (last.at - point.at).abs() <= 2.0 * LOCATED);
         match duplicate {
             // prefer the result of a single function's minimisation at an end
-            Some(last) if point.place.at >= 1.0 => *last = point,
-            Some(last) if point.event.is_some() && last.place.at > -1.0 => *last = point,
+            Some(last) if point.at >= 1.0 => *last = point,
+            Some(last) if point.event.is_some() && last.at > -1.0 => *last = point,
             Some(_) => {}
             None => kept.push(point),
         }

@@ -163,7 +163,7 @@ fn check_between_nodes(
     nodes: &Nodes,
 ) -> Result<(), Fault> {
     let [wide, high] = [columns, rows].map(|count| count.saturating_sub(1).max(1));
-    for (i, cell) in surface.cells().iter().enumerate() {
+    for (i, cell) in surface.cells.iter().enumerate() {
         if !cell.iter().all(|number| number.is_finite()) {
             return Err(Fault::of_file(
                 "its numbers differ too much for a smooth curve through them; check the columns"

@@ -29,10 +29,13 @@ pub const TABLE_LAW: &str = "table";
 /// file is stored once, until the program ends.
 pub struct LawTable {
     file: String,
-    description: String,
-    nodes: Vec<[f64; 4]>,
+    /// Description for messages.
+    pub(crate) description: String,
+    /// The nodes in the order of the file: coordinates on the axes of speed and spin (0 without
+    /// such an axis), C_D, C_L.
+    pub nodes: Vec<[f64; 4]>,
     fingerprint: u64,
-    grid: Grid,
+    pub(crate) grid: Grid,
 }
 
 /// Tables read so far.
@@ -94,24 +97,9 @@ impl LawTable {
         &self.file
     }
 
-    /// Description for messages.
-    pub(crate) fn description(&self) -> &str {
-        &self.description
-    }
-
     /// The axes: speed and spin, or one of them.
     pub fn axes(&self) -> impl Iterator<Item = &Axis> {
         self.grid.axes()
-    }
-
-    /// The nodes in the order of the file: coordinates on the axes of speed and spin (0 without
-    /// such an axis), C_D, C_L.
-    pub fn nodes(&self) -> &[[f64; 4]] {
-        &self.nodes
-    }
-
-    pub(crate) fn grid(&self) -> &Grid {
-        &self.grid
     }
 }
 

@@ -12,7 +12,7 @@ pub(crate) struct Surface {
     x: Knots,
     y: Knots,
     /// Row by row: for each interval of y, all intervals of x.
-    cells: &'static [Cell],
+    pub cells: &'static [Cell],
 }
 
 /// Coordinates of the lines of the grid, in ascending order.
@@ -53,11 +53,6 @@ impl Surface {
     /// The cell that contains a point, or the nearest cell for a point outside of the grid.
     pub fn cell(&self, x: f64, y: f64) -> &'static Cell {
         &self.cells[self.y.step(y) * (self.x.last + 1) + self.x.step(x)]
-    }
-
-    /// All cells.
-    pub fn cells(&self) -> &'static [Cell] {
-        self.cells
     }
 }
 

@@ -390,7 +390,7 @@ fn tabulated(table: &LawTable, per_speed: f64, radius: f64) -> Vec<Measured> {
             values: [Some(*drag), Some(*lift)],
         }
     };
-    table.nodes().iter().map(node).collect()
+    table.nodes.iter().map(node).collect()
 }
 
 /// The rows of a table of numbers without its head. Cells after the fourth are ignored.

@@ -108,7 +108,7 @@ impl Copied {
     pub fn new(export: &Arc<Export>, of: &[Outcome], system: System) -> Self {
         Self {
             export: export.clone(),
-            added: Added::new(of, system, export.separator(), export.has_decimal_comma()),
+            added: Added::new(of, system, export.separator, export.has_decimal_comma()),
         }
     }
 
@@ -120,7 +120,7 @@ impl Copied {
     /// The cells of a line, one for each column, without the cells that an earlier run of `fly`
     /// added. A row of units may be shorter.
     fn own<'a, S: AsRef<str>>(&self, cells: &'a [S]) -> impl Iterator<Item = &'a str> {
-        let (columns, added) = (self.export.heads().len(), self.export.added());
+        let (columns, added) = (self.export.heads.len(), self.export.added.clone());
         let cells = (0..columns).map(|at| cells.get(at).map_or("", AsRef::as_ref));
         cells
             .enumerate()
@@ -143,13 +143,13 @@ impl Copied {
                 format!("[{unit}]")
             }
         };
-        let text = match self.export.units() {
+        let text = match &self.export.units {
             Some(units) => {
                 let (names, below) = heads
                     .into_iter()
                     .map(|(name, unit)| (name, in_brackets(unit)))
                     .unzip();
-                line(self.export.heads(), names) + &line(units, below)
+                line(&self.export.heads, names) + &line(units, below)
             }
             None => {
                 let names = heads.into_iter().map(|(name, unit)| {
@@ -157,7 +157,7 @@ impl Copied {
                         .trim_end()
                         .to_owned()
                 });
-                line(self.export.heads(), names.collect())
+                line(&self.export.heads, names.collect())
             }
         };
         text.into_bytes()
@@ -174,9 +174,9 @@ impl Copied {
             bytes.extend_from_slice(format!("\"{}\"", shot.text.replace('"', "\"\"")).as_bytes());
             bytes.extend(std::iter::repeat_n(
                 separator,
-                self.own(self.export.heads()).count() - 1,
+                self.own(&self.export.heads).count() - 1,
             ));
-        } else if shot.has_cells_of_head && self.export.added().is_empty() {
+        } else if shot.has_cells_of_head && self.export.added.is_empty() {
             bytes.extend_from_slice(shot.text.as_bytes());
         } else {
             // omit the cells that an earlier run of `fly` added, and empty cells beyond the last

@@ -173,7 +173,7 @@ impl Keys {
     /// The keys of rows in a section of a table.
     pub fn of_section(&self, section: Option<&Section>) -> Self {
         let cells = section.map(|Section { export, .. }| {
-            let heads = export.heads();
+            let heads = &export.heads;
             // a repeated column head gets a number
             let key = |(at, head): (usize, &String)| {
                 let before = heads[..at].iter().filter(|other| *other == head).count();

@@ -2,7 +2,7 @@ use super::printed;
 use crate::error::{Error, Result};
 use crate::number::{Number, Numbers};
 use crate::optimize::{
-    Domain, Exact, Functions, Observers, Options, Status, Values, minimize_from, starts,
+    Domain, Evaluation, Exact, Functions, Observers, Options, Status, minimize_from, starts,
 };
 use nalgebra::{SMatrix, SVector};
 use serde::Serialize;
@@ -109,13 +109,13 @@ impl Polynomial {
 }
 
 impl Functions for Polynomial {
-    fn evaluate<T: Number>(&self, x: &[T]) -> std::result::Result<Values<T>, String> {
+    fn evaluate<T: Number>(&self, x: &[T]) -> std::result::Result<Evaluation<T>, String> {
         let terms = self
             .coefficients
             .iter()
             .zip(self.powers)
             .map(|(beta, power)| x[0].powi(power) * *beta);
-        Ok(Values {
+        Ok(Evaluation {
             objective: -terms.fold(T::zero(), |sum, term| sum + term),
             constraints: vec![],
         })

@@ -13,20 +13,12 @@ use std::io::{Cursor, Read};
 use std::path::Path;
 
 impl ShotTable {
-    /// Reads measured shots from a CSV file.
-    ///
-    /// # Errors
-    /// The errors of [`read`](Self::read).
-    pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        Self::open_rows(setup, path, RowFilter::default())
-    }
-
-    /// Reads selected rows of a CSV file.
+    /// Reads measured shots from the rows of a CSV file that `filter` selects, by default all rows.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read); a filter that selects no row, or that names a column
     /// that the table does not have.
-    pub fn open_rows(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
+    pub fn open(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
         Self::opened(setup, path, filter, ClubColumns::Ignored)
     }
 
@@ -34,16 +26,8 @@ impl ShotTable {
     /// no measurement other than its launch.
     ///
     /// # Errors
-    /// The errors of [`read`](Self::read).
-    pub fn open_launches(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        Self::open_launch_rows(setup, path, RowFilter::default())
-    }
-
-    /// Reads the launches of selected rows, as [`open_launches`](Self::open_launches) does.
-    ///
-    /// # Errors
-    /// The errors of [`open_rows`](Self::open_rows).
-    pub fn open_launch_rows(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
+    /// The errors of [`open`](Self::open).
+    pub fn open_launches(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
         Self::opened(setup, path, filter, ClubColumns::Read)
     }
 
@@ -127,7 +111,7 @@ impl ShotTable {
                 }
             }
         }
-        rows.table(first, table.filter())
+        rows.table(first, &table.filter)
     }
 
     /// Shots from messages of GSPro Open Connect, or from lines that `fly` wrote.

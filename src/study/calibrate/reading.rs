@@ -9,8 +9,9 @@ use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Interpretation, Shot as Stated};
 use crate::table::{
     CONDITIONS, ClubColumns, Column, Content, Fault, Head, Stated as Launch, TextTable,
-    club_column, conditions, contradiction, given_air, implausible, implausible_club,
-    implausible_launch, impossible, in_degrees, is_straight_by_assumption, near_known, outside,
+    club_column, columns_remark, conditions, contradiction, given_air, implausible,
+    implausible_club, implausible_launch, impossible, in_degrees, is_straight_by_assumption,
+    near_known, outside,
 };
 use crate::units::{Digits, Message, Quantity};
 
@@ -195,9 +196,13 @@ impl Reading {
         check_columns(&head)
             .map_err(|(at, reason)| refused(format!(", column {}", at + 1), reason))?;
         let written = head.named(|column| column.content == Content::Written);
-        remarks.extend(written.remark("columns that a sweep computes are not read"));
+        remarks.extend(columns_remark(
+            "columns that a sweep computes are not read",
+            &written,
+        ));
         // for a delivery the launch is a measurement; otherwise it is the input of the flight
-        let is_launched = head.is_launched() && club == ClubColumns::Ignored;
+        let is_launched =
+            has_whole_launch(&head.columns) && !head.has_strike() && club == ClubColumns::Ignored;
         setup
             .refuse_replaced(&inputs(&head.columns))
             .map_err(|error| refused(String::new(), error.to_string()))?;
@@ -533,12 +538,6 @@ impl Reading {
             .any(|column| column.content == Content::Outcome(outcome))
     }
 
-    /// True if the table has all columns of a launch.
-    fn has_whole_launch(&self) -> bool {
-        let has_spin = self.has(Outcome::Spin) || self.has(Outcome::Backspin);
-        self.has(Outcome::BallSpeed) && self.has(Outcome::LaunchAngle) && has_spin
-    }
-
     /// Column heads of the launch and of the club, if the table has the club and a complete launch.
     pub fn launch_beside_club(&self) -> Option<[String; 2]> {
         let heads = |is: &dyn Fn(&Column) -> bool| {
@@ -553,7 +552,7 @@ impl Reading {
             &|column| matches!(column.content, Content::Outcome(of) if CONDITIONS.contains(&of)),
         );
         let club = heads(&Column::is_of_the_strike);
-        (self.has_whole_launch() && !club.is_empty()).then_some([launch, club])
+        (has_whole_launch(&self.columns) && !club.is_empty()).then_some([launch, club])
     }
 
     /// The column head of outcome `of`, for messages.
@@ -589,7 +588,7 @@ impl Reading {
             return None;
         }
         // if the table has all columns of a launch, a delivery needs a complete launch
-        let is_whole = self.club == ClubColumns::Read && self.has_whole_launch();
+        let is_whole = self.club == ClubColumns::Read && has_whole_launch(&self.columns);
         self.launch(*stated)
             .err()
             .filter(|wrong| !wrong.is_incomplete || is_whole)
@@ -723,6 +722,17 @@ fn assumed_sigma(column: &Column, outcome: Outcome) -> Message {
     .words(")")
 }
 
+/// True if there are all columns of a launch.
+fn has_whole_launch(columns: &[Column]) -> bool {
+    let has = |of: Outcome| {
+        columns
+            .iter()
+            .any(|column| column.content == Content::Outcome(of))
+    };
+    let has_spin = has(Outcome::Spin) || has(Outcome::Backspin);
+    has(Outcome::BallSpeed) && has(Outcome::LaunchAngle) && has_spin
+}
+
 /// Names of the parameters that have a column.
 fn inputs(columns: &[Column]) -> Vec<&'static str> {
     columns
@@ -740,7 +750,7 @@ fn inputs(columns: &[Column]) -> Vec<&'static str> {
 fn without_totals(head: &mut Head) -> Option<Message> {
     let is_total =
         |column: &Column| matches!(column.content, Content::Outcome(of) if of.needs_run());
-    let remark = head.named(is_total).remark(NO_GROUND);
+    let remark = columns_remark(NO_GROUND, &head.named(is_total));
     for column in head.columns.iter_mut().filter(|column| is_total(column)) {
         column.content = Content::Note;
     }

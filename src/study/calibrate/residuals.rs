@@ -47,9 +47,6 @@ fn reason(error: Error) -> String {
     }
 }
 
-/// The residuals of a shot, each with its row of the Jacobian.
-type OfShot = Vec<(f64, Vec<f64>)>;
-
 /// Shots and the parameters fitted to them.
 pub(super) struct ShotResiduals<'a> {
     pub setup: Setup<f64>,
@@ -65,10 +62,7 @@ pub(super) struct ShotResiduals<'a> {
 impl ShotResiduals<'_> {
     /// The setup with the fitted parameters at `x`.
     pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
-        let mut moved = self.setup;
-        for (parameter, value) in self.fitted.iter().zip(x) {
-            moved.set_value(parameter, Some(*value))?;
-        }
+        let moved = self.setup.with_values(&self.fitted, x)?;
         moved.validate()?;
         Ok(moved)
     }
@@ -95,9 +89,12 @@ impl ShotResiduals<'_> {
     }
 
     /// The residuals of one shot, each with its row of the Jacobian.
-    fn of(&self, moved: &Setup<f64>, shot: &Shot, curvatures: &[f64]) -> Result<OfShot> {
+    fn of(&self, moved: &Setup<f64>, shot: &Shot, curvatures: &[f64]) -> Result<Rows> {
         let setup = at_shot(moved, shot)?;
-        let mut rows = vec![];
+        let mut rows = Rows {
+            residuals: vec![],
+            jacobian: vec![],
+        };
         if !shot.measured.is_empty() {
             let of: Vec<_> = shot
                 .measured
@@ -123,14 +120,9 @@ impl ShotResiduals<'_> {
                 if residual.abs() > TOO_FAR {
                     return Err(too_far(measurement, computed));
                 }
-                rows.push((
-                    residual,
-                    taylor
-                        .gradient
-                        .iter()
-                        .map(|d| d / measurement.sigma)
-                        .collect(),
-                ));
+                rows.residuals.push(residual);
+                let row = taylor.gradient.iter().map(|d| d / measurement.sigma);
+                rows.jacobian.push(row.collect());
             }
         }
         for (stationary, curvature) in shot
@@ -147,17 +139,15 @@ impl ShotResiduals<'_> {
             let last = self.fitted.len();
             let carry = derivative::towards_last(&setup, &[Outcome::Carry], &wrt)?.swap_remove(0);
             let per = 1.0 / (curvature.max(f64::MIN_POSITIVE) * stationary.sigma);
-            let row = carry.hessian[last][..last]
-                .iter()
-                .map(|d| d * per)
-                .collect();
-            rows.push((carry.gradient[last] * per, row));
+            rows.residuals.push(carry.gradient[last] * per);
+            let row = carry.hessian[last][..last].iter().map(|d| d * per);
+            rows.jacobian.push(row.collect());
         }
         Ok(rows)
     }
 
     /// Residuals of each shot flown with a setup, or the error of the shot.
-    fn by_shot(&self, moved: &Setup<f64>) -> Result<Vec<Result<OfShot>>> {
+    fn by_shot(&self, moved: &Setup<f64>) -> Result<Vec<Result<Rows>>> {
         let all: Vec<_> = self.shots.iter().enumerate().collect();
         // the curvatures are missing before the first fit; then only the success of each shot is
         // used
@@ -169,26 +159,6 @@ impl ShotResiduals<'_> {
             )
         };
         each_until(&all, self.stop, of).ok_or_else(|| stopped(FLOWN))
-    }
-
-    fn all(&self, x: &[f64]) -> std::result::Result<Rows, String> {
-        let moved = self.moved(x).map_err(|error| error.to_string())?;
-        let rows = self
-            .by_shot(&moved)
-            .map_err(|error| error.to_string())?
-            .into_iter()
-            .zip(self.shots);
-        let named = |(rows, shot): (Result<_>, &Shot)| {
-            rows.map_err(|error| format!("row {}: {}", shot.row, reason(error)))
-        };
-        let shots = rows
-            .map(named)
-            .collect::<std::result::Result<Vec<_>, _>>()?;
-        let (residuals, jacobian) = shots.into_iter().flatten().unzip();
-        Ok(Rows {
-            residuals,
-            jacobian,
-        })
     }
 
     /// Computes [`curvatures`](Self::curvatures) at `x` and checks every row; true if all rows can
@@ -204,15 +174,25 @@ impl ShotResiduals<'_> {
     /// The residuals of each shot at `x`, or its error.
     pub fn each(&self, x: &[f64]) -> Result<Vec<Result<Vec<f64>>>> {
         let moved = self.moved(x)?;
-        let of =
-            |rows: Result<OfShot>| Ok(rows?.into_iter().map(|(residual, _)| residual).collect());
-        Ok(self.by_shot(&moved)?.into_iter().map(of).collect())
+        let by_shot = self.by_shot(&moved)?.into_iter();
+        Ok(by_shot.map(|rows| Ok(rows?.residuals)).collect())
     }
 }
 
 impl Residuals for ShotResiduals<'_> {
     fn evaluate(&self, x: &[f64]) -> std::result::Result<Rows, String> {
-        self.all(x)
+        let moved = self.moved(x).map_err(|error| error.to_string())?;
+        let by_shot = self.by_shot(&moved).map_err(|error| error.to_string())?;
+        let mut all = Rows {
+            residuals: vec![],
+            jacobian: vec![],
+        };
+        for (rows, shot) in by_shot.into_iter().zip(self.shots) {
+            let rows = rows.map_err(|error| format!("row {}: {}", shot.row, reason(error)))?;
+            all.residuals.extend(rows.residuals);
+            all.jacobian.extend(rows.jacobian);
+        }
+        Ok(all)
     }
 }
 

@@ -86,7 +86,12 @@ pub(super) fn continuity(
             .take_while(|_| goes_on())
             .map(|offset| {
                 let value = from + offset;
-                let taylors = evaluate(&moved(setup, parameter, value)?, of, wrt, Order::Second)?;
+                let taylors = evaluate(
+                    &setup.with_values(&[parameter], &[value])?,
+                    of,
+                    wrt,
+                    Order::Second,
+                )?;
                 Ok(taylors
                     .iter()
                     .map(|taylor| extrapolated_back(taylor, value - from))
@@ -188,14 +193,8 @@ fn jump(before: &[Vec<f64>], after: &[Vec<f64>], size: f64, promised: f64) -> (f
     }
 }
 
-fn moved(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Result<Setup<f64>> {
-    let mut moved = *setup;
-    moved.set_value(parameter, Some(value))?;
-    Ok(moved)
-}
-
 fn steps(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Option<usize> {
-    match Drive::new(&moved(setup, parameter, value).ok()?)
+    match Drive::new(&setup.with_values(&[parameter], &[value]).ok()?)
         .ok()?
         .flight
     {

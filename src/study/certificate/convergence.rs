@@ -210,10 +210,14 @@ impl<'a> Comparison<'a> {
                 .fold(0.0_f64, |largest, error| largest.max(error.abs()))
         };
         let rounding = errors_of(&self.beside).map(|errors| ROUNDING_FACTOR * largest(&errors));
-        let Expected {
-            orders: expected,
-            limited_by_law,
-        } = expected(self.setup, of);
+        let of_smooth_law = orders_of_smooth_law(self.setup, of);
+        let law_derivatives = self.setup.law.continuous_derivatives();
+        // a join of a law with k continuous derivatives: error h^(k+2) times a function of the
+        // join's position in the step, which moves at a rate 1/h; error h^(k+1) of the derivative
+        let expected = match law_derivatives {
+            Some(k) => [of_smooth_law[0].min(k + 2), of_smooth_law[1].min(k + 1)],
+            None => of_smooth_law,
+        };
         let measure_with = |more: u32| {
             [0, 1].map(|which: usize| {
                 let samples: Vec<Errors> = samples.iter().map(|pair| pair[which].clone()).collect();
@@ -239,7 +243,7 @@ impl<'a> Comparison<'a> {
                 .collect(),
             orders: measured.map(|measured| measured.map(|it| it.order)),
             expected,
-            limited_by_law,
+            limited_by_law: law_derivatives.filter(|_| expected != of_smooth_law),
             falls_short: measured.map(|measured| measured.is_some_and(|it| it.falls_short)),
             would_show: measure_with(1).map(|measured| measured.is_some_and(|it| it.falls_short)),
         }
@@ -254,25 +258,15 @@ fn fine_flight_time(setup: &Setup<f64>, about: f64) -> Option<f64> {
     Some(Drive::new(&setup).ok()?.landed().ok()?.flight_time)
 }
 
-/// Expected orders of an outcome.
-struct Expected {
-    /// Orders of value and gradient.
-    orders: [u32; 2],
-    /// See [`Convergence::limited_by_law`].
-    limited_by_law: Option<u32>,
-}
-
-/// Expected orders p of value and gradient: the orders of the method, limited by interpolation and
-/// joins.
+/// Expected orders p of value and gradient for a smooth law: the orders of the method, limited by
+/// interpolation.
 /// - Dense output of degree 7: the error is h⁸ in a position and h⁷ in its derivatives. In a
 ///   velocity, and in a root of a velocity, the order is one less.
 /// - Apex: within a step, the velocity error is h^p times a function of the position in the step.
 ///   The apex moves through the step at a rate 1/h, so its derivatives have errors h^(p−1). Here
 ///   the steps are chosen so that the landing lies in the middle of a step, where this function is
 ///   flat.
-/// - Join of a law with k continuous derivatives: error h^(k+2) times a function of the join's
-///   position in the step, which also moves at a rate 1/h; the derivative has an error h^(k+1).
-fn expected(setup: &Setup<f64>, of: Outcome) -> Expected {
+fn orders_of_smooth_law(setup: &Setup<f64>, of: Outcome) -> [u32; 2] {
     let interpolated = match of.computed_from() {
         // with spin damping the spin at landing is interpolated with degree 5
         ComputedFrom::Rest => [6, 5],
@@ -287,19 +281,7 @@ fn expected(setup: &Setup<f64>, of: Outcome) -> Expected {
         ComputedFrom::ApexTime => [order, order - 1],
         _ => [order; 2],
     };
-    let of_smooth_law = [0, 1].map(|which: usize| of_method[which].min(interpolated[which]));
-    let Some(derivatives) = setup.law.continuous_derivatives() else {
-        return Expected {
-            orders: of_smooth_law,
-            limited_by_law: None,
-        };
-    };
-    let across_joins = [derivatives + 2, derivatives + 1];
-    let orders = [0, 1].map(|which: usize| of_smooth_law[which].min(across_joins[which]));
-    Expected {
-        orders,
-        limited_by_law: (orders != of_smooth_law).then_some(derivatives),
-    }
+    [0, 1].map(|which: usize| of_method[which].min(interpolated[which]))
 }
 
 /// Initial decay rate of spin, 1/s: δ + κ |v|/R (docs/model.md, eq. 13).

@@ -134,6 +134,44 @@ impl Certificate {
             .collect()
     }
 
+    /// Adds the checks of the flight.
+    fn check_flight(
+        &mut self,
+        setup: &Setup<f64>,
+        of: &[Outcome],
+        wrt: &[&'static Parameter],
+        has_corner: bool,
+        work: &Work<'_>,
+    ) -> Result<()> {
+        // at a corner no outcome is smooth; the row of each parameter reports the corner
+        let goes_on = || !has_corner && !work.is_stopped();
+        let pair = &wrt[..wrt.len().min(2)];
+        if goes_on() {
+            self.landing = landing::at_landing(setup, wrt)?;
+        }
+        if goes_on() {
+            self.continuity = continuity::continuity(setup, of, pair, &goes_on)?;
+        }
+        if goes_on() {
+            self.convergence = convergence::convergence(setup, of, pair, &goes_on)?;
+        }
+        if !work.is_stopped() {
+            self.step = step::step_errors(setup, of, wrt)?;
+        }
+        let prevented = match (work.is_interrupted(), has_corner) {
+            (true, _) => Some("it was interrupted before"),
+            (_, true) => Some("an outcome has a corner here"),
+            _ => None,
+        };
+        let empty = [
+            self.landing.is_empty(),
+            self.continuity.is_empty(),
+            self.convergence.is_empty(),
+        ];
+        self.not_examined = not_examined(empty, prevented, setup.wind.roughness.is_some());
+        Ok(())
+    }
+
     /// True if every injected error was detected in every row.
     pub fn caught(&self) -> bool {
         self.planted.iter().all(DetectionTest::is_caught)
@@ -190,19 +228,23 @@ pub fn certify(
         .into_iter()
         .filter(|of| of.group() == OutcomeGroup::Flight)
         .collect();
-    let flight = FlightChecks::new(setup, &flown, wrt, has_corner, &work)?;
-    Ok(Certificate {
+    let mut certificate = Certificate {
         rows,
-        landing: flight.landing,
-        continuity: flight.continuity,
-        convergence: flight.convergence,
-        step: flight.step,
-        not_examined: flight.not_examined,
+        landing: vec![],
+        continuity: vec![],
+        convergence: vec![],
+        step: vec![],
+        not_examined: vec![],
         planted,
         missing,
         corners: drive.corners(setup),
-        stopped: work.interrupted_at(),
-    })
+        stopped: None,
+    };
+    if !flown.is_empty() {
+        certificate.check_flight(setup, &flown, wrt, has_corner, &work)?;
+    }
+    certificate.stopped = work.interrupted_at();
+    Ok(certificate)
 }
 
 /// The progress of a certificate.
@@ -246,57 +288,6 @@ impl Work<'_> {
     }
 }
 
-/// Results of the checks of the flight; empty if no outcome belongs to the flight.
-#[derive(Default)]
-struct FlightChecks {
-    landing: Vec<AtLanding>,
-    continuity: Vec<Continuity>,
-    convergence: Vec<Convergence>,
-    step: Vec<StepError>,
-    not_examined: Vec<NotExamined>,
-}
-
-impl FlightChecks {
-    fn new(
-        setup: &Setup<f64>,
-        of: &[Outcome],
-        wrt: &[&'static Parameter],
-        has_corner: bool,
-        work: &Work<'_>,
-    ) -> Result<Self> {
-        let mut checks = Self::default();
-        if of.is_empty() {
-            return Ok(checks);
-        }
-        // at a corner no outcome is smooth; the row of each parameter reports the corner
-        let goes_on = || !has_corner && !work.is_stopped();
-        let pair = &wrt[..wrt.len().min(2)];
-        if goes_on() {
-            checks.landing = landing::at_landing(setup, wrt)?;
-        }
-        if goes_on() {
-            checks.continuity = continuity::continuity(setup, of, pair, &goes_on)?;
-        }
-        if goes_on() {
-            checks.convergence = convergence::convergence(setup, of, pair, &goes_on)?;
-        }
-        if !work.is_stopped() {
-            checks.step = step::step_errors(setup, of, wrt)?;
-        }
-        let conditions = Conditions {
-            is_interrupted: work.is_interrupted(),
-            has_corner,
-            has_log_wind: setup.wind.roughness.is_some(),
-        };
-        checks.not_examined = conditions.not_examined([
-            checks.landing.is_empty(),
-            checks.continuity.is_empty(),
-            checks.convergence.is_empty(),
-        ]);
-        Ok(checks)
-    }
-}
-
 /// The rows of all parameters, in parallel.
 fn rows_by_parameter(
     setup: &Setup<f64>,
@@ -322,65 +313,46 @@ fn rows_by_parameter(
     Ok(by_parameter.collect::<Result<Vec<_>>>()?.concat())
 }
 
-/// Conditions that prevent the checks of the flight.
-struct Conditions {
-    is_interrupted: bool,
-    has_corner: bool,
+/// The checks of the flight without a result, with the reason. `empty` is in the order landing,
+/// continuity, convergence; `prevented` is an interruption or a corner.
+fn not_examined(
+    empty: [bool; 3],
+    prevented: Option<&'static str>,
     has_log_wind: bool,
-}
-
-impl Conditions {
-    /// The checks without a result, with the reason; `empty` is in the order landing, continuity,
-    /// convergence.
-    fn not_examined(&self, empty: [bool; 3]) -> Vec<NotExamined> {
-        let checks = [
-            (
-                "the landing as an implicit function",
-                self.reason("the ground is too far down"),
-            ),
-            (
-                "smoothness where the number of time steps changes",
-                self.interruption_or_corner().unwrap_or(
-                    "the number does not change within a tenth of the first parameter's size",
-                ),
-            ),
-            (
-                "convergence with the time step",
-                self.reason(
-                    "the steps at which an order shows are too long for this flight, or for the \
-                     decay of its spin",
-                ),
-            ),
-        ];
-        checks
-            .into_iter()
-            .zip(empty)
-            .filter(|(_, is_empty)| *is_empty)
-            .map(|((check, reason), _)| NotExamined {
-                check: check.into(),
-                reason,
-            })
-            .collect()
-    }
-
-    fn reason(&self, otherwise: &'static str) -> &'static str {
-        match self.interruption_or_corner() {
-            Some(reason) => reason,
-            None if self.has_log_wind => {
-                "the logarithmic wind changes within half a metre above the ground, and most of \
-                 the compared time steps cross this layer in one step"
-            }
-            None => otherwise,
+) -> Vec<NotExamined> {
+    let without_log_wind = |otherwise: &'static str| match has_log_wind {
+        true => {
+            "the logarithmic wind changes within half a metre above the ground, and most of the \
+             compared time steps cross this layer in one step"
         }
-    }
-
-    fn interruption_or_corner(&self) -> Option<&'static str> {
-        match (self.is_interrupted, self.has_corner) {
-            (true, _) => Some("it was interrupted before"),
-            (_, true) => Some("an outcome has a corner here"),
-            _ => None,
-        }
-    }
+        false => otherwise,
+    };
+    let checks = [
+        (
+            "the landing as an implicit function",
+            without_log_wind("the ground is too far down"),
+        ),
+        (
+            "smoothness where the number of time steps changes",
+            "the number does not change within a tenth of the first parameter's size",
+        ),
+        (
+            "convergence with the time step",
+            without_log_wind(
+                "the steps at which an order shows are too long for this flight, or for the decay \
+                 of its spin",
+            ),
+        ),
+    ];
+    checks
+        .into_iter()
+        .zip(empty)
+        .filter(|(_, is_empty)| *is_empty)
+        .map(|((check, reason), _)| NotExamined {
+            check: check.into(),
+            reason: prevented.unwrap_or(reason),
+        })
+        .collect()
 }
 
 /// Separates outcomes that exist, with derivatives, from missing outcomes; at least one must exist.

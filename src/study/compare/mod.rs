@@ -4,21 +4,18 @@ mod path;
 mod quadrature;
 mod split;
 
-pub use path::{Cause, Share};
+pub use path::{Cause, Share, Shares};
 
 use crate::drive::{Drive, Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::parameters::{LaunchConditions, Setup};
 use path::{Path, value};
-use split::{OutcomeShares, Split};
+use split::Split;
 use std::f64::consts::FRAC_PI_2;
 
 /// Names of the two drives in messages.
 const NAMES: [&str; 2] = ["drive a", "drive b"];
 const BETWEEN: &str = "a drive between a and b";
-
-/// Relative rounding error of a share, which is a sum of derivatives.
-const OF_SHARES: f64 = 1e-11;
 
 /// Relative differences of launch conditions below this are rounding.
 const ROUNDING: f64 = 1e-12;
@@ -49,21 +46,6 @@ pub struct Difference {
     /// For an outcome of the flight: shares of the launch conditions and of the flight's
     /// parameters. `None` if both launches are given, which makes this equal to `by_parameter`.
     pub by_launch: Option<Shares>,
-}
-
-/// Shares of a difference by cause.
-#[derive(Clone, Debug)]
-pub struct Shares {
-    /// The setups at the ends of the path.
-    pub setups: [Setup<f64>; 2],
-    /// Each cause with its share, in the order of the parameter table; discrete changes come last.
-    pub shares: Vec<Share>,
-    /// Difference minus the sum of the shares, SI. At most `error`, unless a derivative is
-    /// discontinuous on the path.
-    pub remainder: f64,
-    /// Error estimate of a share, SI. For a smooth aerodynamic law it is rounding (1e-11 of the
-    /// outcome), for a piecewise law at most 1e-8.
-    pub error: f64,
 }
 
 impl Difference {
@@ -186,28 +168,18 @@ impl Comparison {
             .iter()
             .fold(unit, |most, value| most.max(value.abs()));
         let amount = of.unwrap_angle(values[1], values[0]) - values[0];
-        let shares = |split: &mut Split<'_>, path: &Path| -> Result<Shares> {
-            let OutcomeShares { shares, error } = split
-                .shares(of, size)
-                .map_err(|error| error.of_drive(BETWEEN))?;
-            let remainder = amount - shares.iter().map(|share| share.amount).sum::<f64>();
-            Ok(Shares {
-                setups: path.ends,
-                shares,
-                remainder,
-                error: error + OF_SHARES * size,
-            })
+        let shares = |split: &mut Split<'_>| {
+            let found = split.shares(of, amount, size);
+            found.map_err(|error| error.of_drive(BETWEEN))
         };
-        let by_launch = match (by_launch, &self.launches) {
-            (Some(split), Some(path)) if of.group() == OutcomeGroup::Flight => {
-                Some(shares(split, path)?)
-            }
+        let by_launch = match by_launch {
+            Some(split) if of.group() == OutcomeGroup::Flight => Some(shares(split)?),
             _ => None,
         };
         Ok(Difference {
             of,
             values,
-            by_parameter: shares(by_parameter, &self.path)?,
+            by_parameter: shares(by_parameter)?,
             by_launch,
         })
     }

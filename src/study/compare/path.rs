@@ -50,6 +50,21 @@ pub struct Share {
     pub amount: f64,
 }
 
+/// Shares of a difference by cause.
+#[derive(Clone, Debug)]
+pub struct Shares {
+    /// The setups at the ends of the path.
+    pub setups: [Setup<f64>; 2],
+    /// Each cause with its share, in the order of the parameter table; discrete changes come last.
+    pub shares: Vec<Share>,
+    /// Difference minus the sum of the shares, SI. At most `error`, unless a derivative is
+    /// discontinuous on the path.
+    pub remainder: f64,
+    /// Error estimate of a share, SI. For a smooth aerodynamic law it is rounding (1e-11 of the
+    /// outcome), for a piecewise law at most 1e-8.
+    pub error: f64,
+}
+
 /// Path between two setups: continuous parameters vary linearly; discrete parameters change at the
 /// middle.
 #[derive(Clone, Debug)]

@@ -1,13 +1,12 @@
-use super::path::{Cause, Path, Share};
+use super::path::{Cause, Path, Share, Shares};
 use super::quadrature::{Integrals, integrals};
 use crate::derivative::{Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::Result;
 use std::collections::HashMap;
 
-/// Derivatives of the outcomes at a point of the path, times the parameter differences; `None` if
-/// an outcome does not exist there.
-type Slopes = Option<Vec<Vec<f64>>>;
+/// Relative rounding error of a share, which is a sum of derivatives.
+const OF_SHARES: f64 = 1e-11;
 
 /// Shares of several outcomes along a path. Each point is flown once, with the derivatives of all
 /// outcomes.
@@ -23,14 +22,9 @@ pub(super) struct Split<'a> {
 #[derive(Default)]
 struct Side {
     evaluator: Option<Evaluator>,
-    /// Derivatives at the positions already flown; the key is the bits of the position on the path.
-    flown: HashMap<u64, Slopes>,
-}
-
-/// Shares of an outcome with the error of the quadrature.
-pub(super) struct OutcomeShares {
-    pub shares: Vec<Share>,
-    pub error: f64,
+    /// Derivatives of the outcomes, times the parameter differences, at the positions already flown;
+    /// `None` if an outcome does not exist there. The key is the bits of the position on the path.
+    flown: HashMap<u64, Option<Vec<Vec<f64>>>>,
 }
 
 impl<'a> Split<'a> {
@@ -43,9 +37,9 @@ impl<'a> Split<'a> {
         }
     }
 
-    /// Share of each cause in the difference of one outcome; `size` is the outcome's magnitude, for
-    /// rounding. Shares do not depend on the other outcomes.
-    pub fn shares(&mut self, of: Outcome, size: f64) -> Result<OutcomeShares> {
+    /// Share of each cause in the difference `amount` of one outcome; `size` is the outcome's
+    /// magnitude, for rounding. Shares do not depend on the other outcomes.
+    pub fn shares(&mut self, of: Outcome, amount: f64, size: f64) -> Result<Shares> {
         let halves: &[(usize, [f64; 2])] = if self.path.has_discrete() {
             &[(0, [0.0, 0.5]), (1, [0.5, 1.0])]
         } else {
@@ -69,7 +63,13 @@ impl<'a> Split<'a> {
             })
             .collect();
         shares.extend(self.path.halfway(of)?);
-        Ok(OutcomeShares { shares, error })
+        let sum: f64 = shares.iter().map(|share| share.amount).sum();
+        Ok(Shares {
+            setups: self.path.ends,
+            shares,
+            remainder: amount - sum,
+            error: error + OF_SHARES * size,
+        })
     }
 
     /// Shares of the continuous parameters along part of the path, ∫ ∂f/∂p dp, with the discrete

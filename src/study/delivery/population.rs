@@ -241,16 +241,15 @@ impl Solution {
     fn population(&self, shots: &[&Delivered], of: &[Outcome], unknowns: &[Unknown]) -> Population {
         let n = unknowns.len();
         let (covariance, unidentified) = (&self.covariance, &self.directions.unidentified);
-        let errors = self.errors(shots.len() as f64);
+        let (count, sampling) = (shots.len() as f64, self.sampling_variances());
         let left = (DMatrix::identity(n, n) + &self.information.information).try_inverse();
         let left = left.unwrap_or_else(|| DMatrix::zeros(n, n));
         let deviation = |i: usize| covariance[(i, i)].max(0.0).sqrt();
         let one = |(i, unknown): (usize, &Unknown)| {
             let variance = covariance[(i, i)];
-            let Errors {
-                of_mean,
-                of_variance,
-            } = errors[i];
+            let of_mean = sampling[i] / count;
+            // standard uncertainty of a sample variance (Wishart distribution)
+            let of_variance = sampling[i] * (2.0 / (count - 1.0)).sqrt();
             // along unidentified directions the prior mean may be wrong, and the swings may scatter
             // less than the prior
             let by_deviation = (variance + of_variance).max(0.0).sqrt() - variance.max(0.0).sqrt();
@@ -283,32 +282,16 @@ impl Solution {
         }
     }
 
-    /// Sampling errors of each parameter's mean and variance over `count` shots, along the
-    /// identified directions.
-    fn errors(&self, count: f64) -> Vec<Errors> {
+    /// Variance of each parameter from shot to shot along the identified directions, with the errors
+    /// of the launch monitor.
+    fn sampling_variances(&self) -> DVector<f64> {
         let along = &self.directions.identified;
         let size = along.ncols();
         let of_instruments =
             (along.transpose() * self.information.mean_information() * along).try_inverse();
         let of_instruments = of_instruments.unwrap_or_else(|| DMatrix::zeros(size, size));
-        let seen = along * (&self.spread + of_instruments) * along.transpose();
-        (0..along.nrows())
-            .map(|i| Errors {
-                of_mean: seen[(i, i)] / count,
-                // standard uncertainty of a sample variance (Wishart distribution)
-                of_variance: seen[(i, i)] * (2.0 / (count - 1.0)).sqrt(),
-            })
-            .collect()
+        (along * (&self.spread + of_instruments) * along.transpose()).diagonal()
     }
-}
-
-/// Sampling errors of a parameter's distribution, in units of the prior.
-#[derive(Clone, Copy)]
-struct Errors {
-    /// Variance of the mean.
-    of_mean: f64,
-    /// Standard uncertainty of the variance.
-    of_variance: f64,
 }
 
 /// Measured and predicted moments of each outcome.

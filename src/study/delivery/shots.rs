@@ -4,6 +4,7 @@ use super::unknown::Unknown;
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
+use crate::statistics::Moments;
 use crate::study::calibrate::{Measurement, Shot, ShotTable, instrument};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -117,16 +118,13 @@ impl Spread {
         let Some(first) = found.first() else {
             return vec![];
         };
-        let count = found.len() as f64;
         let one = |i: usize| {
-            let values = || found.iter().map(|delivered| delivered.posteriors[i].value);
-            let mean = values().sum::<f64>() / count;
-            let squares: f64 = values().map(|value| (value - mean) * (value - mean)).sum();
-            let deviation = (found.len() > 1).then(|| (squares / (count - 1.0)).sqrt());
+            let values = found.iter().map(|delivered| delivered.posteriors[i].value);
+            let moments = Moments::of(values);
             Self {
                 parameter: first.posteriors[i].unknown.parameter,
-                mean,
-                deviation,
+                mean: moments.mean().unwrap_or(f64::NAN),
+                deviation: moments.deviation(),
             }
         };
         (0..first.posteriors.len()).map(one).collect()

@@ -7,7 +7,6 @@ use crate::error::{Error, Result};
 use crate::impact::Head;
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::swings::Scenarios;
-use crate::study::swings::flown::moved;
 use crate::study::{Constraint, Optimum, Search};
 use crate::units::{Amount, Quantity, counted};
 
@@ -199,7 +198,7 @@ impl Design {
             (true, None) => Ok(None),
             (false, Some(_)) => {
                 let inertia = |point: Vec<f64>| -> Result<f64> {
-                    let club = moved(setup, &scenarios.parameters, &point)?.club;
+                    let club = setup.with_values(&scenarios.parameters, &point)?.club;
                     Ok(Head::new(&club).inertia[0][0])
                 };
                 let each = scenarios

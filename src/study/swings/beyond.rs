@@ -1,7 +1,6 @@
 //! Warnings about the drives of a design: outside the ranges that the law was fitted to, strikes
 //! outside the face, flat landings.
 
-use super::flown::moved;
 use super::pareto::Pareto;
 use super::robust::Robust;
 use super::scenarios::Scenarios;
@@ -21,7 +20,7 @@ pub fn beyond_share(
     stop: &AtomicBool,
 ) -> Option<ExceededShare> {
     let looked_at = |point: &Vec<f64>| {
-        let setup = moved(setup, &scenarios.parameters, point).ok()?;
+        let setup = setup.with_values(&scenarios.parameters, point).ok()?;
         let drive = Drive::new(&setup).ok()?;
         drive
             .landed()
@@ -90,7 +89,7 @@ impl Robust {
         let mut all: Vec<Message> = vec![];
         for (model, _) in &self.models {
             let design: Vec<_> = self.search.vary.iter().map(|vary| vary.parameter).collect();
-            let Ok(setup) = moved(&model.setup, &design, &self.design) else {
+            let Ok(setup) = model.setup.with_values(&design, &self.design) else {
                 continue;
             };
             let of_drives = warnings(&setup, &self.search.scenarios, &of, stop);

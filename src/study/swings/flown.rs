@@ -58,25 +58,12 @@ fn of_swing(
     scenarios: &Scenarios,
     point: &[f64],
 ) -> Result<Vec<f64>> {
-    let swung = moved(setup, &scenarios.parameters, point)?;
+    let swung = setup.with_values(&scenarios.parameters, point)?;
     let found = Evaluator::new(&swung, of, &[], Order::Value)?.at(&[]);
     let found = found.map_err(|error| Error::NoFlight {
         reason: no_flight(scenarios, point, &error).into(),
     })?;
     Ok(found.into_iter().map(|outcome| outcome.value).collect())
-}
-
-/// A setup with other values of some parameters.
-pub(in crate::study) fn moved(
-    setup: &Setup<f64>,
-    parameters: &[&'static Parameter],
-    values: &[f64],
-) -> Result<Setup<f64>> {
-    let mut moved = *setup;
-    for (parameter, value) in parameters.iter().zip(values) {
-        moved.set_value(parameter, Some(*value))?;
-    }
-    Ok(moved)
 }
 
 /// Error for a scenario that does not fly, with the parameter values of the scenario if it has any.

@@ -33,9 +33,6 @@ use std::sync::atomic::AtomicBool;
 /// ```
 pub struct GoalFunction {
     problem: SearchProblem,
-    /// The weights of the scenarios.
-    weights: Vec<f64>,
-    wrt: Vec<&'static Parameter>,
 }
 
 impl StepChoice {
@@ -103,11 +100,7 @@ impl GoalFunction {
             ..Search::largest(Outcome::Carry)
         };
         let problem = SearchProblem::of_goals(setup, &search, &Arc::default())?;
-        Ok(Self {
-            problem,
-            weights: search.scenarios.weights,
-            wrt: wrt.to_vec(),
-        })
+        Ok(Self { problem })
     }
 
     /// The function with a limit of the defect of its drives, m, beyond which they are repeated
@@ -115,13 +108,12 @@ impl GoalFunction {
     fn with_largest_defect(self, largest_defect: f64) -> Self {
         Self {
             problem: self.problem.with_largest_defect(largest_defect),
-            ..self
         }
     }
 
     /// The parameters, in the order of the values and derivatives.
     pub fn parameters(&self) -> &[&'static Parameter] {
-        &self.wrt
+        &self.problem.vary
     }
 
     /// The goal at these values of the parameters, SI, with derivatives up to an order.
@@ -145,11 +137,15 @@ impl GoalFunction {
     /// # Panics
     /// If the numbers of values and parameters differ.
     pub fn at_until(&self, x: &[f64], order: Order, stop: &AtomicBool) -> Result<Taylor> {
-        assert_eq!(x.len(), self.wrt.len(), "a value for each parameter");
-        for (parameter, value) in self.wrt.iter().zip(x) {
+        assert_eq!(
+            x.len(),
+            self.parameters().len(),
+            "a value for each parameter"
+        );
+        for (parameter, value) in self.parameters().iter().zip(x) {
             parameter.check(*value)?;
         }
-        let goals = self.problem.goals_until(x, &self.weights, order, stop)?;
+        let goals = self.problem.goals_until(x, order, stop)?;
         goals.into_iter().next().ok_or(Error::Nothing {
             doing: "look for",
             what: "goal",

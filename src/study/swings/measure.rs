@@ -46,7 +46,7 @@ impl Measure {
             | Self::Lowest(of, _)
             | Self::Highest(of, _)
             | Self::Within(of, _) => vec![*of],
-            Self::Strokes(strokes, _) => strokes.outcomes().to_vec(),
+            Self::Strokes(strokes, _) => strokes.outcomes.to_vec(),
             Self::Parameter(_) | Self::One => vec![],
         }
     }

@@ -6,7 +6,7 @@ use crate::optimize::{Observers, Options, Problem, Status};
 use crate::parameters::{Setup, Vary};
 use crate::study::cancellable::stopped;
 use crate::study::problem::SearchProblem;
-use crate::study::verdict::{Active, active, status_of, violated};
+use crate::study::verdict::{Active, active, status_name, violated};
 use crate::study::{ChartEvent, Constraint, Goal, Search, Sense};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -195,7 +195,9 @@ impl ParetoSearch {
         let active = self.active(&point.x, &point.active_set);
         let event = point.event.as_ref().map(|event| match event {
             FrontEvent::Jump => "from here on another branch of designs is better".to_owned(),
-            FrontEvent::Changed { before } => changed(&active, &self.active(&point.x, before)),
+            FrontEvent::Changed { before } => {
+                ChartEvent::between(&self.active(&point.x, before), &active).to_string()
+            }
         });
         Ok(ParetoPoint {
             setup: problem.moved(&point.x)?,
@@ -215,22 +217,6 @@ impl ParetoSearch {
     }
 }
 
-/// Describes the change of the active bounds and constraints.
-fn changed(active: &[Active], before: &[Active]) -> String {
-    let only = |these: &[Active], others: &[Active]| -> Vec<Active> {
-        let these = these.iter();
-        these
-            .filter(|active| !others.contains(active))
-            .cloned()
-            .collect()
-    };
-    let event = ChartEvent::Changed {
-        begins: only(active, before),
-        ends: only(before, active),
-    };
-    event.to_string()
-}
-
 /// The error for an end of the front that was not found, with the name of its goal.
 fn named(none: FrontError, search: &ParetoSearch, problem: &SearchProblem) -> Error {
     let FrontError::NoEnd { function, found } = none else {
@@ -247,7 +233,7 @@ fn named(none: FrontError, search: &ParetoSearch, problem: &SearchProblem) -> Er
         _ => found.message.clone(),
     };
     Error::NotConverged {
-        status: status_of(&found),
+        status: status_name(found.status),
         message: format!("for the {} {}: {why}", sense.adjective(), goal.expression).into(),
     }
 }

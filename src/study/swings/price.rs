@@ -4,6 +4,7 @@ use super::scenarios::Scenarios;
 use crate::error::Result;
 use crate::optimize::{Observer, minimize_observed};
 use crate::parameters::Setup;
+use crate::statistics::Moments;
 use crate::study::problem::SearchProblem;
 use crate::study::uncertainty::Interval;
 use crate::study::{Goal, Optimum, Search};
@@ -173,10 +174,11 @@ fn errors_of(
 /// extended to the reported value.
 fn interval(goal: &Goal, value: f64, others: &[f64]) -> Interval {
     let n = others.len() as f64;
-    let mean = others.iter().sum::<f64>() / n;
-    let variance = others.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n - 1.0);
+    let moments = Moments::of(others.iter().copied());
+    let [mean, deviation] =
+        [moments.mean(), moments.deviation()].map(|number| number.unwrap_or(f64::NAN));
     let quantile = StudentsT::new(0.0, 1.0, n - 1.0).map_or(f64::NAN, |t| t.inverse_cdf(QUANTILE));
-    let reach = quantile * (variance / n).sqrt();
+    let reach = quantile * deviation / n.sqrt();
     let (mut low, mut high) = (value.min(mean - reach), value.max(mean + reach));
     if let [(1.0, Measure::Within(..))] = goal.terms.as_slice() {
         (low, high) = (low.max(0.0), high.min(1.0));

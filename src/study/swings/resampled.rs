@@ -1,6 +1,7 @@
 use crate::error::Result;
 use crate::optimize::{Observer, Status, minimize_observed};
 use crate::parameters::Setup;
+use crate::statistics::Moments;
 use crate::study::Optimum;
 use crate::study::problem::SearchProblem;
 use crate::study::uncertainty::Interval;
@@ -129,7 +130,7 @@ fn searched_again(
     let own = objective(problem.weighted_as_set_up(&weights));
     let sign = best.search.sense.sign();
     let gain = value(x).zip(own).map(|(best, own)| -sign * (best - own));
-    let weighted = problem.weighted(weights.clone());
+    let weighted = |x: &[f64]| problem.weighted(x, &weights);
     let observer = Observer {
         interrupt: Arc::clone(stop),
         ..Observer::default()
@@ -146,12 +147,10 @@ fn searched_again(
 impl Significance {
     /// The significance of a mean gain over n swings by the gains over resamples of them.
     fn new(mean: f64, gains: Vec<f64>, n: usize) -> Self {
-        let count = gains.len() as f64;
-        let centre = gains.iter().sum::<f64>() / count;
-        let squares = gains.iter().map(|gain| (gain - centre).powi(2));
-        let variance = squares.sum::<f64>() / (count - 1.0);
+        let moments = Moments::of(gains.iter().copied());
+        let deviation = moments.deviation().unwrap_or(f64::NAN);
         // the standard error decreases with the root of the number of swings
-        let swings = (POWER / mean).powi(2) * variance * n as f64;
+        let swings = (POWER * deviation / mean).powi(2) * n as f64;
         Self {
             better: interval(mean, gains),
             swings: (mean > 0.0 && swings.is_finite()).then(|| swings.ceil() as u64),

@@ -1,7 +1,7 @@
 use crate::error::{Error, Result};
 use crate::number::Taylor;
 use crate::optimize::{
-    Bounds, ConstraintValue, Domain, Evaluation, Observers, Options, Problem, Solution, Status,
+    Bounds, ConstraintValue, Domain, Evaluation, Observers, Problem, Solution, Status,
     minimize_from, starts,
 };
 use crate::parameters::{LAW, NO_CLUB, Parameter, Setup};
@@ -296,14 +296,7 @@ pub fn robust(
     if is_stopped() {
         return Err(stopped("the search for one design for all models began"));
     }
-    let greatest = GreatestLoss {
-        problems: &losses.problems,
-        least: models
-            .iter()
-            .map(|(_, best)| best.solution.value.unwrap_or(f64::NAN))
-            .collect(),
-    };
-    let least = greatest.minimize(&starts, &search.options, follow)?;
+    let least = losses.minimize_greatest(&starts, follow)?;
     let design = least.solution.x[..search.vary.len()].to_vec();
     let goals = losses.goals(&design)?;
     Ok(Robust {
@@ -361,12 +354,17 @@ fn shares(solution: &Solution, limits: usize) -> Vec<f64> {
 }
 
 /// The losses of the models as functions of the design: fₖ(x) − f*ₖ, minimized.
+///
+/// As a [`Problem`], the functions of (x, t): t, and for each model its loss less t and its limited
+/// goals.
 struct Losses<'a> {
     search: &'a Search,
     /// Problem of each model.
     problems: Vec<SearchProblem>,
     /// f*ₖ of each model.
     least: Vec<f64>,
+    /// f*ₖ of each model from its own search, with smoothed kinks and jumps.
+    smoothed_least: Vec<f64>,
 }
 
 impl<'a> Losses<'a> {
@@ -380,6 +378,10 @@ impl<'a> Losses<'a> {
             search,
             problems: models.iter().map(problem).collect::<Result<_>>()?,
             least: models.iter().map(least).collect(),
+            smoothed_least: models
+                .iter()
+                .map(|(_, best)| best.solution.value.unwrap_or(f64::NAN))
+                .collect(),
         })
     }
 
@@ -457,13 +459,6 @@ impl<'a> Losses<'a> {
     }
 }
 
-/// The functions of (x, t): t, and for each model its loss less t and its limited goals.
-struct GreatestLoss<'a> {
-    problems: &'a [SearchProblem],
-    /// Optimal value f*ₖ of each model from its own search, with smoothed kinks and jumps.
-    least: Vec<f64>,
-}
-
 /// The smallest greatest loss.
 struct LeastLoss {
     solution: Solution,
@@ -471,18 +466,14 @@ struct LeastLoss {
     stopped: usize,
 }
 
-impl GreatestLoss<'_> {
-    /// Searches from each start (x, t).
+impl Losses<'_> {
+    /// Searches for the smallest greatest loss from each start (x, t).
     ///
     /// # Errors
     /// [`Error::NotConverged`] if no point of the search has a value; the errors of
     /// [`minimize_from`].
-    fn minimize(
-        &self,
-        starts: &[Vec<f64>],
-        options: &Options,
-        follow: &Observers,
-    ) -> Result<LeastLoss> {
+    fn minimize_greatest(&self, starts: &[Vec<f64>], follow: &Observers) -> Result<LeastLoss> {
+        let options = &self.search.options;
         let ends = minimize_from(self, &self.domain()?, starts, options, follow)?;
         let interrupted = ends
             .iter()
@@ -516,7 +507,7 @@ impl GreatestLoss<'_> {
     }
 }
 
-impl Problem for GreatestLoss<'_> {
+impl Problem for Losses<'_> {
     fn evaluate(&self, xt: &[f64]) -> std::result::Result<Evaluation, String> {
         let n = xt.len() - 1;
         // converts a function of x to a function of (x, t)
@@ -533,7 +524,7 @@ impl Problem for GreatestLoss<'_> {
         };
         greatest.gradient[n] = 1.0;
         let mut constraints = vec![];
-        for (problem, least) in self.problems.iter().zip(&self.least) {
+        for (problem, least) in self.problems.iter().zip(&self.smoothed_least) {
             let Evaluation {
                 objective,
                 constraints: limited,

@@ -16,7 +16,7 @@ pub struct Strokes {
     /// Second derivatives of the spline at the distances.
     bend: Vec<f64>,
     /// Outcomes that give the ball's final position: downrange and to the right.
-    outcomes: [Outcome; 2],
+    pub(in crate::study) outcomes: [Outcome; 2],
 }
 
 impl Strokes {
@@ -131,11 +131,6 @@ impl Strokes {
     /// True if the distance is within the range of the table.
     pub(in crate::study) fn reaches(&self, distance: f64) -> bool {
         self.distance[0] <= distance && distance <= self.distance[self.distance.len() - 1]
-    }
-
-    /// Outcomes that give the ball's final position: downrange and to the right.
-    pub(in crate::study) fn outcomes(&self) -> &[Outcome; 2] {
-        &self.outcomes
     }
 
     /// Expected strokes from a distance.

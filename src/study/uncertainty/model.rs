@@ -3,6 +3,7 @@
 
 use super::Distribution;
 use crate::error::Result;
+use crate::statistics::Moments;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 use rayon::prelude::*;
@@ -136,11 +137,16 @@ impl Design {
             let constant = all[0];
             all.fill(constant);
         }
-        let moments = self.moments(&all);
-        let rows = complete_rows(values, moments.mean.value);
+        let moments = self.bootstrap(all.len(), |drawn| {
+            let moments = Moments::of(drawn.iter().map(|row| all[*row]));
+            let numbers = [moments.mean(), moments.deviation()];
+            numbers.map(|number| number.unwrap_or(f64::NAN)).to_vec()
+        });
+        let [mean, deviation] = [moments[0], moments[1]];
+        let rows = complete_rows(values, mean.value);
         let of_rows: Vec<f64> = rows
             .iter()
-            .flat_map(|row| [row[0] + moments.mean.value, row[1] + moments.mean.value])
+            .flat_map(|row| [row[0] + mean.value, row[1] + mean.value])
             .collect();
         let has_shares = varies && rows.len() >= 2 && self::varies(&of_rows);
         let inputs = values.len() - 2;
@@ -151,30 +157,38 @@ impl Design {
         };
         all.sort_by(f64::total_cmp);
         Some(Statistics {
-            mean: moments.mean,
-            deviation: moments.deviation,
+            mean,
+            deviation,
             quantiles: [0.025, 0.5, 0.975].map(|p| quantile(&all, p)),
             indices,
             left_out: values[0].len() - rows.len(),
         })
     }
 
-    /// Mean and standard deviation with bootstrap intervals.
-    fn moments(&self, values: &[f64]) -> Moments {
-        let (mean, deviation) = mean_and_deviation(values);
+    /// Estimates from all rows, each with its interval over bootstrap resamples of the rows.
+    fn bootstrap(
+        &self,
+        rows: usize,
+        estimate: impl Fn(&[usize]) -> Vec<f64> + Sync,
+    ) -> Vec<Interval> {
         let resample = |stream: u64| {
             let mut random = self.random(stream);
-            let drawn: Vec<f64> = (0..values.len())
-                .map(|_| values[index(&mut random, values.len())])
-                .collect();
-            mean_and_deviation(&drawn)
+            let drawn: Vec<usize> = (0..rows).map(|_| index(&mut random, rows)).collect();
+            estimate(&drawn)
         };
-        let (means, deviations): (Vec<f64>, Vec<f64>) =
-            (0..RESAMPLES as u64).into_par_iter().map(resample).unzip();
-        Moments {
-            mean: interval(mean, means),
-            deviation: interval(deviation, deviations),
-        }
+        let drawn: Vec<Vec<f64>> = (0..RESAMPLES as u64)
+            .into_par_iter()
+            .map(resample)
+            .collect();
+        let every: Vec<usize> = (0..rows).collect();
+        let with_interval = |(i, value): (usize, f64)| {
+            interval(value, drawn.iter().map(|estimates| estimates[i]).collect())
+        };
+        estimate(&every)
+            .into_iter()
+            .enumerate()
+            .map(with_interval)
+            .collect()
     }
 
     /// Means over the points of A divided by the variance of an output, with bootstrap intervals
@@ -184,19 +198,15 @@ impl Design {
         values: &[Vec<Option<f64>>],
         at_a: &[Vec<Option<f64>>],
     ) -> Vec<Option<Interval>> {
+        let rows = values[0].len();
         let outputs = |row: usize| [values[0][row], values[1][row]].into_iter().flatten();
-        let every: Vec<usize> = (0..values[0].len()).collect();
-        let all: Vec<f64> = every.iter().flat_map(|row| outputs(*row)).collect();
+        let all: Vec<f64> = (0..rows).flat_map(outputs).collect();
         if all.len() < 2 || !varies(&all) {
             return vec![None; at_a.len()];
         }
         let ratios = |drawn: &[usize]| -> Vec<f64> {
-            let drawn_outputs: Vec<f64> = drawn.iter().flat_map(|row| outputs(*row)).collect();
-            let variance = if drawn_outputs.len() < 2 {
-                f64::NAN
-            } else {
-                mean_and_deviation(&drawn_outputs).1.powi(2)
-            };
+            let moments = Moments::of(drawn.iter().flat_map(|row| outputs(*row)));
+            let variance = moments.deviation().unwrap_or(f64::NAN).powi(2);
             let ratio = |column: &Vec<Option<f64>>| {
                 let (mut sum, mut count) = (0.0, 0.0);
                 drawn
@@ -210,26 +220,11 @@ impl Design {
             };
             at_a.iter().map(ratio).collect()
         };
-        let estimates = ratios(&every);
-        let resample = |stream: u64| {
-            let mut random = self.random(stream);
-            ratios(
-                &every
-                    .iter()
-                    .map(|_| index(&mut random, every.len()))
-                    .collect::<Vec<_>>(),
-            )
-        };
-        let drawn: Vec<Vec<f64>> = (0..RESAMPLES as u64)
-            .into_par_iter()
-            .map(resample)
-            .collect();
-        let one = |(i, value): (usize, f64)| {
-            value
-                .is_finite()
-                .then(|| interval(value, drawn.iter().map(|ratios| ratios[i]).collect()))
-        };
-        estimates.into_iter().enumerate().map(one).collect()
+        let finite = |ratio: Interval| ratio.value.is_finite().then_some(ratio);
+        self.bootstrap(rows, ratios)
+            .into_iter()
+            .map(finite)
+            .collect()
     }
 
     fn indices(&self, rows: &[Vec<f64>], inputs: usize) -> Vec<Option<Indices>> {
@@ -245,34 +240,13 @@ impl Design {
                 total: whole,
             })];
         }
-        let every: Vec<usize> = (0..rows.len()).collect();
-        let estimates = shares(rows, &every, inputs);
-        let resample = |stream: u64| {
-            let mut random = self.random(stream);
-            let drawn: Vec<usize> = every
-                .iter()
-                .map(|_| index(&mut random, rows.len()))
-                .collect();
-            shares(rows, &drawn, inputs)
+        let indices = self.bootstrap(rows.len(), |drawn| shares(rows, drawn, inputs).concat());
+        let both = |pair: &[Interval]| {
+            let [first, total] = [pair[0], pair[1]];
+            let exist = first.value.is_finite() && total.value.is_finite();
+            exist.then_some(Indices { first, total })
         };
-        let drawn: Vec<Vec<[f64; 2]>> = (0..RESAMPLES as u64)
-            .into_par_iter()
-            .map(resample)
-            .collect();
-        let both = |i: usize| {
-            let of = |which: usize| {
-                interval(
-                    estimates[i][which],
-                    drawn.iter().map(|shares| shares[i][which]).collect(),
-                )
-            };
-            let indices = Indices {
-                first: of(0),
-                total: of(1),
-            };
-            (indices.first.value.is_finite() && indices.total.value.is_finite()).then_some(indices)
-        };
-        (0..inputs).map(both).collect()
+        indices.chunks_exact(2).map(both).collect()
     }
 
     /// Random stream of a resample, independent of the thread.
@@ -281,12 +255,6 @@ impl Design {
             self.seed ^ (stream + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
         )
     }
-}
-
-/// Mean and standard deviation of an output.
-struct Moments {
-    mean: Interval,
-    deviation: Interval,
 }
 
 /// Rows f_A, f_B, f_AB1 … with a finite value at each point, less the mean: an offset would add
@@ -341,17 +309,6 @@ fn varies(values: &[f64]) -> bool {
             (low.min(v), high.max(v))
         });
     high - low > SAME * low.abs().max(high.abs())
-}
-
-pub(super) fn mean_and_deviation(values: &[f64]) -> (f64, f64) {
-    let (n, one) = (values.len() as f64, values[0]);
-    // relative to the first value, so that equal values give their exact mean
-    let mean = one + values.iter().map(|value| value - one).sum::<f64>() / n;
-    let squares: f64 = values
-        .iter()
-        .map(|value| (value - mean) * (value - mean))
-        .sum();
-    (mean, (squares / (n - 1.0)).sqrt())
 }
 
 /// Quantile of sorted values by linear interpolation.

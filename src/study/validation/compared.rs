@@ -1,7 +1,7 @@
 use crate::units::Quantity;
 
 /// A quantity in which laws are compared with published drives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Compared {
     /// Distance from tee to landing point.
     Carry,

@@ -12,7 +12,6 @@ pub use sets::{Computation, SETS, Set};
 
 use crate::error::Result;
 use crate::parameters::Law;
-use predicted::Predicted;
 use serde::Serialize;
 
 /// Temperature range for drives without a stated air, K: 15 and 35 °C.
@@ -107,31 +106,24 @@ pub fn validation(own: Option<Law<f64>>) -> Result<Vec<SetScores>> {
 fn scores(set: &'static Set, own: Option<Law<f64>>) -> Result<SetScores> {
     let mut cases = cases::cases(set.rows)?;
     let base = set.computation.has_base().then(|| cases.remove(0));
-    let published = Published { set, base, cases };
-    let laws = Law::NAMES
+    let mut found = SetScores {
+        set,
+        cases,
+        laws: vec![],
+    };
+    found.laws = Law::NAMES
         .iter()
         .filter_map(|name| Law::named(name))
         .chain(own)
-        .map(|law| published.law_scores(law))
+        .map(|law| found.law_scores(base.as_ref(), law))
         .collect::<Result<_>>()?;
-    Ok(SetScores {
-        set,
-        laws,
-        cases: published.cases,
-    })
+    Ok(found)
 }
 
-/// The published cases of a set.
-struct Published {
-    set: &'static Set,
-    /// The case with which the other cases are compared.
-    base: Option<Case>,
-    cases: Vec<Case>,
-}
-
-impl Published {
-    fn law_scores(&self, law: Law<f64>) -> Result<LawScores> {
-        let scores = self.scores(law, None)?;
+impl SetScores {
+    /// The errors of a law; `base` is the case with which the other cases are compared.
+    fn law_scores(&self, base: Option<&Case>, law: Law<f64>) -> Result<LawScores> {
+        let scores = self.scores(base, law, None)?;
         let averaged = if self.set.is_averaged {
             self.bias_of_scattered(law, &scores)
         } else {
@@ -141,7 +133,7 @@ impl Published {
         let swept = if has_density || self.set.computation == Computation::Optimum {
             None
         } else {
-            let [cold, warm] = SWEPT.map(|temperature| self.scores(law, Some(temperature)));
+            let [cold, warm] = SWEPT.map(|temperature| self.scores(base, law, Some(temperature)));
             Some([cold?, warm?].map(|scores| scores.first().and_then(Score::bias)))
         };
         Ok(LawScores {
@@ -153,14 +145,18 @@ impl Published {
     }
 
     /// The errors of a law in each published quantity, in air of this temperature.
-    fn scores(&self, law: Law<f64>, temperature: Option<f64>) -> Result<Vec<Score>> {
-        let predict =
-            |case| predicted::predicted(self.set, case, self.base.as_ref(), law, temperature);
-        let predicted: Vec<Predicted> = self.cases.iter().map(predict).collect::<Result<_>>()?;
+    fn scores(
+        &self,
+        base: Option<&Case>,
+        law: Law<f64>,
+        temperature: Option<f64>,
+    ) -> Result<Vec<Score>> {
+        let predict = |case| predicted::predicted(self.set, case, base, law, temperature);
+        let predicted: Vec<_> = self.cases.iter().map(predict).collect::<Result<_>>()?;
         let residual = |of: Compared, case: usize| {
             Some(Residual {
                 case,
-                predicted: predicted[case].of(of)?,
+                predicted: *predicted[case].get(&of)?,
                 published: self.cases[case].published(of)?,
             })
         };

@@ -7,28 +7,18 @@ use crate::error::Result;
 use crate::optimize::{Observer, Status};
 use crate::parameters::{Law, Method, Setup, Vary};
 use crate::study::{Search, optimum};
+use std::collections::HashMap;
 
-/// Computed values of a case, SI.
-pub(super) struct Predicted(Vec<(Compared, f64)>);
-
-impl Predicted {
-    /// A computed quantity; `None` if nothing flies or no optimum was found.
-    pub fn of(&self, of: Compared) -> Option<f64> {
-        self.0
-            .iter()
-            .find_map(|(known, value)| (*known == of).then_some(*value))
-    }
-}
-
-/// Computes a case with a law, in the stated air, or else at sea level at `temperature` (25 °C by
-/// default).
+/// Values of a case by their quantities, SI, computed with a law in the stated air, or else at sea
+/// level at `temperature` (25 °C by default). A quantity is missing if nothing flies or no optimum
+/// was found.
 pub(super) fn predicted(
     set: &Set,
     case: &Case,
     base: Option<&Case>,
     law: Law<f64>,
     temperature: Option<f64>,
-) -> Result<Predicted> {
+) -> Result<HashMap<Compared, f64>> {
     let mut setup = match set.preset.or(case.preset.as_deref()) {
         Some(preset) => Setup::preset(preset)?,
         None => Setup::default(),
@@ -71,7 +61,7 @@ pub(super) fn predicted(
             .collect(),
         Computation::Optimum => best(setup, case)?,
     };
-    Ok(Predicted(found))
+    Ok(found.into_iter().collect())
 }
 
 fn in_air_of(case: &Case, mut setup: Setup<f64>, temperature: Option<f64>) -> Setup<f64> {

@@ -26,7 +26,7 @@ impl Pieces for ArrowPieces {
 
     fn names(&self) -> Vec<String> {
         self.batches
-            .schema()
+            .schema
             .fields()
             .iter()
             .map(|field| field.name().clone())
@@ -34,7 +34,7 @@ impl Pieces for ArrowPieces {
     }
 
     fn refusal(&self, column: usize) -> Option<String> {
-        let kind = self.batches.schema().field(column).data_type();
+        let kind = self.batches.schema.field(column).data_type();
         let is_read = kind.is_integer() || matches!(kind, DataType::Float32 | DataType::Float64);
         (!is_read).then(|| {
             format!("its type is {kind}; a column must hold numbers (float64, float32 or integers)")

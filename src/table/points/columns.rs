@@ -3,7 +3,9 @@
 use crate::batch::refuse_repeated;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
-use crate::table::{CONDITIONS, Column, Content, Head, given_air, in_degrees, near_known};
+use crate::table::{
+    CONDITIONS, Column, Content, Head, columns_remark, given_air, in_degrees, near_known,
+};
 use crate::units::Message;
 use std::path::Path;
 
@@ -52,7 +54,7 @@ impl Columns {
                 _ => format!(
                     "none of its columns is a parameter or a launch condition ({}); add one, such \
                      as 'club.loft [deg]'",
-                    head.named(|_| true).0.join(", ")
+                    head.named(|_| true).join(", ")
                 ),
             };
             refused(path, String::new(), reason)
@@ -115,7 +117,6 @@ fn not_read(head: &Head, read: &[usize]) -> Option<Message> {
     } else {
         "parameters"
     };
-    not_read.remark(&format!(
-        "columns not read, since they are results or remarks and not {of}"
-    ))
+    let what = format!("columns not read, since they are results or remarks and not {of}");
+    columns_remark(&what, &not_read)
 }

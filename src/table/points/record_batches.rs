@@ -24,7 +24,7 @@ const TAIL: usize = 10;
 /// the file size first, because arrow-ipc panics if they are wrong.
 pub(super) struct RecordBatches {
     file: InputFile,
-    schema: Arc<Schema>,
+    pub(super) schema: Arc<Schema>,
     /// End of the messages: end of the stream, or footer of the file.
     end: u64,
     order: Order,
@@ -120,10 +120,6 @@ impl RecordBatches {
             next: head.body.end,
         };
         Ok(stream)
-    }
-
-    pub(super) fn schema(&self) -> &Schema {
-        &self.schema
     }
 
     /// Goes back to the first record batch.

@@ -8,7 +8,7 @@ use crate::refusal::Refusal;
 use crate::request::{CheckedSetup, RangeRequest, SetupRequest, Units};
 use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::number::Number;
-use longdrive::optimize::{Domain, Exact, Functions, Options, Values, minimize};
+use longdrive::optimize::{Domain, Evaluation, Exact, Functions, Options, minimize};
 use longdrive::parameters::Vary;
 use longdrive::study::Plane;
 use longdrive::units::{Digits, Message, Quantity};
@@ -153,7 +153,7 @@ impl Aim {
     /// node that lands nearest to it.
     fn starts(&self, from: [f64; 2]) -> Result<Vec<[f64; 2]>, Error> {
         let [across, up] = self.vary;
-        let plane = Plane::fly(&self.setup, &LANDING, across, up, NODES)?;
+        let plane = Plane::fly(&self.setup, &LANDING, across, up, NODES, Order::Value)?;
         let misses = plane.values[0].iter().zip(&plane.values[1]);
         // NaN for a drive that does not land
         let misses: Vec<[f64; 2]> = misses
@@ -265,7 +265,7 @@ impl Point {
 struct Model<'a>(&'a Point);
 
 impl Functions for Model<'_> {
-    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
         let d = [x[0] - self.0.x[0], x[1] - self.0.x[1]];
         let misses = self.0.landing.iter().zip(self.0.target);
         let objective = misses.fold(T::constant(0.0), |sum, (taylor, target)| {
@@ -275,7 +275,7 @@ impl Functions for Model<'_> {
             let miss = d[0] * by[0] + d[1] * by[1] + bend * 0.5 + (taylor.value - target);
             sum + miss * miss * 0.5
         });
-        Ok(Values {
+        Ok(Evaluation {
             objective,
             constraints: vec![],
         })

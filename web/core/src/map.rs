@@ -3,6 +3,7 @@
 use crate::message;
 use crate::refusal::Refusal;
 use crate::request::{RangeRequest, SetupRequest, Units};
+use longdrive::derivative::Order;
 use longdrive::study::Plane;
 use serde::{Deserialize, Serialize};
 
@@ -55,11 +56,11 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         );
         return Err(Refusal::of_request(&why));
     }
-    let fly = match request.gradients {
-        true => Plane::fly_with_gradients,
-        false => Plane::fly,
+    let order = match request.gradients {
+        true => Order::First,
+        false => Order::Value,
     };
-    let plane = fly(&checked.setup, &of, across, up, nodes);
+    let plane = Plane::fly(&checked.setup, &of, across, up, nodes, order);
     let plane = plane.map_err(|error| checked.refused(&error))?;
     let mut numbers = Vec::with_capacity(columns * rows * of.len());
     for (of, values) in plane.values.iter().enumerate() {
