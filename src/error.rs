@@ -346,7 +346,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// The error for a name that is not among `names`, with the most similar one.
+    /// The error for a name that is not among `names`. It suggests the most similar of them.
     pub fn unknown<'a>(
         what: &'static str,
         name: &str,
@@ -432,7 +432,7 @@ fn no_strike(approach: f64) -> Message {
     )
 }
 
-/// The name that is most similar to a given one, and their similarity, 0 to 1.
+/// The one of `names` that is most similar to a given name, and their similarity, 0 to 1.
 pub(crate) fn nearest<'a>(
     name: &str,
     names: impl IntoIterator<Item = &'a str>,
@@ -448,7 +448,7 @@ pub(crate) fn nearest<'a>(
     // among equally similar names, prefer the one that looks most similar: o like 0, l like 1
     let glyphs = |text: &str| text.replace('0', "o").replace('1', "l");
     let by_glyphs = |known: &str| similarity(&glyphs(name), &glyphs(known));
-    // the first of the names that are left: swing.speed before wind.speed
+    // of equally similar names, take the first: swing.speed before wind.speed
     similarities
         .into_iter()
         .rev()

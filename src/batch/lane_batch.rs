@@ -149,8 +149,8 @@ impl LaneBatch<'_> {
         let has_run = any(|outcome| outcome.needs_run());
         let has_head = any(|outcome| outcome.group() == OutcomeGroup::Head);
         let fitted = batch.setup.law.fitted();
-        // parameters without a column are equal in all rows; the swept parameters are set for each
-        // group
+        // parameters that are not swept are equal in all rows; the swept parameters are set for
+        // each group
         let mut setup = batch.setup.constant::<J>();
         self.seed_parameters(&mut setup);
         let directions: Vec<Option<usize>> = batch

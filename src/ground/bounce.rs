@@ -38,7 +38,7 @@ const RESTITUTION: [f64; 2] = [-0.0375 / 0.51, 0.000903 / 0.51];
 /// Start and width, m/s, of the smooth clamp of u: it ends at the minimum of e, 20.8 m/s.
 const CLAMP_SPEED: f64 = 18.0;
 const CLAMP_WIDTH: f64 = 2.0 * (-RESTITUTION[0] / (2.0 * RESTITUTION[1]) - CLAMP_SPEED);
-/// Start and width of the transition from sticking to slipping, as x in eq. 21.
+/// Start and width of the transition from sticking to slipping: values of x in eq. 21.
 const STICKS: f64 = 0.8;
 const SLIPS_OVER: f64 = 0.4;
 /// Margin, (m/s)², of the comparison of squared impulses per mass. A contact without slip sticks
@@ -200,8 +200,9 @@ mod tests {
         }
     }
 
-    /// The crater faces the ball at most head-on. From 54 m/s on, Penner's angle between them is
-    /// negative: a surface that the ball does not meet would throw it back.
+    /// The crater faces the ball at most head-on: its tilt never exceeds the angle of incidence.
+    /// From 54 m/s on, Penner's angle between crater and ball is negative: a surface that the ball
+    /// does not meet would throw it back.
     #[test]
     fn no_ball_meets_the_crater_from_behind() {
         let turf = Turf::new(&Setup::default());
