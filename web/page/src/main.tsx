@@ -13,12 +13,12 @@ import { Catalog } from './setup/parameters';
 import { travelOf } from './setup/travel';
 import './style.css';
 
-/** The integration is accurate within this length, m. */
+/** Tolerance of the integration, m. */
 const TOLERANCE = 1e-6;
-/** The sliders on which the accuracy of a step depends most. */
+/** The sliders on which the accurate step depends most. */
 const STEP_RANGES = ['swing.speed', 'club.loft', 'swing.attack_angle'];
 
-/** The longest accurate step for the ranges of the sliders; null where there is none. */
+/** The longest accurate step for the ranges of the sliders; null if there is none. */
 async function integrationOf(hand: Lane, catalog: Catalog, preset: string): Promise<Integration | null> {
   const ranges = STEP_RANGES.map((name) => {
     const { low, high } = travelOf(catalog.parameter(name)!, null, null);

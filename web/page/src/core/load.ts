@@ -3,7 +3,7 @@ import { unpack } from './pack.mjs';
 
 type Bytes = ReadableStream<Uint8Array<ArrayBuffer>>;
 
-/** The compressed core of a page that is one file. */
+/** The compressed core within a page that is a single file; null for other pages. */
 function inside(): Bytes | null {
   const packed = document.getElementById('core');
   return packed ? new Blob([unpack(packed.textContent ?? '')]).stream() : null;

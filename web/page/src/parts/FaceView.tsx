@@ -12,7 +12,7 @@ const SCALE = 2200;
 const WIDTH = 2 * HALF[0] * SCALE + 20;
 const HEIGHT = 2 * HALF[1] * SCALE + 20;
 
-/** A strike beside the face is drawn at its edge. */
+/** A strike outside of the picture is drawn at its edge. */
 const inside = (pixel: number, end: number) => Math.min(end, Math.max(0, pixel));
 
 export function FaceView() {

@@ -27,7 +27,9 @@ export function Sliders() {
   );
 }
 
-/** A club strikes the ball, or a launch monitor has measured its launch. */
+/**
+ * A switch between a club that strikes the ball and a launch that a launch monitor has measured.
+ */
 function StartSwitch({ isLaunch }: { isLaunch: boolean }) {
   const { explorer } = usePage();
   const toLaunch = () => {

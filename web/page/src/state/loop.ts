@@ -6,7 +6,7 @@ import type { MapAxes } from './map';
 export interface Loop {
   name: string;
   at: Float64Array;
-  /** Carry of the loop, and the difference of it that takes the place of a derivative. */
+  /** Carry of the loop, and the difference quotient that the loop has in place of a derivative. */
   loop: Float64Array;
   difference: Float64Array;
   /** Carry of the exact drive, and its derivative. */
