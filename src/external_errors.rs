@@ -39,7 +39,8 @@ pub(crate) fn parquet_error_text(error: &parquet::errors::ParquetError) -> Strin
     use parquet::errors::ParquetError;
     match error {
         ParquetError::NYI(_) => {
-            "it uses a feature of Parquet that is not supported; write plain columns of numbers".into()
+            "it uses a feature of Parquet that is not supported; write plain columns of numbers"
+                .into()
         }
         ParquetError::External(error) => match error.downcast_ref::<std::io::Error>() {
             Some(error) if error.raw_os_error().is_some() => read_error_text(error),
@@ -56,7 +57,8 @@ pub(crate) fn arrow_error_text(error: &arrow_schema::ArrowError) -> String {
     use arrow_schema::ArrowError;
     match error {
         ArrowError::NotYetImplemented(_) => {
-            "it uses a feature of Arrow that is not supported; write plain columns of numbers".into()
+            "it uses a feature of Arrow that is not supported; write plain columns of numbers"
+                .into()
         }
         // an I/O error without a code comes from a decoder
         ArrowError::IoError(_, error) if error.raw_os_error().is_some() => read_error_text(error),
