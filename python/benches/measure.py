@@ -1,4 +1,5 @@
-"""What the package costs: its import, one drive, one gradient, a million drives, a batch of JAX.
+"""Measures the cost of the package: import, one drive, one gradient, a million drives, a batch of
+JAX.
 
 Run on a quiet machine, with both built in release: LONGDRIVE_PROGRAM=target/release/longdrive python benches/measure.py
 """
@@ -30,7 +31,7 @@ def best(work: Callable[[], object], rounds: int = 5) -> float:
 
 def of_a_call() -> None:
     """Value and gradient by two parameters, beside the `Evaluator` of Rust in the same profile."""
-    # short rounds, of which other processes disturb some
+    # short rounds: other processes disturb only some of them
     calls, rounds = 500, 200
     carry = longdrive.objective("tour-average", "carry", NAMES)
     points = [carry.x0 + 1e-9 * k for k in range(calls)]
@@ -47,7 +48,7 @@ def of_a_call() -> None:
         done = subprocess.run(command, check=True, capture_output=True, text=True, cwd=FOLDER)
         return float(done.stdout)
 
-    # a shared machine changes its speed
+    # by turns, because the speed of a shared machine changes
     by_turns = [(1e6 * best(objective, rounds) / calls, evaluator()) for _ in range(3)]
     here, rust = map(min, zip(*by_turns))
     print(

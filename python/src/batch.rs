@@ -25,8 +25,9 @@ const UNDEFINED: i8 = Status::ALL.len() as i8;
 
 /// The results of a batch, column after column.
 struct Results {
-    /// Number of allocated rows, and of computed rows.
+    /// Number of allocated rows.
     room: usize,
+    /// Number of computed rows.
     done: usize,
     /// The points, then outcomes, then derivatives, a column of `room` numbers each.
     columns: Vec<f64>,

@@ -187,7 +187,7 @@ pub struct PyObjective {
     /// The argument `sense`, and the factor that turns a maximum into a minimum.
     sense: Option<String>,
     sign: f64,
-    /// True if a point without an answer is NaN, not an error.
+    /// True if the value at a point without an answer is NaN; false if it is an error.
     gives_nan: bool,
     last: Mutex<Option<Point>>,
 }
@@ -253,8 +253,8 @@ impl PyObjective {
         }
     }
 
-    /// A point from any one-dimensional array or sequence of numbers, with a value for each
-    /// parameter.
+    /// Reads a point, with a value for each parameter, from any one-dimensional array or sequence
+    /// of numbers.
     fn point(&self, x: &Bound<'_, PyAny>) -> Answer<Vec<f64>> {
         let wanted = self.wrt().len();
         let refuse = |found: String| {

@@ -138,8 +138,8 @@ def test_ctrl_c_ends_a_goal_over_many_swings_in_the_midst() -> None:
 
     def hear(*_: object) -> None:
         heard.append(True)
-        # after the third signal within one call; without checks within the call, it would see one,
-        # at its end
+        # ends after the third signal within one call; without checks during the call, Python would
+        # see one signal, at the end of the call
         if len(heard) == 3:
             raise KeyboardInterrupt
 

@@ -69,7 +69,7 @@ def is_first(file: Path) -> bool:
 
 
 class Mortal(Question):
-    """A sweep of which one process dies in a part, after three parts."""
+    """A sweep in which one process dies while it writes a part, after three parts are complete."""
 
     def write(self, part: int) -> dict[str, Any]:
         folder = Path(self.output)
@@ -80,7 +80,7 @@ class Mortal(Question):
 
 
 class Troubled(Mortal):
-    """The sweep with a failing part and a full disk before that."""
+    """The sweep with a failing part and a full disk, before the death of the process."""
 
     def write(self, part: int) -> dict[str, Any]:
         place = Path(self.output).parent

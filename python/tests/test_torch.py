@@ -13,7 +13,7 @@ import longdrive
 from longdrive import InputError, Setup
 
 torch = pytest.importorskip("torch")
-# torch uses parts of itself that it warns of
+# torch warns of deprecated functions that it calls itself
 pytestmark = pytest.mark.filterwarnings("ignore::FutureWarning", "ignore::DeprecationWarning")
 
 WRT = ["club.loft", "swing.attack_angle", "swing.speed"]

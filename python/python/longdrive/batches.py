@@ -41,37 +41,21 @@ def batch(
     A row without a drive has a status, and no exception is raised. The rows do not depend on the
     number of threads, and equal those of ``longdrive sweep``.
 
-    Parameters
-    ----------
-    setup : SetupLike
-        A setup, the name of a preset, or a dict.
-    points : PointsLike
-        Parameters with arrays of one length, shape (rows,), or numbers for all rows, in SI; a text
-        has its unit, and quantities of pint, and lists of them, are converted. Also a table of
-        pandas, polars or pyarrow with such columns, or a :class:`Table`, whose points are taken.
-        Arrays of 64-bit floats, of any strides and also read-only, are read 65,536 rows at a time,
-        without a copy of the whole.
-    of : Names
-        Outcomes, a name or several; ``"all"`` for every one.
-    wrt : Names | None
-        Parameters to differentiate by, a name or several; ``"points"`` for those of the points;
-        without it no derivatives.
-    hessians : bool
-        Compute second derivatives too, without ``wrt`` by the parameters of the points, with the
-        step that is chosen for all rows.
-    tolerance : float | str | None
-        The largest error of a length, m or a text; without it 1 µm, unless the setup states its
-        method or step.
-    own_step : bool
-        Keep ``flight.method`` and ``flight.step`` of the setup.
-    angles : AngleUnit
-        The unit of angles without a unit.
-    threads : int
-        The number of threads; 0 for the number of processors of this process.
-    progress : Progress
-        True for a bar, or a function of the rows done and all rows.
-    first_row : int
-        The first row to compute, to continue after an interruption.
+    Parameters ---------- setup : SetupLike A setup, the name of a preset, or a dict. points :
+    PointsLike Parameters with arrays of one length, shape (rows,), or numbers for all rows, in SI;
+    a text has its unit, and quantities of pint, and lists of them, are converted. Also a table of
+    pandas, polars or pyarrow with such columns, or a :class:`Table`, whose points are taken. Arrays
+    of 64-bit floats, of any strides and also read-only, are read 65,536 rows at a time, without a
+    copy of the whole. of : Names Outcomes, a name or several; ``"all"`` for every one. wrt : Names
+    | None Parameters to differentiate by, a name or several; ``"points"`` for the parameters of the
+    points; without it no derivatives. hessians : bool Compute second derivatives too: by `wrt`, or
+    by the parameters of the points if `wrt` is None. All rows use the step that is chosen for them
+    together. tolerance : float | str | None The largest error of a length, m or a text; without it
+    1 µm, unless the setup states its method or step. own_step : bool Keep ``flight.method`` and
+    ``flight.step`` of the setup. angles : AngleUnit The unit of angles without a unit. threads :
+    int The number of threads; 0 for the number of processors of this process. progress : Progress
+    True for a bar, or a function of the rows done and all rows. first_row : int The first row to
+    compute, to continue after an interruption.
 
     Returns
     -------
@@ -128,7 +112,8 @@ def batch(
 
 
 def _without_units(points: Any) -> Any:
-    """The points with quantities of pint as numbers in SI. NumPy would drop their units."""
+    """Converts quantities of pint in the points to numbers in SI, because NumPy would drop their
+    units."""
     if not isinstance(points, Mapping) or not any(
         is_quantity(values) or contains_quantities(values) for values in points.values()
     ):
@@ -137,7 +122,7 @@ def _without_units(points: Any) -> Any:
     def converted(name: str, values: Any) -> Any:
         unit = _longdrive.unit_of(name) if isinstance(name, str) else None
         if unit is None:
-            # the batch refuses the unknown name
+            # the batch later refuses the unknown name
             return values
         try:
             if contains_quantities(values):

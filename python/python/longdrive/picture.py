@@ -59,9 +59,6 @@ class Picture(Reply):
 
         Examples
         --------
-
-        Examples
-        --------
         >>> import longdrive, tempfile
         >>> with tempfile.TemporaryDirectory() as folder:
         ...     longdrive.plot.trajectory().save(f"{folder}/drive.svg").name

@@ -381,7 +381,8 @@ class Table:
 
 
 def _refuse_difference(first: Table, other: Table, number: int) -> None:
-    """Refuses another table that is not of the same question as the first."""
+    """Refuses a table whose outcomes, derivatives, parameters or setup differ from the first
+    table's."""
     told = {
         "outcomes": (first.of, other.of),
         "derivatives by": (first.wrt, other.wrt),
