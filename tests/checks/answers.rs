@@ -167,7 +167,7 @@ fn every_answer_names_its_setup_and_what_was_changed() {
     assert!(compared.out.starts_with(&names), "{}", compared.out);
 }
 
-/// The loft depends on shaft and strike, which a measured launch tells.
+/// The best loft depends on shaft and strike, which follow from a measured launch.
 #[test]
 fn the_loft_of_an_average_comes_with_the_command_for_ones_own() {
     let advice = "starts from your own launch";
@@ -219,7 +219,8 @@ fn exact_loss_at_the_ends_of_the_intervals_of_an_optimum() {
     assert_eq!(ends, 3, "{}", found["window"]);
 }
 
-/// The gain of the club alone is that of a search over the loft with the swing as set up.
+/// The gain of changing only the club equals the gain of a search over the loft with the setup's
+/// swing.
 #[test]
 fn same_gain_of_the_club_as_a_search_over_the_loft_alone() {
     let (_, both) = json(&["optimize"]);

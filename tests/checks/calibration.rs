@@ -278,7 +278,7 @@ fn yards(metres: f64) -> f64 {
     metres / 0.9144
 }
 
-/// Every printed number, within the accuracy of one smooth law.
+/// Compares every number of the tables, within the accuracy of one smooth law.
 #[test]
 fn published_tables_of_winfield_and_tan_by_the_preset() {
     let (status, found) = json(&["reproduce", "winfield-tan"]);
@@ -514,8 +514,7 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
     }
 }
 
-/// Some launch columns have dotted names, the others have not: fits and sweeps read the same
-/// launch.
+/// Some launch columns have dotted names, the others do not: fits and sweeps read the same launch.
 #[test]
 fn a_launch_by_names_of_both_kinds_is_read_whole() {
     let rest = "launch_angle [deg],backspin [rpm],carry [yd]\n150,9,2500,230\n";

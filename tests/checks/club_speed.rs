@@ -184,7 +184,8 @@ fn exact_both_points_coincide_if_the_head_does_not_turn() {
     assert_eq!(carries[0].to_bits(), carries[1].to_bits());
 }
 
-/// By loft, depth, closure and weight, which the vector between the two points depends on.
+/// Derivatives by loft, depth, closure and weight, which determine the vector between the two
+/// points.
 #[test]
 fn differences_confirm_derivatives_by_the_position_of_the_face_centre() {
     let setup = Setup {
@@ -214,7 +215,7 @@ fn differences_confirm_derivatives_by_the_position_of_the_face_centre() {
                     .unwrap();
                 of.of(&Drive::new(&moved).unwrap()).unwrap()
             };
-            // of the fourth order
+            // a difference of the fourth order
             let slope = (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
             close(
                 exact,

@@ -562,7 +562,7 @@ fn of_two_sweeps_at_once_into_one_file_one_is_refused_and_the_other_is_whole() {
             1,
             "{first:?} {second:?}"
         );
-        // it found the other process, or its file
+        // the second process found the first one, or its file
         assert!(
             said.contains("another sweep is writing it") || said.contains("already exists"),
             "{said}"

@@ -128,7 +128,7 @@ pub fn for_random_setups(cases: u32, check: impl Fn(Setup<f64>)) {
     random_setups(cases).for_each(check);
 }
 
-/// The collision of rigid bodies, where a test has its numbers from that collision.
+/// Settings of a rigid collision, for tests whose numbers come from one.
 pub const RIGID: [(&str, &str); 2] = [
     ("impact.gear_scale", "none"),
     ("impact.tangential_restitution", "-0.15"),

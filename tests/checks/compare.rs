@@ -486,7 +486,7 @@ fn two_drives_as_text_and_json() {
         1e-10,
         "drives",
     );
-    // the same by options
+    // the same comparison by options
     let (_, same) = json(&[
         "compare",
         "modern-driver",

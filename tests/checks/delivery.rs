@@ -288,7 +288,7 @@ fn a_launch_on_the_command_line_becomes_a_setup_for_a_search() {
         longdrive(&["optimize", file, "--vary", "club.loft=4deg..20deg"]).status,
         0
     );
-    // the same as launch conditions, and as JSON
+    // the launch as an option, and the answer as JSON
     let (status, answer) = json(&[
         "delivery",
         "--launch",

@@ -216,7 +216,7 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
             mean.abs() < 3.0 && deviation.abs() < 3.0,
             "{name}: {mean} {deviation}"
         );
-        // as of a single shot
+        // as in the answer about a single shot
         let rows = answer["rows"].as_array().unwrap();
         let known = rows.iter().flat_map(|row| row["known"].as_array().unwrap());
         let mut told: Vec<f64> = known
@@ -423,7 +423,7 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
         distribution.err
     );
     assert!(!folder.path().join("swings.toml").exists());
-    // all of them found, but the request was for a distribution
+    // all deliveries are found, but they are too few for a distribution
     std::fs::write(&file, shots(7, 2)).unwrap();
     let few = run("swings.toml");
     assert!(

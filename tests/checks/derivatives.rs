@@ -327,8 +327,8 @@ fn same_diagonal_as_that_of_the_hessian() {
     }
 }
 
-/// The ground changes the run alone: carry has the same derivatives, and zeros by the ground, with
-/// and without the run.
+/// The ground changes only the run: with and without the run, carry has the same derivatives, which
+/// are 0 by the ground.
 #[test]
 fn exact_carry_does_not_depend_on_the_ground() {
     let setup = Setup::default();

@@ -460,7 +460,8 @@ fn assumptions_of_a_design_are_printed() {
     );
 }
 
-/// The other commands start from their default preset and say so. That preset is above a rule.
+/// Other commands start from their default preset and say so. A design refuses a file without a
+/// preset, because the default preset violates a rule.
 #[test]
 fn a_file_that_names_no_preset_is_refused() {
     let folder = tempfile::tempdir().unwrap();

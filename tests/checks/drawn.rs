@@ -103,7 +103,7 @@ fn rings(figure: &Figure, hatched: bool) -> Vec<Vec<[f64; 2]>> {
     figure.layers.iter().flat_map(of).collect()
 }
 
-/// Even-odd rule: whether a point is inside rings.
+/// True if a point is inside rings, by the even-odd rule.
 fn lies_in(rings: &[Vec<[f64; 2]>], [x, y]: [f64; 2]) -> bool {
     let edges = rings
         .iter()

@@ -289,7 +289,7 @@ fn a_flight_without_end_stops_at_the_time_limit() {
     ));
 }
 
-/// For any step size: the limit may be within a step. Alone and in lanes.
+/// A time limit within a step of any size, for a single flight and in lanes.
 #[test]
 fn exact_time_limit_between_aloft_and_landed() {
     for (method, step) in [("rk4", "0.01 s"), ("rk4", "0.3 s"), ("dp8", "1.1 s")] {
@@ -528,7 +528,7 @@ fn unusual_values_of_a_diverging_flight_are_named_and_the_step_only_if_long() {
     let fast = launch(1e5, -280.0);
     let told = |change: &dyn Fn(&mut Setup<f64>), launch: &Launch<f64>| {
         let mut setup = usual();
-        // not yet long
+        // a step that is not yet long
         setup.flight.step = 0.04;
         change(&mut setup);
         match fly(&setup, launch) {

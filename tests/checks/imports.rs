@@ -103,7 +103,7 @@ impl Names {
     }
 }
 
-/// The module in whose file the target of a path is.
+/// The module whose file defines the target of a path.
 fn defined(files: &BTreeMap<String, Names>, module: &str, path: &str) -> String {
     let (name, rest) = path.split_once("::").unwrap_or((path, ""));
     let next = match name {

@@ -368,7 +368,7 @@ fn a_club_beside_a_launch_is_refused_by_name() {
             assert_eq!(said.status, 0, "{command:?}: {}", said.err);
         }
     }
-    // swept or fitted club parameters, likewise; settings of a setup file are reported
+    // swept or fitted club parameters are refused too; club settings of a setup file are reported
     let both =
         "ball_speed [mph],launch_angle [deg],backspin [rpm],launch.spin [rpm]\n167,10.9,2686,1\n";
     std::fs::write(&points, both).unwrap();

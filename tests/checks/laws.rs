@@ -41,7 +41,7 @@ fn rows(table: &str) -> Vec<[f64; 4]> {
     table.lines().skip(1).map(row).collect()
 }
 
-/// 46 and 33.4 feet a second divided by the speed, for any spin.
+/// The coefficients are 46 and 33.4 feet a second divided by the speed, for any spin.
 #[test]
 fn exact_forces_of_macdonald_and_hanzely_grow_with_the_speed() {
     for speed in [20.0, 50.0, 80.0] {
@@ -68,8 +68,8 @@ fn published_values_of_naruo_mizota() {
     }
 }
 
-/// Both parabolas as printed where they hold alone; between them C_D is between them. The drag
-/// measured on the ball, and the mean lift of 13 balls within their spread.
+/// C_D is each printed parabola where only this parabola holds, and between both in the transition.
+/// The measured drag of the ball and the mean lift of 13 balls are within their spread.
 #[test]
 fn published_values_of_lyu() {
     let low = |re: f64| 1.29e-10 * re * re - 2.59e-5 * re + 1.50;
@@ -212,7 +212,8 @@ fn published_values_of_bearman_and_harvey() {
     }
 }
 
-/// On both sides of every grid line, of the edges, and of the clamps of speed and spin.
+/// Compares values and derivatives on both sides of every grid line, of the edges, and of the
+/// clamps of speed and spin.
 #[test]
 fn exact_c2_of_the_spline_across_every_line_of_the_grid() {
     let speeds = [

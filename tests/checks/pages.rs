@@ -130,7 +130,7 @@ fn same_gain_of_the_club_and_of_the_swing_on_the_page_and_in_optimize() {
         .find(|row| row.first().is_some_and(|name| name == "Club loft"));
     let club = number(&alone["optimum"]["club.loft"]).to_degrees();
     assert_eq!(loft.unwrap()[2], format!("{club:.2}°"));
-    // the swing of the club alone is that of the drive as set up
+    // if only the club changes, the swing is the swing of the setup
     let attack = table
         .iter()
         .find(|row| row.first().is_some_and(|name| name == "Attack angle"));

@@ -107,9 +107,9 @@ fn same_end_of_a_front_and_of_a_search_along_a_free_variable() {
     }
 }
 
-/// Each end is that of a search for its goal alone. Every point is that of a search with the other
-/// goal as a constraint, whose multiplier is the slope of the front, as are differences of
-/// neighbouring optima. No point is better than another in both goals.
+/// Each end is the optimum of a search for one goal. Every point is the optimum of a search with
+/// the other goal as a constraint; the multiplier of this constraint, and differences of
+/// neighbouring optima, are the slope of the front. No point is better than another in both goals.
 #[test]
 fn same_front_of_carry_and_dispersion_by_single_searches() {
     let mut setup = Setup::preset("tour-average").unwrap();

@@ -53,7 +53,7 @@ fn differences_of_optima_are_the_price_of_a_limit_over_swings() {
         5e-3,
         "yards of carry for a yard of scatter",
     );
-    // the design of the mean swing and that of the setup violate it
+    // the designs of the mean swing and of the setup violate it
     assert_eq!(text.matches("(broken)").count(), 2, "{text}");
     assert!(
         text.contains("the design as set up violates a limit"),

@@ -70,7 +70,7 @@ fn a_stated_value_is_held_in_every_search() {
     assert_eq!(names(&chart["points"][0]["optimum"]), ["club.loft"]);
 }
 
-/// The default ranges of a design have the loft, which is stated here.
+/// The default ranges of a design include the loft. A stated loft is held.
 #[test]
 fn a_design_holds_a_stated_loft() {
     let words = ["design", "--set", "club.loft=12deg", "--scenarios", "64"];

@@ -38,7 +38,7 @@ fn published_optimum_is_the_peak_of_the_regression_with_its_slip() {
         5e-3,
         "as fitted",
     );
-    // from the same data, the regression with its slip is off by far more
+    // from the same data, the report's regression, with its slip, is off by far more
     assert!(regression.slipped.distance > 1000.0 && regression.as_fitted.distance < 300.0);
 }
 

@@ -236,8 +236,8 @@ fn bad_models_are_refused_with_the_reason() {
     assert!(matches!(alone, Err(Error::Unreadable { .. })));
 }
 
-/// A goal that grows to both sides has two best designs, and the setup is nearer to the worse:
-/// several starts find the better one for every model, and for all of them.
+/// A goal that grows to both sides has two locally best designs, and the setup is nearer to the
+/// worse one. Several starts find the better one for every model, and for all models together.
 #[test]
 fn several_starts_find_the_better_end_for_every_model() {
     let args = [

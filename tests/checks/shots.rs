@@ -481,7 +481,7 @@ fn tables_without_a_launch_name_the_nearest_head() {
     ] {
         assert!(refused(text).contains(says), "{text}: {}", refused(text));
     }
-    // so do calibrate and delivery
+    // calibrate and delivery refuse it too
     let read = |text: &str| {
         longdrive::study::calibrate::ShotTable::read(&Setup::default(), "a.csv", text.as_bytes())
     };

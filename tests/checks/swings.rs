@@ -77,7 +77,7 @@ fn same_mean_and_derivatives_by_sums_over_single_drives() {
         close(*found, *sum, 1e3, 1e-12, "gradient");
     }
     for (found, sum) in best.solution.hessian.concat().iter().zip(&second) {
-        // that of the minimised function
+        // the Hessian of the minimised function
         close(-found, *sum, sum.abs().max(1.0), 1e-11, "Hessian");
     }
 }
@@ -217,7 +217,8 @@ fn exact_correlation_of_normal_swings() {
             .map(|(point, weight)| weight * f(point[0].to_degrees(), point[1].to_degrees()))
             .sum::<f64>()
     };
-    // a normal distribution between ± 4 σ keeps this part of its variance: 1 − 8 φ(4)/(2 Φ(4) − 1)
+    // a normal distribution between ± 4 σ keeps this fraction of its variance: 1 − 8 φ(4)/(2 Φ(4) −
+    // 1)
     let kept = 0.9989292903724738;
     close(moment(&|x, _| x), 1.0, 1.0, 1e-12, "mean path");
     close(

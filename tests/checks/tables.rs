@@ -272,7 +272,7 @@ fn bad_files_are_refused_with_the_reason() {
     );
 }
 
-/// Whether a message has this program's words alone.
+/// True if a message has only this program's own words.
 fn is_in_own_words(message: &str) -> bool {
     let words = [
         "Parquet error",

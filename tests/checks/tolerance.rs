@@ -34,9 +34,10 @@ struct Errors {
     landed: usize,
     /// Rows flown again, in shorter steps than the sweep's.
     again: usize,
-    /// Rows with an error above a micrometre, and the largest error, m: with the step of the sweep
-    /// alone, and in the result of the sweep.
+    /// Number of rows with an error above a micrometre, and the largest error, m, with the step
+    /// that the sweep chose before its rows were checked.
     unchecked: (usize, f64),
+    /// Number of rows and largest error, m, in the result of the sweep.
     checked: (usize, f64),
 }
 
@@ -134,8 +135,7 @@ fn same_lengths_of_random_sweeps_in_shorter_steps_within_a_micrometre() {
     });
 }
 
-/// As above, with the step that [`StepChoice`] chooses for the setup alone, as for a function of
-/// its parameters.
+/// Random functions of parameters, with the step that [`StepChoice`] chooses for the setup only.
 #[test]
 fn same_lengths_of_random_functions_in_shorter_steps_within_a_micrometre() {
     within_a_micrometre(&[0.2, 0.5], |setup, ranges| {
@@ -175,7 +175,8 @@ fn random_ranges(n: usize, setup: &Setup<f64>, part: f64) -> Vec<Vary> {
 }
 
 /// Asserts that the errors of all drives are at most a micrometre. `errors` returns the errors of
-/// the drives of a setup in these ranges, which are a part in `parts` of its values.
+/// the drives of a setup in ranges around it; half the width of a range is one of the fractions
+/// `parts` of the setup's value.
 fn within_a_micrometre(
     parts: &[f64; 2],
     errors: impl Fn(&Setup<f64>, &[Vary]) -> Option<Errors> + Sync,
@@ -245,7 +246,7 @@ fn same_rows_in_shorter_steps_after_a_retry() {
         let found = sweep(setup, ranges, &[Outcome::Carry, Outcome::Lateral], 1024).unwrap();
         assert!(found.checked.0 == 0 && found.landed > 500, "{found:?}");
     }
-    // a step for one loft, and rows of all
+    // a step chosen for one loft, and rows of all lofts
     let found = accuracy(
         &low,
         &[range(&low, "club.loft", 0.17, 0.18)],

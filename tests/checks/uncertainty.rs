@@ -801,7 +801,8 @@ fn huge_uncertainties_give_no_infinity() {
     assert_eq!(found.linearity(), 0.0);
 }
 
-/// σ_u/u = 1/ln(z/z₀) beside 1 m/s of the mean wind; across the wind 0.8 times that.
+/// Gusts add a deviation σ_u = u/ln(z/z₀) along the wind, and 0.8 σ_u across it, to the 1 m/s of
+/// the mean wind.
 #[test]
 fn exact_gusts_in_the_uncertainty_of_the_wind() {
     let sigma = |settings: &[(&str, &str)], name: &str| {

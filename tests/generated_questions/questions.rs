@@ -59,7 +59,7 @@ fn frequency(command: &str) -> f64 {
     }
 }
 
-/// Commands without a setup that answer in text alone.
+/// Commands without a setup, which answer only in text.
 const OF_THE_PROGRAM: [&str; 3] = ["help", "completions", "man"];
 
 impl Question {
