@@ -456,9 +456,9 @@ pub(crate) fn nearest<'a>(
         .max_by(|a, b| by_glyphs(a.1).total_cmp(&by_glyphs(b.1)))
 }
 
-/// Jaro–Winkler similarity of two names, 0 to 1. Names of the same group are compared without the
-/// group; a name without its group ("loft") is compared also with the last part of `known`; names
-/// that differ only in case have similarity 1.
+/// Jaro–Winkler similarity of two names, 0 to 1. Names of one group are compared without the group.
+/// A name without its group ("loft") is also compared with the last part of `known`. Names that
+/// differ only in case have similarity 1.
 fn similarity(given: &str, known: &str) -> f64 {
     if given.eq_ignore_ascii_case(known) {
         return 1.0;

@@ -105,7 +105,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     }
 
     /// Derivative of the rate in time, d²v/dt² and d|v_r|/dt: the central difference of the
-    /// equation of motion along the path. It is a smooth function of the node alone, so the
+    /// equation of motion along the path. It is a smooth function of the node only, so the
     /// interpolants of neighbouring steps join C³. Dual numbers in time would double the code size
     /// of a flight.
     #[inline(always)]

@@ -203,7 +203,8 @@ struct Derivatives<'a> {
 }
 
 impl Derivatives<'_> {
-    /// Appends gradients and Hessians, NaN where they do not exist. Returns what is missing.
+    /// Appends gradients and Hessians, NaN where they do not exist. Returns the missing
+    /// derivatives.
     fn append(mut self, of: &[Outcome], numbers: &mut Vec<f64>) -> Result<Vec<Missing>, Refusal> {
         if of.is_empty() || self.columns.count == 0 || self.order == Order::Value {
             return Ok(vec![]);

@@ -1,4 +1,4 @@
-// The core beside the program: the same numbers, statuses and messages.
+// Compares the core with the program: numbers, statuses and messages are equal.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { random, randomSetup, run, start, wordsOf } from './common.mjs';

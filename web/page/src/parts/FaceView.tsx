@@ -1,4 +1,4 @@
-// The strike point on the face, to drag. The two strike sliders do the same by keyboard.
+// The strike point on the face, to drag. The two strike sliders move it by keyboard.
 import { useComputed } from '@preact/signals';
 import { withValues } from '../setup/design';
 import { digits, fromSI, textOf } from '../setup/units';

@@ -1,4 +1,4 @@
-// All parameters: those of the first screen, the others in groups, and a search.
+// All parameters: sliders of the first screen, other sliders in groups, and a search.
 import { useState } from 'preact/hooks';
 import { firstOf, hasLaunch, lawOf, withValues } from '../setup/design';
 import { AIR_FIRST, LAUNCH_FIRST, groupOf, labelOf } from '../setup/parameters';

@@ -92,7 +92,7 @@ interface HandleProps {
   onMove: (from: Landing, dx: number, dy: number) => Promise<void>;
 }
 
-/** The landing point. The sliders below do the same by keyboard. */
+/** The landing point, to drag. The sliders below move it by keyboard. */
 function Handle({ x, y, landing, onMove }: HandleProps) {
   const { explorer } = usePage();
   const last = useRef(Promise.resolve());
