@@ -20,7 +20,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// The status number of a drive that landed without a requested outcome or derivative: the first
-/// number after those of `longdrive::batch::Status`.
+/// number after the numbers of `longdrive::batch::Status`.
 const UNDEFINED: i8 = Status::ALL.len() as i8;
 
 /// The results of a batch, column after column.

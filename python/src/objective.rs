@@ -174,7 +174,7 @@ impl Over {
 }
 
 /// An outcome as a function of some parameters, for ``scipy.optimize`` and the like: ``fun``,
-/// ``jac`` and ``hess`` of a point. Or a goal over swings.
+/// ``jac`` and ``hess`` of a point. Also for a goal over swings.
 ///
 /// See :func:`longdrive.objective`, which makes one.
 #[pyclass(name = "Objective", module = "longdrive", frozen)]

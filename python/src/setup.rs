@@ -137,7 +137,7 @@ impl PySetup {
         });
         let found = Arc::new(found??);
         if is_usual {
-            // another thread may have found the same
+            // another thread may have stored its equal result first
             let _ = self.chosen.set(Arc::clone(&found));
         }
         Ok(found)
@@ -318,7 +318,7 @@ impl PySetup {
         if let Some(table) = table {
             differences.set_item(TABLE, table.display().to_string())?;
         }
-        // the coefficients of the same law are compared
+        // only coefficients of one law can be compared
         base.law = if own.law.name() == base.law.name() {
             base.law
         } else {

@@ -35,8 +35,8 @@ def independent_drives() -> list[dict[str, Any]]:
 
 @pytest.fixture(scope="session")
 def program() -> Callable[..., str]:
-    """The program `longdrive`: that of LONGDRIVE_PROGRAM, or on the path. Tests that need it are
-    skipped without it."""
+    """The program `longdrive`, named by LONGDRIVE_PROGRAM or found on the path. Tests that need it
+    are skipped without it."""
     found = os.environ.get("LONGDRIVE_PROGRAM") or shutil.which("longdrive")
     if not found:
         pytest.skip("needs the program: put longdrive on the path, or name it in LONGDRIVE_PROGRAM")

@@ -77,7 +77,7 @@ def nearest_outcome(name: str) -> str:
 
 
 def refuse_idle_seed(seed: Any, sample: Any) -> None:
-    """Refuses a seed without a sample, where it has no effect.
+    """Refuses a seed without a sample, because the seed would have no effect.
 
     Raises
     ------

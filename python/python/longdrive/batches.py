@@ -39,7 +39,7 @@ def batch(
     """Outcomes, and their exact derivatives, at very many points, on all processors.
 
     A row without a drive has a status, and no exception is raised. The rows do not depend on the
-    number of threads, and equal those of ``longdrive sweep``.
+    number of threads, and equal the rows of ``longdrive sweep``.
 
     Parameters ---------- setup : SetupLike A setup, the name of a preset, or a dict. points :
     PointsLike Parameters with arrays of one length, shape (rows,), or numbers for all rows, in SI;

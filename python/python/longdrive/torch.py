@@ -106,7 +106,8 @@ def outcome(
             return batched(Curvatures, info, in_dims, x), (0, 0, 0)
 
     class Slopes(Function):
-        """Values and Jacobian: the Jacobian is a result of its own, so that it is computed with the values and differentiated again."""
+        """Values and Jacobian. The Jacobian is a separate result, so that it is computed with the
+        values and can be differentiated again."""
 
         @staticmethod
         def forward(x: torch.Tensor) -> tuple[torch.Tensor, ...]:
