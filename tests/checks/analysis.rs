@@ -588,8 +588,8 @@ fn a_saddle_is_left_for_a_maximum() {
     );
 }
 
-/// The head pitches with its attack angle. In the frame of the head the impact is the same, so the
-/// spin depends on the loft alone.
+/// The head pitches with its attack angle: in the frame of the head the impact does not change, so
+/// the spin depends only on the loft.
 #[test]
 fn an_optimum_that_does_not_depend_on_a_variable_has_no_sensitivity() {
     let setup = Setup::default();

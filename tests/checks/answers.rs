@@ -274,7 +274,7 @@ fn a_stated_temperature_says_that_the_ball_is_not_colder() {
     );
     let (_, warm) = json(&["simulate", "--set", "air.temperature=25degC"]);
     assert_eq!(warm["warnings"], serde_json::json!([]));
-    // the effect here is that of two flights 10 °F apart
+    // the printed effect is the difference of two flights 10 °F apart
     let carry = |temperature: &str| {
         let set = format!("air.temperature={temperature}");
         number(&json(&["simulate", "--set", &set]).1["flight"]["carry"]) / 0.9144

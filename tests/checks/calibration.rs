@@ -578,8 +578,8 @@ fn exports_omit_summaries_and_incomplete_rows_by_name_and_have_angles_in_degrees
             table.remarks
         );
     }
-    // a summary alone is no table; for a user's table without usable rows, the message gives the
-    // reason of the first row
+    // rows of a summary are not a table; for a user's table without usable rows, the message gives
+    // the reason of the first row
     let error = read(&[head, below].concat()).unwrap_err().to_string();
     assert!(
         error.contains("it has no usable shot (rows left out, since they sum up other rows: "),
@@ -925,7 +925,7 @@ fn interrupted_folds_are_omitted_and_counted() {
         let part = held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap();
         let done = 4 - part.count(Status::Interrupted);
         assert_eq!(part.remainders.len(), 6 * done, "after {after}");
-        // the result equals that of the uninterrupted fit
+        // the result equals the result of the uninterrupted fit
         for remainder in &part.remainders {
             let same = whole
                 .remainders
@@ -1165,8 +1165,7 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
             );
         }
     }
-    // a measured carry is the distance to the landing point; its uncertainty is that of the
-    // instrument
+    // a measured carry is the distance to the landing point, with the uncertainty of the instrument
     let carry = expected.shots[0].measured[0];
     assert_eq!(
         (carry.outcome, carry.sigma),
@@ -1200,8 +1199,7 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
         (false, vec!["swing.speed", "swing.path", "swing.face_angle"])
     );
     assert!((club.shots[0].inputs[1].1 + 2.0_f64.to_radians()).abs() < 1e-15);
-    // a misspelt name of this program stays an error, and so does one of its quantities without a
-    // unit
+    // a misspelt parameter name is an error, and so is a name of a parameter without its unit
     for (text, words) in [
         (
             "Ball Speed (mph),Launch Angle (deg),Spin Rate (rpm),cary_distance \
@@ -1345,7 +1343,7 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
     );
 }
 
-/// Shots built in code are checked like those of a table, and errors name the row.
+/// Shots built in code are checked like shots of a table, and errors name the row.
 #[test]
 fn impossible_measured_values_are_refused_with_their_row() {
     let setup = Setup::default();

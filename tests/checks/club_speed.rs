@@ -49,8 +49,8 @@ fn turning() -> Setup<f64> {
     setup
 }
 
-/// Velocity of the centre of mass from that of the face centre, v − ω × r, with axes and centre of
-/// mass written by hand.
+/// Velocity of the centre of mass from the velocity of the face centre, v − ω × r. Axes and centre
+/// of mass are written by hand.
 fn of_the_centre_of_mass(stated: &Setup<f64>) -> Setup<f64> {
     let (swing, club) = (&stated.swing, &stated.club);
     let (sin, cos) = (swing.attack_angle - swing.shaft_lean).sin_cos();

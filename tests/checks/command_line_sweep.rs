@@ -694,7 +694,7 @@ fn same_table_and_sample_on_the_command_line() {
     let at = ["--set", "club.loft=10deg", "--set", "swing.speed=110mph"];
     let (_, drive) = json(&[&["gradient", "--wrt", "club.loft,swing.speed"], &at[..]].concat());
     let drive = &drive["outcomes"][0];
-    // drives in lanes round differently than a drive alone
+    // drives in lanes and single drives round differently
     for (ours, theirs) in [
         (&rows[0]["carry"], &drive["value"]),
         (
@@ -874,8 +874,8 @@ fn a_sweep_without_any_answer_says_so_with_status_one() {
     assert_eq!(longdrive(&some).status, 0);
 }
 
-/// A tolerance holds in every row of a table, however far it is from the setup: compared with the
-/// same rows by `dp8` in steps of 20 ms.
+/// A tolerance holds in every row of a table, also in rows far from the setup. The reference is
+/// `dp8` in steps of 20 ms.
 #[test]
 fn same_rows_of_a_table_in_shorter_steps_within_the_tolerance() {
     let carries = |more: &[&str]| {

@@ -23,7 +23,8 @@ pub fn data(name: &str) -> Value {
 }
 
 /// A setup from its JSON form: every parameter by dotted name, `null` for unset, `"inf"` for a flat
-/// face. Missing parameters are those of Winfield & Tan: rolling at exit, calm, no friction limit.
+/// face. Missing parameters have the values of Winfield & Tan: rolling at exit, calm, no friction
+/// limit.
 pub fn setup(json: &Map<String, Value>) -> Setup<f64> {
     let mut setup = Setup::preset("winfield-tan").unwrap();
     setup.set_law(json["aero.law"].as_str().unwrap()).unwrap();

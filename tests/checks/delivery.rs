@@ -423,7 +423,7 @@ fn a_launch_without_a_delivery_is_unexplained_and_not_written() {
     assert!(!file.exists() && answer["spread"].as_array().unwrap().is_empty());
 }
 
-/// The speed of a junior is more than four deviations below that of the preset.
+/// The speed of a junior is more than four standard deviations below the speed of the preset.
 #[test]
 fn parameters_limited_by_their_range_have_a_warning() {
     let folder = tempfile::tempdir().unwrap();

@@ -179,8 +179,9 @@ fn sampled_swings_are_recovered_from_their_shots_within_three_uncertainties() {
     );
 }
 
-/// Seven parameters of a swing from the five of its launch: unidentified ones keep their prior,
-/// with its uncertainty, and the launches of the recovered swings scatter as those of the golfer.
+/// Seven parameters of a swing from the five of its launch. Unidentified parameters keep their
+/// prior, with its uncertainty, and the launches of the recovered swings scatter like the golfer's
+/// launches.
 #[test]
 fn sampled_swings_are_within_their_stated_uncertainties() {
     let truth = [
@@ -315,7 +316,8 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
     }
 }
 
-/// Mean and scatter of each outcome are those of the shots, within a quarter of the scatter.
+/// Mean and scatter of each outcome over the recovered swings equal the shots' within a quarter of
+/// the scatter.
 fn are_given_back(answer: &serde_json::Value) {
     for one in answer["population"]["launches"].as_array().unwrap() {
         let [[mean, deviation], [found, spread]] = ["measured", "recovered"]

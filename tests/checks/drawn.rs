@@ -23,8 +23,8 @@ fn setup() -> Setup<f64> {
     Setup::preset("tour-average").unwrap()
 }
 
-/// The problem with a tenth of the evaluations: the map and the drives that it is compared with use
-/// the same steps.
+/// The problem in large steps, with a tenth of the evaluations. The map and the single drives use
+/// equal steps.
 fn in_large_steps() -> Setup<f64> {
     let mut setup = setup();
     setup.set_all(crate::common::LARGE_STEPS).unwrap();

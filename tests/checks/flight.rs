@@ -350,8 +350,8 @@ fn a_trajectory_starts_on_the_tee_and_ends_at_the_landing() {
     );
 }
 
-/// Still air is isotropic: aimed elsewhere, the drive has the same distance, and `carry` is its
-/// component along the target line.
+/// Still air is isotropic: a drive in another direction has an equal distance, and `carry` is the
+/// component of this distance along the target line.
 #[test]
 fn exact_carry_distance_is_the_same_in_every_direction() {
     let mut setup = Setup::default();

@@ -136,7 +136,7 @@ fn same_gain_of_the_club_and_of_the_swing_on_the_page_and_in_optimize() {
         .find(|row| row.first().is_some_and(|name| name == "Attack angle"));
     assert_eq!(attack.unwrap()[1], attack.unwrap()[2]);
     assert_ne!(attack.unwrap()[2], attack.unwrap()[3]);
-    // a search over the club alone has no such column
+    // a search over only the club has no such column
     let (_, page) = report(&["--vary", "club.loft=4deg..20deg"]);
     let table = cells(part(answer(&page), "<table class=\"steps\">", "</table>"));
     assert_eq!(table[1].len(), 3);
@@ -449,7 +449,7 @@ fn the_setup_file_of_a_report_flies_its_best_drive() {
             "the best carry",
         );
     }
-    // without a best drive it is the drive of the setup
+    // without a best drive the page shows the drive of the setup
     let (status, page) = page(
         &folder,
         &[

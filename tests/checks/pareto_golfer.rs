@@ -54,8 +54,8 @@ fn alone(setup: &Setup<f64>, k: usize, subject_to: Vec<Constraint>) -> Optimum {
     best
 }
 
-/// The spin depends on the loft alone: among all drives with the smallest spin, the end of the
-/// front has the longest carry.
+/// The spin depends only on the loft: among all drives with the smallest spin, the end of the front
+/// has the longest carry.
 #[test]
 fn same_end_of_a_front_and_of_a_search_along_a_free_variable() {
     let mut setup = Setup::preset("tour-average").unwrap();

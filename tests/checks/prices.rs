@@ -209,7 +209,7 @@ fn a_search_without_an_optimum_does_not_call_its_end_one() {
             };
             let said = longdrive(&[asked, &more[..]].concat());
             assert_eq!(said.status, 1, "{}", said.out);
-            // the setup comes first, with advice where its loft is varied
+            // the setup comes first, with advice if its loft is varied
             let blocks = said.out.split("\n\n").next().unwrap();
             assert!(blocks.contains(&format!("\n{status}: ")), "{}", said.out);
             assert!(said.out.starts_with("from tour-average\n"), "{}", said.out);

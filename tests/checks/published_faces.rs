@@ -101,8 +101,8 @@ fn published_side_spin_by_the_depth_of_the_centre_of_mass_and_the_best_bulge() {
 
 #[test]
 fn published_table_of_bulge_and_gear_effect() {
-    // Tutelman: 150 mph of ball speed, 11°, 12 in, 1.3 in of depth; his hook spins are those of
-    // 5150 g cm² in his formula
+    // Tutelman: 150 mph of ball speed, 11°, 12 in, 1.3 in of depth; his hook spins follow from his
+    // formula with 5150 g cm²
     let head = changed(
         &mcnally(),
         &[
@@ -401,7 +401,7 @@ fn struck_beside_the_middle(
 }
 
 /// The strikes of this golfer were not measured. Five numbers of the strikes, by least squares from
-/// the launch alone, reproduce all ten published numbers of the launch within the error of 58
+/// only the launch, reproduce all ten published numbers of the launch within the error of 58
 /// drives; carry and lateral, which the fit does not use, then scatter as published too.
 #[test]
 fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells() {

@@ -36,7 +36,7 @@ fn a_stated_attack_angle_is_held_and_the_answer_says_so() {
     assert!(said.out.starts_with(&head), "{}", said.out);
 }
 
-/// The loft with the attack angle held is that of a search over the loft alone.
+/// With a held attack angle, the best loft equals the best loft of a search over the loft only.
 #[test]
 fn same_loft_as_a_search_over_the_loft_alone() {
     let (_, held) = json(&[&["optimize"], &GOLFER[..]].concat());
@@ -160,7 +160,7 @@ fn a_number_without_a_unit_in_a_file_is_refused_with_its_place() {
     );
 }
 
-/// Carry and total of the answer are those of the drives before and after.
+/// Carry and total of the answer are computed from the drives before and after the search.
 #[test]
 fn carry_and_total_stand_side_by_side_with_the_drive_as_set_up() {
     let (_, before) = json(&["simulate"]);

@@ -30,8 +30,8 @@ fn found(setup: &Setup<f64>, changes: &[&str]) -> Robust {
     robust(models, search(setup), 1, &Observers::default()).unwrap()
 }
 
-/// Two models with different best lofts: at the minimax design both lose the same, and no loft of a
-/// fine grid loses less.
+/// Two models with different best lofts: at the minimax design both have equal losses, and no loft
+/// of a fine grid loses less.
 #[test]
 fn independent_loft_of_the_smallest_greatest_loss_of_two_models_by_a_grid() {
     let mut setup = Setup::preset("modern-driver").unwrap();

@@ -70,7 +70,7 @@ fn the_rows_of_a_delivery_keep_their_numbers() {
     );
 }
 
-/// The rows of one club alone, in a table of their own, give the same fit.
+/// The rows of a single club, in a table of their own, give an equal fit.
 #[test]
 fn same_fit_as_of_a_table_of_one_club() {
     let (folder, file) = table();
@@ -103,7 +103,7 @@ fn shots_are_summarized_by_club() {
         })
         .collect();
     assert_eq!(counts, [("3 Wood", 2), ("Driver", 3)]);
-    // the residuals of the clubs together are those of all rows
+    // the residuals of all clubs together are the residuals of all rows
     let all = &found["residuals"][0];
     let of = |club: &Value, key: &str| number(&club["outcomes"][0][key]);
     let sum: f64 = clubs

@@ -170,7 +170,7 @@ fn marks_measured_estimated_and_normalized_of_an_export_are_kept() {
         None,
         "not said"
     );
-    // values of another flight model are not those of the shot
+    // values that another flight model predicted are not values of the shot
     assert_eq!(
         flown.shots()[0]
             .values

@@ -48,7 +48,7 @@ fn same_json_lines_after_reading_and_writing() {
         let (first, second) = (lines(&first), lines(&second));
         assert!(!first.is_empty() && first.len() == second.len(), "{name}");
         for (at, (mut one, mut other)) in first.into_iter().zip(second).enumerate() {
-            // the line is that of the input file
+            // the line number refers to the input file
             assert_eq!(other["line"], at + 1);
             (one["line"], other["line"]) = (Value::Null, Value::Null);
             assert_eq!(one, other, "{name}");
@@ -498,7 +498,7 @@ fn text_shows_the_run_beside_a_total_and_the_air_that_the_weather_gives() {
     assert!(!longdrive(&["simulate"]).out.contains("weather"));
 }
 
-/// More rows than a row group has: the numbers are those of the JSON lines.
+/// More rows than a row group has. The numbers equal the numbers of the JSON lines.
 #[cfg(feature = "full")]
 #[test]
 fn same_shots_in_parquet_and_in_json_lines() {

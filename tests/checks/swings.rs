@@ -395,8 +395,8 @@ fn same_bits_of_a_resumed_search_over_swings() {
     assert_eq!(whole, json(&[&args[..], &kept].concat()));
 }
 
-/// A goal that grows to both sides has a local optimum at each end of the range: one search finds
-/// the nearer end alone. In a mirrored range, the optimum is the mirror image.
+/// A goal that grows to both sides has a local optimum at each end of the range: a single search
+/// finds only the nearer end. In a mirrored range, the optimum is the mirror image.
 #[test]
 fn several_starts_find_both_ends_of_a_goal_that_grows_to_both_sides() {
     let asked = |set: &str, vary: &str, starts: &str| {
@@ -509,8 +509,8 @@ fn several_starts_find_both_ends_of_a_goal_that_grows_to_both_sides() {
     );
 }
 
-/// Value, gradient and Hessian of goals as functions, compared with those of the searched problem
-/// and with sums over single drives; without varying swings, with the drive.
+/// Value, gradient and Hessian of goals as functions, compared with the searched problem and with
+/// sums over single drives; without varying swings, with the drive.
 #[test]
 fn same_goals_by_sums_over_single_drives() {
     let setup = Setup::preset("mae494").unwrap();

@@ -219,8 +219,8 @@ fn within_a_micrometre(
     assert_eq!(checked.0, 0, "{checked:?}");
 }
 
-/// Two drives with errors of up to 266 times the tolerance by the step alone, which was chosen from
-/// other drives: at the ends of the ranges, and near a drive without a flight.
+/// Two drives with errors of up to 266 times the tolerance with the step that was chosen from other
+/// drives, before the retry: at the ends of the ranges, and near a drive without a flight.
 #[test]
 fn same_rows_in_shorter_steps_after_a_retry() {
     let mut low = Setup::default();
@@ -381,7 +381,7 @@ fn an_impossible_largest_defect_is_refused() {
     }
 }
 
-/// Without ranges one drive is checked, and has the step of a very narrow range.
+/// A request without ranges checks one drive, and has the step of a very narrow range.
 #[test]
 fn one_drive_alone_is_checked_once() {
     let setup = Setup::preset("modern-driver").unwrap();

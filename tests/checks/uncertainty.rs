@@ -307,8 +307,8 @@ fn sampled_moments_are_those_of_the_distributions() {
             indices.first.contains(1.0) || (indices.first.value - 1.0).abs() < 0.02,
             "{indices:?}"
         );
-        // Poincaré: the variance of x itself is below the constant; that of a normal distribution
-        // equals it
+        // Poincaré: the variance of x itself is at most the constant, and equal for a normal
+        // distribution
         assert!(
             distribution.deviation().powi(2) <= distribution.poincare() * (1.0 + 1e-15),
             "{distribution:?}"

@@ -648,7 +648,7 @@ fn contradictory_weather_settings_are_refused() {
         let back = remedy.split(" or ").last().unwrap().split(' ');
         let followed = longdrive(&args.iter().copied().chain(back).collect::<Vec<_>>());
         assert_eq!(followed.status, 0, "{args:?}: {}", followed.err);
-        // and it is the drive in that air and wind, without the other form
+        // the remedied drive has that air and wind, without the other form
         if *setup == printed {
             let asked: Vec<&str> = ["simulate"]
                 .into_iter()
@@ -712,7 +712,7 @@ fn contradictory_weather_settings_are_refused() {
         "{}",
         idle.err
     );
-    // and so has a drive that is differentiated by it
+    // a drive that is differentiated by the weather has the weather, too
     let vary = [
         "gradient",
         &dense,

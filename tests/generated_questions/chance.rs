@@ -56,7 +56,7 @@ impl Chance {
         low + (high - low) * self.part()
     }
 
-    /// One of some.
+    /// One of `all`.
     pub fn of<T: Clone>(&mut self, all: &[T]) -> T {
         all[self.below(all.len())].clone()
     }
