@@ -59,7 +59,7 @@ fn off_centre() -> Setup<f64> {
     setup
 }
 
-/// d x*/dp and d f*/dp against central differences of new optima, with one Richardson
+/// Compares d x*/dp and d f*/dp with central differences of new optima, after one Richardson
 /// extrapolation.
 fn differences_agree(setup: &Setup<f64>, search: &Search) {
     let best = best(setup, search);
@@ -441,7 +441,7 @@ fn order_of_the_predicted_change_is_second_and_third() {
 #[test]
 fn a_change_of_the_active_set_is_predicted_and_confirmed() {
     let setup = Setup::default();
-    // just inside the limit: more speed raises the apex to it
+    // the optimum is just inside the limit: more speed raises the apex to the limit
     let search = search(
         &setup,
         &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],

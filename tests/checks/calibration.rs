@@ -1235,8 +1235,8 @@ fn the_sample_of_shots_is_fitted() {
         (0, Some("converged")),
         "{found}"
     );
-    // made with these coefficients: with noise in launch and flight, the estimates are within three
-    // standard errors
+    // the shots were made with these coefficients, and with noise in launch and flight: the
+    // estimates are within three standard errors
     for name in ["aero.cd0", "aero.cl_max"] {
         let truth = Setup::default()
             .value(Setup::default().variable(name).unwrap())
@@ -1328,7 +1328,8 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
         "{warnings}"
     );
     let (found, warnings) = told(&rows(40.0), "aero.cd0=0.25..0.6");
-    // 40 yd at 1 yd each, minus the effect of the bound: √(χ²/ν) of the answer
+    // about 40 standard uncertainties (40 yd at 1 yd), less the effect of the bound; the warning
+    // prints √(χ²/ν)
     let off = (number(&found["chi_square"]) / number(&found["degrees_of_freedom"])).sqrt();
     assert!(
         off > 20.0

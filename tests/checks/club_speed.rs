@@ -63,7 +63,7 @@ fn of_the_centre_of_mass(stated: &Setup<f64>) -> Setup<f64> {
         sum(&[(cos, up), (-sin, forward)]),
         sum(&[(cos, forward), (sin, up)]),
     );
-    // from the centre of the face: up along it, towards the toe, behind it
+    // positions from the centre of the face: up along the face, towards the toe, behind the face
     let [own, weight] = [
         (
             club.mass,

@@ -451,7 +451,7 @@ fn rounding_is_shown_as_0_in_texts_and_kept_in_json() {
     ] {
         let said = longdrive(&args);
         assert_eq!(said.status, 0, "{args:?} {}", said.err);
-        // the residual of the search is no derivative
+        // the KKT residual is rounding, but not a derivative
         let lines = said
             .out
             .lines()

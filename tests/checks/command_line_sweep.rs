@@ -166,7 +166,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
         assert_eq!(status, Some(2));
         assert!(said.contains("the derivatives differ"), "{said}");
 
-        // Ctrl-C after more rows are written, unless it has ended
+        // Ctrl-C after more rows are written, unless the sweep has ended
         let before = announced_rows(&part);
         let mut child = start(many, &part, &["--resume"]);
         wait_until(&mut child, || announced_rows(&part) > before);
@@ -182,7 +182,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
                 said.contains("--resume") && said.contains("stopped: "),
                 "{said}"
             );
-            // it continues after the rows that it announced
+            // the sweep continues after the announced rows
             announced_row = said
                 .split("continues after ")
                 .nth(1)

@@ -407,7 +407,7 @@ fn events_of_a_chart_are_in_words_with_the_chosen_units() {
     }
 }
 
-/// Pixels per metre along both axes, of the longest line.
+/// Pixels per metre along both axes of a figure, from a drawn line and its data.
 fn scales(figure: &Figure, line: &[[f64; 2]]) -> [f64; 2] {
     let svg = figure_svg(
         figure,

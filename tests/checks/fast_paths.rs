@@ -28,7 +28,7 @@ fn fast(setup: &Setup<f64>, of: Outcome, wrt: &[&'static Parameter], order: Orde
         .remove(0)
 }
 
-/// The general path: any number, in space, with every law.
+/// The general path: any number type, three dimensions, every law.
 fn general<D: Number>(setup: &Setup<f64>, of: Outcome, variable: impl Fn(f64, usize) -> D) -> D {
     let lifted = setup.map(
         |row, value| match TWO.iter().position(|name| *name == row.name) {

@@ -442,8 +442,8 @@ fn same_total_by_the_trajectory_and_by_the_drive() {
     );
 }
 
-/// Steps of 0, negative steps, NaN, and steps that need more than 1e8 for a flight: no such flight
-/// would end in acceptable time.
+/// Refused steps: 0, negative, NaN, and so short that a flight would need more than 1e8 steps. No
+/// such flight would end in acceptable time.
 #[test]
 fn steps_with_which_a_flight_would_not_end_are_refused_before_it_begins() {
     let setup = Setup::default();
@@ -483,8 +483,7 @@ fn steps_with_which_a_flight_would_not_end_are_refused_before_it_begins() {
     ));
 }
 
-/// The shortest step that can be set needs the largest number of steps within the default time
-/// limit: 1e8.
+/// The shortest accepted step: 1e8 steps fill the default time limit.
 #[test]
 fn every_step_size_that_can_be_set_is_flown() {
     let mut setup = Setup::default();

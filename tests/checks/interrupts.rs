@@ -469,7 +469,8 @@ fn same_answer_over_swings_after_repeated_ctrl_c() {
     };
     let alone = crate::command_line::longdrive(&asked(&alone));
     assert_eq!(alone.status, 0, "{}", alone.err);
-    // before the first iteration is kept, then within the iteration after the next one that is kept
+    // interrupts before the first saved iteration, and then within the iteration after the next
+    // saved one
     for round in 0..4 {
         let kept = || std::fs::read(&stopped).ok();
         let before = kept();

@@ -10,7 +10,8 @@ use longdrive::units::Message;
 use longdrive::{Drive, Outcome, Setup};
 use num_dual::Dual2_64;
 
-/// C_D and C_L of a law as published, at a spin ratio, Reynolds number and speed.
+/// C_D and C_L of a law with its published coefficients, at a spin ratio, Reynolds number and
+/// speed.
 fn at<D: Number>(law: &str, of: [D; 3]) -> Coefficients<D> {
     let setup = Setup {
         law: Law::named(law).unwrap(),
@@ -529,7 +530,7 @@ fn same_curves_in_a_plot_of_laws_and_points_of_its_sources() {
         .into_iter()
         .filter(|[s, ..]| *s <= 0.4)
         .count();
-    // three colours are three names
+    // every point of the table is drawn as a dot, none as a mark
     assert_eq!((names("dots").len(), names("mark").len()), (table, 0));
     // the drag of Lyu over the Reynolds number, for any spin
     let (rows, answer) = drawn(&["--laws", "lyu", "--over", "reynolds", "--spin-ratio", "0.2"]);

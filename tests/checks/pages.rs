@@ -392,7 +392,7 @@ fn a_drive_of_a_yard_allows_a_loss_of_one_percent_and_has_no_ellipses() {
         !page.contains("for a loss of 1.00 yd")
             && page.contains("the loss that is allowed is 1 % of this carry")
     );
-    // 0.5 mph of 3 mph is determined, 0.5 mph of 1 mph is not
+    // an uncertainty of 0.5 mph is small enough for ellipses at 3 mph, but not at 1 mph
     assert!(page.contains("The inner and the outer ellipse"));
     assert!(page.contains("at the edge of the searched face"));
     let (_, page) = report(&["--set", "swing.speed=1mph"]);

@@ -284,8 +284,8 @@ fn published_golfer_scatters_in_carry_and_direction_as_computed_but_tilts_the_sp
         (axis / AXIS - 2.0).abs() < 0.15 && (lateral / LATERAL - 1.5).abs() < 0.15,
         "{axis} {lateral}"
     );
-    // strikes correlated with the face (r = 0.6 with face to path, as for other golfers) by 8.2 mm:
-    // the measured face is that at the strike
+    // strikes that scatter by 8.2 mm and are correlated with face to path (r = 0.6, as for other
+    // golfers); the measured face is the face at the strike
     let toe = 8.2;
     let turn = 1.0 / (305e-3 * DEGREE) * 1e-3;
     let with_face = 0.62 * toe * FACE_TO_PATH;

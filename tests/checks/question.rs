@@ -116,7 +116,7 @@ fn nothing_left_to_vary_is_refused_with_what_to_write() {
     );
 }
 
-/// The values of a setup file are where the search begins.
+/// A search begins at the values of a setup file.
 #[test]
 fn a_setup_file_states_the_start_and_holds_nothing() {
     let folder = tempfile::tempdir().unwrap();

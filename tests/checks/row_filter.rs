@@ -156,7 +156,8 @@ fn a_column_or_a_value_that_is_not_there_is_refused_with_those_that_are() {
     }
 }
 
-/// A club value on the command line is as uncertain as a column.
+/// A club value on the command line has the uncertainty of an instrument, like a column of the
+/// table.
 #[test]
 fn a_stated_club_value_of_a_delivery_has_the_uncertainty_of_an_instrument() {
     let launch = [

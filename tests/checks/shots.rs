@@ -239,7 +239,7 @@ fn same_table_in_every_encoding() {
     );
 }
 
-/// Rows that cannot be flown, each with the kind of its reason and words of it.
+/// Rows that cannot be flown, each with the kind and some words of its reason.
 const BAD: [(&str, &str, &str); 13] = [
     (
         ",12,2500,3,262",
@@ -679,8 +679,8 @@ fn same_streamed_rows_for_any_number_of_threads() {
             )
             .unwrap();
         assert_eq!(taken, rows);
-        // read but not yet written: the beginning of the file and a few chunks, for any length of
-        // the file
+        // rows in memory (read, but not yet written): the beginning of the file and a few chunks,
+        // for a file of any length
         assert!(
             most < 24_000,
             "{most} rows at a time with {threads} threads"

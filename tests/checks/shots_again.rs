@@ -161,7 +161,7 @@ fn totals_are_compared_only_on_a_named_ground() {
         0
     );
     let first = &lines(&place)[0];
-    // 283.0 yd in the export, estimated according to its head
+    // the total in the export, 283.0 yd, is an estimate according to its head
     let stated = number(&first["stated"]["total"]);
     assert!(
         (stated / 0.9144 - 283.0).abs() < 1e-9 && first["origins"]["total"] == "estimated",
@@ -212,7 +212,7 @@ fn assumed_values_of_a_launch_are_not_measured_when_read_again() {
             "{name}"
         );
     }
-    // a simulator finds every number of a launch
+    // a message for a simulator has every number of a launch
     let message = &lines(&place("d.json"))[0];
     assert!(
         message["BallData"]["HLA"] == 0.0 && message["BallData"]["SpinAxis"] == 0.0,
@@ -250,7 +250,7 @@ fn same_rows_of_a_table_flown_again() {
         .replace("150,abc", "150,11");
     let (_, told) = json(&["fly", &written(folder.path(), "mended.csv", &mended)]);
     assert_eq!(told["flown"], 2, "{told}");
-    // columns with the names of a launch monitor are its own
+    // the user's columns Notes and Line are not columns that this program has written
     let own =
         "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Notes,Line\n150,12,2700,windy,3\n";
     assert_eq!(

@@ -29,7 +29,7 @@ fn is_near(found: [f64; 2], expected: [f64; 2], what: &str) {
     }
 }
 
-/// A message with this in its ball data, beside speed and launch.
+/// A message whose ball data have `ball` in addition to speed and launch angles.
 fn message(ball: &str) -> String {
     format!("{{\"BallData\":{{\"Speed\":150,\"VLA\":12,\"HLA\":0,{ball}}}}}\n")
 }

@@ -132,7 +132,7 @@ fn independent_best_loft_of_the_average_over_attack_angles_by_simpsons_rule() {
 #[test]
 fn order_of_quadrature_and_of_sequences() {
     let mut setup = Setup::preset("mae494").unwrap();
-    // every mean is of drives as computed
+    // a mean is over the drives as computed, also in large steps
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let all = swings(
         &setup,
@@ -745,8 +745,8 @@ fn fewest_strokes_are_the_longest_drive_if_only_distance_counts() {
     );
 }
 
-/// The example of the README, correlations that leave one free swing, and a normal distribution at
-/// its full range: each has an answer.
+/// Three extreme requests have an answer: the lowest share of a normal distribution, correlations
+/// of ±1, and goals whose printed value must be within its interval.
 #[test]
 fn swings_that_reach_far_have_an_answer() {
     let attack = ["--distribution", "swing.attack_angle=normal(-1deg,2deg)"];

@@ -328,7 +328,8 @@ fn bad_parquet_files_are_refused_in_plain_words() {
     );
 }
 
-/// The columns with a claimed GZIP compression, which this program cannot read.
+/// Claims in a file's metadata that its columns are compressed by GZIP, which this program cannot
+/// read.
 #[test]
 fn an_unsupported_compression_is_named_with_the_supported_ones() {
     use parquet::basic::Compression;
@@ -436,7 +437,7 @@ fn a_damaged_table_is_refused_or_read_whole_but_nothing_panics() {
     assert!(refused > 1000, "{refused}");
 }
 
-/// Rows by arrow-ipc in batches of 1 to 997, and their status.
+/// Record batches of 1 to 997 rows, and the expected values of all rows.
 fn long(rows: usize) -> (Vec<RecordBatch>, Vec<f64>) {
     let expected: Vec<f64> = (0..rows)
         .flat_map(|i| {

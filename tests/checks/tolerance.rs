@@ -84,7 +84,8 @@ fn errors(
         method: Method::DormandPrince8,
         ..*setup
     };
-    // in a wind that increases with height; steps of 5 ms change no length by 2e-8 m
+    // shorter steps in a wind that increases with height; steps of 5 ms would change no length by
+    // 2e-8 m
     let step: f64 = if setup.wind.roughness.is_some() {
         0.02
     } else {

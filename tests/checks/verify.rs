@@ -135,8 +135,8 @@ fn differences_certify_a_launch_without_a_club() {
 
 #[test]
 fn differences_certify_two_hundred_random_drives() {
-    // this many parameters of each drive, others for the next; all of them were checked once
-    // (docs/verification.md)
+    // number of parameters that are checked for each drive; each drive has others. All parameters
+    // of all drives were checked once (docs/verification.md)
     const AT_A_TIME: usize = 4;
     let flies = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok());
     let setups: Vec<_> = random_setups(220)

@@ -574,8 +574,8 @@ fn plots_and_reports_of_optima_warn_once_for_each_kind() {
     );
 }
 
-/// The answer has the numbers of a warning: the range, the extremes of the flight, and the share
-/// outside, of an optimum too.
+/// The answer has the numbers of a warning: the fitted range, the extremes of the flight, and the
+/// share of the flight outside. So has the answer about an optimum.
 #[test]
 fn share_outside_the_range_of_a_law_is_in_the_answer() {
     let slow = ["--set", "swing.speed=30mph"];

@@ -294,7 +294,7 @@ fn same_drives_in_a_sweep_over_the_weather_and_alone() {
         ("wind.speed", "4 m/s"),
         ("wind.from", "30 deg"),
     ]);
-    // temperature and altitude have values in each drive only
+    // the setup has no temperature and altitude: only the points have them
     let over = [
         "air.temperature=0..35degC:4",
         "air.altitude=0..2000m:3",
@@ -727,7 +727,7 @@ fn contradictory_weather_settings_are_refused() {
         longdrive(&[&vary[..], &["--set", "air.density=none"]].concat()).status,
         0
     );
-    // with the roles exchanged, or one unset, it is allowed
+    // a command is allowed if one of the two forms is unset
     for args in [
         &[
             "simulate",

@@ -54,7 +54,7 @@ class Request:
         self.output = ""
         """Name of the output file that stays in memory; empty if the call names a file."""
         self.content: bytes | None = None
-        """The content of this file, after the command."""
+        """The content of the output file in memory, once the command has ended."""
         self.axes: Any = None
         """Axes of matplotlib for a plot."""
         if arguments.get("ax") is not None and arguments.get("output") is not None:
