@@ -19,9 +19,9 @@ use std::sync::atomic::AtomicBool;
 pub(super) struct LaneBatch<'a> {
     pub batch: &'a Batch,
     pub block: &'a mut Block,
-    /// Parameters of differentiation in this evaluation, and the index of the first of them among
-    /// all parameters of differentiation.
+    /// Parameters of differentiation in this evaluation.
     pub wrt: &'a [&'static Parameter],
+    /// Index of the first of `wrt` among all parameters of differentiation.
     pub first: usize,
     /// Interrupt flag of long flights.
     pub stop: &'a AtomicBool,
@@ -61,7 +61,7 @@ struct FlyingRow {
     row: usize,
 }
 
-/// Rows, divided into those computed in lanes and those computed one by one.
+/// Rows to compute in lanes, and rows to compute one by one.
 #[derive(Default)]
 struct Partition {
     flying: Vec<FlyingRow>,

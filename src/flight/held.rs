@@ -9,9 +9,11 @@ use crate::launch::Launch;
 use crate::parameters::{Law, Setup};
 use std::sync::atomic::AtomicBool;
 
-/// Indices of the variables of a law in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
+/// Index of the spin ratio in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
 const SPIN_RATIO: usize = 0;
+/// Index of the spin.
 const SPIN: usize = 1;
+/// Index of the Reynolds number.
 const REYNOLDS: usize = 2;
 
 /// A law with one variable held within a range.

@@ -18,7 +18,7 @@ pub(crate) const MOST_PER_LANE: usize = 3;
 pub(crate) trait OverNumbers {
     /// Result of the work.
     type Output;
-    /// Runs over numbers with `per_lane` directions in each lane.
+    /// Runs the work over a number type with `per_lane` directions in each lane.
     fn over<J: Lanes<Lane: Derivatives>>(&mut self, per_lane: usize) -> Self::Output;
 }
 
