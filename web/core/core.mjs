@@ -35,7 +35,7 @@ export class Core {
    * Makes an instance of the compiled module.
    * @param {WebAssembly.Module} module
    * @param {Wasi} wasi
-   * @param {(done: number, of: number) => void} [progress] receives the completed and all parts of a long command
+   * @param {(done: number, of: number) => void} [progress] receives the completed parts and all parts of a long command
    * @returns {Promise<Core>}
    */
   static async start(module, wasi, progress = () => {}) {

@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 /// Loft and attack angle, deg, of the drives whose errors are measured: the peers' drive, and the
 /// optimum.
 const PLACES: [[f64; 2]; 2] = [[10.0, 0.0], [14.682_922_531_9, 10.0]];
+/// Methods of the work–precision table.
 const METHODS: [&str; 2] = ["rk4", "dp8"];
 /// Steps of the work–precision table, s, by method.
 const LADDERS: [[f64; 7]; 2] = [

@@ -27,8 +27,9 @@ export interface Iteration {
 export interface Trial {
   x: Float64Array;
   isAccepted: boolean;
-  /** Gains of the outcome, by the model and by the drive. */
+  /** Gain of the outcome by the model. */
   predicted: number;
+  /** Gain of the outcome by the drive. */
   actual: number;
   /** True if the model has no maximum; the step is then computed with a reflected curvature. */
   isReflected: boolean;
