@@ -155,8 +155,10 @@ impl Over {
         Ok(goal)
     }
 
+    /// Refuses an argument about swings if there are no swings.
+    ///
     /// # Errors
-    /// For an argument about swings without swings.
+    /// For such an argument, with its name.
     fn refuse_stray(&self) -> Answer<()> {
         let given = [
             ("correlation", !self.correlation.is_empty()),

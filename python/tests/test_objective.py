@@ -76,7 +76,7 @@ def test_what_it_is_of_and_its_physical_bounds() -> None:
             high == known["high"] if known["high_included"]
             or math.isinf(high) else high < known["high"]
         )
-    # both ends belong to it: an optimizer may evaluate there
+    # both ends of a range are valid: an optimizer may evaluate there
     longdrive.Setup({"club.loft": carry.bounds[0][0]})
     longdrive.Setup({"club.loft": carry.bounds[0][1]})
 

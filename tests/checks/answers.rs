@@ -76,7 +76,7 @@ fn text_and_help_wrap_to_the_terminal() {
             let said = in_columns(columns, words);
             let text = said.out + &said.err;
             let wide: Vec<_> = text.lines().filter(|line| widest(line) > most).collect();
-            // a table of two columns cannot be narrower, and a word stays whole
+            // a table of two columns cannot be narrower, and words are not broken
             let is_table = |line: &str| line.trim().split("  ").count() > 1;
             let is_word = |line: &str| line.split_whitespace().count() == 1;
             let wide: Vec<_> = wide

@@ -148,8 +148,8 @@ fn sampled_coverage_of_intervals_over_200_draws_of_noise() {
         assert_eq!(found.statistics.degrees_of_freedom, 22);
         chi_square += found.statistics.chi_square / 200.0;
     }
-    // 95 % of 400 intervals; the mean of χ² with 22 degrees of freedom within four of its standard
-    // errors
+    // 95 % of 400 intervals contain the truth; the mean of χ² with 22 degrees of freedom is within
+    // four of its standard errors
     let share = (covered[0] + covered[1]) as f64 / 400.0;
     println!("coverage {covered:?} of 200 each, mean chi-square {chi_square}");
     assert!((0.93..=0.97).contains(&share), "{covered:?}");

@@ -468,7 +468,7 @@ fn same_changed_optimum_and_search_of_the_changed_setup() {
             (&"converged".into(), &"converged".into()),
             "{resolved} {best}"
         );
-        // both within a micrometre of the exact carry
+        // both carries are within a micrometre of the exact carry
         close(
             number(&resolved["value"]),
             number(&best["value"]),

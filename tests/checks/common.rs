@@ -166,7 +166,8 @@ pub fn in_large_steps((place, mut setup): (usize, Setup<f64>)) -> Setup<f64> {
     setup
 }
 
-/// Random drives that land, in large steps. Nearly all land; else the check would cover little.
+/// Random drives that land, in large steps. Panics if many do not land, because a check would then
+/// cover little.
 #[track_caller]
 pub fn landing(cases: u32) -> Vec<Setup<f64>> {
     let lands = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok());

@@ -797,7 +797,7 @@ fn exact_shares_of_air_and_wind_changed_at_once_change_sign_on_the_way_back() {
             close(share(&there, name), -share(&back, name), 100.0, 1e-9, name);
         }
     }
-    // the other parameters are equal, so that the wind has the whole difference
+    // the other parameters are equal, so that the wind causes the whole difference
     let b = changed(
         &Setup::default(),
         &[("air.density", "1.2 kg/m^3"), other[1], other[2]],

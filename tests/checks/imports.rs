@@ -250,7 +250,8 @@ fn a_circle_of_any_length_is_found() {
     assert_eq!(of(&[("a", "b"), ("b", "a")]).unwrap(), ["a", "b"]);
 }
 
-/// Each number of the core is compiled again at each level, so new ones go through one list.
+/// Each number type of the core is compiled again at each level, so new number types go through one
+/// list.
 #[test]
 fn the_core_is_compiled_for_the_numbers_of_one_list() {
     let list = std::fs::read_to_string(source().join("number/compiled.rs")).unwrap();

@@ -9,8 +9,9 @@ use std::sync::LazyLock;
 
 pub static FOUND: LazyLock<Mae494> = LazyLock::new(|| mae494(|_| ()).unwrap());
 pub static PAPER: LazyLock<WinfieldTan> = LazyLock::new(|| winfield_tan(|_| ()).unwrap());
-/// Output and files of the program for the report and the paper, which takes seconds.
+/// Output and files of the program for the report, which takes seconds.
 pub static REPORT: LazyLock<Written> = LazyLock::new(|| written(&["reproduce", "mae494"]));
+/// Output and files of the program for the paper.
 pub static PAPER_WRITTEN: LazyLock<Written> =
     LazyLock::new(|| written(&["reproduce", "winfield-tan"]));
 

@@ -315,8 +315,8 @@ fn a_stopped_search_reports_its_progress() {
     );
 }
 
-/// The multiplier of a bound and of a limit: the decrease of the largest loss as it moves, with the
-/// best design of each model moving too.
+/// The multiplier of a bound or limit is the decrease of the largest loss as the bound moves. The
+/// best design of each model moves, too.
 #[test]
 fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
     let asked = |attack: f64, limit: &str| {

@@ -166,7 +166,7 @@ fn order_of_quadrature_and_of_sequences() {
     assert!(many < few / 8.0, "{few} {many}: no better than 1/√n");
 }
 
-/// A symmetric head and golfer: no lateral mean, and no loft with a side.
+/// With a symmetric head and golfer, the mean lateral is 0 for every loft.
 #[test]
 fn exact_zero_lateral_mean_of_symmetric_swings() {
     let setup = Setup::preset("tour-average").unwrap();
