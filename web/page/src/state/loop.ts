@@ -22,7 +22,7 @@ interface Along {
   high: number;
 }
 
-/** Columns of an answer: parameter, loop, its interpolated landing, difference, exact carry, slope. */
+/** Columns: parameter, loop, its interpolated landing, difference, exact carry, exact slope. */
 const COLUMNS = 6;
 
 export const loopCall = (
