@@ -417,7 +417,10 @@ impl PySetup {
     /// path
     ///     The file, a text or a path.
     ///
-    /// Raises ------ InputError For a file that cannot be read, with line and column of the error.
+    /// Raises
+    /// ------
+    /// InputError
+    ///     For a file that cannot be read, with line and column of the error.
     #[staticmethod]
     fn read(path: &Bound<'_, PyAny>) -> PyResult<Self> {
         answer(|| {
@@ -437,7 +440,12 @@ impl PySetup {
 
     /// Reads the text of a setup file.
     ///
-    /// Parameters ---------- text TOML. file Name of the text in messages.
+    /// Parameters
+    /// ----------
+    /// text
+    ///     TOML.
+    /// file
+    ///     Name of the text in messages.
     ///
     /// Examples
     /// --------
@@ -475,9 +483,14 @@ impl PySetup {
 
     /// A setup with other values of some parameters.
     ///
-    /// Parameters ---------- changes : dict, optional Names with values, as in the constructor.
-    /// angles : {"rad", "deg"} The unit of angles without a unit. **named Names with values, as
-    /// keywords; ``**{"club.loft": "11 deg"}`` for dotted names.
+    /// Parameters
+    /// ----------
+    /// changes : dict, optional
+    ///     Names with values, as in the constructor.
+    /// angles : {"rad", "deg"}
+    ///     The unit of angles without a unit.
+    /// **named
+    ///     Names with values, as keywords; ``**{"club.loft": "11 deg"}`` for dotted names.
     ///
     /// Returns
     /// -------

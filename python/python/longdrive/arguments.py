@@ -117,8 +117,14 @@ def count_of(name: str, value: Any, least: int = 0, most: int = sys.maxsize) -> 
 def switch_of(name: str, value: Any, alternative: str = "") -> bool:
     """True or False, also of NumPy. Other values are refused: ``overwrite="no"`` is not False.
 
-    Parameters ---------- name : str The argument, for messages. value : Any The value. alternative
-    : str Other values that the argument accepts, for messages.
+    Parameters
+    ----------
+    name : str
+        The argument, for messages.
+    value : Any
+        The value.
+    alternative : str
+        Other values that the argument accepts, for messages.
 
     Raises
     ------

@@ -41,21 +41,37 @@ def batch(
     A row without a drive has a status, and no exception is raised. The rows do not depend on the
     number of threads, and equal the rows of ``longdrive sweep``.
 
-    Parameters ---------- setup : SetupLike A setup, the name of a preset, or a dict. points :
-    PointsLike Parameters with arrays of one length, shape (rows,), or numbers for all rows, in SI;
-    a text has its unit, and quantities of pint, and lists of them, are converted. Also a table of
-    pandas, polars or pyarrow with such columns, or a :class:`Table`, whose points are taken. Arrays
-    of 64-bit floats, of any strides and also read-only, are read 65,536 rows at a time, without a
-    copy of the whole. of : Names Outcomes, a name or several; ``"all"`` for every one. wrt : Names
-    | None Parameters to differentiate by, a name or several; ``"points"`` for the parameters of the
-    points; without it no derivatives. hessians : bool Compute second derivatives too: by `wrt`, or
-    by the parameters of the points if `wrt` is None. All rows use the step that is chosen for them
-    together. tolerance : float | str | None The largest error of a length, m or a text; without it
-    1 µm, unless the setup states its method or step. own_step : bool Keep ``flight.method`` and
-    ``flight.step`` of the setup. angles : AngleUnit The unit of angles without a unit. threads :
-    int The number of threads; 0 for the number of processors of this process. progress : Progress
-    True for a bar, or a function of the rows done and all rows. first_row : int The first row to
-    compute, to continue after an interruption.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, or a dict.
+    points : PointsLike
+        Parameters with arrays of one length, shape (rows,), or numbers for all rows, in SI; a text
+        has its unit, and quantities of pint, and lists of them, are converted. Also a table of
+        pandas, polars or pyarrow with such columns, or a :class:`Table`, whose points are taken.
+        Arrays of 64-bit floats, of any strides and also read-only, are read 65,536 rows at a time,
+        without a copy of the whole.
+    of : Names
+        Outcomes, a name or several; ``"all"`` for every one.
+    wrt : Names | None
+        Parameters to differentiate by, a name or several; ``"points"`` for the parameters
+        of the points; without it no derivatives.
+    hessians : bool
+        Compute second derivatives too: by `wrt`, or by the parameters of the points if `wrt` is
+        None. All rows use the step that is chosen for them together.
+    tolerance : float | str | None
+        The largest error of a length, m or a text; without it 1 µm, unless the setup states its
+        method or step.
+    own_step : bool
+        Keep ``flight.method`` and ``flight.step`` of the setup.
+    angles : AngleUnit
+        The unit of angles without a unit.
+    threads : int
+        The number of threads; 0 for the number of processors of this process.
+    progress : Progress
+        True for a bar, or a function of the rows done and all rows.
+    first_row : int
+        The first row to compute, to continue after an interruption.
 
     Returns
     -------
@@ -187,7 +203,7 @@ def computed(
     hessians : bool
         Compute second derivatives.
     ranges : list[tuple[str, float, float]] | None
-        The ranges for which the step is chosen; without them, those of the points.
+        The ranges for which the step is chosen; without them, the ranges of the points.
     function : _longdrive.Integration | None
         Method and step of a function, chosen before.
     interrupted : Callable[[int, int], str]

@@ -223,24 +223,42 @@ def objective(
     point are computed once. The last bit of a value may depend on whether derivatives are computed
     with it. Method and step are chosen once, for values around the setup's.
 
-    Parameters ---------- setup : SetupLike A setup, the name of a preset, a dict, or None for the
-    preset ``tour-average``. of : str The outcome; over swings the goal, such as ``"mean(carry) -
-    0.5*std(lateral)"``. wrt : Names | None As for :func:`gradient`. Over swings the default is only
-    the loft, as in :func:`optimize`: the attack angle belongs to the golfer. sense : Sense | None
-    ``"max"`` changes the sign of all results, because optimizers minimize; ``"min"`` and None keep
-    it. invalid : Literal['raise', 'nan'] The result at a point without a drive (no flight, a value
-    outside its range): ``"raise"`` an exception, or ``"nan"``. SLSQP, COBYLA and COBYQA of SciPy
-    step back from NaN; give other methods bounds within which every drive flies. swings : str |
-    PathLike[str] | None A file of swings, as for :func:`optimize`: TOML with distributions and
-    correlations, or a table of recorded swings. distribution : Given | None Distributions of
-    parameters from swing to swing, as for :func:`optimize`: texts such as
-    ``"swing.speed=normal(107mph,3mph)"``, or a dict. correlation : Given | None Correlations of
-    these parameters, such as ``"swing.path,swing.face_angle=0.6"``. scenarios : int | None The
-    number of swings of the distributions, as for :func:`optimize`. seed : int | None The seed of
-    the swings. strokes : str | PathLike[str] | None A file with a table of expected strokes, as for
-    :func:`optimize`, for a goal such as ``strokes(400yd)``. tolerance : Amount | None The largest
-    error of a length, m or a text; without it 1 µm, unless the setup states its method or step.
-    own_step : bool Keep ``flight.method`` and ``flight.step`` of the setup.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, a dict, or None for the preset ``tour-average``.
+    of : str
+        The outcome; over swings the goal, such as ``"mean(carry) - 0.5*std(lateral)"``.
+    wrt : Names | None
+        As for :func:`gradient`. Over swings the default is only the loft, as in :func:`optimize`,
+        because the attack angle belongs to the golfer.
+    sense : Sense | None
+        ``"max"`` changes the sign of all results, because optimizers minimize; ``"min"`` and None
+        keep it.
+    invalid : Literal['raise', 'nan']
+        The result at a point without a drive (no flight, a value outside its range): ``"raise"`` an
+        exception, or ``"nan"``. SLSQP, COBYLA and COBYQA of SciPy step back from NaN; give other
+        methods bounds within which every drive flies.
+    swings : str | PathLike[str] | None
+        A file of swings, as for :func:`optimize`: TOML with distributions and correlations, or a
+        table of recorded swings.
+    distribution : Given | None
+        Distributions of parameters from swing to swing, as for :func:`optimize`: texts such as
+        ``"swing.speed=normal(107mph,3mph)"``, or a dict.
+    correlation : Given | None
+        Correlations of these parameters, such as ``"swing.path,swing.face_angle=0.6"``.
+    scenarios : int | None
+        The number of swings of the distributions, as for :func:`optimize`.
+    seed : int | None
+        The seed of the swings.
+    strokes : str | PathLike[str] | None
+        A file with a table of expected strokes, as for :func:`optimize`, for a goal such as
+        ``strokes(400yd)``.
+    tolerance : Amount | None
+        The largest error of a length, m or a text; without it 1 µm, unless the setup states its
+        method or step.
+    own_step : bool
+        Keep ``flight.method`` and ``flight.step`` of the setup.
 
     Returns
     -------

@@ -88,26 +88,49 @@ class Question(NamedTuple):
     ) -> Question:
         """The sweep of a setup.
 
-        Parameters ---------- setup : SetupLike A setup, the name of a preset, or a dict. output :
-        str | os.PathLike[str] The folder for the files; every worker must see it under this name.
-        parts : int The number of parts; each has at least 1024 rows. over : Over Ranges:
-        ``{"club.loft": "5deg..15deg:101"}``, or ``(low, high, count)`` with numbers in SI. sample :
-        int | None The number of points of a quasi-random sequence in the ranges of `over`, which
-        then have no counts. seed : int | None The seed of the sequence [default: 0]. points : str |
-        os.PathLike[str] | None A file with a table of points in place of `over`. of : Names
-        Outcomes, a name or several; ``"all"`` for every one. wrt : Names | None Parameters to
-        differentiate by, a name or several; ``"points"`` for the swept parameters; without it no
-        derivatives. histogram : Given | None Outcomes with bins, ``{"carry": "200m..300m:64"}``, or
-        ``(low, high, count)`` with numbers in SI. highest : Mapping[str, int] | str | None Outcomes
-        with the number of rows of the highest values to keep, ``{"carry": 10}``. lowest :
-        Mapping[str, int] | str | None Outcomes with the number of rows of the lowest values to
-        keep. instructions : str | None ``"baseline"``, ``"avx2"``, ``"avx512"``, ``"neon"`` or
-        ``"simd128"``, which the processor of every worker must have. Without it each worker uses
-        its best, and parts of different processors are refused. tolerance : Amount | None The
-        largest error of a length, m or a text like ``"1 mm"``; without it 1 µm. own_step : bool
-        Keep ``flight.method`` and ``flight.step`` of the setup. angles : AngleUnit The unit of
-        angles without a unit. threads : int The number of threads that compute a part; a worker
-        that computes several parts at a time uses this number for each.
+        Parameters
+        ----------
+        setup : SetupLike
+            A setup, the name of a preset, or a dict.
+        output : str | os.PathLike[str]
+            The folder for the files; every worker must see it under this name.
+        parts : int
+            The number of parts; each has at least 1024 rows.
+        over : Over
+            Ranges: ``{"club.loft": "5deg..15deg:101"}``, or ``(low, high, count)`` with numbers in
+            SI.
+        sample : int | None
+            The number of points of a quasi-random sequence in the ranges of `over`, which then have
+            no counts.
+        seed : int | None
+            The seed of the sequence [default: 0].
+        points : str | os.PathLike[str] | None
+            A file with a table of points in place of `over`.
+        of : Names
+            Outcomes, a name or several; ``"all"`` for every one.
+        wrt : Names | None
+            Parameters to differentiate by, a name or several; ``"points"`` for the swept
+            parameters; without it no derivatives.
+        histogram : Given | None
+            Outcomes with bins, ``{"carry": "200m..300m:64"}``, or ``(low, high, count)`` with
+            numbers in SI.
+        highest : Mapping[str, int] | str | None
+            Outcomes with the number of rows of the highest values to keep, ``{"carry": 10}``.
+        lowest : Mapping[str, int] | str | None
+            Outcomes with the number of rows of the lowest values to keep.
+        instructions : str | None
+            ``"baseline"``, ``"avx2"``, ``"avx512"``, ``"neon"`` or ``"simd128"``, which the
+            processor of every worker must have. Without it each worker uses its best, and parts of
+            different processors are refused.
+        tolerance : Amount | None
+            The largest error of a length, m or a text like ``"1 mm"``; without it 1 µm.
+        own_step : bool
+            Keep ``flight.method`` and ``flight.step`` of the setup.
+        angles : AngleUnit
+            The unit of angles without a unit.
+        threads : int
+            The number of threads that compute a part; a worker that computes several parts at a
+            time uses this number for each.
 
         Returns
         -------
@@ -330,9 +353,15 @@ def check(
     ``status`` is ``"done"`` if every part exists and nothing else; otherwise ``missing``,
     ``faults`` and ``message`` have the reason.
 
-    Parameters ---------- output : str | os.PathLike[str] The folder. contents : bool Read the rows
-    too, and compare them with the SHA-256 of each part; ``sha256`` is then the hash of the whole
-    set. question : Question | None The sweep to which the parts must belong.
+    Parameters
+    ----------
+    output : str | os.PathLike[str]
+        The folder.
+    contents : bool
+        Read the rows too, and compare them with the SHA-256 of each part; ``sha256`` is then that
+        of the whole set.
+    question : Question | None
+        The sweep to which the parts must belong.
 
     Returns
     -------
@@ -372,14 +401,17 @@ def merge(manifests: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
     dict[str, Any]
         The statistics.
 
-    Raises ------ InputError For the name of a folder, and for rows that are not rows of a manifest.
+    Raises
+    ------
+    InputError
+        For the name of a folder, and for rows that are not rows of a manifest.
     """
     import json
 
     if isinstance(manifests, (str, os.PathLike)):
         raise InputError(
             f"manifests is {kind_of(manifests)}; expected the `manifests` of parts; "
-            "longdrive.parts.check tells of a folder what its rows are like"
+            "longdrive.parts.check checks and describes a folder"
         )
 
     def finite(value: Any) -> Any:

@@ -40,8 +40,12 @@ class Picture(Reply):
     def save(self, path: PathLike, *, overwrite: bool = False) -> Path:
         """Writes the picture in its format: SVG, unless ``output`` named another.
 
-        Parameters ---------- path : str or path The file, with the extension of the format.
-        overwrite : bool Replace a file that exists.
+        Parameters
+        ----------
+        path : str or path
+            The file, with the extension of the format.
+        overwrite : bool
+            Replace a file that exists.
 
         Returns
         -------

@@ -86,23 +86,44 @@ def sweep(
 
     The rows are those of ``longdrive sweep``, to the last bit.
 
-    Parameters ---------- setup : SetupLike A setup, the name of a preset, or a dict. over : Given |
-    None Parameters with tuples (low, high, count), numbers in SI, or texts such as
-    ``"5deg..15deg:101"``; the last parameter changes fastest. With `sample` (low, high). sample :
-    int | None The number of points of a quasi-random (Sobol') sequence in the ranges of `over`.
-    seed : int | None The seed of the sequence [default: 0]. points : TableLike | None A table of
-    points in place of `over`: a file, a dict of columns, a table of pandas, polars or pyarrow, or a
-    :class:`Table`, whose points are taken. The head of a column names its unit, as ``club.loft
-    [deg]``. of : Names Outcomes, a name or several; ``"all"`` for every one. wrt : Names | None
-    Parameters to differentiate by, a name or several; ``"points"`` for the swept parameters;
-    without it no derivatives. tolerance : Amount | None The largest error of a length, m or a text;
-    without it 1 µm, unless the setup states its method or step. own_step : bool Keep
-    ``flight.method`` and ``flight.step`` of the setup. angles : AngleUnit The unit of angles
-    without a unit. threads : int The number of threads; 0 for the number of processors of this
-    process. output : PathLike | None A file (.csv, .jsonl, .parquet) for the rows, written as they
-    are computed; without it the function returns them as a table. resume : bool Continue an
-    unfinished file. overwrite : bool Replace a file that exists. progress : Progress True for a
-    bar, or a function of the rows done and all rows.
+    Parameters
+    ----------
+    setup : SetupLike
+        A setup, the name of a preset, or a dict.
+    over : Given | None
+        Parameters with tuples (low, high, count), numbers in SI, or texts such as
+        ``"5deg..15deg:101"``; the last parameter changes fastest. With `sample` (low, high).
+    sample : int | None
+        The number of points of a quasi-random (Sobol') sequence in the ranges of `over`.
+    seed : int | None
+        The seed of the sequence [default: 0].
+    points : TableLike | None
+        A table of points in place of `over`: a file, a dict of columns, a table of pandas, polars
+        or pyarrow, or a :class:`Table`, whose points are taken. The head of a column names its
+        unit, as ``club.loft [deg]``.
+    of : Names
+        Outcomes, a name or several; ``"all"`` for every one.
+    wrt : Names | None
+        Parameters to differentiate by, a name or several; ``"points"`` for the swept
+        parameters; without it no derivatives.
+    tolerance : Amount | None
+        The largest error of a length, m or a text; without it 1 µm, unless the setup states its
+        method or step.
+    own_step : bool
+        Keep ``flight.method`` and ``flight.step`` of the setup.
+    angles : AngleUnit
+        The unit of angles without a unit.
+    threads : int
+        The number of threads; 0 for the number of processors of this process.
+    output : PathLike | None
+        A file (.csv, .jsonl, .parquet) for the rows, written as they are computed; without it the
+        function returns them as a table.
+    resume : bool
+        Continue an unfinished file.
+    overwrite : bool
+        Replace a file that exists.
+    progress : Progress
+        True for a bar, or a function of the rows done and all rows.
 
     Returns
     -------
