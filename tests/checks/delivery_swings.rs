@@ -241,7 +241,7 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
         answer["population"]
     );
     are_given_back(&answer);
-    // the scatter of launches, of the recovered swings and of the golfer
+    // the launches of the recovered swings scatter like the golfer's launches
     let setup = Setup::preset("tour-average").unwrap();
     let found = Swings::open(&setup, distribution.as_ref()).unwrap();
     let scenarios = Scenarios::new(

@@ -553,8 +553,8 @@ fn exact_zero_derivative_by_an_unset_parameter() {
     assert!((value - carry).abs() < 1e-12 * carry, "{value} {carry}");
 }
 
-/// Threads have 2 MiB, and README says that a debug build without optimization needs more.
-/// Optimized at level 1, all of this takes 135 KiB.
+/// Stack of the derivatives: a thread has 2 MiB, and README says that a debug build without
+/// optimization needs more. Optimized at level 1, these derivatives take 135 KiB.
 #[test]
 fn derivatives_need_little_stack() {
     let work = || {

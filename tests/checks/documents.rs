@@ -287,7 +287,8 @@ fn model_md_defines_every_outcome_of_a_drive() {
     }
 }
 
-/// A row has the names of outcomes, and an uncertainty for each, or one for all.
+/// docs/calibration.md: a row names outcomes and states an uncertainty for each of them, or one for
+/// all.
 #[test]
 fn calibration_md_has_the_uncertainty_of_every_outcome() {
     let text = document("docs/calibration.md");

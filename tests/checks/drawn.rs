@@ -677,7 +677,8 @@ fn same_ellipses_on_the_fairway_and_in_uncertainty() {
             "{note}"
         );
     }
-    // the picture's points are on the ellipse, and its landing is the drive's
+    // the points of the picture are on the ellipse, and the picture's landing is the landing of the
+    // drive
     let figure = fairway_figure(std::slice::from_ref(&landing), System::Us);
     // the run is the drive's line, and the legend names it
     let run = figure

@@ -170,8 +170,7 @@ fn order_of_value_and_gradient_in_the_step_is_four() {
             ]
         };
         let (coarse, fine) = (error(0.08), error(0.02));
-        // the flight crosses grid lines where the law has two continuous derivatives, and the
-        // gradient one less
+        // at grid lines the law has two continuous derivatives, and its gradient one
         let of_gradient = if *law == "bearman-harvey" { 3.0 } else { 4.0 };
         for ((coarse, fine), exact) in coarse.into_iter().zip(fine).zip([4.0, of_gradient]) {
             let order = (coarse / fine).log(4.0);

@@ -182,7 +182,7 @@ fn circle(mut imports: Imports) -> Option<Vec<String>> {
         }
         imports.retain(|one, _| !ends.contains(one));
     }
-    // every remaining file imports another one: a walk along imports returns to a file
+    // every remaining file imports another remaining file: a walk along imports returns to a file
     let mut way = vec![imports.keys().next()?.clone()];
     loop {
         let next = imports[way.last()?]

@@ -53,7 +53,8 @@ impl AtWork {
     /// would forget the time.
     fn used(&self) -> Option<(bool, u64)> {
         let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.child.id())).ok()?;
-        // after the name: the state, ten numbers, and the time in user mode and in the kernel
+        // /proc/PID/stat has after the name: the state, ten numbers, and the time in user mode and
+        // in the kernel
         let fields: Vec<&str> = stat.rsplit(')').next()?.split_whitespace().collect();
         let used = fields[11..13]
             .iter()

@@ -495,7 +495,7 @@ fn values_replaced_by_another_form_of_the_spin_are_reported() {
     );
     assert!(!told(&["--launch", "spin=2400rpm"]).contains("replaced"));
     assert!(!told(&[]).contains("replaced"));
-    // every given condition, also the tilt of the axis
+    // derivatives by every given condition, also by the tilt of the spin axis
     let by = json(&["gradient", &file]).1.to_string();
     for name in ["ball_speed", "launch_angle", "spin", "spin_axis"] {
         assert!(by.contains(&format!("launch.{name}\"")), "{name}: {by}");

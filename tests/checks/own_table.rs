@@ -136,8 +136,8 @@ fn order_of_a_table_of_a_smooth_law_is_four() {
     );
 }
 
-/// Value, first and second derivative on both sides of every grid line, of the edges, of the
-/// clamps, and of zero spin.
+/// Compares value, first and second derivative on both sides of every grid line, of the edges, of
+/// the clamps, and of zero spin.
 #[test]
 fn exact_c2_of_a_table_across_every_grid_line_and_beyond() {
     let spin_ratios = [0.05, 0.08, 0.15, 0.2, 0.31];

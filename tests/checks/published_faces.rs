@@ -90,7 +90,8 @@ fn published_side_spin_by_the_depth_of_the_centre_of_mass_and_the_best_bulge() {
         );
         assert!((0.30..0.33).contains(&bulge), "{law}: {bulge}");
     }
-    // it is proportional to the gear effect: 15 % less depth gives 15 % less gear effect and 36 cm
+    // the best bulge is proportional to the gear effect: 15 % less depth gives 15 % less gear
+    // effect, and 36 cm
     let shallow = best_bulge(&changed(&setup, &[("club.cg_depth", "29.5 mm")]));
     println!(
         "best bulge with 29.5 mm of depth: {:.1} cm",
@@ -440,7 +441,7 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
         centred.1 > 1.6 * LATERAL && off[4][1] > 8.0,
         "{centred:?} {off:?}"
     );
-    // the necessary correlation with the face, by the scatter of the strikes
+    // the correlation of strike and face that is necessary for each scatter of the strikes
     for (toe, with_toe) in [(16.0, 0.91), (20.0, 0.83), (24.0, 0.80)] {
         let ([_, rest], _) = struck_beside_the_middle((6.9, toe), (-7.1, 5.3), with_toe);
         println!(

@@ -1,5 +1,5 @@
-//! The question that is answered is the one that was asked: stated values are held, one default
-//! preset, no number without a unit.
+//! Answers keep to the question: stated values are held, there is one default preset, and no number
+//! is accepted without a unit.
 
 use crate::command_line::{json, longdrive, number};
 use serde_json::Value;

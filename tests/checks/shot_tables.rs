@@ -69,7 +69,8 @@ fn same_launches_in_number_formats_of_spreadsheets_and_countries() {
 fn same_launches_with_heads_in_other_spellings() {
     same("heads-camel-case.csv", &[FIRST]);
     same("line-break-in-heads.csv", &[STRAIGHT]);
-    // with German heads; its speed is 257.495 km/h, and a column states its air as 1.184 kg/m³
+    // a table with German heads: its speed is 257.495 km/h, and a column states its air as 1.184
+    // kg/m³
     let (shots, found, _) = case("garmin-german.csv");
     assert_eq!(shots.maker(), Some("Garmin"));
     close(
@@ -116,7 +117,7 @@ fn same_launches_with_units_in_cells() {
         told.iter().any(|told| told.contains("Windows-1252")),
         "{told:?}"
     );
-    // a cell without a unit among them, and a cell that contradicts its head
+    // a cell without a unit among cells with units, and a cell that contradicts its head
     for (text, says) in [
         (
             "Ball Speed,Launch Angle,Spin Rate\n160 mph,12,2500\n70,12,2500\n",

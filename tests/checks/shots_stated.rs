@@ -194,7 +194,7 @@ fn lateral_is_not_fitted_where_the_direction_or_the_tilt_is_not_measured() {
         told.contains("lateral is not compared in rows without") && told.contains(": row 2, row 3"),
         "{told}"
     );
-    // rows without the columns of direction and axis do not compare lateral, either; an unused
+    // a table without the columns of direction and axis does not compare lateral, either; an unused
     // uncertainty is not mentioned
     let table = read(
         "ball_speed [mph],launch_angle [deg],spin [rpm],carry [yd],lateral \

@@ -112,7 +112,7 @@ fn independent_ends_of_every_kind_of_number() {
         ("swing.path", -128.0, 127.0),
         ("swing.face_angle", -32_768.0, 32_767.0),
         ("swing.shaft_lean", -2_147_483_648.0, 2_147_483_647.0),
-        // the nearest f64, as for these digits in CSV
+        // an integer of 64 bits becomes the nearest f64, as its digits do in CSV
         (
             "swing.attack_angle",
             -9_223_372_036_854_775_808.0,

@@ -426,8 +426,9 @@ fn a_tolerance_out_of_reach_names_the_drive() {
     );
 }
 
-/// A tolerance is about lengths. docs/limitations.md states the differences of derivatives by loft,
-/// attack angle, speed and density to those in much shorter steps, relative to the largest.
+/// A tolerance limits errors of lengths, not of derivatives. docs/limitations.md states the errors
+/// of derivatives by loft, attack angle, speed and density, relative to the largest derivative; the
+/// reference are much shorter steps.
 #[test]
 fn same_derivatives_in_shorter_steps_within_the_documented_error() {
     let sizes = [

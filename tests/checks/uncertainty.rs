@@ -849,8 +849,8 @@ fn an_unset_wind_is_refused_with_advice() {
     }
 }
 
-/// Distributions built in code are checked as those that `Uncertain::read` reads, before any drive
-/// is flown.
+/// Distributions built in code are checked like distributions that `Uncertain::read` reads, before
+/// any drive is flown.
 #[test]
 fn impossible_distributions_are_refused() {
     let setup = Setup::default();
@@ -1063,8 +1063,8 @@ fn independent_both_tails_of_a_truncated_normal_distribution_are_those_of_40_dig
     }
 }
 
-/// Wrong lengths are programming errors: they panic, with both lengths. A non-finite value is a
-/// missing one.
+/// Wrong lengths are programming errors: they panic, with both lengths. A non-finite value counts
+/// as missing.
 #[test]
 fn statistics_of_other_lengths_panic_with_both_and_leave_no_nan() {
     let inputs = [Distribution::Normal {

@@ -248,7 +248,7 @@ fn differences_at_the_landing_agree_at_coarse_steps() {
         setup.set("flight.step", step).unwrap();
         let found = certificate(&setup, &[Outcome::Carry], "swing.face_angle");
         assert!(found.passed(), "{step}: {}", faults(&found));
-        // far better than the tolerance: the difference is rounding
+        // the errors are far below the tolerance: they are rounding
         let worst = found
             .landing
             .iter()
