@@ -1,4 +1,4 @@
-// Contours of the loop's carry over the map of the exact one.
+// Contours of the loop's carry over the map of the exact carry.
 import { useMemo } from 'preact/hooks';
 import { isRefused } from '../drive/drive';
 import { digits } from '../setup/units';

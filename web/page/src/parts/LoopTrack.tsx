@@ -1,4 +1,5 @@
-// The loop over the slider of the chosen parameter: how far its carry is from the exact one.
+// The loop over the slider of the chosen parameter: the difference of its carry from the exact
+// carry.
 import { isRefused } from '../drive/drive';
 import { labelOf } from '../setup/parameters';
 import { digits } from '../setup/units';
