@@ -30,7 +30,8 @@ def best(work: Callable[[], object], rounds: int = 5) -> float:
 
 
 def of_a_call() -> None:
-    """Value and gradient by two parameters, beside the `Evaluator` of Rust in the same profile."""
+    """Compares the time of value and gradient by two parameters with Rust's `Evaluator` in the same
+    profile."""
     # short rounds: other processes disturb only some of them
     calls, rounds = 500, 200
     carry = longdrive.objective("tour-average", "carry", NAMES)
@@ -78,7 +79,8 @@ def of_a_drive() -> None:
 
 
 def of_rows() -> None:
-    """A million drives with gradients, beside the program that writes them to a file."""
+    """Compares the time of a million drives with gradients with the program, which writes them to a
+    file."""
     draw = np.random.default_rng(1)
     points = {
         "club.loft": np.radians(draw.uniform(5, 15, ROWS)),
@@ -120,7 +122,7 @@ def of_rows() -> None:
 
 
 def of_import() -> None:
-    """The import in a new process, beside NumPy's."""
+    """Compares the import in a new process with NumPy's."""
 
     def importing(name: str) -> float:
         command = [sys.executable, "-c", f"import {name}"]

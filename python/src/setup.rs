@@ -71,7 +71,7 @@ pub struct PySetup {
     pub setup: longdrive::Setup<f64>,
     /// The preset on which the setup is based.
     pub preset: &'static Preset,
-    /// Method and step for an error of a micrometre, once a function needed them.
+    /// Method and step for an error of a micrometre, chosen when a function first needs them.
     chosen: Arc<OnceLock<Arc<Integration>>>,
 }
 

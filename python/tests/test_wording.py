@@ -55,7 +55,8 @@ from longdrive._longdrive import in_python
         ),
         ("`parameters()` lists them all", "longdrive.parameters() lists them all"),
         ("`plot laws()` draws them", "longdrive.plot.laws() draws them"),
-        # these are for a shell, options of the program only, or no arguments
+        # unchanged: commands for a shell, options that only the program has, and texts that are no
+        # arguments
         (
             "'longdrive optimize a.toml --vary club.loft=4deg..20deg' finds",
             "'longdrive optimize a.toml --vary club.loft=4deg..20deg' finds",

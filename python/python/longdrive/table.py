@@ -95,7 +95,7 @@ class Table:
         self.of = tuple(of)
         """The outcomes."""
         self.wrt = tuple(wrt)
-        """The parameters by which they are differentiated."""
+        """The parameters by which the outcomes are differentiated."""
         self.parameters = tuple(parameters)
         """The parameters with a value in each row."""
         self._units = tuple(units)
