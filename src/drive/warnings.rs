@@ -37,7 +37,7 @@ const TEN_DEGREES: f64 = 10.0 / 1.8;
 /// Temperature of the balls whose restitution was measured, K: 25 °C.
 const BALL_TEMPERATURE: f64 = 298.15;
 
-/// Threshold, m, above which a shift of the landing causes a warning, if the step is halved.
+/// Shift of the landing by halving the step, m, above which there is a warning.
 const LARGEST_SHIFT: f64 = 1e-3;
 
 /// Values of a variable along a flight, and the range that the law was fitted to.
