@@ -11,7 +11,7 @@ use problems::Case;
 use std::cell::{Cell, RefCell};
 use std::time::{Duration, Instant};
 
-/// Searches of each problem; the fastest counts, because machines are shared.
+/// Number of searches of each problem; the fastest counts, because machines are shared.
 const TIMES: u32 = 30;
 /// Largest number of variables of a small problem.
 const FEW: usize = 4;

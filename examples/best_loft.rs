@@ -1,5 +1,5 @@
-//! The best loft for the swings of a beginner and of a professional, compared with that of their
-//! mean swing.
+//! The best loft for the swings of a beginner and of a professional, compared with the best loft
+//! for their mean swing.
 //!
 //! `cargo run --release --example best_loft`
 

@@ -31,7 +31,7 @@ BY_HAND = {"simulate", "gradient", "parameters", "presets", "sweep"}
 # replaced in Python by Setup.replace, objects as answers, and a dict of parameters
 LEFT_OUT = {"set", "set-a", "set-b", "json", "csv"}
 LEFT_OUT |= {"speed", "attack", "loft", "temperature", "wind", "altitude"}
-# only the program listens to a port
+# options that only the program has, because it listens to a port
 OF_THE_PROGRAM = {"fly": {"listen", "address"}}
 SEARCHES = {"optimize", "optimum-sensitivity", "design", "robust"}
 # commands whose answers have no class of their own
@@ -44,7 +44,7 @@ TEXTS = {
     "other": 'the second drive, b, a setup as the first: for example setup.replace({"club.loft": '
     '"11 deg"}). Without it launch_a or launch_b gives the difference.',
 }
-"""Help of options in Python, if that of the program is about its command line."""
+"""Help in Python of options whose help is about the command line of the program."""
 
 AXES = "Axes in which the plot is drawn, in SI units and radians; the answer then has its data."
 
@@ -342,7 +342,8 @@ def has_angles(options: list[dict[str, Any]]) -> bool:
 
 
 def answer(command: dict[str, Any], before: str) -> tuple[str, str]:
-    """The class of the answer, and the function that makes it of the reply of the command."""
+    """The class of the answer, and the function that makes the answer from the reply of the
+    command."""
     own = command["name"]
     if before:
         return "Picture", "picture"

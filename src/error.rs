@@ -346,7 +346,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// The error for a name that is not among `names`, with the most similar one.
+    /// The error for a name that is not among `names`. It suggests the most similar of them.
     pub fn unknown<'a>(
         what: &'static str,
         name: &str,
@@ -432,7 +432,7 @@ fn no_strike(approach: f64) -> Message {
     )
 }
 
-/// The name that is most similar to a given one, and their similarity, 0 to 1.
+/// The one of `names` that is most similar to a given name, and their similarity, 0 to 1.
 pub(crate) fn nearest<'a>(
     name: &str,
     names: impl IntoIterator<Item = &'a str>,
@@ -448,7 +448,7 @@ pub(crate) fn nearest<'a>(
     // among equally similar names, prefer the one that looks most similar: o like 0, l like 1
     let glyphs = |text: &str| text.replace('0', "o").replace('1', "l");
     let by_glyphs = |known: &str| similarity(&glyphs(name), &glyphs(known));
-    // the first of the names that are left: swing.speed before wind.speed
+    // of equally similar names, take the first: swing.speed before wind.speed
     similarities
         .into_iter()
         .rev()
@@ -456,9 +456,9 @@ pub(crate) fn nearest<'a>(
         .max_by(|a, b| by_glyphs(a.1).total_cmp(&by_glyphs(b.1)))
 }
 
-/// Jaro–Winkler similarity of two names, 0 to 1. Names of the same group are compared without the
-/// group; a name without its group ("loft") is compared also with the last part of `known`; names
-/// that differ only in case have similarity 1.
+/// Jaro–Winkler similarity of two names, 0 to 1. Names of one group are compared without the group.
+/// A name without its group ("loft") is also compared with the last part of `known`. Names that
+/// differ only in case have similarity 1.
 fn similarity(given: &str, known: &str) -> f64 {
     if given.eq_ignore_ascii_case(known) {
         return 1.0;

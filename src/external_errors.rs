@@ -32,13 +32,15 @@ pub(crate) fn csv_error_text(error: &csv::Error) -> String {
 #[cfg(any(feature = "arrow", feature = "parquet"))]
 pub(crate) const DAMAGED: &str = "copy it again, or write it again with the program that made it";
 
-/// Message for an error of the Parquet reader; the file begins and ends like a Parquet file.
+/// Message for an error of the Parquet reader. The file has the magic bytes of Parquet at both
+/// ends.
 #[cfg(feature = "parquet")]
 pub(crate) fn parquet_error_text(error: &parquet::errors::ParquetError) -> String {
     use parquet::errors::ParquetError;
     match error {
         ParquetError::NYI(_) => {
-            "it uses a part of Parquet that is not read here; write plain columns of numbers".into()
+            "it uses a feature of Parquet that is not supported; write plain columns of numbers"
+                .into()
         }
         ParquetError::External(error) => match error.downcast_ref::<std::io::Error>() {
             Some(error) if error.raw_os_error().is_some() => read_error_text(error),
@@ -55,7 +57,8 @@ pub(crate) fn arrow_error_text(error: &arrow_schema::ArrowError) -> String {
     use arrow_schema::ArrowError;
     match error {
         ArrowError::NotYetImplemented(_) => {
-            "it uses a part of Arrow that is not read here; write plain columns of numbers".into()
+            "it uses a feature of Arrow that is not supported; write plain columns of numbers"
+                .into()
         }
         // an I/O error without a code comes from a decoder
         ArrowError::IoError(_, error) if error.raw_os_error().is_some() => read_error_text(error),
@@ -168,7 +171,7 @@ mod tests {
         );
         assert!(
             error.to_string().contains("found record"),
-            "what the library says is not what is told"
+            "the message quotes the library in place of an explanation"
         );
     }
 }

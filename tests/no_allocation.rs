@@ -55,8 +55,8 @@ fn bowl(at: &[f64]) -> Result<Evaluation, String> {
     })
 }
 
-/// The active set with its equations and their factors, the step, and the point; argmin's copy of
-/// the best point.
+/// Largest number of allocations in an iteration: the active set with its equations and their
+/// factors, the step, the point, and argmin's copy of the best point.
 const PER_ITERATION: u64 = 24;
 
 #[test]

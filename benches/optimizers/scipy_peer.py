@@ -18,7 +18,7 @@ import numpy as np
 from scipy.optimize import Bounds, NonlinearConstraint, minimize
 
 TOLERANCE = 1e-10
-# for a solver that watches how far f still falls: of second order in the error of x
+# tolerance for a solver that ends by the decrease of f, which is of second order in the error of x
 FALL = 1e-14
 ITERATIONS = 1000
 PATIENCE = 10.0
@@ -68,7 +68,7 @@ class Point:
 
 
 class Oracle:
-    """A problem, its evaluations counted (points, not calls) and timed."""
+    """A problem that counts its evaluations (points, not calls) and their time."""
 
     def __init__(self, evaluator, problem):
         self.evaluator = evaluator
@@ -83,7 +83,7 @@ class Oracle:
         self.spent = 0.0
 
     def reading(self, read):
-        """The function x ↦ read(point at x), outside SciPy's time."""
+        """The function x ↦ read(point at x), whose time is not SciPy's."""
 
         def function(x, *more):
             started = time.perf_counter()
@@ -150,7 +150,7 @@ def slsqp(oracle):
 
 
 def trust_constr(oracle):
-    """Ended by its trust region and barrier parameter alone (gtol 0).
+    """Runs trust-constr, which ends by its trust region and barrier parameter only (gtol 0).
 
     Its gtol test looks at the gradient of the Lagrangian with least-squares multipliers, and not at complementarity nor
     at the barrier parameter: with gtol = 1e-10 it stops far from the optimum on many problems with inequalities.

@@ -18,7 +18,7 @@ PROGRAM = HERE / "target/release/longdrive"
 DOCUMENT = HERE / "../../docs/performance.md"
 ROUNDS = 3
 TASKS = ["T1", "T2", "T3", "T4", "T5", "T6"]
-# those that no peer computes
+# tasks that no peer computes
 OWN = ["all", "3-D", "3-D-all", "W&T", "W&T-1um", "T6-whole"]
 TITLES = {
     "T1": "T1 value",
@@ -34,7 +34,8 @@ TITLES = {
     "W&T": "23 optima, Winfield & Tan",
     "W&T-1um": "the 23 at 1 µm",
 }
-# operations counted; T6: points of a repetition, by whether a peer computes every 25th attack angle
+# operations whose instructions are counted; for T6, points of a repetition of a peer that computes
+# every attack angle, and of one that computes every 25th
 OPERATIONS = {
     "T1": 10,
     "T2": 10,
@@ -53,7 +54,7 @@ GRID_POINTS, SAMPLED_POINTS = 2000, 80
 # docs/performance.md, limits: cycles of a single drive, and of a point of the grid
 LATENCY, GRID_CYCLES = (28700, 33100), 5050
 
-# what the tasks must come to, on the discretisation of the preset
+# results that every task must have, on the discretisation of the preset
 CARRY, GRADIENT = 114.312855130798, [336.769746388603, 298.564796806673]
 HESSIAN = [-3068.07279459, -1950.16104589, -1588.91207472]
 OPTIMUM, PLACE = 153.333552730536, [14.6829225319, 10.0]
@@ -86,15 +87,16 @@ def lines(command, patience=600):
 
 
 class Peer:
-    """A program that does tasks: how it is started for its time, and for its count."""
+    """A program that does tasks, with the commands that time a task and that count its
+    instructions."""
 
     def __init__(self, name, tasks, timed, counted=None, is_sampled=False, note=""):
         self.name, self.tasks, self.timed, self.counted = name, tasks, timed, counted
         self.is_sampled, self.note = is_sampled, note
 
     def count(self, task):
-        """Instructions of an operation: those of a run with N of them less those of a run with
-        none, over N."""
+        """Instructions of an operation: the difference between a run with N operations and a run
+        with none, over N."""
         if self.counted is None or task not in OPERATIONS or not shutil.which("valgrind"):
             return None
         n = OPERATIONS[task]
@@ -152,7 +154,7 @@ def is_by_hand(name):
 
 
 class Rows:
-    """What was measured, by task and peer."""
+    """The measurements by task and peer."""
 
     def __init__(self):
         self.rows = {}
@@ -354,11 +356,11 @@ def precision(ladder):
     return table(head, body)
 
 
-# ---- what was expected
+# ---- expected results
 
 
 def wrong(rows):
-    """Everything that is not the published answer."""
+    """Messages about all results that differ from the published ones."""
     problems = []
 
     def expect(row, what, found, wanted, tolerance):
@@ -373,7 +375,7 @@ def wrong(rows):
                 continue  # short flights are off by more
             is_near = "at 1 µm" in row["peer"]
             if task == "T6":
-                # of longdrive without the row of loft 0, where carry has a corner (src/grid.rs)
+                # longdrive's sums without the row of loft 0, where carry has a corner (src/grid.rs)
                 if row["peer"].startswith("longdrive"):
                     expect(
                         row,

@@ -9,7 +9,7 @@ use std::time::Instant;
 
 const NAMES: [&str; 2] = ["club.loft", "swing.attack_angle"];
 const CALLS: usize = 500;
-/// Short rounds, of which other processes disturb some.
+/// Number of rounds. They are short, so that other processes disturb only some of them.
 const ROUNDS: usize = 200;
 
 fn main() -> longdrive::Result<()> {

@@ -1,4 +1,5 @@
-"""What the package costs: its import, one drive, one gradient, a million drives, a batch of JAX.
+"""Measures the cost of the package: import, one drive, one gradient, a million drives, a batch of
+JAX.
 
 Run on a quiet machine, with both built in release: LONGDRIVE_PROGRAM=target/release/longdrive python benches/measure.py
 """
@@ -29,8 +30,9 @@ def best(work: Callable[[], object], rounds: int = 5) -> float:
 
 
 def of_a_call() -> None:
-    """Value and gradient by two parameters, beside the `Evaluator` of Rust in the same profile."""
-    # short rounds, of which other processes disturb some
+    """Compares the time of value and gradient by two parameters with Rust's `Evaluator` in the same
+    profile."""
+    # short rounds: other processes disturb only some of them
     calls, rounds = 500, 200
     carry = longdrive.objective("tour-average", "carry", NAMES)
     points = [carry.x0 + 1e-9 * k for k in range(calls)]
@@ -47,7 +49,7 @@ def of_a_call() -> None:
         done = subprocess.run(command, check=True, capture_output=True, text=True, cwd=FOLDER)
         return float(done.stdout)
 
-    # a shared machine changes its speed
+    # by turns, because the speed of a shared machine changes
     by_turns = [(1e6 * best(objective, rounds) / calls, evaluator()) for _ in range(3)]
     here, rust = map(min, zip(*by_turns))
     print(
@@ -77,7 +79,8 @@ def of_a_drive() -> None:
 
 
 def of_rows() -> None:
-    """A million drives with gradients, beside the program that writes them to a file."""
+    """Compares the time of a million drives with gradients with the program, which writes them to a
+    file."""
     draw = np.random.default_rng(1)
     points = {
         "club.loft": np.radians(draw.uniform(5, 15, ROWS)),
@@ -119,7 +122,7 @@ def of_rows() -> None:
 
 
 def of_import() -> None:
-    """The import in a new process, beside NumPy's."""
+    """Compares the import in a new process with NumPy's."""
 
     def importing(name: str) -> float:
         command = [sys.executable, "-c", f"import {name}"]

@@ -1,8 +1,10 @@
-"""longdrive's optimizer beside SciPy's on the design of a head for many swings: a table like that of docs/optimizer.md, on standard output.
+"""Compares the optimizers of longdrive and SciPy on the design of a head for many swings, and
+prints a table like the one in docs/optimizer.md.
 
-Usage: swings.py [SCENARIOS ...], with the package built in release. The objective is the same for all, with exact gradients and, where a solver
-asks for them, Hessians. The residual is judged here from the design alone: the largest component of u - P(u - g/|f|), with u and g in units of
-the ranges and P the projection on them.
+Usage: swings.py [SCENARIOS ...], with the package built in release. All solvers get the same
+objective with exact gradients and, if they use them, Hessians. The residual is computed here, from
+the design only: the largest component of u - P(u - g/|f|), with u and g in units of the ranges and
+P the projection on them.
 """
 
 from __future__ import annotations
@@ -60,7 +62,8 @@ LOW, WIDTH = ranges()
 
 
 class Scaled:
-    """The goal in units of the ranges, negated; how often and how long it was computed."""
+    """The negated goal as a function of parameters in units of their ranges, with the number and
+    the time of its evaluations."""
 
     def __init__(self, setup: Any, scenarios: int) -> None:
         self.goal = longdrive.objective(
@@ -78,7 +81,7 @@ class Scaled:
 
     def fun(self, u: Any) -> float:
         value = float(self.asked(self.goal.fun, u))
-        # outside of the ranges, where trust-constr looks too, there may be no head
+        # trust-constr also evaluates points outside of the ranges, where the head may be impossible
         return value if np.isfinite(value) else np.inf
 
     def jac(self, u: Any) -> Any:
@@ -106,7 +109,8 @@ class LastIteration(logging.Handler):
 
 
 def ours(scenarios: int) -> tuple[Any, dict[str, Any]]:
-    """The search of the whole command, to its last iteration; what comes after it, other swings and the mean swing, is timed apart."""
+    """Runs the command and times its search, up to the last iteration. The work after the search
+    (other swings, the mean swing) is timed separately."""
     shown = LastIteration()
     logging.getLogger("longdrive").addHandler(shown)
     logging.getLogger("longdrive").setLevel(logging.INFO)
@@ -132,7 +136,7 @@ def ours(scenarios: int) -> tuple[Any, dict[str, Any]]:
 
 
 def theirs(scaled: Scaled, method: str, start: Any) -> dict[str, Any]:
-    """SciPy from the same start, with tolerances that ask for 1e-10."""
+    """Runs SciPy from the same start, with tolerances of 1e-10."""
     options: dict[str, Any] = (
         {"ftol": 1e-14, "maxiter": 1000}
         if method == "SLSQP"
@@ -170,7 +174,7 @@ def main() -> None:
     print("|--:|---|---|--:|--:|--:|--:|--:|--:|")
     for scenarios in [int(text) for text in sys.argv[1:]] or [500, 10_000]:
         best, row = ours(scenarios)
-        # the method and the step of the search, within 1 um
+        # method and step of the search, accurate within 1 um
         chosen = {name: best.reply["setup"][name] for name in ["flight.method", "flight.step"]}
         setup = longdrive.Setup({"preset": "tour-average", **chosen})
         judge = Scaled(setup, scenarios)

@@ -1,6 +1,6 @@
 """A million drives with gradients in 20 parts, on a cluster of Dask.
 
-The workers are those of this machine, or of a scheduler.
+The workers belong to this machine, or to a scheduler.
 
     python dask_sweep.py drives
     python dask_sweep.py /shared/drives tcp://scheduler:8786

@@ -1,4 +1,5 @@
-"""A hundred thousand drives with exact derivatives, and what a degree of loft is worth at each club speed.
+"""A hundred thousand drives with exact derivatives, and the effect of a degree of loft at each club
+speed.
 
 Run: python many_drives.py
 """

@@ -1,4 +1,5 @@
-"""The longest drive by SciPy: exact gradient and Hessian, within what a golfer can do.
+"""The longest drive by SciPy: with exact gradient and Hessian, within the range of a golfer's
+swings.
 
 Needs SciPy. Run: python scipy_optimum.py
 """

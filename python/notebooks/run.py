@@ -46,7 +46,7 @@ def main() -> int:
 
 
 def run(path: Path, is_writing: bool) -> list[str]:
-    """Runs one notebook, and says what is wrong with it."""
+    """Runs one notebook, and returns its faults."""
     if not path.exists():
         return [
             f"{path.name}: there is no such notebook; there are {', '.join(sorted(other.stem for other in FOLDER.glob('*.ipynb')))}"
@@ -75,7 +75,8 @@ def run(path: Path, is_writing: bool) -> list[str]:
 
 
 def as_picture(output: Any) -> None:
-    """Stores a picture as one: readers of notebooks on the web show SVG, but take it out of HTML."""
+    """Stores a picture as SVG: readers of notebooks on the web show it, but remove SVG from
+    HTML."""
     data = output.get("data", {})
     if data.get("text/html", "").startswith("<svg"):
         data["image/svg+xml"] = data.pop("text/html")
@@ -84,7 +85,7 @@ def as_picture(output: Any) -> None:
 
 
 def wrong(notebook: Any, text: str) -> list[str]:
-    """What a notebook must not be."""
+    """The faults of a notebook, as messages."""
     faults = []
     if len(text.encode()) > LARGEST:
         faults.append(

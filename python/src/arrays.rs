@@ -14,7 +14,7 @@ use pyo3::types::{PyBool, PyList, PyMapping, PyString, PyTuple};
 /// Number of rows that are copied from the arrays at a time, while the thread holds Python's lock.
 const GATHERED: usize = 65_536;
 
-/// Rows that are checked before other threads of Python may run.
+/// Number of rows that are checked before other threads of Python may run.
 const LOOKED_AT: usize = 1 << 20;
 
 /// Imports NumPy's functions at the start. Otherwise the first use of an array would import them,

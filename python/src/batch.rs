@@ -20,13 +20,14 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// The status number of a drive that landed without a requested outcome or derivative: the first
-/// number after those of `longdrive::batch::Status`.
+/// number after the numbers of `longdrive::batch::Status`.
 const UNDEFINED: i8 = Status::ALL.len() as i8;
 
 /// The results of a batch, column after column.
 struct Results {
-    /// Number of allocated rows, and of computed rows.
+    /// Number of allocated rows.
     room: usize,
+    /// Number of computed rows.
     done: usize,
     /// The points, then outcomes, then derivatives, a column of `room` numbers each.
     columns: Vec<f64>,

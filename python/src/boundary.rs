@@ -107,7 +107,7 @@ pub fn unpanicked<T>(work: impl FnOnce() -> T) -> Answer<T> {
             .or_else(|| panic.downcast_ref::<&str>().copied());
         let what = text.unwrap_or("no message");
         Failure::Panic(format!(
-            "a mistake in longdrive, please report it with what you called: {what}"
+            "a bug in longdrive, please report it with the call that caused it: {what}"
         ))
     })
 }

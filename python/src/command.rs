@@ -118,7 +118,7 @@ impl Caller {
         self.outputs.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Says the position of the progress bar, with the best value so far.
+    /// Prints the position of the progress bar, with the best value so far.
     fn tell_of_bar(&self) {
         let mut now = self.now();
         let Some(bar) = now.bar.clone().filter(|bar| bar.length() > 0) else {
@@ -132,8 +132,8 @@ impl Caller {
         now.said.push(("note", told));
     }
 
-    /// Stops the current work. Returns how long the work may take to answer: zero if it cannot be
-    /// stopped.
+    /// Stops the current work. Returns the time that the work may take to answer; zero if it cannot
+    /// be stopped.
     fn stops(&self) -> Duration {
         let now = self.now();
         if let Some(stop) = &now.stop {

@@ -25,7 +25,7 @@ type Path<'py> = (
     Bound<'py, PyArray2<f64>>,
 );
 
-/// One drive; see :func:`longdrive.simulate`. Its report is made when it is asked for: it takes
+/// One drive; see :func:`longdrive.simulate`. Its report is computed only on request: it takes
 /// longer than the drive.
 #[pyclass(name = "Simulated", module = "longdrive._longdrive", frozen)]
 pub struct PySimulated {

@@ -51,8 +51,8 @@ pub fn outcomes_named(names: &[String]) -> Answer<Vec<Outcome>> {
     Ok(of)
 }
 
-/// The parameters to differentiate by. The default is loft and attack angle, or the conditions of a
-/// given launch, as in the program.
+/// The parameters to differentiate by. The default is loft and attack angle or, if the setup gives
+/// the launch, its launch conditions. The program has the same default.
 pub fn variables(
     setup: &Setup<f64>,
     given: Option<&Bound<'_, PyAny>>,

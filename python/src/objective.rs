@@ -155,8 +155,10 @@ impl Over {
         Ok(goal)
     }
 
+    /// Refuses an argument about swings if there are no swings.
+    ///
     /// # Errors
-    /// For an argument about swings without swings.
+    /// For such an argument, with its name.
     fn refuse_stray(&self) -> Answer<()> {
         let given = [
             ("correlation", !self.correlation.is_empty()),
@@ -174,7 +176,7 @@ impl Over {
 }
 
 /// An outcome as a function of some parameters, for ``scipy.optimize`` and the like: ``fun``,
-/// ``jac`` and ``hess`` of a point. Or a goal over swings.
+/// ``jac`` and ``hess`` of a point. Also for a goal over swings.
 ///
 /// See :func:`longdrive.objective`, which makes one.
 #[pyclass(name = "Objective", module = "longdrive", frozen)]
@@ -187,7 +189,7 @@ pub struct PyObjective {
     /// The argument `sense`, and the factor that turns a maximum into a minimum.
     sense: Option<String>,
     sign: f64,
-    /// True if a point without an answer is NaN, not an error.
+    /// True if the value at a point without an answer is NaN; false if it is an error.
     gives_nan: bool,
     last: Mutex<Option<Point>>,
 }
@@ -253,8 +255,8 @@ impl PyObjective {
         }
     }
 
-    /// A point from any one-dimensional array or sequence of numbers, with a value for each
-    /// parameter.
+    /// Reads a point, with a value for each parameter, from any one-dimensional array or sequence
+    /// of numbers.
     fn point(&self, x: &Bound<'_, PyAny>) -> Answer<Vec<f64>> {
         let wanted = self.wrt().len();
         let refuse = |found: String| {

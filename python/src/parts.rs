@@ -11,7 +11,7 @@ pub fn merge_parts<'py>(py: Python<'py>, manifests: &str) -> PyResult<Bound<'py,
     answer(|| {
         let manifests: Vec<Manifest> = serde_json::from_str(manifests).map_err(|error| {
             Failure::Input(format!(
-                "manifests: {error}; give what a sweep in parts has answered"
+                "manifests: {error}; give the rows of a manifest, as a sweep in parts returns them"
             ))
         })?;
         to_python(py, &merge(&manifests)?)

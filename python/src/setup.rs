@@ -71,7 +71,7 @@ pub struct PySetup {
     pub setup: longdrive::Setup<f64>,
     /// The preset on which the setup is based.
     pub preset: &'static Preset,
-    /// Method and step for an error of a micrometre, once a function needed them.
+    /// Method and step for an error of a micrometre, chosen when a function first needs them.
     chosen: Arc<OnceLock<Arc<Integration>>>,
 }
 
@@ -137,7 +137,7 @@ impl PySetup {
         });
         let found = Arc::new(found??);
         if is_usual {
-            // another thread may have found the same
+            // another thread may have stored its equal result first
             let _ = self.chosen.set(Arc::clone(&found));
         }
         Ok(found)
@@ -196,7 +196,7 @@ impl PySetup {
     ) -> Answer<(Self, Vec<BareAngle>)> {
         let mut setup = self.setup;
         let bare_angles = given::apply(&mut setup, given, angles)?;
-        // refuse a stated value that other parameters would replace silently
+        // refuse a stated value that other parameters would replace without a message
         let base = longdrive::Setup::preset(self.preset.name)?;
         let of_base = base.parameters();
         let is_given = |row: &&&'static Parameter| {
@@ -281,8 +281,8 @@ impl PySetup {
             .collect()
     }
 
-    /// The content of the user's own table of drag and lift. Setup files contain only its file
-    /// name.
+    /// The content of the user's own table of drag and lift; setup files contain only the name of
+    /// its file.
     fn table(&self) -> Option<String> {
         self.setup.law.table().map(|table| format!("{table:?}"))
     }
@@ -318,7 +318,7 @@ impl PySetup {
         if let Some(table) = table {
             differences.set_item(TABLE, table.display().to_string())?;
         }
-        // the coefficients of the same law are compared
+        // only coefficients of one law can be compared
         base.law = if own.law.name() == base.law.name() {
             base.law
         } else {
@@ -420,7 +420,7 @@ impl PySetup {
     /// Raises
     /// ------
     /// InputError
-    ///     For a file that cannot be read, with line and column of what is wrong.
+    ///     For a file that cannot be read, with line and column of the error.
     #[staticmethod]
     fn read(path: &Bound<'_, PyAny>) -> PyResult<Self> {
         answer(|| {
@@ -445,7 +445,7 @@ impl PySetup {
     /// text
     ///     TOML.
     /// file
-    ///     What messages call it.
+    ///     Name of the text in messages.
     ///
     /// Examples
     /// --------
@@ -490,7 +490,7 @@ impl PySetup {
     /// angles : {"rad", "deg"}
     ///     The unit of angles without a unit.
     /// **named
-    ///     The same by keyword; ``**{"club.loft": "11 deg"}`` for dotted names.
+    ///     Names with values, as keywords; ``**{"club.loft": "11 deg"}`` for dotted names.
     ///
     /// Returns
     /// -------
@@ -532,10 +532,10 @@ impl PySetup {
         self.replace(py, Some(changes), None, None)?.into_py_any(py)
     }
 
-    /// The value of a parameter in SI, None where it is unset; a choice such as ``aero.law`` as a
-    /// text. What follows from other parameters that are set (``air.density`` from the weather,
-    /// ``wind.right`` from ``wind.speed``) has the value that the drive has, as in
-    /// :func:`longdrive.parameters`; it is not among the :meth:`keys`, which make the setup.
+    /// The value of a parameter in SI, None if it is unset; a choice such as ``aero.law`` as a
+    /// text. A parameter that follows from others (``air.density`` from the weather, ``wind.right``
+    /// from ``wind.speed``) has the value of the drive, as in :func:`longdrive.parameters`. It is
+    /// not among the :meth:`keys`, which make the setup.
     fn __getitem__<'py>(
         &self,
         py: Python<'py>,
@@ -628,7 +628,7 @@ impl PySetup {
         answer(|| self.toml())
     }
 
-    /// The setup as a dict of dotted names: numbers in SI, None for what is unset, choices as
+    /// The setup as a dict of dotted names: numbers in SI, None for unset parameters, choices as
     /// texts. ``Setup(setup.to_dict())`` is the same setup.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         answer(|| {
@@ -691,7 +691,7 @@ impl PySetup {
         })
     }
 
-    /// A table for notebooks: what differs from the preset.
+    /// A table for notebooks: the differences from the preset.
     fn _repr_html_(&self) -> PyResult<String> {
         answer(|| {
             let changes = self.changes()?;

@@ -35,8 +35,8 @@ def independent_drives() -> list[dict[str, Any]]:
 
 @pytest.fixture(scope="session")
 def program() -> Callable[..., str]:
-    """The program `longdrive`: that of LONGDRIVE_PROGRAM, or on the path. Tests that need it are
-    skipped without it."""
+    """The program `longdrive`, named by LONGDRIVE_PROGRAM or found on the path. Tests that need it
+    are skipped without it."""
     found = os.environ.get("LONGDRIVE_PROGRAM") or shutil.which("longdrive")
     if not found:
         pytest.skip("needs the program: put longdrive on the path, or name it in LONGDRIVE_PROGRAM")
@@ -57,8 +57,9 @@ def unit() -> Any:
 
 @pytest.fixture
 def at_work() -> threading.Event:
-    """Once it is set, another thread of Python presses Ctrl-C as soon as it has run five times within 15 ms. Long work checks for Ctrl-C every 20 ms:
-    if others could run only then, it would not be ended."""
+    """An event. Once a test sets it, another thread of Python presses Ctrl-C as soon as this thread
+    has run five times within 15 ms. Long work checks for Ctrl-C every 20 ms: if other threads could
+    run only at these checks, it would not be ended."""
     event = threading.Event()
 
     def run() -> None:

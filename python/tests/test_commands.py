@@ -1,4 +1,4 @@
-"""The studies from Python: the program's own, with its options, messages and numbers."""
+"""The studies from Python have the options, messages and numbers of the program."""
 
 from __future__ import annotations
 
@@ -175,7 +175,7 @@ def test_a_setup_of_ones_own_is_asked_about_to_the_last_digit():
         "--vary=club.loft=4deg..20deg",
         "--vary=swing.attack_angle=-5deg..5deg",
     )
-    # the program also names the setup that it was asked about
+    # the program also names the setup of the command line
     del said["from"]
     assert (status, longdrive.optimize(setup).reply) == (0, said)
 

@@ -97,7 +97,8 @@ def test_the_python_of_the_documents_runs(
     exec(compile("\n" * (line - 1) + code, name, "exec"), {})  # noqa: S102
 
 
-# each takes a millisecond or more, and only some functions need it
+# modules that longdrive must not import at its start: each takes a millisecond or more, and only
+# some functions need it
 LATER = {
     "concurrent.futures",
     "csv",

@@ -115,7 +115,7 @@ def test_a_search_that_is_stopped_within_an_iteration_has_the_point_before(
     found = caught.value.answer
     assert isinstance(found, longdrive.Optimum) and found.ended == "interrupted"
     assert found.nit >= 1 and found.message.startswith(f"stopped after {found.nit} iteration")
-    # its value is that of its point
+    # the reported value is the goal at the reported point
     goal, wrt = asked.pop("maximize"), list(asked.pop("vary"))
     assert (
         found.names == wrt
@@ -294,7 +294,7 @@ def test_work_that_was_left_writes_no_file(tmp_path: Path) -> None:
         longdrive.plot.contour(
             "mae494", output=tmp_path / "left.svg", progress=when(lambda done: True)
         )
-    # the work again, on the same threads
+    # later work runs on the threads of the interrupted work
     longdrive.plot.contour("mae494", output=tmp_path / "whole.svg")
     assert [path.name for path in tmp_path.iterdir()] == ["whole.svg"]
 

@@ -17,7 +17,7 @@ jnp = pytest.importorskip("jax.numpy")
 jax.config.update("jax_enable_x64", True)
 
 WRT = ["club.loft", "swing.attack_angle", "swing.speed"]
-# with a stated step, which functions and single drives have in common
+# with a stated step, so that functions and single drives use equal steps
 SETUP = Setup({"preset": "modern-driver", "flight.step": 0.01})
 X = np.array([SETUP[name] for name in WRT])
 

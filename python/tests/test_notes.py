@@ -355,7 +355,7 @@ def test_a_search_without_a_result_has_arrays_of_the_right_shape(swings: dict[st
 
 def test_a_data_frame_of_a_table_has_its_columns() -> None:
     pandas = pytest.importorskip("pandas")
-    # its names alone would make one column of them
+    # NumPy would make one column of the names of a table's columns
     with pytest.raises(InputError, match=r"pandas.DataFrame\(dict\(table\)\)"):
         pandas.DataFrame(TABLE)
     frame = pandas.DataFrame(dict(TABLE))

@@ -76,7 +76,7 @@ def test_what_it_is_of_and_its_physical_bounds() -> None:
             high == known["high"] if known["high_included"]
             or math.isinf(high) else high < known["high"]
         )
-    # both ends belong to it: an optimizer may evaluate there
+    # both ends of a range are valid: an optimizer may evaluate there
     longdrive.Setup({"club.loft": carry.bounds[0][0]})
     longdrive.Setup({"club.loft": carry.bounds[0][1]})
 
@@ -138,8 +138,8 @@ def test_ctrl_c_ends_a_goal_over_many_swings_in_the_midst() -> None:
 
     def hear(*_: object) -> None:
         heard.append(True)
-        # after the third signal within one call; without checks within the call, it would see one,
-        # at its end
+        # ends after the third signal within one call; without checks during the call, Python would
+        # see one signal, at the end of the call
         if len(heard) == 3:
             raise KeyboardInterrupt
 

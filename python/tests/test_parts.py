@@ -98,7 +98,7 @@ def test_a_missing_part_is_named_and_other_questions_are_refused(tmp_path: Path)
         other.write(2)
     again = pickle.loads(pickle.dumps(caught.value))
     assert (type(again), str(again), again.part) == (PartError, str(caught.value), 2)
-    # depends on the order: another part of the folder, or the second one itself
+    # the message depends on the file that is checked first: another part, or the second part itself
     with pytest.raises(PartError, match="parts of one|different derivatives"):
         parts.sweep(**{**QUESTION, "wrt": ()}, output=tmp_path, processes=1, retries=0)
     with pytest.raises(InputError, match="it has no part of a sweep"):

@@ -23,7 +23,7 @@ pytestmark = pytest.mark.filterwarnings("ignore")
 
 @pytest.fixture(scope="module")
 def many(tmp_path_factory: pytest.TempPathFactory) -> tuple[dict[str, Any], str]:
-    """More parts, and the SHA-256 of the set of one worker."""
+    """A sweep in more parts, and the SHA-256 of the set that one worker writes."""
     question = {
         **QUESTION, "over": {**QUESTION["over"], "club.loft": "-4deg..15deg:205"}, "parts": 40
     }
@@ -42,7 +42,7 @@ def client() -> Iterator[Any]:
 
     # a worker is a copy of a process that has imported Dask already
     dask.config.set({"distributed.worker.multiprocessing-method": "forkserver"})
-    # on a busy machine its processes answer late
+    # on a busy machine the processes of Dask answer late
     dask.config.set(
         {"distributed.admin.tick.limit": "1h", "distributed.comm.timeouts.connect": "1h"}
     )
@@ -69,7 +69,7 @@ def is_first(file: Path) -> bool:
 
 
 class Mortal(Question):
-    """A sweep of which one process dies in a part, after three parts."""
+    """A sweep in which one process dies while it writes a part, after three parts are complete."""
 
     def write(self, part: int) -> dict[str, Any]:
         folder = Path(self.output)
@@ -80,7 +80,7 @@ class Mortal(Question):
 
 
 class Troubled(Mortal):
-    """The sweep with a failing part and a full disk before that."""
+    """The sweep with a failing part and a full disk, before the death of the process."""
 
     def write(self, part: int) -> dict[str, Any]:
         place = Path(self.output).parent

@@ -80,7 +80,7 @@ def test_independent_sizes_of_units_are_those_of_pint(
         ), symbol
 
 def random_setup(seed: int) -> Setup:
-    """A setup whose numbers have all digits."""
+    """A random setup, whose numbers have all digits of a float."""
     draw = random.Random(seed)
     preset = draw.choice([row["name"] for row in longdrive.presets()["presets"]])
     setup = Setup(preset)

@@ -13,11 +13,11 @@ import longdrive
 from longdrive import InputError, Setup
 
 torch = pytest.importorskip("torch")
-# torch uses parts of itself that it warns of
+# torch warns of deprecated functions that it calls itself
 pytestmark = pytest.mark.filterwarnings("ignore::FutureWarning", "ignore::DeprecationWarning")
 
 WRT = ["club.loft", "swing.attack_angle", "swing.speed"]
-# with a stated step, which functions and single drives have in common
+# with a stated step, so that functions and single drives use equal steps
 SETUP = Setup({"preset": "modern-driver", "flight.step": 0.01})
 X = np.array([SETUP[name] for name in WRT])
 

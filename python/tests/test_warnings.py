@@ -48,7 +48,8 @@ def test_a_warning_may_be_an_error_and_has_the_answer(call: Callable[[], Any]) -
             call()
         warnings.simplefilter("ignore")
         answer = raised.value.answer
-        # any class: the result is the same as without the warning, also in a pool of processes
+        # the result in `answer` is of any class, and equals the result without a warning, also in a
+        # pool of processes
         assert (
             type(answer) is type(call())
             and answer.warnings

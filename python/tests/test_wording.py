@@ -55,7 +55,8 @@ from longdrive._longdrive import in_python
         ),
         ("`parameters()` lists them all", "longdrive.parameters() lists them all"),
         ("`plot laws()` draws them", "longdrive.plot.laws() draws them"),
-        # these are for a shell, options of the program only, or no arguments
+        # unchanged: commands for a shell, options that only the program has, and texts that are no
+        # arguments
         (
             "'longdrive optimize a.toml --vary club.loft=4deg..20deg' finds",
             "'longdrive optimize a.toml --vary club.loft=4deg..20deg' finds",
@@ -301,7 +302,7 @@ def test_an_unknown_key_is_a_key_error_with_the_nearest(
 ) -> None:
     with pytest.raises(KeyError, match=words) as raised:
         look()
-    # the exception that Python expects of a mapping, and that of longdrive
+    # KeyError, which Python expects of a mapping, and the exception of longdrive
     assert (
         isinstance(raised.value, longdrive.UnknownKeyError) and isinstance(raised.value, InputError)
     )
@@ -352,7 +353,7 @@ def test_every_outcome_that_goes_by_name_is_listed() -> None:
         list(drive) == list(rows)
         and drive["head_mass"] == longdrive.Setup("modern-driver")["club.mass"]
     )
-    # outcomes that no swing changes are available by name alone
+    # outcomes that no swing changes must be named
     assert list(longdrive.simulate("modern-driver")) == [
         name for name, row in rows.items() if row["part"] != "head"
     ]

@@ -35,8 +35,8 @@ pub struct Fitted {
     pub speed: Option<[f64; 2]>,
     /// Description of the data that the law was fitted to.
     pub to: &'static str,
-    /// For each of [`ranges`](Self::ranges): true if the variable is clamped below the range, and
-    /// above the range. Otherwise the law is extrapolated.
+    /// Clamped ends (below, above) of each of [`ranges`](Self::ranges). Beyond the other ends the
+    /// law is extrapolated.
     pub held: [[bool; 2]; 4],
 }
 

@@ -33,7 +33,7 @@ pub struct Stream<T> {
     pub spin: T,
     /// |v|, m/s.
     pub speed: T,
-    /// |v|², m²/s², for 1/|v| without the latency of |v|.
+    /// |v|², m²/s²: 1/|v| is computed from it without waiting for |v|.
     pub(crate) square: T,
     /// R, m.
     pub radius: T,
@@ -130,8 +130,8 @@ pub trait AerodynamicLaw<T: Numbers> {
 impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        // copy the fields: a law that is not inlined returns its `Coefficients` in memory, and
-        // without a copy the coefficients of the inlined laws would be in memory too
+        // copies the fields: a law that is not inlined returns its `Coefficients` in memory;
+        // without the copy, the coefficients of the inlined laws would be in memory too
         let (drag, lift) = with_law!(self, |law| {
             let found = law.coefficients(stream);
             (found.drag, found.lift)
@@ -167,7 +167,7 @@ mod tests {
         Stream::new(spin_ratio * speed / radius, speed, radius, 3000.0)
     }
 
-    /// C_D and C_L of the two laws at Re = 1.5e5, to one unit of the last digit.
+    /// Published C_D and C_L of both laws at Re = 1.5e5, within one unit of the last digit.
     #[test]
     fn published_values_of_launch_monitor_and_ferguson() {
         let spin_ratios = [0.08, 0.10, 0.15, 0.20, 0.25, 0.30];
@@ -193,8 +193,8 @@ mod tests {
         }
     }
 
-    /// The law recovered from Winfield & Tan in the range of their flights: positive drag, and lift
-    /// that rises with the spin from 0.
+    /// Drag is positive, and lift rises with the spin from 0, in the range of Winfield & Tan's
+    /// flights.
     #[test]
     fn recovered_law_has_positive_drag_and_lift_that_rises_with_spin() {
         let law = Law::named("winfield-tan").unwrap();
@@ -218,7 +218,8 @@ mod tests {
         }
     }
 
-    /// Value, slope and curvature of C_L in the spin ratio on both sides of the join of the cubic.
+    /// C_L and its first two derivatives by the spin ratio are equal on both sides of the join of
+    /// the cubic.
     #[test]
     fn exact_c2_join_where_a_law_is_smoothed_and_no_lift_without_spin() {
         for (name, join) in [("smits-smith", 0.001), ("ferguson", 0.02)] {

@@ -2,9 +2,9 @@
 
 use crate::number::{Numbers, inlined};
 
-/// Cubic that replaces the lift coefficient of a formula with a remaining lift or an infinite slope
-/// at zero spin: for s < s₀, C_L = a u + b u² + c u³ with u = s/s₀ has the value, slope and curvature
-/// of the formula at s₀. C_L vanishes with the spin, and is C² throughout.
+/// Cubic that replaces C_L near zero spin, where the formula of a law has a lift above 0 or an
+/// infinite slope. For s < s₀, C_L = a u + b u² + c u³ with u = s/s₀ has the value, slope and
+/// curvature of the formula at s₀. C_L vanishes with the spin, and is C² throughout.
 struct CubicOrigin<T> {
     /// s₀.
     join: f64,

@@ -6,13 +6,15 @@ use crate::parameters::UsgaItr;
 /// Lowest spin ratio of the measured shots. Below it a cubic replaces the lift coefficient, because
 /// the formula gives lift without spin.
 const SMOOTH_BELOW: f64 = 0.042;
-/// Start and width of the upper clamp of the spin ratio, which bounds the square in the drag: the
-/// formula holds for s < 0.3.
+/// Start of the upper clamp of the spin ratio, which bounds the square in the drag: the formula
+/// holds for s < 0.3.
 const LARGEST: f64 = 0.3;
+/// Width of the upper clamp of the spin ratio.
 const HELD_OVER: f64 = 0.1;
-/// Start and width of the lower clamp of Re/10⁵: 1/r² makes the lift negative at lower values. In
-/// the slowest measured shots Re/10⁵ was 0.8.
+/// Start of the lower clamp of Re/10⁵: 1/r² makes the lift negative at lower values. In the slowest
+/// measured shots Re/10⁵ was 0.8.
 const SMALLEST: f64 = 0.6;
+/// Width of the lower clamp of Re/10⁵.
 const HELD_UNDER: f64 = 0.2;
 
 /// With r = Re/10⁵: C_D = cd0 + cd1 s + cd2 s² + cd_re r, C_L = cl0 + cl1 s + cl2 s² + cl_re/r²:

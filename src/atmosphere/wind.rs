@@ -2,9 +2,9 @@ use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Ground, Wind};
 
 /// ℓ, m: height below which the logarithmic profile is smoothed towards the ground. A step of 0.01
-/// s resolves this height: carry is accurate to some micrometres (docs/model.md, eq. 16). The pure
-/// logarithm varies over the roughness, some millimetres; carry would be accurate to some
-/// millimetres only.
+/// s resolves this height: carry is accurate to some micrometres (docs/model.md, eq. 16). Without
+/// smoothing, the wind would vary over the roughness length, some millimetres, and carry would be
+/// accurate to some millimetres only.
 const SMOOTHING_HEIGHT: f64 = 0.5;
 
 /// Velocity of the air over the ground, uniform or a function of height (docs/model.md, eq. 15).
@@ -49,7 +49,7 @@ impl<T: Numbers> WindField<T> {
         }
     }
 
-    /// True if the wind is a profile; else it is uniform.
+    /// True if the wind depends on the height; false if it is uniform.
     #[inline(always)]
     pub(crate) fn depends_on_height(&self) -> bool {
         self.profile.is_some()

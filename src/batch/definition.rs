@@ -26,7 +26,7 @@ impl Batch {
     /// # Errors
     /// Errors of [`Setup::validate`]; [`Error::Nothing`] without outcomes or swept parameters;
     /// [`Error::NotVariable`], [`Error::Unknown`] and [`Error::OtherLaw`] of [`Setup::variable`],
-    /// also for a coefficient that belongs to another law but has the same name;
+    /// also for a coefficient of another law with the name of a coefficient of the setup's law;
     /// [`Error::SearchRange`] and [`Error::Together`] for a repeated parameter.
     pub fn new(
         setup: &Setup<f64>,

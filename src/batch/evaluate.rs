@@ -112,8 +112,8 @@ impl Batch {
     /// accepted.
     ///
     /// # Errors
-    /// [`Error::Stopped`], and the reason of a drive without an impact or a flight, which is in the
-    /// block.
+    /// [`Error::Stopped`]; the error of a drive without an impact or with a diverged flight, whose
+    /// status is already in the block.
     fn evaluate_scalar(
         &self,
         mut setup: Setup<f64>,

@@ -51,7 +51,7 @@ pub(crate) fn in_order<T: Send, R: Send>(
                     Ok(Some(chunk)) => {
                         let (finished, work) = (finished.clone(), &work);
                         scope.spawn(move |_| {
-                            // `results` is dropped after an error of `sink`
+                            // fails if `results` was dropped after an error of `sink`
                             let _ = finished
                                 .send((begun, catch_unwind(AssertUnwindSafe(|| work(chunk)))));
                         });

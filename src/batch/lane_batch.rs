@@ -19,9 +19,9 @@ use std::sync::atomic::AtomicBool;
 pub(super) struct LaneBatch<'a> {
     pub batch: &'a Batch,
     pub block: &'a mut Block,
-    /// Parameters of differentiation in this evaluation, and the index of the first of them among
-    /// all parameters of differentiation.
+    /// Parameters of differentiation in this evaluation.
     pub wrt: &'a [&'static Parameter],
+    /// Index of the first of `wrt` among all parameters of differentiation.
     pub first: usize,
     /// Interrupt flag of long flights.
     pub stop: &'a AtomicBool,
@@ -61,7 +61,7 @@ struct FlyingRow {
     row: usize,
 }
 
-/// Rows, divided into those computed in lanes and those computed one by one.
+/// Rows to compute in lanes, and rows to compute one by one.
 #[derive(Default)]
 struct Partition {
     flying: Vec<FlyingRow>,
@@ -149,8 +149,8 @@ impl LaneBatch<'_> {
         let has_run = any(|outcome| outcome.needs_run());
         let has_head = any(|outcome| outcome.group() == OutcomeGroup::Head);
         let fitted = batch.setup.law.fitted();
-        // parameters without a column are equal in all rows; the swept parameters are set for each
-        // group
+        // parameters that are not swept are equal in all rows; the swept parameters are set for
+        // each group
         let mut setup = batch.setup.constant::<J>();
         self.seed_parameters(&mut setup);
         let directions: Vec<Option<usize>> = batch

@@ -120,7 +120,8 @@ impl Batch {
              {values} values"
         );
         let reason = format!(
-            "it must append {parameters} values for each row, and no more rows than asked for"
+            "it must append {parameters} values for each row, and at most the requested number of \
+             rows"
         );
         Err(Error::Together { given, reason })
     }

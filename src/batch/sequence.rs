@@ -4,7 +4,7 @@ use crate::optimize::sobol;
 use crate::parameters::{Parameter, Vary};
 
 /// Scrambled Sobol sequence over ranges of some parameters (Owen 1995; Burley 2020): evenly spread
-/// for any number of points. After each 65 536 points it continues with another scrambling.
+/// for any number of points. After each 65,536 points the scrambling changes.
 #[derive(Clone, Debug)]
 pub struct Sequence {
     over: Vec<Vary>,

@@ -22,8 +22,8 @@ pub(super) struct Declaration {
     pub instrument: Option<Instrument>,
 }
 
-/// Part of a drive that the formula of an outcome reads. An outcome of several parts has the one
-/// that is computed last. The order of its convergence follows from it.
+/// Part of a drive that the formula of an outcome reads. If the formula reads several parts, this
+/// is the part that is computed last. It determines the order of convergence of the outcome.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ComputedFrom {
     /// The launch.
@@ -54,7 +54,7 @@ pub enum OutcomeGroup {
 }
 
 impl ComputedFrom {
-    /// The group of the outcomes that are computed from this part.
+    /// The group of outcomes that are computed from this part.
     pub(super) fn group(self) -> OutcomeGroup {
         match self {
             Self::Launch => OutcomeGroup::Launch,
@@ -124,7 +124,8 @@ fn quantity(text: &str) -> Option<(Quantity, &'static str, f64)> {
 pub(crate) struct Plausible {
     pub low: f64,
     pub high: f64,
-    /// True if the value must exceed the lower end: 0 means that it was not measured.
+    /// True if the value must exceed the lower end, because launch monitors export 0 for a value
+    /// that was not measured.
     pub is_above_low: bool,
 }
 
@@ -137,7 +138,7 @@ pub(super) const fn within(low: f64, high: f64) -> Option<Plausible> {
     })
 }
 
-/// Values above `low`, to `high`.
+/// Values above `low`, up to `high`.
 pub(super) const fn above(low: f64, high: f64) -> Option<Plausible> {
     Some(Plausible {
         low,

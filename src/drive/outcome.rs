@@ -263,7 +263,7 @@ mod tests {
     use crate::number::Vector;
     use crate::parameters::Setup;
 
-    /// Outcomes that have no value without a part of a drive.
+    /// Outcomes whose value is missing after `without` has removed a part of the drive.
     fn lost(without: impl Fn(&mut Drive<f64>, &mut Landed<f64>)) -> Vec<Outcome> {
         let mut drive = Drive::new(&Setup::default()).unwrap();
         let mut landed = *drive.landed().unwrap();

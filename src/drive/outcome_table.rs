@@ -56,7 +56,7 @@ const OF_SPIN: &str = "assumed: 4 % of a driver's 2500 rpm";
 /// Distances: difference between launch monitors for the same launch.
 const APART: &str =
     "launch monitors predict the same launch within about {3 yd} of each other (docs/sources.md)";
-/// Totals: differences of two monitors on the same shots (Bliss & Langdown 2026), whose ground
+/// Totals: differences between two monitors on the same shots (Bliss & Langdown 2026). Their ground
 /// models differ.
 const RUNS: &str = "the totals of two monitors on the same shots differ by {11.5 yd} (one standard \
                     deviation): {8 yd} each, docs/sources.md";

@@ -37,7 +37,7 @@ const TEN_DEGREES: f64 = 10.0 / 1.8;
 /// Temperature of the balls whose restitution was measured, K: 25 °C.
 const BALL_TEMPERATURE: f64 = 298.15;
 
-/// Largest shift of the landing, m, without a warning, if the step is halved.
+/// Shift of the landing by halving the step, m, above which there is a warning.
 const LARGEST_SHIFT: f64 = 1e-3;
 
 /// Values of a variable along a flight, and the range that the law was fitted to.
@@ -132,8 +132,8 @@ impl Drive<f64> {
         }
     }
 
-    /// Warning about a stated temperature: it changes the air, and the ball stays as lively as at
-    /// 25 °C.
+    /// Warning about a stated temperature: it changes the air only, and the ball keeps its
+    /// restitution at 25 °C.
     fn cold_ball_warning(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Option<Message> {
         let temperature = setup.air.temperature?;
         let [least, most] = PUBLISHED_PER_TEN_DEGREES;

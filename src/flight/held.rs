@@ -9,9 +9,11 @@ use crate::launch::Launch;
 use crate::parameters::{Law, Setup};
 use std::sync::atomic::AtomicBool;
 
-/// Indices of the variables of a law in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
+/// Index of the spin ratio in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
 const SPIN_RATIO: usize = 0;
+/// Index of the spin.
 const SPIN: usize = 1;
+/// Index of the Reynolds number.
 const REYNOLDS: usize = 2;
 
 /// A law with one variable held within a range.
@@ -56,8 +58,8 @@ pub(crate) fn carry_by_holding(
     result.has_landed.then_some(result.landed.carry)
 }
 
-/// True if the flow stays within these ranges at all steps of the flight, by a margin for the time
-/// between them. False if a range needs a closer look.
+/// True if the flow stays within these ranges at all steps of the flight, with a margin for the
+/// time between the steps. False if the flow may leave a range.
 pub(crate) fn stays_within(
     setup: &Setup<f64>,
     launch: &Launch<f64>,
@@ -74,7 +76,8 @@ pub(crate) fn stays_within(
             inputs.reynolds_per_speed * speed,
             speed,
         ];
-        // v″ ≤ a²/v: half a step from its minimum, v is larger by at most (h a)²/(8 v); twice that
+        // v″ ≤ a²/v: within half a step from its minimum, v rises by at most (h a)²/(8 v); the
+        // margin is twice this
         let margin = (h * node.rate.acceleration.norm() / speed).powi(2) * 0.25;
         let is_within = |(value, range): (f64, Option<[f64; 2]>)| {
             range.is_none_or(|[low, high]| {
@@ -123,7 +126,8 @@ mod tests {
     use crate::drive::{Drive, Outcome};
     use std::sync::atomic::AtomicBool;
 
-    /// A variable within the range is not held. Without spin in the law there is no lift.
+    /// A range that contains the whole flight does not change the carry. Without spin the law gives
+    /// no lift, and the carry is shorter.
     #[test]
     fn exact_carry_by_holding_within_the_range_is_that_of_the_drive() {
         let mut setup = Setup::preset("tour-average").unwrap();

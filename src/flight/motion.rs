@@ -84,7 +84,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     }
 
     /// Like [`rate`](Self::rate), for calls outside of the loop over the stages. The result is
-    /// written in place, because a copy of a rate with many derivatives is long.
+    /// written in place, because copying a rate with many derivatives is slow.
     #[inline(always)]
     fn write_rate(&self, v_r: Vector<T>, spin: T, rate: &mut Rate<T>) {
         T::not_inlined(inlined!(|| *rate = self.rate(v_r, spin)));
@@ -105,7 +105,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     }
 
     /// Derivative of the rate in time, d²v/dt² and d|v_r|/dt: the central difference of the
-    /// equation of motion along the path. It is a smooth function of the node alone, so the
+    /// equation of motion along the path. It is a smooth function of the node only, so the
     /// interpolants of neighbouring steps join C³. Dual numbers in time would double the code size
     /// of a flight.
     #[inline(always)]

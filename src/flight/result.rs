@@ -161,7 +161,7 @@ pub(crate) struct RequestedOutputs<'s> {
     pub stop: Option<&'s AtomicBool>,
 }
 
-/// Number of steps between two looks at the interrupt flag: about a millisecond.
+/// Number of steps between two checks of the interrupt flag; they take about a millisecond.
 const STOP_INTERVAL: usize = 4096;
 
 impl RequestedOutputs<'_> {

@@ -32,7 +32,7 @@ pub(crate) struct Step<'n, T> {
     pub velocity_increment: Vector<T>,
 }
 
-/// Callback for each step and the time at its start.
+/// Callback that receives the start time of each step, and the step.
 pub(crate) type Observer<'o, T> = Option<&'o mut dyn FnMut(f64, &Step<'_, T>)>;
 
 impl<'n, T: Numbers> Step<'n, T> {

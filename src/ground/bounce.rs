@@ -22,8 +22,9 @@ impl<T: Numbers> Motion<T> {
     }
 }
 
-/// Speed, m/s, and angle of incidence of the impact with the tilt θ_g: Penner (2002), p. 934.
+/// Speed of the impact whose crater has the tilt θ_g, m/s: Penner (2002), p. 934.
 const SPEED: f64 = 18.6;
+/// Angle of incidence of this impact, rad.
 const INCIDENCE: f64 = 44.4 / 180.0 * PI;
 /// Start and width of the smooth clamp of the ratio of the tilt to the angle of incidence (H in eq.
 /// 19). The clamped ratio ends at 1, where the ball meets the crater head-on; above 1, Penner's φ −
@@ -35,11 +36,13 @@ const TILT_CLAMP: [f64; 2] = [0.7, 0.6];
 const FLAT: f64 = 70.0 / 180.0 * PI;
 /// Coefficients, s/m and s²/m², of e/e_g = 1 + e₁ u + e₂ u² (eq. 20): Penner (2002), p. 933.
 const RESTITUTION: [f64; 2] = [-0.0375 / 0.51, 0.000903 / 0.51];
-/// Start and width, m/s, of the smooth clamp of u: it ends at the minimum of e, 20.8 m/s.
+/// Start of the smooth clamp of u, m/s.
 const CLAMP_SPEED: f64 = 18.0;
+/// Width of the smooth clamp of u, m/s: the clamped u ends at the minimum of e, 20.8 m/s.
 const CLAMP_WIDTH: f64 = 2.0 * (-RESTITUTION[0] / (2.0 * RESTITUTION[1]) - CLAMP_SPEED);
-/// Start and width of the transition from sticking to slipping, as x in eq. 21.
+/// Start of the transition from sticking to slipping: x in eq. 21.
 const STICKS: f64 = 0.8;
+/// Width of the transition from sticking to slipping in x.
 const SLIPS_OVER: f64 = 0.4;
 /// Margin, (m/s)², of the comparison of squared impulses per mass. A contact without slip sticks
 /// even without friction, because its slip has no direction.
@@ -200,8 +203,9 @@ mod tests {
         }
     }
 
-    /// The crater faces the ball at most head-on. From 54 m/s on, Penner's angle between them is
-    /// negative: a surface that the ball does not meet would throw it back.
+    /// The crater faces the ball at most head-on: its tilt never exceeds the angle of incidence.
+    /// From 54 m/s on, Penner's angle between crater and ball is negative: a surface that the ball
+    /// does not meet would throw it back.
     #[test]
     fn no_ball_meets_the_crater_from_behind() {
         let turf = Turf::new(&Setup::default());

@@ -78,8 +78,9 @@ impl<T: Numbers> FacePoint<T> {
     }
 }
 
-/// Tolerance of the fixed-point iteration for the sweet spot, m, and its largest number of steps.
+/// Tolerance of the fixed-point iteration for the sweet spot, m.
 const TOLERANCE: f64 = 1e-13;
+/// Largest number of steps of the fixed-point iteration.
 const MOST_STEPS: usize = 200;
 
 impl Strike<f64> {

@@ -348,7 +348,8 @@ struct SpeedSystem<T> {
 }
 
 impl<T: Number> SpeedSystem<T> {
-    /// Momentum and angular momentum of both bodies (eq. 6): ΔP = ±R, ΔL = r × (±R).
+    /// Adds the equations of momentum and angular momentum of both bodies (eq. 6): ΔP = ±R, ΔL = r
+    /// × (±R).
     fn add_momentum(&mut self, collision: &Collision<T>) {
         let Self { a, b } = self;
         let axes: [Vector<T>; 3] = std::array::from_fn(|k| {
@@ -376,7 +377,8 @@ impl<T: Number> SpeedSystem<T> {
         }
     }
 
-    /// Separation along the normal and the tangents (eq. 7): −(coefficient) × approach.
+    /// Adds the equations of the separation along the normal and the tangents (eq. 7):
+    /// −(coefficient) × approach.
     fn add_separation(&mut self, collision: &Collision<T>, directions: &[Vector<T>; 3]) {
         let Self { a, b } = self;
         let approach = collision.approach();
@@ -400,8 +402,8 @@ impl<T: Number> SpeedSystem<T> {
         }
     }
 
-    /// Scale of the gear effect (eq. 9a): adds (g − 1) times the velocities along the face that the
-    /// rotation of the head causes.
+    /// Applies the scale of the gear effect (eq. 9a): adds (g − 1) times the velocities along the
+    /// face that the rotation of the head causes.
     fn add_gear_scale(&mut self, collision: &Collision<T>, directions: &[Vector<T>; 3]) {
         let Some(scale) = collision.gear_scale else {
             return;

@@ -2,14 +2,15 @@
 //!
 //! This file is the only place that names them, and a test compares it with docs/architecture.md.
 //! Each number type below is compiled once at each [`Level`](super::Level) of the processor: on
-//! x86-64 five number types for plain numbers and AVX2, and the four of sweeps for AVX-512. Two more number types reach this code through public
-//! generics: `f64` ([`Drive::new`](crate::Drive::new)), which the baseline level uses too, and
-//! `num_dual::Dual64` (`study::certificate`), which adds one copy.
+//! x86-64 five number types for the baseline level and for AVX2, and the four number types of
+//! sweeps for AVX-512. Two more number types reach this code through public generics: `f64`
+//! ([`Drive::new`](crate::Drive::new)), which the baseline level uses too, and `num_dual::Dual64`
+//! (`study::certificate`), which adds one copy.
 
 use super::{Derivatives, Jet, Lanes, Mixed};
 
-/// Largest number of directions in a lane. One drive and sweeps share it, so that they share the
-/// compiled flight.
+/// Largest number of directions in a lane. Single drives and sweeps share this limit, so that they
+/// share the compiled flight.
 pub(crate) const MOST_PER_LANE: usize = 3;
 
 /// Work that is compiled for each number type of [`over_directions`] or [`over_drives`]. As for
@@ -17,7 +18,7 @@ pub(crate) const MOST_PER_LANE: usize = 3;
 pub(crate) trait OverNumbers {
     /// Result of the work.
     type Output;
-    /// Runs over numbers with `per_lane` directions in each lane.
+    /// Runs the work over a number type with `per_lane` directions in each lane.
     fn over<J: Lanes<Lane: Derivatives>>(&mut self, per_lane: usize) -> Self::Output;
 }
 

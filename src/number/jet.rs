@@ -8,8 +8,8 @@ use super::{Number, Numbers, inlined};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `each!(self, i: K => expression)`: `expression` for each index `i` of the gradient of `self`.
-/// The first three are unrolled by hand: loops of one to three rounds took two thirds of the
-/// compile time.
+/// The first three indices are unrolled by hand: loops of one to three rounds took two thirds of
+/// the compile time.
 macro_rules! each {
     ($self:ident, $i:ident : $K:expr => $value:expr) => {{
         let mut all = $self.gradient;

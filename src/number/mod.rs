@@ -128,7 +128,7 @@ pub trait Numbers:
         Self::constant(0.0)
     }
 
-    /// x a + b, fused (rounded once) where that is as fast.
+    /// x a + b, fused (rounded once) if the fused operation is as fast.
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {
         self * a + b

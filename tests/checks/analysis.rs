@@ -39,7 +39,8 @@ fn names(best: &Optimum) -> Vec<String> {
 
 const BOX: [&str; 2] = ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10deg"];
 
-/// A drive in three dimensions: off the centre, in the wind, with the face and path off_centre.
+/// A drive in three dimensions: an off-centre strike, wind, and a face that is not square to the
+/// path.
 fn off_centre() -> Setup<f64> {
     let mut setup = Setup::default();
     for (name, value) in [
@@ -58,7 +59,7 @@ fn off_centre() -> Setup<f64> {
     setup
 }
 
-/// d x*/dp and d f*/dp against central differences of new optima, with one Richardson
+/// Compares d x*/dp and d f*/dp with central differences of new optima, after one Richardson
 /// extrapolation.
 fn differences_agree(setup: &Setup<f64>, search: &Search) {
     let best = best(setup, search);
@@ -221,7 +222,7 @@ fn contradictory_constraints_end_as_infeasible_with_the_smallest_violation() {
         message.contains("apex_height <= 30 m") && message.contains("apex_height >= 31 m"),
         "{message}"
     );
-    // the least sum of squares is in the middle, where γ is the same for both
+    // the least sum of squares is in the middle, where both constraints have one γ
     let violations: Vec<f64> = none
         .solution
         .constraints
@@ -311,8 +312,7 @@ fn independent_mae494_optimum_from_every_batch_of_sixteen() {
         let mut values = vec![];
         for batch in 0..4 {
             let mut start = setup;
-            // a small shift of the start in place of another seed: the spread of the starts is
-            // fixed
+            // shifts the start a little in place of another seed: the spread of the starts is fixed
             start.swing.attack_angle = f64::from(batch) * 0.02;
             let found = optima(
                 &start,
@@ -441,7 +441,7 @@ fn order_of_the_predicted_change_is_second_and_third() {
 #[test]
 fn a_change_of_the_active_set_is_predicted_and_confirmed() {
     let setup = Setup::default();
-    // just inside the limit: more speed raises the apex to it
+    // the optimum is just inside the limit: more speed raises the apex to the limit
     let search = search(
         &setup,
         &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],
@@ -588,8 +588,8 @@ fn a_saddle_is_left_for_a_maximum() {
     );
 }
 
-/// The head pitches with its attack angle. In the frame of the head the impact is the same, so the
-/// spin depends on the loft alone.
+/// The head pitches with its attack angle: in the frame of the head the impact does not change, so
+/// the spin depends only on the loft.
 #[test]
 fn an_optimum_that_does_not_depend_on_a_variable_has_no_sensitivity() {
     let setup = Setup::default();
@@ -619,7 +619,7 @@ fn an_optimum_that_does_not_depend_on_a_variable_has_no_sensitivity() {
     assert!(error.to_string().contains("not isolated"), "{error}");
 }
 
-/// The search with the nearest point to the constraints does not depend on the objective.
+/// The search that ends nearest to the constraints does not depend on the sense of the objective.
 #[test]
 fn same_nearest_point_of_many_starts_for_both_senses() {
     let setup = Setup::default();
@@ -636,7 +636,8 @@ fn same_nearest_point_of_many_starts_for_both_senses() {
         let found = optima(&setup, &search, 8, &Observers::default()).unwrap();
         let ends: Vec<_> = found.locals.iter().map(|local| &local.solution).collect();
         assert!(ends.len() > 1 && ends.iter().all(|end| end.status == Status::Infeasible));
-        // each limit divided by its derivative by the loft, which changes both
+        // violations, each divided by the largest derivative of its limit: both limits depend on
+        // the loft
         let missed = |end: &&Solution| -> f64 {
             let slope = |j: usize| {
                 ends.iter()

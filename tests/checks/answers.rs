@@ -76,7 +76,7 @@ fn text_and_help_wrap_to_the_terminal() {
             let said = in_columns(columns, words);
             let text = said.out + &said.err;
             let wide: Vec<_> = text.lines().filter(|line| widest(line) > most).collect();
-            // a table of two columns cannot be narrower, and a word stays whole
+            // a table of two columns cannot be narrower, and words are not broken
             let is_table = |line: &str| line.trim().split("  ").count() > 1;
             let is_word = |line: &str| line.split_whitespace().count() == 1;
             let wide: Vec<_> = wide
@@ -167,7 +167,7 @@ fn every_answer_names_its_setup_and_what_was_changed() {
     assert!(compared.out.starts_with(&names), "{}", compared.out);
 }
 
-/// The loft depends on shaft and strike, which a measured launch tells.
+/// The best loft depends on shaft and strike, which follow from a measured launch.
 #[test]
 fn the_loft_of_an_average_comes_with_the_command_for_ones_own() {
     let advice = "starts from your own launch";
@@ -219,7 +219,8 @@ fn exact_loss_at_the_ends_of_the_intervals_of_an_optimum() {
     assert_eq!(ends, 3, "{}", found["window"]);
 }
 
-/// The gain of the club alone is that of a search over the loft with the swing as set up.
+/// The gain of changing only the club equals the gain of a search over the loft with the setup's
+/// swing.
 #[test]
 fn same_gain_of_the_club_as_a_search_over_the_loft_alone() {
     let (_, both) = json(&["optimize"]);
@@ -273,7 +274,7 @@ fn a_stated_temperature_says_that_the_ball_is_not_colder() {
     );
     let (_, warm) = json(&["simulate", "--set", "air.temperature=25degC"]);
     assert_eq!(warm["warnings"], serde_json::json!([]));
-    // the effect here is that of two flights 10 °F apart
+    // the printed effect is the difference of two flights 10 °F apart
     let carry = |temperature: &str| {
         let set = format!("air.temperature={temperature}");
         number(&json(&["simulate", "--set", &set]).1["flight"]["carry"]) / 0.9144

@@ -148,8 +148,8 @@ fn sampled_coverage_of_intervals_over_200_draws_of_noise() {
         assert_eq!(found.statistics.degrees_of_freedom, 22);
         chi_square += found.statistics.chi_square / 200.0;
     }
-    // 95 % of 400 intervals; the mean of χ² with 22 degrees of freedom within four of its standard
-    // errors
+    // 95 % of 400 intervals contain the truth; the mean of χ² with 22 degrees of freedom is within
+    // four of its standard errors
     let share = (covered[0] + covered[1]) as f64 / 400.0;
     println!("coverage {covered:?} of 200 each, mean chi-square {chi_square}");
     assert!((0.93..=0.97).contains(&share), "{covered:?}");
@@ -278,7 +278,7 @@ fn yards(metres: f64) -> f64 {
     metres / 0.9144
 }
 
-/// Every printed number, within the accuracy of one smooth law.
+/// Compares every number of the tables, within the accuracy of one smooth law.
 #[test]
 fn published_tables_of_winfield_and_tan_by_the_preset() {
     let (status, found) = json(&["reproduce", "winfield-tan"]);
@@ -514,8 +514,7 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
     }
 }
 
-/// Some launch columns have dotted names, the others have not: fits and sweeps read the same
-/// launch.
+/// Some launch columns have dotted names, the others do not: fits and sweeps read the same launch.
 #[test]
 fn a_launch_by_names_of_both_kinds_is_read_whole() {
     let rest = "launch_angle [deg],backspin [rpm],carry [yd]\n150,9,2500,230\n";
@@ -579,8 +578,8 @@ fn exports_omit_summaries_and_incomplete_rows_by_name_and_have_angles_in_degrees
             table.remarks
         );
     }
-    // a summary alone is no table; for a user's table without usable rows, the message gives the
-    // reason of the first row
+    // rows of a summary are not a table; for a user's table without usable rows, the message gives
+    // the reason of the first row
     let error = read(&[head, below].concat()).unwrap_err().to_string();
     assert!(
         error.contains("it has no usable shot (rows left out, since they sum up other rows: "),
@@ -926,7 +925,7 @@ fn interrupted_folds_are_omitted_and_counted() {
         let part = held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap();
         let done = 4 - part.count(Status::Interrupted);
         assert_eq!(part.remainders.len(), 6 * done, "after {after}");
-        // the result equals that of the uninterrupted fit
+        // the result equals the result of the uninterrupted fit
         for remainder in &part.remainders {
             let same = whole
                 .remainders
@@ -1166,8 +1165,7 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
             );
         }
     }
-    // a measured carry is the distance to the landing point; its uncertainty is that of the
-    // instrument
+    // a measured carry is the distance to the landing point, with the uncertainty of the instrument
     let carry = expected.shots[0].measured[0];
     assert_eq!(
         (carry.outcome, carry.sigma),
@@ -1201,8 +1199,7 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
         (false, vec!["swing.speed", "swing.path", "swing.face_angle"])
     );
     assert!((club.shots[0].inputs[1].1 + 2.0_f64.to_radians()).abs() < 1e-15);
-    // a misspelt name of this program stays an error, and so does one of its quantities without a
-    // unit
+    // a misspelt parameter name is an error, and so is a name of a parameter without its unit
     for (text, words) in [
         (
             "Ball Speed (mph),Launch Angle (deg),Spin Rate (rpm),cary_distance \
@@ -1238,8 +1235,8 @@ fn the_sample_of_shots_is_fitted() {
         (0, Some("converged")),
         "{found}"
     );
-    // made with these coefficients: with noise in launch and flight, the estimates are within three
-    // standard errors
+    // the shots were made with these coefficients, and with noise in launch and flight: the
+    // estimates are within three standard errors
     for name in ["aero.cd0", "aero.cl_max"] {
         let truth = Setup::default()
             .value(Setup::default().variable(name).unwrap())
@@ -1331,7 +1328,8 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
         "{warnings}"
     );
     let (found, warnings) = told(&rows(40.0), "aero.cd0=0.25..0.6");
-    // 40 yd at 1 yd each, minus the effect of the bound: √(χ²/ν) of the answer
+    // about 40 standard uncertainties (40 yd at 1 yd), less the effect of the bound; the warning
+    // prints √(χ²/ν)
     let off = (number(&found["chi_square"]) / number(&found["degrees_of_freedom"])).sqrt();
     assert!(
         off > 20.0
@@ -1346,7 +1344,7 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
     );
 }
 
-/// Shots built in code are checked like those of a table, and errors name the row.
+/// Shots built in code are checked like shots of a table, and errors name the row.
 #[test]
 fn impossible_measured_values_are_refused_with_their_row() {
     let setup = Setup::default();

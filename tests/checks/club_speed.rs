@@ -49,8 +49,8 @@ fn turning() -> Setup<f64> {
     setup
 }
 
-/// Velocity of the centre of mass from that of the face centre, v − ω × r, with axes and centre of
-/// mass written by hand.
+/// Velocity of the centre of mass from the velocity of the face centre, v − ω × r. Axes and centre
+/// of mass are written by hand.
 fn of_the_centre_of_mass(stated: &Setup<f64>) -> Setup<f64> {
     let (swing, club) = (&stated.swing, &stated.club);
     let (sin, cos) = (swing.attack_angle - swing.shaft_lean).sin_cos();
@@ -63,7 +63,7 @@ fn of_the_centre_of_mass(stated: &Setup<f64>) -> Setup<f64> {
         sum(&[(cos, up), (-sin, forward)]),
         sum(&[(cos, forward), (sin, up)]),
     );
-    // from the centre of the face: up along it, towards the toe, behind it
+    // positions from the centre of the face: up along the face, towards the toe, behind the face
     let [own, weight] = [
         (
             club.mass,
@@ -184,7 +184,8 @@ fn exact_both_points_coincide_if_the_head_does_not_turn() {
     assert_eq!(carries[0].to_bits(), carries[1].to_bits());
 }
 
-/// By loft, depth, closure and weight, which the vector between the two points depends on.
+/// Derivatives by loft, depth, closure and weight, which determine the vector between the two
+/// points.
 #[test]
 fn differences_confirm_derivatives_by_the_position_of_the_face_centre() {
     let setup = Setup {
@@ -214,7 +215,7 @@ fn differences_confirm_derivatives_by_the_position_of_the_face_centre() {
                     .unwrap();
                 of.of(&Drive::new(&moved).unwrap()).unwrap()
             };
-            // of the fourth order
+            // a difference of the fourth order
             let slope = (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
             close(
                 exact,

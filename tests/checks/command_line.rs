@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use std::process::Child;
 use std::time::Duration;
 
-/// Everything, in the columns of the tests' terminal.
+/// Text of whole answers, at the width of the tests' terminal.
 pub const WHOLE: TextOptions = TextOptions {
     width: 100,
     all: true,
@@ -842,8 +842,8 @@ fn whole_numbers_of_options_are_refused_with_option_value_range_and_example() {
     }
 }
 
-/// A diverging flight is no answer, alone and in a sweep. The message names the step only if it is
-/// long.
+/// A diverging flight is no answer, in a single drive and in a sweep. The message names the step
+/// only if it is long.
 #[test]
 fn a_flight_that_diverges_ends_with_status_one_everywhere() {
     for (set, says, says_not) in [

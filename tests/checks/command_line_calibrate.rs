@@ -124,7 +124,7 @@ fn rows_that_do_not_fly_are_no_answer_and_not_bad_input() {
             "{answer}"
         );
     }
-    // one row among others, by its number
+    // a row that does not fly is named by its number
     let (_folder, path) = crate::sweep::table(
         "one.csv",
         "carry [yd],swing.attack_angle [deg]\n200,2\n10,-60\n",

@@ -211,8 +211,8 @@ fn effects_and_the_sensitivity_of_an_optimum_as_json() {
             .find(|effect| effect["parameter"] == name)
             .unwrap()
     };
-    // an unconstrained optimum: by the envelope theorem the total derivative is that of the drive,
-    // and 0 by the variables
+    // an unconstrained optimum: by the envelope theorem the total derivative equals the derivative
+    // of the drive, which is 0 by a varied parameter
     close(
         number(&of("swing.speed")["derivative_of_optimum"]),
         number(&of("swing.speed")["derivative"]),
@@ -451,7 +451,7 @@ fn rounding_is_shown_as_0_in_texts_and_kept_in_json() {
     ] {
         let said = longdrive(&args);
         assert_eq!(said.status, 0, "{args:?} {}", said.err);
-        // the residual of the search is no derivative
+        // the KKT residual is rounding, but not a derivative
         let lines = said
             .out
             .lines()

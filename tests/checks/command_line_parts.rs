@@ -301,7 +301,7 @@ fn independent_summary_of_a_set_by_its_rows() {
             );
         }
     }
-    // merged from the answers of the parts, in any order and with one of them twice
+    // statistics are merged from the answers of the parts, in any order and with one answer twice
     let mut manifests: Vec<Manifest> = SET
         .answers
         .iter()

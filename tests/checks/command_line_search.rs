@@ -113,7 +113,7 @@ fn a_set_value_of_a_variable_is_reported_as_its_start() {
         ]),
         [""; 0]
     );
-    // as of every search
+    // other searches print this note, too
     let loft = "--vary=club.loft=4deg..20deg";
     for args in [
         &[
@@ -436,9 +436,9 @@ fn chart_as_json_csv_and_table() {
 
 const VARYING: [&str; 2] = ["--distribution", "swing.attack_angle=normal(-1deg,2deg)"];
 
-/// A changed optimum equals that of a new search of the changed setup, with the step that such a
-/// search chooses: the step of the original drive would be too long for a drive more than three
-/// times as fast.
+/// A changed optimum equals the optimum of a new search with the changed setup, with the step that
+/// such a search chooses: the step of the original drive would be too long for a drive more than
+/// three times as fast.
 #[test]
 fn same_changed_optimum_and_search_of_the_changed_setup() {
     for (change, set) in [
@@ -468,7 +468,7 @@ fn same_changed_optimum_and_search_of_the_changed_setup() {
             (&"converged".into(), &"converged".into()),
             "{resolved} {best}"
         );
-        // both within a micrometre of the exact carry
+        // both carries are within a micrometre of the exact carry
         close(
             number(&resolved["value"]),
             number(&best["value"]),
@@ -842,7 +842,7 @@ fn same_drive_from_the_setup_written_at_an_optimum() {
     );
     let carry = || number(&json(&["simulate", &file]).1["flight"]["carry"]);
     close(carry(), number(&found["value"]), 1.0, 1e-6, "carry");
-    // stated ones are in the file, and give the same drive to the last digits
+    // a stated method or step is in the file, which gives the same drive to the last digits
     for stated in [&["--own-step"][..], &["--set", "flight.step=0.02s"]] {
         let (_, found) = json(&[&asked[..], stated].concat());
         close(
@@ -853,7 +853,7 @@ fn same_drive_from_the_setup_written_at_an_optimum() {
             "carry",
         );
     }
-    // the step of a tolerance serves this search alone: the file has the setup's own step, or none
+    // the step of a tolerance serves only this search: the file has the setup's own step, or none
     let within = |setup: &str, file: &str| {
         let asked = [
             "optimize",

@@ -166,7 +166,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
         assert_eq!(status, Some(2));
         assert!(said.contains("the derivatives differ"), "{said}");
 
-        // Ctrl-C after more rows are written, unless it has ended
+        // Ctrl-C after more rows are written, unless the sweep has ended
         let before = announced_rows(&part);
         let mut child = start(many, &part, &["--resume"]);
         wait_until(&mut child, || announced_rows(&part) > before);
@@ -182,7 +182,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
                 said.contains("--resume") && said.contains("stopped: "),
                 "{said}"
             );
-            // it continues after the rows that it announced
+            // the sweep continues after the announced rows
             announced_row = said
                 .split("continues after ")
                 .nth(1)
@@ -562,7 +562,7 @@ fn of_two_sweeps_at_once_into_one_file_one_is_refused_and_the_other_is_whole() {
             1,
             "{first:?} {second:?}"
         );
-        // it found the other process, or its file
+        // the second process found the first one, or its file
         assert!(
             said.contains("another sweep is writing it") || said.contains("already exists"),
             "{said}"
@@ -694,7 +694,7 @@ fn same_table_and_sample_on_the_command_line() {
     let at = ["--set", "club.loft=10deg", "--set", "swing.speed=110mph"];
     let (_, drive) = json(&[&["gradient", "--wrt", "club.loft,swing.speed"], &at[..]].concat());
     let drive = &drive["outcomes"][0];
-    // drives in lanes round differently than a drive alone
+    // drives in lanes and single drives round differently
     for (ours, theirs) in [
         (&rows[0]["carry"], &drive["value"]),
         (
@@ -874,8 +874,8 @@ fn a_sweep_without_any_answer_says_so_with_status_one() {
     assert_eq!(longdrive(&some).status, 0);
 }
 
-/// A tolerance holds in every row of a table, however far it is from the setup: compared with the
-/// same rows by `dp8` in steps of 20 ms.
+/// A tolerance holds in every row of a table, also in rows far from the setup. The reference is
+/// `dp8` in steps of 20 ms.
 #[test]
 fn same_rows_of_a_table_in_shorter_steps_within_the_tolerance() {
     let carries = |more: &[&str]| {

@@ -83,7 +83,7 @@ fn same_points_for_every_spelling_of_the_head() {
     ] {
         assert!(found.2.contains(says), "{says}: {}", found.2);
     }
-    // the rows of an export are those of the file
+    // rows of an export are numbered as in the file
     let (_folder, path) = table(
         "a.csv",
         "Ball Speed [mph],Launch Angle [deg],Backspin [rpm]\nAverage,1,2\n150,x,2500\n",
@@ -240,7 +240,7 @@ fn numbers_of_two_meanings_are_refused_with_both_cells() {
             ["160.5", "11", "2,500", "250"],
             Some(["'2,500' (row 1, column spin)", "'160.5'"]),
         ),
-        // one mark alone, and marks that cannot be thousands separators
+        // a single decimal mark, and marks that cannot be thousands separators
         (["160.5", "11.2", "2500.125", "250"], None),
         (["160,5", "11,2", "2500", "250,3"], None),
         (["160,5", "11.25", "2500", "0.250"], None),

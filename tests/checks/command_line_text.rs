@@ -46,7 +46,7 @@ fn a_drive_has_the_units_of_launch_monitors_in_both_systems() {
             (in_us, in_metric)
         );
     }
-    // straight to rounding: no sign, no power of ten, no side
+    // a straight drive, except for rounding: no sign, no power of ten, no side
     let straight = longdrive(&["simulate"]).out;
     assert_eq!(line(&straight, "lateral"), "lateral 0.0 yd (0.0 m)");
     assert!(

@@ -347,7 +347,7 @@ fn remarks_in_setup_files_have_the_digits_of_the_text_and_values_all_of_them() {
     assert_eq!(done.status, 0, "{}", done.err);
     let text = std::fs::read_to_string(&file).unwrap();
     let (loft, about) = remark(&text, "loft = ");
-    // in degrees if a text in degrees is exact
+    // a remark has degrees if a text in degrees is exact
     let degrees = loft
         .strip_suffix(" deg")
         .map_or_else(
@@ -387,7 +387,7 @@ fn remarks_in_setup_files_have_the_digits_of_the_text_and_values_all_of_them() {
         .1
         .split_once(" ± ")
         .unwrap();
-    // to the second digit of its standard error
+    // an estimate is rounded to the second digit of its standard error
     let decimals = error.len() - "0.".len();
     assert_eq!(
         value,

@@ -23,7 +23,8 @@ pub fn data(name: &str) -> Value {
 }
 
 /// A setup from its JSON form: every parameter by dotted name, `null` for unset, `"inf"` for a flat
-/// face. Missing parameters are those of Winfield & Tan: rolling at exit, calm, no friction limit.
+/// face. Missing parameters have the values of Winfield & Tan: rolling at exit, calm, no friction
+/// limit.
 pub fn setup(json: &Map<String, Value>) -> Setup<f64> {
     let mut setup = Setup::preset("winfield-tan").unwrap();
     setup.set_law(json["aero.law"].as_str().unwrap()).unwrap();
@@ -128,7 +129,7 @@ pub fn for_random_setups(cases: u32, check: impl Fn(Setup<f64>)) {
     random_setups(cases).for_each(check);
 }
 
-/// The collision of rigid bodies, where a test has its numbers from that collision.
+/// Settings of a rigid collision, for tests whose numbers come from one.
 pub const RIGID: [(&str, &str); 2] = [
     ("impact.gear_scale", "none"),
     ("impact.tangential_restitution", "-0.15"),
@@ -165,7 +166,8 @@ pub fn in_large_steps((place, mut setup): (usize, Setup<f64>)) -> Setup<f64> {
     setup
 }
 
-/// Random drives that land, in large steps. Nearly all land; else the check would cover little.
+/// Random drives that land, in large steps. Panics if many do not land, because a check would then
+/// cover little.
 #[track_caller]
 pub fn landing(cases: u32) -> Vec<Setup<f64>> {
     let lands = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok());

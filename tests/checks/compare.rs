@@ -68,7 +68,7 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
             let bar = if is_smooth { 1e-9 } else { 1e-7 };
             for split in [there, &back] {
                 let laws = [0, 1].map(|i| pair[i].law.name());
-                // and at most the printed error
+                // the remainder is also below the printed error
                 let told = split.error.min(bar * most);
                 assert!(
                     split.remainder.abs() < told,
@@ -116,8 +116,9 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
     }
 }
 
-/// The law with the largest kinks in its derivatives, at hundreds of positions between two drives:
-/// in large steps, 1e-6 of the carry remained and was reported as a kink.
+/// Shares add up for the law with the largest kinks in its derivatives, at hundreds of positions
+/// between two drives. In large steps an earlier version left 1e-6 of the carry, and reported it as
+/// a kink.
 #[test]
 fn exact_shares_of_a_law_in_pieces_add_up_in_large_steps() {
     let law =
@@ -208,7 +209,7 @@ fn exact_share_of_a_difference_in_one_parameter() {
         ("club.loft", "13 deg"),
         ("air.density", "1 kg/m^3"),
         ("aero.spin_damping", "2e-5"),
-        // changed at once
+        // changes in one step, without intermediate drives
         ("impact.friction", "0.1"),
         ("club.bulge_radius", "inf"),
         ("aero.law", "robinson"),
@@ -486,7 +487,7 @@ fn two_drives_as_text_and_json() {
         1e-10,
         "drives",
     );
-    // the same by options
+    // the same comparison by options
     let (_, same) = json(&[
         "compare",
         "modern-driver",
@@ -796,7 +797,7 @@ fn exact_shares_of_air_and_wind_changed_at_once_change_sign_on_the_way_back() {
             close(share(&there, name), -share(&back, name), 100.0, 1e-9, name);
         }
     }
-    // the other parameters are equal, so that the wind has the whole difference
+    // the other parameters are equal, so that the wind causes the whole difference
     let b = changed(
         &Setup::default(),
         &[("air.density", "1.2 kg/m^3"), other[1], other[2]],

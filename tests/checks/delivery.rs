@@ -288,7 +288,7 @@ fn a_launch_on_the_command_line_becomes_a_setup_for_a_search() {
         longdrive(&["optimize", file, "--vary", "club.loft=4deg..20deg"]).status,
         0
     );
-    // the same as launch conditions, and as JSON
+    // the launch as an option, and the answer as JSON
     let (status, answer) = json(&[
         "delivery",
         "--launch",
@@ -423,7 +423,7 @@ fn a_launch_without_a_delivery_is_unexplained_and_not_written() {
     assert!(!file.exists() && answer["spread"].as_array().unwrap().is_empty());
 }
 
-/// The speed of a junior is more than four deviations below that of the preset.
+/// The speed of a junior is more than four standard deviations below the speed of the preset.
 #[test]
 fn parameters_limited_by_their_range_have_a_warning() {
     let folder = tempfile::tempdir().unwrap();

@@ -179,8 +179,9 @@ fn sampled_swings_are_recovered_from_their_shots_within_three_uncertainties() {
     );
 }
 
-/// Seven parameters of a swing from the five of its launch: unidentified ones keep their prior,
-/// with its uncertainty, and the launches of the recovered swings scatter as those of the golfer.
+/// Seven parameters of a swing from the five of its launch. Unidentified parameters keep their
+/// prior, with its uncertainty, and the launches of the recovered swings scatter like the golfer's
+/// launches.
 #[test]
 fn sampled_swings_are_within_their_stated_uncertainties() {
     let truth = [
@@ -216,7 +217,7 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
             mean.abs() < 3.0 && deviation.abs() < 3.0,
             "{name}: {mean} {deviation}"
         );
-        // as of a single shot
+        // as in the answer about a single shot
         let rows = answer["rows"].as_array().unwrap();
         let known = rows.iter().flat_map(|row| row["known"].as_array().unwrap());
         let mut told: Vec<f64> = known
@@ -240,7 +241,7 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
         answer["population"]
     );
     are_given_back(&answer);
-    // the scatter of launches, of the recovered swings and of the golfer
+    // the launches of the recovered swings scatter like the golfer's launches
     let setup = Setup::preset("tour-average").unwrap();
     let found = Swings::open(&setup, distribution.as_ref()).unwrap();
     let scenarios = Scenarios::new(
@@ -315,7 +316,8 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
     }
 }
 
-/// Mean and scatter of each outcome are those of the shots, within a quarter of the scatter.
+/// Mean and scatter of each outcome over the recovered swings equal the shots' within a quarter of
+/// the scatter.
 fn are_given_back(answer: &serde_json::Value) {
     for one in answer["population"]["launches"].as_array().unwrap() {
         let [[mean, deviation], [found, spread]] = ["measured", "recovered"]
@@ -423,7 +425,7 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
         distribution.err
     );
     assert!(!folder.path().join("swings.toml").exists());
-    // all of them found, but the request was for a distribution
+    // all deliveries are found, but they are too few for a distribution
     std::fs::write(&file, shots(7, 2)).unwrap();
     let few = run("swings.toml");
     assert!(

@@ -170,8 +170,9 @@ fn differences_of_gradients_agree_with_a_hessian_of_many_parameters() {
 }
 
 /// Ten parameters change no flight if weights have no mass, the strike is central and the shaft is
-/// straight. With so many, derivatives are chained from those of the impact and of the flight,
-/// which then has no variable. For a given launch the ball's inertia has no effect either.
+/// straight. Derivatives by ten parameters are chained from derivatives of the impact and of the
+/// flight, and this flight has no variable. For a given launch the ball's inertia has no effect
+/// either.
 #[test]
 fn exact_value_and_zero_gradient_of_a_flight_without_parameters() {
     let idle = [
@@ -238,8 +239,8 @@ fn exact_value_and_zero_gradient_of_a_flight_without_parameters() {
     }
 }
 
-/// A Hessian by many parameters is chained from those of impact and flight; by few it is computed
-/// at once.
+/// A Hessian by many parameters is chained from Hessians of impact and flight; a Hessian by a few
+/// is computed at once.
 #[test]
 fn same_hessian_by_all_parameters_and_by_a_few() {
     let mut setup = Setup::default();
@@ -300,8 +301,8 @@ fn same_hessian_by_all_parameters_and_by_a_few() {
     }
 }
 
-/// For 3 parameters the Hessian is computed by the same passes, so that its diagonal is the same to
-/// the bit; for all parameters by the chain rule.
+/// For 3 parameters, Hessian and diagonal are computed by the same passes and are equal to the bit;
+/// for all parameters, the Hessian is computed by the chain rule.
 #[test]
 fn same_diagonal_as_that_of_the_hessian() {
     let setup = Setup::default();
@@ -327,8 +328,8 @@ fn same_diagonal_as_that_of_the_hessian() {
     }
 }
 
-/// The ground changes the run alone: carry has the same derivatives, and zeros by the ground, with
-/// and without the run.
+/// The ground changes only the run: with and without the run, carry has the same derivatives, which
+/// are 0 by the ground.
 #[test]
 fn exact_carry_does_not_depend_on_the_ground() {
     let setup = Setup::default();
@@ -552,8 +553,8 @@ fn exact_zero_derivative_by_an_unset_parameter() {
     assert!((value - carry).abs() < 1e-12 * carry, "{value} {carry}");
 }
 
-/// Threads have 2 MiB, and README says that a debug build without optimization needs more.
-/// Optimized at level 1, all of this takes 135 KiB.
+/// Stack of the derivatives: a thread has 2 MiB, and README says that a debug build without
+/// optimization needs more. Optimized at level 1, these derivatives take 135 KiB.
 #[test]
 fn derivatives_need_little_stack() {
     let work = || {

@@ -82,8 +82,8 @@ fn differences_certify_the_price_of_the_limit_on_the_moment_of_inertia() {
     );
 }
 
-/// A rule about a parameter is a bound: its multiplier is that of the bound, and 0 if a tighter
-/// bound of the user is active.
+/// A rule about a parameter is a bound: the rule has the multiplier of the bound, and 0 if a
+/// tighter bound of the user is active.
 #[test]
 fn a_rule_about_a_parameter_is_a_bound_of_it() {
     let vary = "--vary=impact.restitution=0.78..0.9";
@@ -110,7 +110,7 @@ fn a_rule_about_a_parameter_is_a_bound_of_it() {
     );
 }
 
-/// Varied inertia stays that of a rigid body.
+/// Varied inertia tensors remain tensors of rigid bodies.
 #[test]
 fn varied_inertia_stays_that_of_a_rigid_body() {
     let vary = [
@@ -460,7 +460,8 @@ fn assumptions_of_a_design_are_printed() {
     );
 }
 
-/// The other commands start from their default preset and say so. That preset is above a rule.
+/// Other commands start from their default preset and say so. A design refuses a file without a
+/// preset, because the default preset violates a rule.
 #[test]
 fn a_file_that_names_no_preset_is_refused() {
     let folder = tempfile::tempdir().unwrap();

@@ -70,7 +70,8 @@ fn other_swings_without_a_flight_do_not_suppress_a_design() {
     }
 }
 
-/// An unset parameter has the meaning in `parameters`: no weight, not the middle of its range.
+/// An unset parameter has the meaning that `parameters` prints: no weight, not the middle of its
+/// range.
 #[test]
 fn as_set_up_is_the_setup_without_what_is_unset() {
     let base = json(&[&TWO[..], &["--vary=club.loft=10deg..11deg"]].concat()).1;

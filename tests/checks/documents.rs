@@ -58,8 +58,8 @@ fn the_answer_in_the_readme_is_the_programs() {
     );
 }
 
-/// The lines below a command of docs/tutorial.md are lines of its output; of the table of a sweep,
-/// whose last digits depend on the processor, each cell to 12 characters.
+/// The lines below a command of docs/tutorial.md are lines of its output. The cells of the table of
+/// a sweep are compared to 12 characters, because their last digits depend on the processor.
 #[test]
 fn the_outputs_in_the_tutorial_are_the_programs() {
     let text = document("docs/tutorial.md");
@@ -190,8 +190,8 @@ fn the_costs_and_slopes_in_validation_md_are_those_of_the_program() {
     }
 }
 
-/// The ratios at the beginning of docs/performance.md follow from the times in its tables, and its
-/// times are equal to those.
+/// The ratios at the beginning of docs/performance.md follow from the times in its tables, and the
+/// times there are equal to those of the tables.
 #[test]
 fn the_costs_at_the_head_of_performance_md_are_those_of_its_tables() {
     let performance = document("docs/performance.md");
@@ -288,7 +288,8 @@ fn model_md_defines_every_outcome_of_a_drive() {
     }
 }
 
-/// A row has the names of outcomes, and an uncertainty for each, or one for all.
+/// docs/calibration.md: a row names outcomes and states an uncertainty for each of them, or one for
+/// all.
 #[test]
 fn calibration_md_has_the_uncertainty_of_every_outcome() {
     let text = document("docs/calibration.md");

@@ -23,8 +23,8 @@ fn setup() -> Setup<f64> {
     Setup::preset("tour-average").unwrap()
 }
 
-/// The problem with a tenth of the evaluations: the map and the drives that it is compared with use
-/// the same steps.
+/// The problem in large steps, with a tenth of the evaluations. The map and the single drives use
+/// equal steps.
 fn in_large_steps() -> Setup<f64> {
     let mut setup = setup();
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
@@ -103,7 +103,7 @@ fn rings(figure: &Figure, hatched: bool) -> Vec<Vec<[f64; 2]>> {
     figure.layers.iter().flat_map(of).collect()
 }
 
-/// Even-odd rule: whether a point is inside rings.
+/// True if a point is inside rings, by the even-odd rule.
 fn lies_in(rings: &[Vec<[f64; 2]>], [x, y]: [f64; 2]) -> bool {
     let edges = rings
         .iter()
@@ -407,7 +407,7 @@ fn events_of_a_chart_are_in_words_with_the_chosen_units() {
     }
 }
 
-/// Pixels per metre along both axes, of the longest line.
+/// Pixels per metre along both axes of a figure, from a drawn line and its data.
 fn scales(figure: &Figure, line: &[[f64; 2]]) -> [f64; 2] {
     let svg = figure_svg(
         figure,
@@ -677,7 +677,8 @@ fn same_ellipses_on_the_fairway_and_in_uncertainty() {
             "{note}"
         );
     }
-    // the picture's points are on the ellipse, and its landing is the drive's
+    // the points of the picture are on the ellipse, and the picture's landing is the landing of the
+    // drive
     let figure = fairway_figure(std::slice::from_ref(&landing), System::Us);
     // the run is the drive's line, and the legend names it
     let run = figure

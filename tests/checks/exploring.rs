@@ -1,4 +1,4 @@
-//! The command `explore` where it serves nothing.
+//! The command `explore` if it serves no page.
 
 use longdrive::command::{Host, Kind, run};
 use std::io;
@@ -39,7 +39,7 @@ fn without_its_feature_the_command_names_what_to_type() {
     assert_eq!(said.status, 2, "{err}");
     let advice = "web/build, then cargo run --release --features explore -- explore";
     assert!(err.ends_with(advice), "{err}");
-    // what is wrong with the setup is said first
+    // the error of the setup comes first
     let wrong = crate::command_line::longdrive(&["explore", "tour"]);
     assert!(
         wrong.err.contains("did you mean 'tour-average'?"),

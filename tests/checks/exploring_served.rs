@@ -16,7 +16,7 @@ struct Server {
     child: Child,
     port: u16,
     path: String,
-    /// What follows `#` in the address.
+    /// The fragment of the address, after `#`.
     state: String,
 }
 
@@ -68,7 +68,7 @@ impl Server {
         format!("127.0.0.1:{}", self.port)
     }
 
-    /// Ends it by Ctrl-C.
+    /// Ends the program by Ctrl-C.
     fn ended(self) -> Output {
         let kill = ["-INT", &self.child.id().to_string()];
         assert!(Command::new("kill").args(kill).status().unwrap().success());

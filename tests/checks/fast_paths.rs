@@ -28,7 +28,7 @@ fn fast(setup: &Setup<f64>, of: Outcome, wrt: &[&'static Parameter], order: Orde
         .remove(0)
 }
 
-/// The general path: any number, in space, with every law.
+/// The general path: any number type, three dimensions, every law.
 fn general<D: Number>(setup: &Setup<f64>, of: Outcome, variable: impl Fn(f64, usize) -> D) -> D {
     let lifted = setup.map(
         |row, value| match TWO.iter().position(|name| *name == row.name) {
@@ -171,7 +171,8 @@ fn same_derivatives_for_any_spin_decay() {
 
 #[test]
 fn same_derivatives_by_the_chain_rule_between_impact_and_flight() {
-    // by all parameters at once, through the inputs of the flight, and in pairs, without them
+    // derivatives by all parameters at once are chained through the inputs of the flight;
+    // derivatives by pairs of parameters are not
     for setup in landing(25) {
         let all = setup.variables();
         for of in [
@@ -205,8 +206,8 @@ fn same_derivatives_by_the_chain_rule_between_impact_and_flight() {
 
 #[test]
 fn same_derivatives_by_the_chain_rule_between_launch_and_flight() {
-    // Hessians by more parameters of club and swing than a launch has components, which are chained
-    // through these, and in pairs, which are not
+    // Hessians by more parameters of club and swing than a launch has components are chained
+    // through these components; Hessians by pairs of parameters are not
     let groups = ["swing.", "club.", "strike.", "impact."];
     let of_strike =
         |row: &&'static Parameter| groups.iter().any(|group| row.name.starts_with(group));
@@ -388,7 +389,7 @@ fn order_of_each_method_is_its_own_in_value_and_gradient() {
     };
     let exact = at(Method::DormandPrince8, 0.02);
     for &method in Method::ALL {
-        // long enough that the error is no rounding
+        // long enough that the error exceeds rounding
         let step = match method {
             Method::Rk4 => 0.1,
             Method::DormandPrince8 => 0.8,

@@ -170,8 +170,7 @@ fn order_of_value_and_gradient_in_the_step_is_four() {
             ]
         };
         let (coarse, fine) = (error(0.08), error(0.02));
-        // the flight crosses grid lines where the law has two continuous derivatives, and the
-        // gradient one less
+        // at grid lines the law has two continuous derivatives, and its gradient one
         let of_gradient = if *law == "bearman-harvey" { 3.0 } else { 4.0 };
         for ((coarse, fine), exact) in coarse.into_iter().zip(fine).zip([4.0, of_gradient]) {
             let order = (coarse / fine).log(4.0);
@@ -289,7 +288,7 @@ fn a_flight_without_end_stops_at_the_time_limit() {
     ));
 }
 
-/// For any step size: the limit may be within a step. Alone and in lanes.
+/// A time limit within a step of any size, for a single flight and in lanes.
 #[test]
 fn exact_time_limit_between_aloft_and_landed() {
     for (method, step) in [("rk4", "0.01 s"), ("rk4", "0.3 s"), ("dp8", "1.1 s")] {
@@ -350,8 +349,8 @@ fn a_trajectory_starts_on_the_tee_and_ends_at_the_landing() {
     );
 }
 
-/// Still air is isotropic: aimed elsewhere, the drive has the same distance, and `carry` is its
-/// component along the target line.
+/// Still air is isotropic: a drive in another direction has an equal distance, and `carry` is the
+/// component of this distance along the target line.
 #[test]
 fn exact_carry_distance_is_the_same_in_every_direction() {
     let mut setup = Setup::default();
@@ -442,8 +441,8 @@ fn same_total_by_the_trajectory_and_by_the_drive() {
     );
 }
 
-/// Steps of 0, negative steps, NaN, and steps that need more than 1e8 for a flight: no such flight
-/// would end in acceptable time.
+/// Refused steps: 0, negative, NaN, and so short that a flight would need more than 1e8 steps. No
+/// such flight would end in acceptable time.
 #[test]
 fn steps_with_which_a_flight_would_not_end_are_refused_before_it_begins() {
     let setup = Setup::default();
@@ -483,8 +482,7 @@ fn steps_with_which_a_flight_would_not_end_are_refused_before_it_begins() {
     ));
 }
 
-/// The shortest step that can be set needs the largest number of steps within the default time
-/// limit: 1e8.
+/// The shortest accepted step: 1e8 steps fill the default time limit.
 #[test]
 fn every_step_size_that_can_be_set_is_flown() {
     let mut setup = Setup::default();
@@ -528,7 +526,7 @@ fn unusual_values_of_a_diverging_flight_are_named_and_the_step_only_if_long() {
     let fast = launch(1e5, -280.0);
     let told = |change: &dyn Fn(&mut Setup<f64>), launch: &Launch<f64>| {
         let mut setup = usual();
-        // not yet long
+        // a step that is not yet long
         setup.flight.step = 0.04;
         change(&mut setup);
         match fly(&setup, launch) {

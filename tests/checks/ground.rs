@@ -176,7 +176,7 @@ fn runs_of_random_drives_are_finite() {
         };
         let Ok(landed) = drive.landed() else { continue };
         let rest = landed.rest.unwrap();
-        // a ball at the largest roll-out loses all its energy
+        // the largest roll-out: only rolling takes the energy of the landing
         let most = landed.velocity.dot(landed.velocity)
             / (2.0 * setup.ground.rolling * setup.flight.gravity);
         let [run, right] = [rest.downrange - landed.carry, rest.right - landed.lateral];

@@ -1,4 +1,4 @@
-//! Hints of messages point at what was meant.
+//! Hints of messages name the probable intention.
 
 use crate::command_line::longdrive;
 use crate::program;
@@ -49,7 +49,7 @@ fn a_word_for_a_number_gets_the_meaning_of_the_parameter() {
     assert!(joined(&said.err).contains(says), "{}", said.err);
 }
 
-/// The shell takes an unquoted `>` for a file.
+/// A shell reads an unquoted `>` as a redirection to a file.
 #[test]
 fn pieces_of_a_constraint_without_quotes_get_the_advice_on_quotes() {
     for words in [

@@ -363,7 +363,8 @@ fn exact_bend_of_the_shaft_is_a_lean_backwards_that_grows_with_the_head_speed() 
         );
         same(bent.spin, leaned.spin, norm(leaned.spin), "spin");
     }
-    // without growth it does not depend on the speed, and growth alone has no effect
+    // without the power of the speed, the shaft's deflection does not depend on the speed; the
+    // power alone has no effect
     let mut setup = Setup::default();
     setup.swing.shaft_growth = Some(power);
     let unbent = strike(&setup).unwrap().launch.velocity;
@@ -530,7 +531,7 @@ fn same_scaled_gear_effect_in_both_forms_of_the_collision() {
 
 /// Square to a flat face without loft, the ratio of the impulse along the face to that along its
 /// normal is proportional to the scale: the ball has no spin at 0, and the derivative by the scale
-/// is that of this line.
+/// is the slope of this line.
 #[test]
 fn exact_gear_effect_of_a_square_strike_is_in_proportion_to_its_scale() {
     let mut setup = Setup::default();

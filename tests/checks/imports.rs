@@ -103,7 +103,7 @@ impl Names {
     }
 }
 
-/// The module in whose file the target of a path is.
+/// The module whose file defines the target of a path.
 fn defined(files: &BTreeMap<String, Names>, module: &str, path: &str) -> String {
     let (name, rest) = path.split_once("::").unwrap_or((path, ""));
     let next = match name {
@@ -182,7 +182,7 @@ fn circle(mut imports: Imports) -> Option<Vec<String>> {
         }
         imports.retain(|one, _| !ends.contains(one));
     }
-    // every remaining file imports another one: a walk along imports returns to a file
+    // every remaining file imports another remaining file: a walk along imports returns to a file
     let mut way = vec![imports.keys().next()?.clone()];
     loop {
         let next = imports[way.last()?]
@@ -250,7 +250,8 @@ fn a_circle_of_any_length_is_found() {
     assert_eq!(of(&[("a", "b"), ("b", "a")]).unwrap(), ["a", "b"]);
 }
 
-/// Each number of the core is compiled again at each level, so new ones go through one list.
+/// Each number type of the core is compiled again at each level, so new number types go through one
+/// list.
 #[test]
 fn the_core_is_compiled_for_the_numbers_of_one_list() {
     let list = std::fs::read_to_string(source().join("number/compiled.rs")).unwrap();

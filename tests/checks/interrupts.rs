@@ -23,7 +23,8 @@ use tempfile::TempDir;
 /// progress.
 const STARTED_AFTER: u64 = 20;
 
-/// The most processor time after it, in hundredths of a second: the work here takes longer.
+/// Largest processor time after the interruption, in hundredths of a second; uninterrupted work
+/// takes longer.
 const LAST: u64 = 1000;
 
 /// A running program. Its output goes into files, so that it can be read meanwhile.
@@ -47,11 +48,13 @@ impl AtWork {
         String::from_utf8_lossy(&std::fs::read(self.folder.path().join(name)).unwrap()).into_owned()
     }
 
-    /// Its processor time in hundredths of a second if it has ended; `None` without /proc. It must
-    /// not be waited for before this: the system would forget the time.
+    /// True if the program has ended, and its processor time in hundredths of a second; `None`
+    /// without /proc. A test must not wait for the program before this call, because the system
+    /// would forget the time.
     fn used(&self) -> Option<(bool, u64)> {
         let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.child.id())).ok()?;
-        // after the name: the state, ten numbers, and the time in user mode and in the kernel
+        // /proc/PID/stat has after the name: the state, ten numbers, and the time in user mode and
+        // in the kernel
         let fields: Vec<&str> = stat.rsplit(')').next()?.split_whitespace().collect();
         let used = fields[11..13]
             .iter()
@@ -131,7 +134,7 @@ fn interrupted_json(args: &[&str]) -> Value {
     interrupted_json_once(args, AtWork::has_computed)
 }
 
-/// The same, interrupted after an event that the test needs.
+/// The JSON output of a command that is interrupted once `is_time` returns true.
 fn interrupted_json_once(args: &[&str], is_time: impl Fn(&AtWork) -> bool) -> Value {
     let mut program = AtWork::new(&[args, &["--json"]].concat());
     program.wait_until(is_time);
@@ -414,7 +417,7 @@ fn searches_over_very_many_swings_are_interrupted_within_an_evaluation() {
             });
             (found["message"].as_str().unwrap().to_owned(), found)
         };
-        // a later Ctrl-C if it came before the search
+        // a later Ctrl-C, if the earlier one came before the search
         let mut within = [1, 2, 4, 8, 16, 32]
             .map(|times| times * STARTED_AFTER)
             .into_iter()
@@ -467,7 +470,8 @@ fn same_answer_over_swings_after_repeated_ctrl_c() {
     };
     let alone = crate::command_line::longdrive(&asked(&alone));
     assert_eq!(alone.status, 0, "{}", alone.err);
-    // before the first iteration is kept, then within the iteration after the next one that is kept
+    // interrupts before the first saved iteration, and then within the iteration after the next
+    // saved one
     for round in 0..4 {
         let kept = || std::fs::read(&stopped).ok();
         let before = kept();

@@ -458,7 +458,7 @@ fn every_example_of_the_documentation_is_what_the_program_prints() {
     assert!(shown >= 5, "{shown} examples");
 }
 
-/// Whether an answer has the values of an example: numbers to the digits shown; "…" is an omission.
+/// True if an answer has the values of an example: numbers to the digits shown; "…" is an omission.
 fn is_part(shown: &Value, printed: &Value) -> bool {
     match (shown, printed) {
         (Value::Object(shown), Value::Object(printed)) => shown.iter().all(|(key, value)| {

@@ -368,7 +368,7 @@ fn a_club_beside_a_launch_is_refused_by_name() {
             assert_eq!(said.status, 0, "{command:?}: {}", said.err);
         }
     }
-    // swept or fitted club parameters, likewise; settings of a setup file are reported
+    // swept or fitted club parameters are refused too; club settings of a setup file are reported
     let both =
         "ball_speed [mph],launch_angle [deg],backspin [rpm],launch.spin [rpm]\n167,10.9,2686,1\n";
     std::fs::write(&points, both).unwrap();
@@ -495,7 +495,7 @@ fn values_replaced_by_another_form_of_the_spin_are_reported() {
     );
     assert!(!told(&["--launch", "spin=2400rpm"]).contains("replaced"));
     assert!(!told(&[]).contains("replaced"));
-    // every given condition, also the tilt of the axis
+    // derivatives by every given condition, also by the tilt of the spin axis
     let by = json(&["gradient", &file]).1.to_string();
     for name in ["ball_speed", "launch_angle", "spin", "spin_axis"] {
         assert!(by.contains(&format!("launch.{name}\"")), "{name}: {by}");

@@ -10,7 +10,8 @@ use longdrive::units::Message;
 use longdrive::{Drive, Outcome, Setup};
 use num_dual::Dual2_64;
 
-/// C_D and C_L of a law as published, at a spin ratio, Reynolds number and speed.
+/// C_D and C_L of a law with its published coefficients, at a spin ratio, Reynolds number and
+/// speed.
 fn at<D: Number>(law: &str, of: [D; 3]) -> Coefficients<D> {
     let setup = Setup {
         law: Law::named(law).unwrap(),
@@ -41,7 +42,7 @@ fn rows(table: &str) -> Vec<[f64; 4]> {
     table.lines().skip(1).map(row).collect()
 }
 
-/// 46 and 33.4 feet a second divided by the speed, for any spin.
+/// The coefficients are 46 and 33.4 feet a second divided by the speed, for any spin.
 #[test]
 fn exact_forces_of_macdonald_and_hanzely_grow_with_the_speed() {
     for speed in [20.0, 50.0, 80.0] {
@@ -68,8 +69,8 @@ fn published_values_of_naruo_mizota() {
     }
 }
 
-/// Both parabolas as printed where they hold alone; between them C_D is between them. The drag
-/// measured on the ball, and the mean lift of 13 balls within their spread.
+/// C_D is each printed parabola where only this parabola holds, and between both in the transition.
+/// The measured drag of the ball and the mean lift of 13 balls are within their spread.
 #[test]
 fn published_values_of_lyu() {
     let low = |re: f64| 1.29e-10 * re * re - 2.59e-5 * re + 1.50;
@@ -212,7 +213,8 @@ fn published_values_of_bearman_and_harvey() {
     }
 }
 
-/// On both sides of every grid line, of the edges, and of the clamps of speed and spin.
+/// Compares values and derivatives on both sides of every grid line, of the edges, and of the
+/// clamps of speed and spin.
 #[test]
 fn exact_c2_of_the_spline_across_every_line_of_the_grid() {
     let speeds = [
@@ -528,7 +530,7 @@ fn same_curves_in_a_plot_of_laws_and_points_of_its_sources() {
         .into_iter()
         .filter(|[s, ..]| *s <= 0.4)
         .count();
-    // three colours are three names
+    // every point of the table is drawn as a dot, none as a mark
     assert_eq!((names("dots").len(), names("mark").len()), (table, 0));
     // the drag of Lyu over the Reynolds number, for any spin
     let (rows, answer) = drawn(&["--laws", "lyu", "--over", "reynolds", "--spin-ratio", "0.2"]);

@@ -160,7 +160,7 @@ fn exact_mirror_image_of_the_best_design() {
     for (left, right) in left.1.iter().zip(&right.1) {
         close(*left, *right, *right, 1e-7, "design");
     }
-    // in the same wind they are no mirror images
+    // in an unmirrored wind the designs are not mirror images
     let same_wind = searched(
         &Setup {
             golfer: Golfer::Left,

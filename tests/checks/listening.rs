@@ -35,7 +35,7 @@ fn listening(more: &[&str]) -> (Child, u16) {
     (child, port)
 }
 
-/// Ends it by Ctrl-C: exit status and output.
+/// Ends the program by Ctrl-C: exit status and output.
 fn ended(child: Child) -> (Option<i32>, String) {
     assert!(
         Command::new("kill")

@@ -246,7 +246,7 @@ fn a_launch_on_the_command_line_replaces_that_of_the_setup_file() {
     let faster = launch(&["--launch", "ball_speed=70m/s"]);
     assert!((faster["ball_speed"].as_f64().unwrap() - 70.0).abs() < 1e-12);
     assert!((faster["launch_angle"].as_f64().unwrap() - 10.9_f64.to_radians()).abs() < 1e-12);
-    // the other form of the spin replaces that of the file, with its conditions
+    // total spin replaces backspin and sidespin of the file
     let other = launch(&["--launch", "spin=200rad/s"]);
     assert!(
         (other["spin"].as_f64().unwrap() - 200.0).abs() < 1e-9
@@ -341,7 +341,7 @@ fn a_reason_is_given_once_with_the_parameters_that_it_holds_for() {
             && warnings.contains("gravity"),
         "{warnings}"
     );
-    // the sources of default uncertainties, likewise
+    // sources of default uncertainties are given once, too
     let (_, text) = said(&["sensitivity", "--all"]);
     assert!(
         text.contains("default of wind.downrange, wind.right: assumed"),

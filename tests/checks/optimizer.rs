@@ -362,7 +362,7 @@ fn differences_confirm_optimum_and_price_of_the_default_search() {
         Drive::new(&moved).unwrap().landed().unwrap().carry
     };
     let [loft, attack] = [best.solution.x[0], best.solution.x[1]];
-    // the optimizer's value is that of the general path, to rounding
+    // the optimizer's value equals the value of the general path, to rounding
     assert!((carry(loft, attack) / best.value().unwrap() - 1.0).abs() < 1e-13);
     for (d_loft, d_attack) in [(0.01, 0.0), (-0.01, 0.0), (0.0, -0.01)] {
         assert!(carry(loft + d_loft, attack + d_attack) < best.value().unwrap());

@@ -102,7 +102,7 @@ fn a_saved_search_of_another_problem_is_refused() {
     );
 }
 
-/// Every array of a saved search, with one entry less.
+/// Removes an entry from every array of a saved search, one after the other.
 #[test]
 fn a_damaged_search_is_refused_and_nothing_panics() {
     fn arrays(value: &Value, path: &str, found: &mut Vec<String>) {
@@ -234,7 +234,7 @@ fn a_response_is_that_of_an_optimum_with_its_own_functions() {
     let problem = Exact(Valley);
     let found = minimize(&problem, &disc(2), &[-1.2, 1.0], &Options::default()).unwrap();
     let at = problem.evaluate(&found.x).unwrap();
-    // the last derivative is that by the parameter
+    // the last derivative is the derivative by the parameter
     assert!(
         response(&found, &disc(2), &at)
             .unwrap_err()

@@ -136,8 +136,8 @@ fn order_of_a_table_of_a_smooth_law_is_four() {
     );
 }
 
-/// Value, first and second derivative on both sides of every grid line, of the edges, of the
-/// clamps, and of zero spin.
+/// Compares value, first and second derivative on both sides of every grid line, of the edges, of
+/// the clamps, and of zero spin.
 #[test]
 fn exact_c2_of_a_table_across_every_grid_line_and_beyond() {
     let spin_ratios = [0.05, 0.08, 0.15, 0.2, 0.31];
@@ -250,7 +250,7 @@ fn derivatives_with_a_table_pass_verification() {
     )
     .unwrap();
     assert!(certificate.passed(), "{certificate:?}");
-    // and the drive is that of the law
+    // a drive with the table equals a drive with the law
     let carry = |setup: &Setup<f64>| Outcome::Carry.of(&Drive::new(setup).unwrap()).unwrap();
     assert!(
         (carry(&setup) - carry(&Setup::default())).abs() < 0.05,
@@ -500,7 +500,7 @@ fn drag_of_a_table_is_not_checked_below_zero_spin() {
     );
 }
 
-/// The range of a table is that of its nodes.
+/// The fitted range of a table is the range of its nodes.
 #[test]
 fn a_drive_beyond_its_table_has_a_warning() {
     let (_folder, name) = written(

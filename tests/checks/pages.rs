@@ -130,13 +130,13 @@ fn same_gain_of_the_club_and_of_the_swing_on_the_page_and_in_optimize() {
         .find(|row| row.first().is_some_and(|name| name == "Club loft"));
     let club = number(&alone["optimum"]["club.loft"]).to_degrees();
     assert_eq!(loft.unwrap()[2], format!("{club:.2}°"));
-    // the swing of the club alone is that of the drive as set up
+    // if only the club changes, the swing is the swing of the setup
     let attack = table
         .iter()
         .find(|row| row.first().is_some_and(|name| name == "Attack angle"));
     assert_eq!(attack.unwrap()[1], attack.unwrap()[2]);
     assert_ne!(attack.unwrap()[2], attack.unwrap()[3]);
-    // a search over the club alone has no such column
+    // a search over only the club has no such column
     let (_, page) = report(&["--vary", "club.loft=4deg..20deg"]);
     let table = cells(part(answer(&page), "<table class=\"steps\">", "</table>"));
     assert_eq!(table[1].len(), 3);
@@ -392,7 +392,7 @@ fn a_drive_of_a_yard_allows_a_loss_of_one_percent_and_has_no_ellipses() {
         !page.contains("for a loss of 1.00 yd")
             && page.contains("the loss that is allowed is 1 % of this carry")
     );
-    // 0.5 mph of 3 mph is determined, 0.5 mph of 1 mph is not
+    // an uncertainty of 0.5 mph is small enough for ellipses at 3 mph, but not at 1 mph
     assert!(page.contains("The inner and the outer ellipse"));
     assert!(page.contains("at the edge of the searched face"));
     let (_, page) = report(&["--set", "swing.speed=1mph"]);
@@ -449,7 +449,7 @@ fn the_setup_file_of_a_report_flies_its_best_drive() {
             "the best carry",
         );
     }
-    // without a best drive it is the drive of the setup
+    // without a best drive the page shows the drive of the setup
     let (status, page) = page(
         &folder,
         &[

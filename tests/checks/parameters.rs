@@ -183,7 +183,7 @@ fn a_coefficient_of_another_law_is_refused_everywhere() {
     assert_eq!(setup, before);
 }
 
-/// The derivative by the coefficient of the chosen law is that of its drives.
+/// The derivative by the coefficient of the chosen law agrees with differences of its drives.
 #[test]
 fn differences_of_values_agree_with_the_gradient_by_a_coefficient_after_a_change_of_the_law() {
     let mut setup = Setup::default();

@@ -54,8 +54,8 @@ fn alone(setup: &Setup<f64>, k: usize, subject_to: Vec<Constraint>) -> Optimum {
     best
 }
 
-/// The spin depends on the loft alone: among all drives with the smallest spin, the end of the
-/// front has the longest carry.
+/// The spin depends only on the loft: among all drives with the smallest spin, the end of the front
+/// has the longest carry.
 #[test]
 fn same_end_of_a_front_and_of_a_search_along_a_free_variable() {
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -107,9 +107,9 @@ fn same_end_of_a_front_and_of_a_search_along_a_free_variable() {
     }
 }
 
-/// Each end is that of a search for its goal alone. Every point is that of a search with the other
-/// goal as a constraint, whose multiplier is the slope of the front, as are differences of
-/// neighbouring optima. No point is better than another in both goals.
+/// Each end is the optimum of a search for one goal. Every point is the optimum of a search with
+/// the other goal as a constraint; the multiplier of this constraint, and differences of
+/// neighbouring optima, are the slope of the front. No point is better than another in both goals.
 #[test]
 fn same_front_of_carry_and_dispersion_by_single_searches() {
     let mut setup = Setup::preset("tour-average").unwrap();

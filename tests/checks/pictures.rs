@@ -7,7 +7,7 @@ use longdrive::report::plot::{Axis, Figure, Layer, Look, Measure, figure_svg};
 
 const WIDTHS: [u32; 10] = [240, 280, 320, 340, 380, 420, 480, 640, 800, 1200];
 
-/// A plot of each kind: those with the most words.
+/// A plot of each kind, with the most words that this kind can have.
 const KINDS: &[&[&str]] = &[
     &["tornado"],
     &["tornado", "--show", "model", "--units", "metric"],
@@ -224,7 +224,7 @@ fn the_legend_of_a_map_has_the_colour_of_its_region() {
     }
 }
 
-/// The points of the lines of at least this many points in the first view, pixels.
+/// The points, pixels, of lines with at least `least` points in the first view.
 fn long_lines(svg: &str, least: usize) -> Vec<[f64; 2]> {
     let first = svg
         .split_once("<g transform")

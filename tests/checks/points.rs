@@ -8,8 +8,8 @@ use longdrive::report::SweepParquet;
 use longdrive::report::{SweepCsv, SweepJsonLines};
 use longdrive::{Error, Outcome, Result, Setup};
 
-/// Rows of some parameters. `appended` values of each row are passed on, and `more` rows than
-/// requested.
+/// A faulty source of points: it appends `appended` values for each row, and up to `more` rows more
+/// than requested.
 struct CustomPoints {
     parameters: Vec<&'static Parameter>,
     rows: Vec<[f64; 2]>,
@@ -185,8 +185,7 @@ fn points_with_wrong_numbers_of_values_are_refused_after_the_rows_before() {
     );
 }
 
-/// A block that does not exist is not delivered: the row that returns is the row that should have
-/// been first.
+/// A batch that starts after its last point delivers no block, and returns its first row.
 #[test]
 fn a_batch_that_starts_after_its_last_point_has_no_blocks() {
     let setup = Setup::default();

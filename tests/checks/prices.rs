@@ -53,7 +53,7 @@ fn differences_of_optima_are_the_price_of_a_limit_over_swings() {
         5e-3,
         "yards of carry for a yard of scatter",
     );
-    // the design of the mean swing and that of the setup violate it
+    // the designs of the mean swing and of the setup violate it
     assert_eq!(text.matches("(broken)").count(), 2, "{text}");
     assert!(
         text.contains("the design as set up violates a limit"),
@@ -209,7 +209,7 @@ fn a_search_without_an_optimum_does_not_call_its_end_one() {
             };
             let said = longdrive(&[asked, &more[..]].concat());
             assert_eq!(said.status, 1, "{}", said.out);
-            // the setup comes first, with advice where its loft is varied
+            // the setup comes first, with advice if its loft is varied
             let blocks = said.out.split("\n\n").next().unwrap();
             assert!(blocks.contains(&format!("\n{status}: ")), "{}", said.out);
             assert!(said.out.starts_with("from tour-average\n"), "{}", said.out);

@@ -72,9 +72,8 @@ fn published_average_of_the_lpga_tour_is_met_by_its_preset() {
     LPGA.compare();
 }
 
-/// TrackMan's chart states the loft at impact: with it a club that strikes as the chart's has the
-/// chart's launch, for any law of flight. The difference to the average of the PGA TOUR is one of
-/// the impact.
+/// TrackMan's chart states the loft at impact. A club with this loft has the launch of the chart,
+/// for any law of flight: the difference from the average of the PGA TOUR comes from the impact.
 #[test]
 fn published_impacts_of_trackmans_chart_are_those_of_the_club_of_the_lpga_average() {
     let rows = include_str!("../data/trackman_chart_impacts.csv")
@@ -190,7 +189,7 @@ fn published_launch_and_carry_of_the_average_amateur_are_met_by_its_preset() {
         (Outcome::Spin, RPM, 3275.0, 10.0),
         // 2 %; the preset was not fitted to it
         (Outcome::CarryDistance, YARD, 204.0, 4.08),
-        // docs/sources.md on the others: 37.5° for 34.8°
+        // published: 34.8°; docs/sources.md states the difference
         (Outcome::DescentAngle, DEGREE, 37.5, 0.05),
     ] {
         let ours = outcome.value(&drive).unwrap() / unit;
@@ -218,6 +217,6 @@ fn published_edition_of_2019_is_met_but_for_the_launch_angle() {
     assert!((of(Outcome::ApexHeight, YARD) - 32.0).abs() <= 2.0);
     assert!((of(Outcome::DescentAngle, DEGREE) - 38.0).abs() <= 2.0);
     assert!((of(Outcome::Spin, RPM) - 2686.0).abs() <= 0.05 * 2686.0);
-    // docs/sources.md on the others: 10.1° for 10.9°
+    // published: 10.9°; docs/sources.md states the difference
     assert_eq!(format!("{:.1}", of(Outcome::LaunchAngle, DEGREE)), "10.1");
 }

@@ -90,7 +90,8 @@ fn published_side_spin_by_the_depth_of_the_centre_of_mass_and_the_best_bulge() {
         );
         assert!((0.30..0.33).contains(&bulge), "{law}: {bulge}");
     }
-    // it is proportional to the gear effect: 15 % less depth gives 15 % less gear effect and 36 cm
+    // the best bulge is proportional to the gear effect: 15 % less depth gives 15 % less gear
+    // effect, and 36 cm
     let shallow = best_bulge(&changed(&setup, &[("club.cg_depth", "29.5 mm")]));
     println!(
         "best bulge with 29.5 mm of depth: {:.1} cm",
@@ -101,8 +102,8 @@ fn published_side_spin_by_the_depth_of_the_centre_of_mass_and_the_best_bulge() {
 
 #[test]
 fn published_table_of_bulge_and_gear_effect() {
-    // Tutelman: 150 mph of ball speed, 11°, 12 in, 1.3 in of depth; his hook spins are those of
-    // 5150 g cm² in his formula
+    // Tutelman: 150 mph of ball speed, 11°, 12 in, 1.3 in of depth; his hook spins follow from his
+    // formula with 5150 g cm²
     let head = changed(
         &mcnally(),
         &[
@@ -284,8 +285,8 @@ fn published_golfer_scatters_in_carry_and_direction_as_computed_but_tilts_the_sp
         (axis / AXIS - 2.0).abs() < 0.15 && (lateral / LATERAL - 1.5).abs() < 0.15,
         "{axis} {lateral}"
     );
-    // strikes correlated with the face (r = 0.6 with face to path, as for other golfers) by 8.2 mm:
-    // the measured face is that at the strike
+    // strikes that scatter by 8.2 mm and are correlated with face to path (r = 0.6, as for other
+    // golfers); the measured face is the face at the strike
     let toe = 8.2;
     let turn = 1.0 / (305e-3 * DEGREE) * 1e-3;
     let with_face = 0.62 * toe * FACE_TO_PATH;
@@ -401,7 +402,7 @@ fn struck_beside_the_middle(
 }
 
 /// The strikes of this golfer were not measured. Five numbers of the strikes, by least squares from
-/// the launch alone, reproduce all ten published numbers of the launch within the error of 58
+/// only the launch, reproduce all ten published numbers of the launch within the error of 58
 /// drives; carry and lateral, which the fit does not use, then scatter as published too.
 #[test]
 fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells() {
@@ -440,7 +441,7 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
         centred.1 > 1.6 * LATERAL && off[4][1] > 8.0,
         "{centred:?} {off:?}"
     );
-    // the necessary correlation with the face, by the scatter of the strikes
+    // the correlation of strike and face that is necessary for each scatter of the strikes
     for (toe, with_toe) in [(16.0, 0.91), (20.0, 0.83), (24.0, 0.80)] {
         let ([_, rest], _) = struck_beside_the_middle((6.9, toe), (-7.1, 5.3), with_toe);
         println!(

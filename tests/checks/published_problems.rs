@@ -299,7 +299,7 @@ fn few_searches_fail_from_other_starts() {
     );
 }
 
-/// The problems without their Hessians, to a residual of 1e-8: the search builds its own.
+/// The problems without their Hessians, which the search approximates, to a residual of 1e-8.
 #[test]
 fn published_problems_are_solved_from_gradients_alone_but_for_four() {
     let cases = problems::hock_schittkowski()

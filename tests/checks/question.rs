@@ -1,5 +1,5 @@
-//! The question that is answered is the one that was asked: stated values are held, one default
-//! preset, no number without a unit.
+//! Answers keep to the question: stated values are held, there is one default preset, and no number
+//! is accepted without a unit.
 
 use crate::command_line::{json, longdrive, number};
 use serde_json::Value;
@@ -36,7 +36,7 @@ fn a_stated_attack_angle_is_held_and_the_answer_says_so() {
     assert!(said.out.starts_with(&head), "{}", said.out);
 }
 
-/// The loft with the attack angle held is that of a search over the loft alone.
+/// With a held attack angle, the best loft equals the best loft of a search over the loft only.
 #[test]
 fn same_loft_as_a_search_over_the_loft_alone() {
     let (_, held) = json(&[&["optimize"], &GOLFER[..]].concat());
@@ -70,7 +70,7 @@ fn a_stated_value_is_held_in_every_search() {
     assert_eq!(names(&chart["points"][0]["optimum"]), ["club.loft"]);
 }
 
-/// The default ranges of a design have the loft, which is stated here.
+/// The default ranges of a design include the loft. A stated loft is held.
 #[test]
 fn a_design_holds_a_stated_loft() {
     let words = ["design", "--set", "club.loft=12deg", "--scenarios", "64"];
@@ -116,7 +116,7 @@ fn nothing_left_to_vary_is_refused_with_what_to_write() {
     );
 }
 
-/// The values of a setup file are where the search begins.
+/// A search begins at the values of a setup file.
 #[test]
 fn a_setup_file_states_the_start_and_holds_nothing() {
     let folder = tempfile::tempdir().unwrap();
@@ -160,7 +160,7 @@ fn a_number_without_a_unit_in_a_file_is_refused_with_its_place() {
     );
 }
 
-/// Carry and total of the answer are those of the drives before and after.
+/// Carry and total of the answer are computed from the drives before and after the search.
 #[test]
 fn carry_and_total_stand_side_by_side_with_the_drive_as_set_up() {
     let (_, before) = json(&["simulate"]);

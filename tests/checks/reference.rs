@@ -28,7 +28,7 @@ fn independent_values_of_every_outcome() {
             let expected = outcome_of(&drive, *outcome);
             let what = format!("{name}: {}", outcome.name());
             match outcome {
-                // ±π is one direction; without spin there is none
+                // +π and −π are one direction; without spin the axis has no direction
                 Outcome::SpinAxis if number(&theirs["spin"]) > 1e-6 => {
                     let value = outcome.value(&ours).unwrap();
                     close((value - expected).sin(), 0.0, 1.0, 1e-10, &what);

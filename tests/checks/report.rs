@@ -179,7 +179,7 @@ fn a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
 
 #[test]
 fn same_positions_in_the_picture_and_in_the_data() {
-    // a line between opposite corners of exact axes ends in the corners of the frame, in metres as
+    // a line between opposite corners of exact axes ends in the corners of the frame, in metres and
     // in yards
     let length = || Axis::linear(Measure::outcome(Outcome::Carry)).exactly(0.0, 91.44);
     let figure = Figure::new("n", "t", length(), length()).with(Layer::line(

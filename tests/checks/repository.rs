@@ -83,7 +83,7 @@ fn newest_commits_have_a_short_subject_and_a_body() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// The glossary of CONTRIBUTING.md is short, and what it names in the code exists.
+/// The glossary of CONTRIBUTING.md is short, and its names exist in the code.
 #[test]
 fn names_of_the_glossary_exist() {
     let text = std::fs::read_to_string(root().join("CONTRIBUTING.md")).unwrap();

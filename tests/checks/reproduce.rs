@@ -9,8 +9,9 @@ use std::sync::LazyLock;
 
 pub static FOUND: LazyLock<Mae494> = LazyLock::new(|| mae494(|_| ()).unwrap());
 pub static PAPER: LazyLock<WinfieldTan> = LazyLock::new(|| winfield_tan(|_| ()).unwrap());
-/// Output and files of the program for the report and the paper, which takes seconds.
+/// Output and files of the program for the report, which takes seconds.
 pub static REPORT: LazyLock<Written> = LazyLock::new(|| written(&["reproduce", "mae494"]));
+/// Output and files of the program for the paper.
 pub static PAPER_WRITTEN: LazyLock<Written> =
     LazyLock::new(|| written(&["reproduce", "winfield-tan"]));
 
@@ -38,7 +39,7 @@ fn published_optimum_is_the_peak_of_the_regression_with_its_slip() {
         5e-3,
         "as fitted",
     );
-    // from the same data, the regression with its slip is off by far more
+    // from the same data, the report's regression, with its slip, is off by far more
     assert!(regression.slipped.distance > 1000.0 && regression.as_fitted.distance < 300.0);
 }
 

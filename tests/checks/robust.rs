@@ -30,8 +30,8 @@ fn found(setup: &Setup<f64>, changes: &[&str]) -> Robust {
     robust(models, search(setup), 1, &Observers::default()).unwrap()
 }
 
-/// Two models with different best lofts: at the minimax design both lose the same, and no loft of a
-/// fine grid loses less.
+/// Two models with different best lofts: at the minimax design both have equal losses, and no loft
+/// of a fine grid loses less.
 #[test]
 fn independent_loft_of_the_smallest_greatest_loss_of_two_models_by_a_grid() {
     let mut setup = Setup::preset("modern-driver").unwrap();
@@ -236,8 +236,8 @@ fn bad_models_are_refused_with_the_reason() {
     assert!(matches!(alone, Err(Error::Unreadable { .. })));
 }
 
-/// A goal that grows to both sides has two best designs, and the setup is nearer to the worse:
-/// several starts find the better one for every model, and for all of them.
+/// A goal that grows to both sides has two locally best designs, and the setup is nearer to the
+/// worse one. Several starts find the better one for every model, and for all models together.
 #[test]
 fn several_starts_find_the_better_end_for_every_model() {
     let args = [
@@ -315,8 +315,8 @@ fn a_stopped_search_reports_its_progress() {
     );
 }
 
-/// The multiplier of a bound and of a limit: the decrease of the largest loss as it moves, with the
-/// best design of each model moving too.
+/// The multiplier of a bound or limit is the decrease of the largest loss as the bound moves. The
+/// best design of each model moves, too.
 #[test]
 fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
     let asked = |attack: f64, limit: &str| {

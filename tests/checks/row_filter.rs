@@ -70,7 +70,7 @@ fn the_rows_of_a_delivery_keep_their_numbers() {
     );
 }
 
-/// The rows of one club alone, in a table of their own, give the same fit.
+/// The rows of a single club, in a table of their own, give an equal fit.
 #[test]
 fn same_fit_as_of_a_table_of_one_club() {
     let (folder, file) = table();
@@ -103,7 +103,7 @@ fn shots_are_summarized_by_club() {
         })
         .collect();
     assert_eq!(counts, [("3 Wood", 2), ("Driver", 3)]);
-    // the residuals of the clubs together are those of all rows
+    // the residuals of all clubs together are the residuals of all rows
     let all = &found["residuals"][0];
     let of = |club: &Value, key: &str| number(&club["outcomes"][0][key]);
     let sum: f64 = clubs
@@ -156,7 +156,8 @@ fn a_column_or_a_value_that_is_not_there_is_refused_with_those_that_are() {
     }
 }
 
-/// A club value on the command line is as uncertain as a column.
+/// A club value on the command line has the uncertainty of an instrument, like a column of the
+/// table.
 #[test]
 fn a_stated_club_value_of_a_delivery_has_the_uncertainty_of_an_instrument() {
     let launch = [

@@ -213,7 +213,7 @@ fn a_small_feasible_region_is_found() {
         "{}",
         found["message"]
     );
-    // of searches from eight starts
+    // the best value of searches from eight starts
     assert!(number(&found["value"]) > 181.36, "{}", found["value"]);
     assert_eq!(found["sample"]["improved"], true);
     assert_eq!(found["optima"].as_array().unwrap().len(), 2);

@@ -70,7 +70,8 @@ fn same_launches_in_number_formats_of_spreadsheets_and_countries() {
 fn same_launches_with_heads_in_other_spellings() {
     same("heads-camel-case.csv", &[FIRST]);
     same("line-break-in-heads.csv", &[STRAIGHT]);
-    // with German heads; its speed is 257.495 km/h, and a column states its air as 1.184 kg/m³
+    // a table with German heads: its speed is 257.495 km/h, and a column states its air as 1.184
+    // kg/m³
     let (shots, found, _) = case("garmin-german.csv");
     assert_eq!(shots.maker(), Some("Garmin"));
     close(
@@ -103,7 +104,7 @@ fn same_launches_with_units_in_cells() {
     same("units-in-cells.csv", &[STRAIGHT]);
     let launches = [[123.0, 17.1, 4.6, 0.0, 0.0], [126.4, 15.3, -2.0, 0.0, 0.0]];
     let spins = [[2878.0_f64, 422.0], [2650.0, -210.0]];
-    // its spin is the total beside backspin and sidespin: 2909 rpm with their tilt
+    // the file's spin is the total spin, 2909 rpm, which follows from its backspin and sidespin
     let launches = [0, 1].map(|row: usize| {
         let [back, side] = spins[row];
         let mut launch = launches[row];
@@ -117,7 +118,7 @@ fn same_launches_with_units_in_cells() {
         told.iter().any(|told| told.contains("Windows-1252")),
         "{told:?}"
     );
-    // a cell without a unit among them, and a cell that contradicts its head
+    // a cell without a unit among cells with units, and a cell that contradicts its head
     for (text, says) in [
         (
             "Ball Speed,Launch Angle,Spin Rate\n160 mph,12,2500\n70,12,2500\n",
@@ -270,7 +271,7 @@ fn published_signs_of_garmin_are_turned() {
             .any(|told| told.contains("Sidespin is read with + to the left")),
         "{told:?}"
     );
-    // an axis of the other sign: nothing contradicts it
+    // an axis of the other sign is accepted, because no other value contradicts it
     let text = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
                 Axis [deg],Backspin [rpm],Sidespin [rpm],Carry Deviation \
                 Distance [yd]\n150,12,0,2500,10,2462,-434,12\n";
@@ -280,7 +281,7 @@ fn published_signs_of_garmin_are_turned() {
         "{:?}",
         found[0].shots()[0].notes
     );
-    // both agree, and the balls curve to the other side
+    // axis and sidespin agree, but the balls curve to the other side
     let row = "150,12,0,2500,10,2462,434,240,-12\n";
     let heads = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
                  Axis [deg],Backspin [rpm],Sidespin [rpm],Carry \
@@ -463,7 +464,8 @@ fn same_launches_in_generated_tables_and_in_a_plain_one() {
     assert_eq!(tables, 270);
 }
 
-/// Carries equal the predicted ones, but are written in another unit than their head.
+/// A warning names the unit of a column if its carries equal the predicted ones in another unit
+/// than the head states.
 #[test]
 fn implausible_units_are_warned_of() {
     let launches: Vec<[f64; 5]> = (0..6)
@@ -500,7 +502,8 @@ fn implausible_units_are_warned_of() {
         "{:?}",
         warned(text(1.0, yards, 7.0))
     );
-    // a law that is 9 % short: the ratio of metres to yards, but the column is read in yards
+    // the measured values exceed the predicted ones by the ratio of metres to yards, but the column
+    // is read in yards: no warning
     assert!(warned(text(1.0, yards / 0.9144, 7.0)).is_empty());
     for (told, words) in [
         (

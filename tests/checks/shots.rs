@@ -170,7 +170,7 @@ fn marks_measured_estimated_and_normalized_of_an_export_are_kept() {
         None,
         "not said"
     );
-    // values of another flight model are not those of the shot
+    // values that another flight model predicted are not values of the shot
     assert_eq!(
         flown.shots()[0]
             .values
@@ -239,7 +239,7 @@ fn same_table_in_every_encoding() {
     );
 }
 
-/// Rows that cannot be flown, each with the kind of its reason and words of it.
+/// Rows that cannot be flown, each with the kind and some words of its reason.
 const BAD: [(&str, &str, &str); 13] = [
     (
         ",12,2500,3,262",
@@ -481,7 +481,7 @@ fn tables_without_a_launch_name_the_nearest_head() {
     ] {
         assert!(refused(text).contains(says), "{text}: {}", refused(text));
     }
-    // so do calibrate and delivery
+    // calibrate and delivery refuse it too
     let read = |text: &str| {
         longdrive::study::calibrate::ShotTable::read(&Setup::default(), "a.csv", text.as_bytes())
     };
@@ -679,8 +679,8 @@ fn same_streamed_rows_for_any_number_of_threads() {
             )
             .unwrap();
         assert_eq!(taken, rows);
-        // read but not yet written: the beginning of the file and a few chunks, for any length of
-        // the file
+        // rows in memory (read, but not yet written): the beginning of the file and a few chunks,
+        // for a file of any length
         assert!(
             most < 24_000,
             "{most} rows at a time with {threads} threads"

@@ -49,7 +49,7 @@ fn same_json_lines_after_reading_and_writing() {
         let (first, second) = (lines(&first), lines(&second));
         assert!(!first.is_empty() && first.len() == second.len(), "{name}");
         for (at, (mut one, mut other)) in first.into_iter().zip(second).enumerate() {
-            // the line is that of the input file
+            // the line number refers to the input file
             assert_eq!(other["line"], at + 1);
             (one["line"], other["line"]) = (Value::Null, Value::Null);
             assert_eq!(one, other, "{name}");
@@ -162,7 +162,7 @@ fn totals_are_compared_only_on_a_named_ground() {
         0
     );
     let first = &lines(&place)[0];
-    // 283.0 yd in the export, estimated according to its head
+    // the total in the export, 283.0 yd, is an estimate according to its head
     let stated = number(&first["stated"]["total"]);
     assert!(
         (stated / 0.9144 - 283.0).abs() < 1e-9 && first["origins"]["total"] == "estimated",
@@ -213,7 +213,7 @@ fn assumed_values_of_a_launch_are_not_measured_when_read_again() {
             "{name}"
         );
     }
-    // a simulator finds every number of a launch
+    // a message for a simulator has every number of a launch
     let message = &lines(&place("d.json"))[0];
     assert!(
         message["BallData"]["HLA"] == 0.0 && message["BallData"]["SpinAxis"] == 0.0,
@@ -251,7 +251,7 @@ fn same_rows_of_a_table_flown_again() {
         .replace("150,abc", "150,11");
     let (_, told) = json(&["fly", &written(folder.path(), "mended.csv", &mended)]);
     assert_eq!(told["flown"], 2, "{told}");
-    // columns with the names of a launch monitor are its own
+    // the user's columns Notes and Line are not columns that this program has written
     let own =
         "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Notes,Line\n150,12,2700,windy,3\n";
     assert_eq!(
@@ -499,7 +499,7 @@ fn text_shows_the_run_beside_a_total_and_the_air_that_the_weather_gives() {
     assert!(!longdrive(&["simulate"]).out.contains("weather"));
 }
 
-/// More rows than a row group has: the numbers are those of the JSON lines.
+/// More rows than a row group has. The numbers equal the numbers of the JSON lines.
 #[cfg(feature = "full")]
 #[test]
 fn same_shots_in_parquet_and_in_json_lines() {

@@ -186,7 +186,7 @@ fn given_air_overrides_that_of_the_export() {
         words.matches("Air Density").count() == 1 && words.contains(says),
         "{words}"
     );
-    // calibrate too
+    // calibrate reads the air, too
     let (status, answer) = json(&[
         "calibrate",
         &file,

@@ -171,7 +171,7 @@ fn an_impossible_measured_value_is_not_compared() {
         "{}",
         remarks(&table)
     );
-    // without other measured values there is nothing to fit
+    // a table that measures only launches has nothing to fit
     let alone = read(
         "Ball Speed [mph],Launch Angle [deg],Total Spin [rpm],Carry \
          [yd]\n150,12,2600,245\n150,12,2600,9999\n",
@@ -242,7 +242,7 @@ fn no_spin_and_topspin_are_out_of_range_in_every_format() {
             "{text}: {refusal:?}"
         );
     }
-    // a ball that spins about the vertical alone has spin, but no backspin
+    // a ball that spins about the vertical only has spin, but no backspin
     assert_eq!(
         of_fly(&of_cells("Back Spin [rpm],Side Spin [rpm]", "0,800")).0,
         [1, 2]

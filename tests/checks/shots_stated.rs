@@ -29,7 +29,7 @@ fn is_near(found: [f64; 2], expected: [f64; 2], what: &str) {
     }
 }
 
-/// A message with this in its ball data, beside speed and launch.
+/// A message whose ball data have `ball` in addition to speed and launch angles.
 fn message(ball: &str) -> String {
     format!("{{\"BallData\":{{\"Speed\":150,\"VLA\":12,\"HLA\":0,{ball}}}}}\n")
 }
@@ -194,7 +194,8 @@ fn lateral_is_not_fitted_where_the_direction_or_the_tilt_is_not_measured() {
         told.contains("lateral is not compared in rows without") && told.contains(": row 2, row 3"),
         "{told}"
     );
-    // without their columns too; and an unused uncertainty is not mentioned
+    // a table without the columns of direction and axis does not compare lateral, either; an unused
+    // uncertainty is not mentioned
     let table = read(
         "ball_speed [mph],launch_angle [deg],spin [rpm],carry [yd],lateral \
               [yd]\n150,12,2500,240,5\n",

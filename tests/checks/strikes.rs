@@ -219,7 +219,8 @@ fn exact_sweet_spot_normal_passes_through_the_centre_of_mass() {
             .note
             .contains("The strike is at the centre of the face")
     );
-    // a movable weight moves it too; without weights and offsets it is the origin of strikes
+    // a movable weight moves the sweet spot too; without weights and offsets the sweet spot is the
+    // origin of strikes
     let mut weighted = Setup::preset("tour-average").unwrap();
     assert_eq!(Face::of(&weighted).unwrap().sweet_spot, Some([0.0; 2]));
     weighted

@@ -271,7 +271,7 @@ fn a_batch_stops_on_request_and_at_an_error_of_the_sink() {
         stop.store(true, Ordering::Relaxed);
         Ok(())
     });
-    // the chunks in progress when it was stopped, and no more
+    // only the chunks that were in progress at the stop are delivered
     assert_eq!(done.unwrap(), rows);
     assert!(rows >= CHUNK as u64 && rows <= 10 * CHUNK as u64, "{rows}");
 

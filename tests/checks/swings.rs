@@ -77,7 +77,7 @@ fn same_mean_and_derivatives_by_sums_over_single_drives() {
         close(*found, *sum, 1e3, 1e-12, "gradient");
     }
     for (found, sum) in best.solution.hessian.concat().iter().zip(&second) {
-        // that of the minimised function
+        // the Hessian of the minimised function
         close(-found, *sum, sum.abs().max(1.0), 1e-11, "Hessian");
     }
 }
@@ -132,7 +132,7 @@ fn independent_best_loft_of_the_average_over_attack_angles_by_simpsons_rule() {
 #[test]
 fn order_of_quadrature_and_of_sequences() {
     let mut setup = Setup::preset("mae494").unwrap();
-    // every mean is of drives as computed
+    // a mean is over the drives as computed, also in large steps
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let all = swings(
         &setup,
@@ -166,7 +166,7 @@ fn order_of_quadrature_and_of_sequences() {
     assert!(many < few / 8.0, "{few} {many}: no better than 1/√n");
 }
 
-/// A symmetric head and golfer: no lateral mean, and no loft with a side.
+/// With a symmetric head and golfer, the mean lateral is 0 for every loft.
 #[test]
 fn exact_zero_lateral_mean_of_symmetric_swings() {
     let setup = Setup::preset("tour-average").unwrap();
@@ -217,7 +217,8 @@ fn exact_correlation_of_normal_swings() {
             .map(|(point, weight)| weight * f(point[0].to_degrees(), point[1].to_degrees()))
             .sum::<f64>()
     };
-    // a normal distribution between ± 4 σ keeps this part of its variance: 1 − 8 φ(4)/(2 Φ(4) − 1)
+    // a normal distribution between ± 4 σ keeps this fraction of its variance: 1 − 8 φ(4)/(2 Φ(4) −
+    // 1)
     let kept = 0.9989292903724738;
     close(moment(&|x, _| x), 1.0, 1.0, 1e-12, "mean path");
     close(
@@ -394,8 +395,8 @@ fn same_bits_of_a_resumed_search_over_swings() {
     assert_eq!(whole, json(&[&args[..], &kept].concat()));
 }
 
-/// A goal that grows to both sides has a local optimum at each end of the range: one search finds
-/// the nearer end alone. In a mirrored range, the optimum is the mirror image.
+/// A goal that grows to both sides has a local optimum at each end of the range: a single search
+/// finds only the nearer end. In a mirrored range, the optimum is the mirror image.
 #[test]
 fn several_starts_find_both_ends_of_a_goal_that_grows_to_both_sides() {
     let asked = |set: &str, vary: &str, starts: &str| {
@@ -508,8 +509,8 @@ fn several_starts_find_both_ends_of_a_goal_that_grows_to_both_sides() {
     );
 }
 
-/// Value, gradient and Hessian of goals as functions, compared with those of the searched problem
-/// and with sums over single drives; without varying swings, with the drive.
+/// Value, gradient and Hessian of goals as functions, compared with the searched problem and with
+/// sums over single drives; without varying swings, with the drive.
 #[test]
 fn same_goals_by_sums_over_single_drives() {
     let setup = Setup::preset("mae494").unwrap();
@@ -744,8 +745,8 @@ fn fewest_strokes_are_the_longest_drive_if_only_distance_counts() {
     );
 }
 
-/// The example of the README, correlations that leave one free swing, and a normal distribution at
-/// its full range: each has an answer.
+/// Three extreme requests have an answer: the lowest share of a normal distribution, correlations
+/// of ±1, and goals whose printed value must be within its interval.
 #[test]
 fn swings_that_reach_far_have_an_answer() {
     let attack = ["--distribution", "swing.attack_angle=normal(-1deg,2deg)"];

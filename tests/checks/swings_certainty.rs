@@ -56,7 +56,8 @@ impl Flown {
         self.mean(of, &|x| (x - centre).powi(2)).sqrt()
     }
 
-    /// The mean of a share of the drives, from the lowest up, or from the highest down.
+    /// The mean outcome of a share of the drives: the drives with the lowest values, or with the
+    /// highest values.
     fn share(&self, of: Outcome, share: f64, is_lowest: bool) -> f64 {
         let place = self.outcomes.iter().position(|it| *it == of).unwrap();
         let mut sorted: Vec<_> = self.columns[place].iter().zip(&self.weights).collect();

@@ -123,7 +123,7 @@ fn differences_certify_every_goal_and_their_weighted_sum() {
     }
 }
 
-/// The slope of a line through points in logarithms of both.
+/// Order of convergence: the slope of a line through the logarithms of the points.
 fn order(points: &[(f64, f64)]) -> f64 {
     let logs: Vec<_> = points
         .iter()

@@ -112,7 +112,7 @@ fn independent_ends_of_every_kind_of_number() {
         ("swing.path", -128.0, 127.0),
         ("swing.face_angle", -32_768.0, 32_767.0),
         ("swing.shaft_lean", -2_147_483_648.0, 2_147_483_647.0),
-        // the nearest f64, as for these digits in CSV
+        // an integer of 64 bits becomes the nearest f64, as its digits do in CSV
         (
             "swing.attack_angle",
             -9_223_372_036_854_775_808.0,
@@ -272,7 +272,7 @@ fn bad_files_are_refused_with_the_reason() {
     );
 }
 
-/// Whether a message has this program's words alone.
+/// True if a message has only this program's own words.
 fn is_in_own_words(message: &str) -> bool {
     let words = [
         "Parquet error",
@@ -328,7 +328,8 @@ fn bad_parquet_files_are_refused_in_plain_words() {
     );
 }
 
-/// The columns with a claimed GZIP compression, which this program cannot read.
+/// Claims in a file's metadata that its columns are compressed by GZIP, which this program cannot
+/// read.
 #[test]
 fn an_unsupported_compression_is_named_with_the_supported_ones() {
     use parquet::basic::Compression;
@@ -436,7 +437,7 @@ fn a_damaged_table_is_refused_or_read_whole_but_nothing_panics() {
     assert!(refused > 1000, "{refused}");
 }
 
-/// Rows by arrow-ipc in batches of 1 to 997, and their status.
+/// Record batches of 1 to 997 rows, and the expected values of all rows.
 fn long(rows: usize) -> (Vec<RecordBatch>, Vec<f64>) {
     let expected: Vec<f64> = (0..rows)
         .flat_map(|i| {

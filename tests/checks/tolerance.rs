@@ -34,9 +34,10 @@ struct Errors {
     landed: usize,
     /// Rows flown again, in shorter steps than the sweep's.
     again: usize,
-    /// Rows with an error above a micrometre, and the largest error, m: with the step of the sweep
-    /// alone, and in the result of the sweep.
+    /// Number of rows with an error above a micrometre, and the largest error, m, with the step
+    /// that the sweep chose before its rows were checked.
     unchecked: (usize, f64),
+    /// Number of rows and largest error, m, in the result of the sweep.
     checked: (usize, f64),
 }
 
@@ -83,7 +84,8 @@ fn errors(
         method: Method::DormandPrince8,
         ..*setup
     };
-    // in a wind that increases with height; steps of 5 ms change no length by 2e-8 m
+    // shorter steps in a wind that increases with height; steps of 5 ms would change no length by
+    // 2e-8 m
     let step: f64 = if setup.wind.roughness.is_some() {
         0.02
     } else {
@@ -134,8 +136,7 @@ fn same_lengths_of_random_sweeps_in_shorter_steps_within_a_micrometre() {
     });
 }
 
-/// As above, with the step that [`StepChoice`] chooses for the setup alone, as for a function of
-/// its parameters.
+/// Random functions of parameters, with the step that [`StepChoice`] chooses for the setup only.
 #[test]
 fn same_lengths_of_random_functions_in_shorter_steps_within_a_micrometre() {
     within_a_micrometre(&[0.2, 0.5], |setup, ranges| {
@@ -175,7 +176,8 @@ fn random_ranges(n: usize, setup: &Setup<f64>, part: f64) -> Vec<Vary> {
 }
 
 /// Asserts that the errors of all drives are at most a micrometre. `errors` returns the errors of
-/// the drives of a setup in these ranges, which are a part in `parts` of its values.
+/// the drives of a setup in ranges around it; half the width of a range is one of the fractions
+/// `parts` of the setup's value.
 fn within_a_micrometre(
     parts: &[f64; 2],
     errors: impl Fn(&Setup<f64>, &[Vary]) -> Option<Errors> + Sync,
@@ -218,8 +220,8 @@ fn within_a_micrometre(
     assert_eq!(checked.0, 0, "{checked:?}");
 }
 
-/// Two drives with errors of up to 266 times the tolerance by the step alone, which was chosen from
-/// other drives: at the ends of the ranges, and near a drive without a flight.
+/// Two drives with errors of up to 266 times the tolerance with the step that was chosen from other
+/// drives, before the retry: at the ends of the ranges, and near a drive without a flight.
 #[test]
 fn same_rows_in_shorter_steps_after_a_retry() {
     let mut low = Setup::default();
@@ -245,7 +247,7 @@ fn same_rows_in_shorter_steps_after_a_retry() {
         let found = sweep(setup, ranges, &[Outcome::Carry, Outcome::Lateral], 1024).unwrap();
         assert!(found.checked.0 == 0 && found.landed > 500, "{found:?}");
     }
-    // a step for one loft, and rows of all
+    // a step chosen for one loft, and rows of all lofts
     let found = accuracy(
         &low,
         &[range(&low, "club.loft", 0.17, 0.18)],
@@ -380,7 +382,7 @@ fn an_impossible_largest_defect_is_refused() {
     }
 }
 
-/// Without ranges one drive is checked, and has the step of a very narrow range.
+/// A request without ranges checks one drive, and has the step of a very narrow range.
 #[test]
 fn one_drive_alone_is_checked_once() {
     let setup = Setup::preset("modern-driver").unwrap();
@@ -424,8 +426,9 @@ fn a_tolerance_out_of_reach_names_the_drive() {
     );
 }
 
-/// A tolerance is about lengths. docs/limitations.md states the differences of derivatives by loft,
-/// attack angle, speed and density to those in much shorter steps, relative to the largest.
+/// A tolerance limits errors of lengths, not of derivatives. docs/limitations.md states the errors
+/// of derivatives by loft, attack angle, speed and density, relative to the largest derivative; the
+/// reference are much shorter steps.
 #[test]
 fn same_derivatives_in_shorter_steps_within_the_documented_error() {
     let sizes = [

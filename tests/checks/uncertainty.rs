@@ -307,8 +307,8 @@ fn sampled_moments_are_those_of_the_distributions() {
             indices.first.contains(1.0) || (indices.first.value - 1.0).abs() < 0.02,
             "{indices:?}"
         );
-        // Poincaré: the variance of x itself is below the constant; that of a normal distribution
-        // equals it
+        // Poincaré: the variance of x itself is at most the constant, and equal for a normal
+        // distribution
         assert!(
             distribution.deviation().powi(2) <= distribution.poincare() * (1.0 + 1e-15),
             "{distribution:?}"
@@ -801,7 +801,8 @@ fn huge_uncertainties_give_no_infinity() {
     assert_eq!(found.linearity(), 0.0);
 }
 
-/// σ_u/u = 1/ln(z/z₀) beside 1 m/s of the mean wind; across the wind 0.8 times that.
+/// Gusts add a deviation σ_u = u/ln(z/z₀) along the wind, and 0.8 σ_u across it, to the 1 m/s of
+/// the mean wind.
 #[test]
 fn exact_gusts_in_the_uncertainty_of_the_wind() {
     let sigma = |settings: &[(&str, &str)], name: &str| {
@@ -848,8 +849,8 @@ fn an_unset_wind_is_refused_with_advice() {
     }
 }
 
-/// Distributions built in code are checked as those that `Uncertain::read` reads, before any drive
-/// is flown.
+/// Distributions built in code are checked like distributions that `Uncertain::read` reads, before
+/// any drive is flown.
 #[test]
 fn impossible_distributions_are_refused() {
     let setup = Setup::default();
@@ -1062,8 +1063,8 @@ fn independent_both_tails_of_a_truncated_normal_distribution_are_those_of_40_dig
     }
 }
 
-/// Wrong lengths are programming errors: they panic, with both lengths. A non-finite value is a
-/// missing one.
+/// Wrong lengths are programming errors: they panic, with both lengths. A non-finite value counts
+/// as missing.
 #[test]
 fn statistics_of_other_lengths_panic_with_both_and_leave_no_nan() {
     let inputs = [Distribution::Normal {

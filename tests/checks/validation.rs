@@ -11,7 +11,7 @@ use serde_json::Value;
 use std::sync::LazyLock;
 
 static FOUND: LazyLock<Vec<SetScores>> = LazyLock::new(|| validation(None).unwrap());
-/// Output and files of the program, which take it seconds: in a folder, as rows, and in JSON.
+/// Output and files of `validate`, which takes seconds: in a folder, as rows, and in JSON.
 pub static VALIDATED: LazyLock<Written> =
     LazyLock::new(|| written(&["validate", "--units", "metric"]));
 static ROWS: LazyLock<Output> = LazyLock::new(|| longdrive(&["validate", "--csv"]));
@@ -383,7 +383,7 @@ fn a_name_that_ends_in_csv_gets_the_rows_and_other_files_are_refused() {
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 
-/// A table with the numbers of a law, here no drag and no lift, is compared as the laws are.
+/// A user's table, here without drag and lift, is compared like the laws.
 #[test]
 fn a_users_table_is_compared_and_listed_with_the_laws() {
     let folder = tempfile::tempdir().unwrap();

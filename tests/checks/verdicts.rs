@@ -113,7 +113,7 @@ impl Functions for Parabola {
     }
 }
 
-/// At (0, 1) the gradient of x² + y = 1 is parallel to that of the bound y ≤ 1, and huge
+/// At (0, 1) the gradient of x² + y = 1 is parallel to the gradient of the bound y ≤ 1, and huge
 /// multipliers of both balance any slope.
 #[test]
 fn exact_minima_beyond_a_point_where_a_constraint_touches_a_bound() {
@@ -333,7 +333,7 @@ impl Functions for Paraboloids {
     }
 }
 
-/// |x − y| + (x + y − 1)²: 0 at (½, ½), on the same edge.
+/// |x − y| + (x + y − 1)²: 0 at (½, ½), on the oblique edge x = y.
 struct Valley;
 
 impl Functions for Valley {

@@ -135,8 +135,8 @@ fn differences_certify_a_launch_without_a_club() {
 
 #[test]
 fn differences_certify_two_hundred_random_drives() {
-    // this many parameters of each drive, others for the next; all of them were checked once
-    // (docs/verification.md)
+    // number of parameters that are checked for each drive; each drive has others. All parameters
+    // of all drives were checked once (docs/verification.md)
     const AT_A_TIME: usize = 4;
     let flies = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok());
     let setups: Vec<_> = random_setups(220)
@@ -400,7 +400,7 @@ fn order_of_remainders_of_two_cancelling_parts_in_any_time_step() {
         let certificate = certificate(&setup, &[Outcome::Lateral, Outcome::LateralTotal], &wrt);
         assert!(certificate.passed(), "{step}: {:?}", failures(&certificate));
         for row in &certificate.rows {
-            // by symmetry there are odd powers alone
+            // by symmetry the series has only odd powers
             let expected = [1.0, 3.0, 3.0];
             for (slope, expected) in row.slopes.into_iter().zip(expected) {
                 close(
@@ -604,8 +604,8 @@ fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
 }
 
 /// In a logarithmic wind the time step leaves an error in derivatives that no comparison with
-/// differences can show: the certificate measures and reports it; in still air there is none to
-/// report.
+/// differences can show: the certificate measures and reports it; in still air the answer reports
+/// no error.
 #[test]
 fn differences_with_the_time_step_are_reported_in_a_logarithmic_wind() {
     let mut setup = Setup::default();

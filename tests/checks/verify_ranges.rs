@@ -233,8 +233,8 @@ fn a_spin_that_cancels_has_a_correct_derivative() {
     }
 }
 
-/// At a coarse step the landing of a flight differs from that with the step adjusted to end there:
-/// the differences are of the former.
+/// At a coarse step the landing of a flight differs from the landing with a step that is adjusted
+/// to end there. Differences use the former.
 #[test]
 fn differences_at_the_landing_agree_at_coarse_steps() {
     let mut setup = Setup::preset("winfield-tan").unwrap();
@@ -248,7 +248,7 @@ fn differences_at_the_landing_agree_at_coarse_steps() {
         setup.set("flight.step", step).unwrap();
         let found = certificate(&setup, &[Outcome::Carry], "swing.face_angle");
         assert!(found.passed(), "{step}: {}", faults(&found));
-        // far better than the tolerance: the difference is rounding
+        // the errors are far below the tolerance: they are rounding
         let worst = found
             .landing
             .iter()

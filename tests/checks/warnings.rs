@@ -334,8 +334,8 @@ fn same_count_of_a_sweep_for_any_threads() {
     }
 }
 
-/// In lanes as alone: spin ratio, Reynolds number and speed by their definitions, in wind, for
-/// values and for gradients.
+/// Spin ratio, Reynolds number and speed by their definitions, in lanes and in single drives, in
+/// wind, for values and for gradients.
 #[test]
 fn exact_validity_limits_of_a_batch_by_their_definitions() {
     let mut setup = Setup::default();
@@ -506,8 +506,8 @@ fn a_warning_of_a_chart_names_each_part() {
     assert!(err.contains("; swing.speed = 50 mph, and 140 mph"), "{err}");
 }
 
-/// The optima of plots and pages are checked as those of `chart`: one warning of each kind, with
-/// its positions.
+/// The optima of plots and pages are checked like the optima of `chart`: one warning of each kind,
+/// with its positions.
 #[test]
 fn plots_and_reports_of_optima_warn_once_for_each_kind() {
     let folder = tempfile::tempdir().unwrap();
@@ -574,8 +574,8 @@ fn plots_and_reports_of_optima_warn_once_for_each_kind() {
     );
 }
 
-/// The answer has the numbers of a warning: the range, the extremes of the flight, and the share
-/// outside, of an optimum too.
+/// The answer has the numbers of a warning: the fitted range, the extremes of the flight, and the
+/// share of the flight outside. So has the answer about an optimum.
 #[test]
 fn share_outside_the_range_of_a_law_is_in_the_answer() {
     let slow = ["--set", "swing.speed=30mph"];
@@ -703,7 +703,7 @@ fn a_flat_landing_has_a_warning_with_the_total_and_at_an_optimum() {
         assert!(is_told(of, "launch.launch_angle=3deg..6deg", &flat), "{of}");
     }
     assert!(!is_told("carry", "launch.launch_angle=10deg..16deg", &high));
-    // the total of the drive as set up is shown beside that of the best one
+    // the total of the drive as set up is shown beside the total of the best drive
     assert!(is_told("carry", "launch.launch_angle=3deg..16deg", &flat));
     assert!(!is_told(
         "apex_height",

@@ -294,7 +294,7 @@ fn same_drives_in_a_sweep_over_the_weather_and_alone() {
         ("wind.speed", "4 m/s"),
         ("wind.from", "30 deg"),
     ]);
-    // temperature and altitude have values in each drive only
+    // the setup has no temperature and altitude: only the points have them
     let over = [
         "air.temperature=0..35degC:4",
         "air.altitude=0..2000m:3",
@@ -648,7 +648,7 @@ fn contradictory_weather_settings_are_refused() {
         let back = remedy.split(" or ").last().unwrap().split(' ');
         let followed = longdrive(&args.iter().copied().chain(back).collect::<Vec<_>>());
         assert_eq!(followed.status, 0, "{args:?}: {}", followed.err);
-        // and it is the drive in that air and wind, without the other form
+        // the remedied drive has that air and wind, without the other form
         if *setup == printed {
             let asked: Vec<&str> = ["simulate"]
                 .into_iter()
@@ -712,7 +712,7 @@ fn contradictory_weather_settings_are_refused() {
         "{}",
         idle.err
     );
-    // and so has a drive that is differentiated by it
+    // a drive that is differentiated by the weather has the weather, too
     let vary = [
         "gradient",
         &dense,
@@ -727,7 +727,7 @@ fn contradictory_weather_settings_are_refused() {
         longdrive(&[&vary[..], &["--set", "air.density=none"]].concat()).status,
         0
     );
-    // with the roles exchanged, or one unset, it is allowed
+    // a command is allowed if one of the two forms is unset
     for args in [
         &[
             "simulate",

@@ -4,9 +4,10 @@ use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 /// Choices determined by a seed.
 pub struct Chance {
     random: Xoshiro256PlusPlus,
-    /// Whether the question may have mistakes: with one in every word, it would fail at the first.
+    /// True if the question may have mistakes. With a mistake in every word, it would fail at the
+    /// first word.
     is_careless: bool,
-    /// Whether the drives of the question are given by their launch.
+    /// True if the drives of the question are given by their launch.
     pub is_launched: bool,
 }
 
@@ -24,12 +25,12 @@ impl Chance {
         chance
     }
 
-    /// Whether to make a mistake here.
+    /// Chooses whether to make a mistake here.
     pub fn slips(&mut self) -> bool {
         self.is_careless && self.is(0.1)
     }
 
-    /// One of some; with a mistake, one of others.
+    /// One of `good`; with a mistake, one of `bad`.
     pub fn of_or<T: Clone>(&mut self, good: &[T], bad: &[T]) -> T {
         let all = if self.slips() { bad } else { good };
         self.of(all)
@@ -55,7 +56,7 @@ impl Chance {
         low + (high - low) * self.part()
     }
 
-    /// One of some.
+    /// One of `all`.
     pub fn of<T: Clone>(&mut self, all: &[T]) -> T {
         all[self.below(all.len())].clone()
     }

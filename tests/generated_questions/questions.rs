@@ -16,7 +16,7 @@ pub struct Question {
     pub args: Vec<String>,
     /// Input files.
     pub files: Vec<(String, Vec<u8>)>,
-    /// Links to them: the file, and the link.
+    /// Links to input files: the file, and the link.
     pub links: Vec<(String, String)>,
     /// Files and folders that it names as outputs.
     pub outputs: Vec<String>,
@@ -59,7 +59,7 @@ fn frequency(command: &str) -> f64 {
     }
 }
 
-/// Commands without a setup that answer in text alone.
+/// Commands without a setup, which answer only in text.
 const OF_THE_PROGRAM: [&str; 3] = ["help", "completions", "man"];
 
 impl Question {

@@ -83,7 +83,7 @@ fn wait(child: &mut Child) -> Option<ExitStatus> {
     None
 }
 
-/// Non-finite numbers where none is meant.
+/// A fault with the first line that has NaN or infinity, although the question allows neither.
 fn numbers(question: &Question, out: &str) -> Option<String> {
     let words = |line: &str| -> Vec<String> {
         line.split(|c: char| !(c.is_alphanumeric() || c == '_'))

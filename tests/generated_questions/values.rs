@@ -38,7 +38,7 @@ pub fn preset(chance: &mut Chance) -> &'static str {
     PRESETS[chance.below(PRESETS.len())].name
 }
 
-/// A parameter of a preset; with a mistake, of any law or of a launch alone.
+/// A parameter of a preset; with a mistake, a parameter of any law or of a launch.
 pub fn parameter(chance: &mut Chance) -> &'static Parameter {
     if chance.slips() {
         return chance.of(&Law::all_rows().collect::<Vec<_>>());
@@ -94,8 +94,8 @@ pub fn variable(chance: &mut Chance) -> &'static Parameter {
     }
 }
 
-/// One of some parameters, rarely one of a launch or of the wind's speed and direction: these must
-/// be given together.
+/// One of `all`, rarely a parameter of a launch or of the wind's speed and direction: these must be
+/// given together.
 fn of_the_drive(all: &[&'static Parameter], chance: &mut Chance) -> &'static Parameter {
     let struck: Vec<_> = all
         .iter()

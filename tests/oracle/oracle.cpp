@@ -5,7 +5,7 @@
 // build:  g++ -O2 -std=gnu++17 -o oracle oracle.cpp -lquadmath
 // run:    ./oracle check reference_drives.json      compare with another computation, values to Hessians
 //         ./oracle write independent_drives.json    compute the drives below and write them
-//         ./oracle write some.json e_t           the same of those alone whose names contain "e_t"
+//         ./oracle write some.json e_t           only the drives whose names contain "e_t"
 //         ./oracle list                             values only: one line for each drive
 //
 // Values: impact from the 3x3 impulse system (checked against Winfield & Tan's full 15x15 system), flight by
@@ -19,7 +19,7 @@
 #include "model.hpp"
 
 // ---------------------------------------------------------------- derivatives
-/// What a parameter's step is measured by: its size, but not less than what is typical of its kind.
+/// Scale of a parameter's step: its size, but at least a typical size of its kind.
 static Q scale_of(const std::string& name, Q value) {
     auto starts = [&](const char* p) { return name.compare(0, strlen(p), p) == 0; };
     double typical = 0;
@@ -406,7 +406,8 @@ static std::vector<Named> drives() {
 static const std::vector<std::string> HESSIAN_NAMES = {"club.loft", "swing.attack_angle", "swing.speed", "strike.toe", "air.density", "club.cg_depth"};
 static const int HESSIAN_OF[] = {CARRY, LATERAL, APEX_HEIGHT, FLIGHT_TIME};
 
-/// Other numerics, to measure how good the values are: lower order, shorter steps, another tolerance.
+/// Other numerics, which measure the errors of the values: lower order, shorter steps, another
+/// tolerance.
 static Numerics other_numerics() { Numerics n; n.columns = 9; n.tol = 1e-29Q; n.h_max = 0.11Q; return n; }
 
 static Q relative(Q a, Q b, Q floor) { return fabsq(a - b) / fmaxq(fabsq(b), floor); }
@@ -431,7 +432,7 @@ static int list() {
     return 0;
 }
 
-/// Writes all drives, or those alone whose names contain a text.
+/// Writes all drives, or only the drives whose names contain a text.
 static int write(const char* path, const std::string& part = "") {
     FILE* f = fopen(path, "w");
     if (!f) { perror(path); return 1; }

@@ -47,7 +47,7 @@ def impact(v, w, n, turf, inertia):
     e = turf["restitution"] / 0.51 * (0.510 - 0.0375 * held_u + 0.000903 * held_u ** 2)
     arm = mul(normal, -R)
     slip = add(add(v, normal, u), cross(w, arm))
-    # impulses per mass: the normal one, and what a sphere needs to stick
+    # impulses per mass: the normal one, and the one with which a sphere sticks
     push = (1 + e) * u
     stick = norm(slip) / (1 + M * R * R / inertia)
     most = turf["friction"] * push
@@ -58,7 +58,7 @@ def impact(v, w, n, turf, inertia):
 
 
 def run(v, w, turf, inertia):
-    """Where the ball comes to rest, from where it landed; up, right, downrange."""
+    """Position of the ball at rest, from its landing; up, right, downrange."""
     n = [1.0, -math.tan(math.radians(turf["side_slope"])), -math.tan(math.radians(turf["slope"]))]
     n = mul(n, 1 / norm(n))
     way, bounces = [0.0, 0.0, 0.0], 0
@@ -98,7 +98,7 @@ def run(v, w, turf, inertia):
 
 
 def ball(speed, angle, direction, back, side):
-    """As it lands after a flight in a vacuum: the mirror image of the launch."""
+    """State of a ball that lands after a flight in a vacuum: the mirror image of its launch."""
     a, d = math.radians(angle), math.radians(direction)
     v = [-speed * math.sin(a), speed * math.cos(a) * math.sin(d), speed * math.cos(a) * math.cos(d)]
     up = [math.sin(a), math.cos(a) * math.sin(d), math.cos(a) * math.cos(d)]

@@ -131,7 +131,8 @@ async function look(browser, name, file) {
     page.on("request", (request) => request.url().startsWith("file:") || say("request", [request.url()]));
     await page.goto(pathToFileURL(file).href);
     await page.evaluate(axe.source);
-    // the layout is the same in the dark, and colours are the same at every width: only colours are checked
+    // the layout does not depend on the colour scheme, nor colours on the width: only colours are
+    // checked in the dark
     for (const [width, height] of scheme === "dark" ? SCREENS.slice(0, 1) : SCREENS) {
       const isFirst = width === SCREENS[0][0];
       await page.setViewportSize({ width, height });

@@ -27,8 +27,8 @@ fn equilibrium<T: Number>(moles: &[T], logs: &[T]) -> (T, Vec<T>) {
     (f, g)
 }
 
-/// No. 119: for each variable those it is paired with in the objective (numbered from 0), and the
-/// equations.
+/// No. 119: for each variable, the variables with which the objective pairs it (numbered from 0);
+/// and the equations.
 const PAIRED: [&[usize]; 16] = [
     &[0, 3, 6, 7, 15],
     &[1, 2, 6, 9],

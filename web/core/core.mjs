@@ -35,7 +35,7 @@ export class Core {
    * Makes an instance of the compiled module.
    * @param {WebAssembly.Module} module
    * @param {Wasi} wasi
-   * @param {(done: number, of: number) => void} [progress] receives the completed and all parts of a long command
+   * @param {(done: number, of: number) => void} [progress] receives the completed parts and all parts of a long command
    * @returns {Promise<Core>}
    */
   static async start(module, wasi, progress = () => {}) {
@@ -163,7 +163,7 @@ export class Core {
     return { head, bytes };
   }
 
-  /** The memory of the instance, another one after it has grown. @returns {ArrayBuffer} */
+  /** The memory of the instance; growth replaces it by a new one. @returns {ArrayBuffer} */
   get #memory() {
     return this.#exports.memory.buffer;
   }

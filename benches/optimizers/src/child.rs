@@ -15,7 +15,7 @@ const PATIENCE: Duration = Duration::from_secs(10);
 /// Repetitions; the fastest counts.
 const REPETITIONS: usize = 3;
 
-/// The child: prints the outcome of each repetition.
+/// Runs in the child process: prints the outcome of each repetition.
 pub fn solve(solver: &str, problem: &str) -> Result<(), Box<dyn Error>> {
     let peer = PEERS
         .iter()
@@ -52,7 +52,7 @@ pub fn solve(solver: &str, problem: &str) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The parent: the outcome, with the fastest time.
+/// Runs the child process, and returns its outcome with the fastest time.
 pub fn run(solver: &str, problem: &str) -> Result<Outcome, Box<dyn Error>> {
     let mut child = Command::new(std::env::current_exe()?)
         .args(["--solve", solver, problem])

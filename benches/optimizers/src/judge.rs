@@ -1,4 +1,4 @@
-//! One judge for all solvers: does x meet the KKT conditions? It uses x and the problem alone.
+//! One judge for all solvers: does x meet the KKT conditions? It uses only x and the problem.
 //!
 //! Bounds and constraint limits within 1e-6 (relative to the limit, at least 1) are active. Their
 //! multipliers come from nonnegative least squares. Stationarity is relative, in each component, to

@@ -26,8 +26,8 @@ impl<'a> Oracle<'a> {
         }
     }
 
-    /// Passes the functions at `x` to `read`. Neither counts as the solver's time: a peer pays for
-    /// no conversion.
+    /// Evaluates the functions at `x` and passes them to `read`, which converts them for the
+    /// solver. Neither counts as the solver's time.
     pub fn read<R>(&self, x: &[f64], read: impl FnOnce(&Evaluation) -> R) -> R {
         let started = Instant::now();
         let at = self.evaluation(x);

@@ -1,4 +1,4 @@
-// The floor: what a C++ programmer writes by hand, a struct of a value and its tangents.
+// The practical floor: hand-written dual numbers, a struct of a value and its tangents.
 #include "dual.hpp"
 #include "carry.hpp"
 #include "harness.hpp"

@@ -1,4 +1,4 @@
-// What the C++ peers share: the command line, timing, the grid of T6, JSON lines.
+// Shared by the C++ peers: the command line, timing, the grid of T6, JSON lines.
 //
 //   PEER             every task, timed
 //   PEER T2          one task, timed
@@ -22,7 +22,7 @@
 constexpr double DEG = M_PI / 180, LAM0 = 10 * DEG, EPS0 = 0;
 static volatile double g_zero = 0;  // keeps the compiler from computing the inputs' results in advance
 
-// all of the result is computed: no component is left out because nobody reads it
+// the compiler must compute every component of the result, also if nobody reads it
 template <class R> static inline void keep(const R& r) { __asm__ volatile("" : : "r"(&r) : "memory"); }
 
 static inline double now() { timespec t; clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t); return t.tv_sec + 1e-9 * t.tv_nsec; }

@@ -7,20 +7,21 @@ use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::{Outcome, Result};
 use serde_json::{Value, json};
 
-/// The drives of the error measurement, in degrees of loft and attack angle: the peers', and the
+/// Loft and attack angle, deg, of the drives whose errors are measured: the peers' drive, and the
 /// optimum.
 const PLACES: [[f64; 2]; 2] = [[10.0, 0.0], [14.682_922_531_9, 10.0]];
+/// Methods of the work–precision table.
 const METHODS: [&str; 2] = ["rk4", "dp8"];
 /// Steps of the work–precision table, s, by method.
 const LADDERS: [[f64; 7]; 2] = [
     [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3],
     [0.05, 0.1, 0.2, 0.4, 0.8, 1.2, 1.6],
 ];
-/// The error of the rows 'at 1 µm', m.
+/// Largest error of the rows 'at 1 µm', m.
 const MICROMETRE: f64 = 1e-6;
-/// Number of steps tried for them, at equal distances up to 2 s.
+/// Number of equidistant steps, up to `LONGEST_STEP`, that are tried for the rows 'at 1 µm'.
 const STEPS: u32 = 200;
-/// s.
+/// Longest tried step, s.
 const LONGEST_STEP: f64 = 2.0;
 
 fn reference() -> Discretisation {
@@ -103,8 +104,8 @@ fn choose(
         .collect())
 }
 
-/// Candidates, fastest first: by the errors of the two drives, for single drives, and by those over
-/// the grid, for T6.
+/// The fastest candidates within 1 µm. Single drives use the errors of the two drives; T6 uses the
+/// errors over the grid.
 pub fn one_micrometre() -> Result<Value> {
     let exact = taylors(&reference(), Order::Value)?;
     let single = choose(

@@ -12,13 +12,13 @@ const AXES: [&str; 2] = [
     "swing.attack_angle=-10deg..10deg:1000",
 ];
 const SIDE: u64 = 1000;
-/// AdaptiveStep of the rows and columns of the check sum, and of the timed rows.
+/// Stride of the rows and columns of the check sum, and of the timed rows.
 const EVERY: u64 = 25;
 /// The rows whose instructions are counted.
 const COUNTED: [u64; 2] = [250, 750];
-/// Repetitions of a row, of which the fastest counts,
+/// Number of repetitions of a row; the fastest counts.
 const REPEATS: usize = 5;
-/// and their largest duration, s.
+/// Largest duration of the repetitions of a row, s.
 const PATIENCE: f64 = 0.1;
 
 fn axes(by: &Discretisation) -> Result<Vec<Axis>> {
@@ -41,9 +41,9 @@ fn at(block: &Block, row: usize) -> [f64; 3] {
 #[derive(Clone, Copy, Default)]
 pub struct Sums {
     pub all: f64,
-    /// Without the row of loft 0. There the ball does not spin, the drag has a kink, and carry no
-    /// derivative by loft: the peers have the slope of its upper side, longdrive one between the
-    /// two sides.
+    /// Sums without the row of loft 0. There the ball does not spin and the drag has a kink, so
+    /// carry has no derivative by loft: the peers compute the slope from above, longdrive a slope
+    /// between the two one-sided ones.
     pub spinning: f64,
 }
 
@@ -95,13 +95,13 @@ impl Rows {
         }
     }
 
-    /// Seconds a point of the middle row.
+    /// Seconds per point of the middle row.
     pub fn time_middle(&self) -> f64 {
         clock::fastest(PATIENCE, || self.evaluate(SIDE / 2)) / SIDE as f64
     }
 
-    /// Seconds a point over every 25th row, each the fastest of some repetitions, and the check
-    /// sums.
+    /// Seconds per point over every 25th row, each row the fastest of some repetitions, and the
+    /// check sums.
     pub fn time(&self) -> (f64, Sums) {
         let (mut seconds, mut sums, mut rows) = (0.0, Sums::default(), 0.0);
         for row in (0..SIDE).step_by(EVERY as usize) {
@@ -124,7 +124,7 @@ impl Rows {
     }
 }
 
-/// Seconds a point and the check sums of the whole grid, in one complete call on one thread.
+/// Seconds per point and the check sums of the whole grid, in one complete call on one thread.
 pub fn whole(by: &Discretisation) -> Result<(f64, Sums)> {
     let setup = mae494(by)?;
     let mut grid = Grid::new(axes(by)?)?;

@@ -60,7 +60,7 @@ pub fn mae494(by: &Discretisation) -> Result<Setup<f64>> {
     by.apply(Setup::preset("mae494")?)
 }
 
-/// A drive out of its plane: without symmetry.
+/// A drive without mirror symmetry: its path leaves the vertical plane of the target line.
 fn in_space(by: &Discretisation) -> Result<Setup<f64>> {
     let mut setup = Setup::preset("modern-driver")?;
     setup.set_all([
@@ -80,15 +80,15 @@ pub fn two(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
     named(setup, &TWELVE[..2])
 }
 
-/// The lofts and the attack angles, deg, for which Winfield & Tan (1994), tables 1 and 2, give the
-/// best other angle.
+/// Lofts, deg, for which table 1 of Winfield & Tan (1994) gives the best attack angle.
 const TABLE_1: [f64; 9] = [5.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 15.0];
+/// Attack angles, deg, for which their table 2 gives the best loft.
 const TABLE_2: [f64; 13] = [
     -10.0, -5.0, -4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 10.0,
 ];
 
-/// The optima of Winfield & Tan: that of both angles from 10° of loft and 0° of attack angle, and
-/// those of their tables, each from the one before.
+/// The optima of Winfield & Tan: the optimum over both angles, from 10° of loft and 0° of attack
+/// angle, and the optima of their tables, each search from the optimum before.
 fn winfield_tan(within: Option<f64>) -> Result<Ready> {
     let mut setup = Setup::preset("winfield-tan")?;
     let vary = ["club.loft=2deg..18deg", "swing.attack_angle=-10deg..30deg"];
@@ -139,7 +139,7 @@ pub enum Answer {
 }
 
 impl Answer {
-    /// Value, derivatives (the optimum's position, in degrees), and other numbers.
+    /// Value, derivatives (for an optimum its position, deg), and other numbers.
     pub fn parts(self) -> (f64, Vec<f64>, String) {
         match self {
             Self::Drive(taylor) => {

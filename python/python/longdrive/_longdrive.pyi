@@ -149,7 +149,7 @@ class Integration:
 
 @final
 class Simulated:
-    """One drive. Its report is made when it is asked for."""
+    """One drive. Its report is computed when it is first read."""
 
     @property
     def outcomes(self) -> dict[str, float | None]: ...

@@ -27,11 +27,11 @@ __all__ = [
 ]
 
 _LARGEST = 0.5
-"""Few angles of a drive are larger, rad."""
+"""Angles above this are suspected to be degrees, rad; few angles of a drive are larger."""
 
 
 def check_unit(angles: Any) -> AngleUnit:
-    """The unit of angles without a unit.
+    """Checks the argument `angles`: the unit of angles that are given as numbers.
 
     Raises
     ------
@@ -115,7 +115,7 @@ def columns_in_radians(points: Mapping[str, Any], angles: AngleUnit) -> dict[str
 def warnings_of_columns(points: Mapping[str, Any]) -> list[str]:
     """Warnings about the angles of a batch, in radians.
 
-    The batch itself warns of values out of range.
+    The batch itself warns about values that are out of range.
     """
     return warnings_of(
         (name, values)

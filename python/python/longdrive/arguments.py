@@ -77,7 +77,7 @@ def nearest_outcome(name: str) -> str:
 
 
 def refuse_idle_seed(seed: Any, sample: Any) -> None:
-    """Refuses a seed without a sample, where it has no effect.
+    """Refuses a seed without a sample, because the seed would have no effect.
 
     Raises
     ------
@@ -124,7 +124,7 @@ def switch_of(name: str, value: Any, alternative: str = "") -> bool:
     value : Any
         The value.
     alternative : str
-        What else the argument takes, for messages.
+        Other values that the argument accepts, for messages.
 
     Raises
     ------

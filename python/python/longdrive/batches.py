@@ -39,7 +39,7 @@ def batch(
     """Outcomes, and their exact derivatives, at very many points, on all processors.
 
     A row without a drive has a status, and no exception is raised. The rows do not depend on the
-    number of threads, and equal those of ``longdrive sweep``.
+    number of threads, and equal the rows of ``longdrive sweep``.
 
     Parameters
     ----------
@@ -54,11 +54,11 @@ def batch(
     of : Names
         Outcomes, a name or several; ``"all"`` for every one.
     wrt : Names | None
-        Parameters to differentiate by, a name or several; ``"points"`` for those of the points;
-        without it no derivatives.
+        Parameters to differentiate by, a name or several; ``"points"`` for the parameters
+        of the points; without it no derivatives.
     hessians : bool
-        Compute second derivatives too, without ``wrt`` by the parameters of the points, with the
-        step that is chosen for all rows.
+        Compute second derivatives too: by `wrt`, or by the parameters of the points if `wrt` is
+        None. All rows use the step that is chosen for them together.
     tolerance : float | str | None
         The largest error of a length, m or a text; without it 1 µm, unless the setup states its
         method or step.
@@ -128,7 +128,8 @@ def batch(
 
 
 def _without_units(points: Any) -> Any:
-    """The points with quantities of pint as numbers in SI. NumPy would drop their units."""
+    """Converts quantities of pint in the points to numbers in SI, because NumPy would drop their
+    units."""
     if not isinstance(points, Mapping) or not any(
         is_quantity(values) or contains_quantities(values) for values in points.values()
     ):
@@ -137,7 +138,7 @@ def _without_units(points: Any) -> Any:
     def converted(name: str, values: Any) -> Any:
         unit = _longdrive.unit_of(name) if isinstance(name, str) else None
         if unit is None:
-            # the batch refuses the unknown name
+            # the batch later refuses the unknown name
             return values
         try:
             if contains_quantities(values):
@@ -202,7 +203,7 @@ def computed(
     hessians : bool
         Compute second derivatives.
     ranges : list[tuple[str, float, float]] | None
-        The ranges for which the step is chosen; without them, those of the points.
+        The ranges for which the step is chosen; without them, the ranges of the points.
     function : _longdrive.Integration | None
         Method and step of a function, chosen before.
     interrupted : Callable[[int, int], str]

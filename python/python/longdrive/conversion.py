@@ -128,7 +128,7 @@ class Converter:
         return text if whole is None else whole
 
     def _only(self, option: Option, value: Any) -> Value:
-        """The only name with its value of an option that takes one."""
+        """The only entry (name and value) of an option that takes one."""
         values = self._several(option, value)
         if len(values) == 1:
             only = values[0]
@@ -201,7 +201,7 @@ class Converter:
         return Named(text, Range(low, high, count))
 
     def _distribution(self, key: str, elements: tuple[Any, ...]) -> Distribution:
-        # the second number of a normal distribution is its deviation
+        # the second number of a normal distribution is its standard deviation
         deviation = 1 if elements[0] in ("normal", "truncated") else None
         numbers = [
             self._amount(key, number, is_difference=at == deviation)
@@ -212,7 +212,7 @@ class Converter:
     def _amount(self, name: str, value: Any, is_difference: bool = False) -> Number:
         unit = _longdrive.unit_of(name)
         if unit is None:
-            # the command refuses the unknown name
+            # the command later refuses the unknown name
             value, unit = value.magnitude if is_quantity(value) else value, ""
         return self.number(name, value, unit, is_difference)
 
@@ -265,7 +265,7 @@ def _name_of(value: Value) -> str:
 
 
 def _count_of(name: str, value: Any) -> int:
-    """The number of values of a range, which an array has as a float."""
+    """The number of values of a range; in an array it is a float."""
     is_whole = isinstance(value, float) and value.is_integer()
     is_digits = isinstance(value, str) and value.isdigit()
     return count_of(f"the count of {name}", int(value) if is_whole or is_digits else value, 1)

@@ -68,7 +68,8 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
         )
     count_of("retries", retries)
     asked = question_of(setup, question)
-    # not pure: the result of another sweep is not that of this folder
+    # not pure: Dask would reuse the results of an earlier sweep, although the folder may have
+    # changed
     futures = client.map(asked.write, range(1, asked.parts + 1), pure=False, retries=retries)
     part_of = {future.key: part for part, future in enumerate(futures, start=1)}
     manifests: list[dict[str, Any]] = []
@@ -84,7 +85,7 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
                 raise PartError(
                     f"part {part} of {asked.parts}: {type(failure).__name__}: {failure}", part
                 ) from failure
-            # its manifest row is here
+            # free the result on the cluster: its manifest row is copied
             future.release()
     finally:
         client.cancel(futures)

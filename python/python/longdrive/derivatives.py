@@ -230,8 +230,8 @@ def objective(
     of : str
         The outcome; over swings the goal, such as ``"mean(carry) - 0.5*std(lateral)"``.
     wrt : Names | None
-        As for :func:`gradient`. Over swings the default is the loft alone, as in :func:`optimize`:
-        the attack angle belongs to the golfer.
+        As for :func:`gradient`. Over swings the default is only the loft, as in :func:`optimize`,
+        because the attack angle belongs to the golfer.
     sense : Sense | None
         ``"max"`` changes the sign of all results, because optimizers minimize; ``"min"`` and None
         keep it.

@@ -65,7 +65,7 @@ class Trajectory:
 
 
 class Drive(Mapping[str, "float | None"]):
-    """The outcomes of one drive by name, SI; None for an outcome that it does not have."""
+    """The outcomes of one drive by name, SI; None for an outcome that the drive does not have."""
 
     outcomes: Mapping[str, float | None]
     """The requested outcomes, read-only."""
@@ -90,7 +90,7 @@ class Drive(Mapping[str, "float | None"]):
 
     @property
     def report(self) -> dict[str, Any]:
-        """The answer of ``longdrive simulate --json``, made when it is first asked for."""
+        """The answer of ``longdrive simulate --json``, computed when it is first read."""
         report = self._report
         if callable(report):
             report = report()
@@ -115,7 +115,7 @@ class Drive(Mapping[str, "float | None"]):
 
     @property
     def message(self) -> str | None:
-        """The reason for no landing; None for a drive that lands."""
+        """The reason why the ball does not land; None for a drive that lands."""
         message: str | None = self.report["message"]
         return message
 

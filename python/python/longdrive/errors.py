@@ -70,7 +70,8 @@ class Interrupted(KeyboardInterrupt):
     """
 
     table: Table | None
-    """The rows that ``batch``, or ``sweep`` without a file, computed before; else None."""
+    """The rows that ``batch`` (or ``sweep`` without a file) had computed before the interruption;
+    None for other functions."""
     answer: Reply | None
     """The result so far of a function of a command; None if there is none yet."""
 
@@ -88,7 +89,7 @@ class Interrupted(KeyboardInterrupt):
 class LongdriveWarning(UserWarning):
     """A warning about a question or its answer, such as a flight beyond the range of its law.
 
-    Where warnings are errors, the result of the function is in ``answer``.
+    If warnings are raised as errors, ``answer`` has the result of the function.
     """
 
     answer: Any

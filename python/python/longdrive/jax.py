@@ -86,7 +86,7 @@ def outcome(
         shapes = [(outcomes, *(parameters,) * k) for k in range(order + 1)]
         results = [jax.ShapeDtypeStruct(shape, x.dtype) for shape in shapes]
 
-        # only NumPy: JAX within a callback of JAX would wait for itself
+        # uses only NumPy: JAX within a callback of JAX would deadlock
         def host(x: Any) -> Sequence[Any]:
             x = np.asarray(x)
             return [np.asarray(found, dtype=x.dtype) for found in point(x, order)]

@@ -32,7 +32,8 @@ STATUSES = [
     "undefined",
     "misfit",
 ]
-"""Ends of searches. The index in this list is the ``status`` of an optimum, -1 for any other."""
+"""Final statuses of searches. The index in this list is the ``status`` of an optimum; -1 stands for
+any other."""
 
 
 class Optimum(Reply):
@@ -43,8 +44,8 @@ class Optimum(Reply):
     names: list[str]
     """The varied parameters, in the order of ``x``."""
     fun: float
-    """The value of the objective, not negated where it is maximized, SI; NaN without an optimum.
-    Of ``robust``, the value with the setup's own model."""
+    """The value of the objective, SI, not negated for a maximum; NaN without an optimum. For
+    ``robust``, the value with the setup's own model."""
     jac: Floats | None
     """The gradient at the optimum, shape (n,); NaN without an optimum. None for ``robust``, whose
     design balances several models."""
@@ -89,7 +90,8 @@ class Optimum(Reply):
     def hess(self) -> Floats | None:
         """The exact Hessian of the objective at the optimum, SI, shape (n, n).
 
-        Of ``robust``, that with the setup's own model; None for an optimum over many swings.
+        For ``robust``, the Hessian with the setup's own model; None for an optimum over many
+        swings.
         """
         if self["reply"].get("swings") is not None or self["optimum"] is None:
             return None
@@ -156,7 +158,8 @@ def optimum(reply: Reply, request: Request) -> Optimum:
 
 
 def _with_own_model(reply: Reply) -> float | None:
-    """The objective of a robust design with the setup's own model, the first: best less loss."""
+    """The objective of a robust design with the setup's own model, the first of the models: the
+    best value with this model, minus the loss."""
     own = reply["models"][0]
     if own["value"] is None or own["loss"] is None:
         return None

@@ -36,7 +36,7 @@ class Option:
 
     @property
     def is_named(self) -> bool:
-        """True if values belong to the names of parameters or outcomes."""
+        """True if the option takes names of parameters or outcomes with a value each."""
         return "=" in self.value
 
 

@@ -109,15 +109,15 @@ class Question(NamedTuple):
         of : Names
             Outcomes, a name or several; ``"all"`` for every one.
         wrt : Names | None
-            Parameters to differentiate by, a name or several; ``"points"`` for those of the sweep;
-            without it no derivatives.
+            Parameters to differentiate by, a name or several; ``"points"`` for the swept
+            parameters; without it no derivatives.
         histogram : Given | None
             Outcomes with bins, ``{"carry": "200m..300m:64"}``, or ``(low, high, count)`` with
             numbers in SI.
         highest : Mapping[str, int] | str | None
             Outcomes with the number of rows of the highest values to keep, ``{"carry": 10}``.
         lowest : Mapping[str, int] | str | None
-            The same for the lowest values.
+            Outcomes with the number of rows of the lowest values to keep.
         instructions : str | None
             ``"baseline"``, ``"avx2"``, ``"avx512"``, ``"neon"`` or ``"simd128"``, which the
             processor of every worker must have. Without it each worker uses its best, and parts of
@@ -190,7 +190,8 @@ class Question(NamedTuple):
         InputError
             As :func:`longdrive.sweep` does.
         """
-        # the command checks the folder last, before the first drive: a file in its place ends it
+        # the command checks the folder last: a file in place of the folder ends it before the first
+        # drive
         name = "a file in memory"
         part = f"{self.parts}/{self.parts}"
         try:
@@ -301,7 +302,7 @@ def _sweep(
 
 
 def _best(name: str, rows: Mapping[str, int] | str | None) -> list[str] | None:
-    """Outcomes with their number of rows, as texts of the command line."""
+    """Outcomes with the number of rows to keep, as texts of the command line."""
     if isinstance(rows, str):
         return [rows]
     if rows is None:
@@ -403,14 +404,14 @@ def merge(manifests: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
     Raises
     ------
     InputError
-        For the name of a folder, and rows that are none.
+        For the name of a folder, and for rows that are not rows of a manifest.
     """
     import json
 
     if isinstance(manifests, (str, os.PathLike)):
         raise InputError(
             f"manifests is {kind_of(manifests)}; expected the `manifests` of parts; "
-            "longdrive.parts.check tells of a folder what its rows are like"
+            "longdrive.parts.check checks and describes a folder"
         )
 
     def finite(value: Any) -> Any:

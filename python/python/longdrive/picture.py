@@ -43,7 +43,7 @@ class Picture(Reply):
         Parameters
         ----------
         path : str or path
-            The file; its extension is that of the format.
+            The file, with the extension of the format.
         overwrite : bool
             Replace a file that exists.
 
@@ -56,9 +56,6 @@ class Picture(Reply):
         ------
         InputError
             For another extension, a file that exists, and a folder that does not exist.
-
-        Examples
-        --------
 
         Examples
         --------

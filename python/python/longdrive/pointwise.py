@@ -106,7 +106,7 @@ class Pointwise:
 class OutcomeFunction:
     """Outcomes of a setup as a function of another library.
 
-    Its arguments are pickled in place of it, because local functions do not pickle.
+    Pickling stores its arguments, because local functions do not pickle.
     """
 
     def __init__(

@@ -22,7 +22,7 @@ class Reply(dict[str, Any]):
     status: Any
     """The end of the work in one word, such as ``done`` or ``converged``."""
     message: Any
-    """The same in a sentence; None if there is nothing to say."""
+    """The end of the work in a sentence; None if there is nothing to say."""
     warnings: list[str]
     """Warnings about the question or the answer."""
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 __all__ = ["Request"]
 
 _TABLES = {"points", "shots", "data", "strokes", "swings"}
-"""Arguments that take a table, in a file or in memory, if they take a file."""
+"""Arguments that also take a table in memory, if their option takes a file."""
 
 
 class Request:
@@ -52,9 +52,9 @@ class Request:
         self.files: dict[str, bytes] = {}
         """Tables and setups in memory by name."""
         self.output = ""
-        """The output file that stays in memory, if the call names none."""
+        """Name of the output file that stays in memory; empty if the call names a file."""
         self.content: bytes | None = None
-        """The content of this file, after the command."""
+        """The content of the output file in memory, once the command has ended."""
         self.axes: Any = None
         """Axes of matplotlib for a plot."""
         if arguments.get("ax") is not None and arguments.get("output") is not None:

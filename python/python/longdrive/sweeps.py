@@ -104,8 +104,8 @@ def sweep(
     of : Names
         Outcomes, a name or several; ``"all"`` for every one.
     wrt : Names | None
-        Parameters to differentiate by, a name or several; ``"points"`` for those of the sweep;
-        without it no derivatives.
+        Parameters to differentiate by, a name or several; ``"points"`` for the swept
+        parameters; without it no derivatives.
     tolerance : Amount | None
         The largest error of a length, m or a text; without it 1 µm, unless the setup states its
         method or step.
@@ -255,7 +255,7 @@ def _refuse(
     output: PathLike | None,
     is_of_file: bool,
 ) -> None:
-    """Refuses arguments of which one would leave another without effect."""
+    """Refuses two arguments if one of them would make the other ineffective."""
     if points is not None and over is not None:
         raise InputError("over and points both say what is swept; keep one of the two")
     if points is not None and sample is not None:

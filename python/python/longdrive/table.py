@@ -95,7 +95,7 @@ class Table:
         self.of = tuple(of)
         """The outcomes."""
         self.wrt = tuple(wrt)
-        """The parameters by which they are differentiated."""
+        """The parameters by which the outcomes are differentiated."""
         self.parameters = tuple(parameters)
         """The parameters with a value in each row."""
         self._units = tuple(units)
@@ -381,7 +381,8 @@ class Table:
 
 
 def _refuse_difference(first: Table, other: Table, number: int) -> None:
-    """Refuses another table that is not of the same question as the first."""
+    """Refuses a table whose outcomes, derivatives, parameters or setup differ from the first
+    table's."""
     told = {
         "outcomes": (first.of, other.of),
         "derivatives by": (first.wrt, other.wrt),

@@ -19,8 +19,8 @@ __all__ = ["columns_of", "csv_of", "points_in_si"]
 def columns_of(table: Any) -> Any:
     """The columns of a table by name; other values unchanged.
 
-    Of a :class:`longdrive.Table` these are its points. Of a frame that was made of one, statuses,
-    outcomes and derivatives are left out.
+    For a :class:`longdrive.Table`, its points. For a frame that was made from such a table, the
+    columns without statuses, outcomes and derivatives.
     """
     if isinstance(table, Table):
         return table.points
@@ -40,8 +40,8 @@ def columns_of(table: Any) -> Any:
 def points_in_si(table: Any) -> dict[str, Any] | None:
     """The points of a table whose columns are known to be in SI; None for other tables.
 
-    These are a :class:`longdrive.Table`, and a table of pyarrow or pandas that was made of one: its
-    metadata or ``attrs`` has their units.
+    These are a :class:`longdrive.Table`, and a table of pyarrow or pandas that was made from it,
+    whose metadata or ``attrs`` has the units.
     """
     if isinstance(table, Table):
         return table.points

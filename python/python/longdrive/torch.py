@@ -106,7 +106,8 @@ def outcome(
             return batched(Curvatures, info, in_dims, x), (0, 0, 0)
 
     class Slopes(Function):
-        """Values and Jacobian: the Jacobian is a result of its own, so that it is computed with the values and differentiated again."""
+        """Values and Jacobian. The Jacobian is a separate result, so that it is computed with the
+        values and can be differentiated again."""
 
         @staticmethod
         def forward(x: torch.Tensor) -> tuple[torch.Tensor, ...]:
@@ -143,7 +144,7 @@ def outcome(
             return batched(Slopes, info, in_dims, x), (0, 0)
 
     def batched(function: Any, info: Any, in_dims: tuple[int | None, ...], x: torch.Tensor) -> Any:
-        # one call for all points: the first dimensions of every result are theirs
+        # one call for all points: the first dimensions of every result run over the points
         at = in_dims[0]
         return function.apply(
             x.expand(info.batch_size, *x.shape) if at is None else x.movedim(at, 0)

@@ -11,9 +11,11 @@ use std::sync::LazyLock;
 /// 1 rpm, rad/s.
 const RPM: f64 = PI / 30.0;
 
-/// Widths of the clamps of speed, m/s, and spin, rpm, beyond the edges of the grid. They are narrow
-/// where the coefficients are steep: at 13.7 m/s and 2000 rpm the lift halves within 200 rpm.
+/// Widths of the lower and the upper clamp of the speed beyond the grid, m/s. The lower clamps of
+/// speed and spin are narrow, because the coefficients are steep there: at 13.7 m/s and 2000 rpm
+/// the lift halves within 200 rpm.
 const SPEED_OVER: [f64; 2] = [1.0, 4.0];
+/// Width of both clamps of the spin beyond the grid, rpm.
 const SPIN_OVER: f64 = 100.0;
 
 /// Measured speeds, m/s. The last column of the grid, 88.1 m/s, is not measured: it repeats the drag
@@ -75,7 +77,8 @@ impl<T: Numbers> AerodynamicLaw<T> for BearmanHarvey<T> {
             spin: Some(SPINS.map(|rpm| rpm * RPM)),
             speed: Some(MEASURED),
             to: "a wind tunnel, Bearman & Harvey 1976",
-            // the speed is not clamped at 80.2 m/s: the grid has one column more than was measured
+            // the upper clamp of the speed begins at the last column, 88.1 m/s, above the measured
+            // speeds
             held: [[false; 2], [true; 2], [false; 2], [true, false]],
             ..Fitted::UNKNOWN
         }

@@ -120,7 +120,8 @@ impl Level {
             },
             #[cfg(target_arch = "aarch64")]
             Self::Neon => task.run::<registers::Pack2>(),
-            // a module with these vectors runs only where they exist, so it needs no other copy
+            // a WebAssembly module compiled with SIMD runs only on hosts with SIMD, so it needs no
+            // other copy
             #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
             _ => task.run::<registers::Pack2>(),
             #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
@@ -128,7 +129,8 @@ impl Level {
         }
     }
 
-    /// Runs a task of many drives as [`run_one_drive`](Self::run_one_drive) does, or with AVX-512.
+    /// Runs a task of many drives: like [`run_one_drive`](Self::run_one_drive), but also with
+    /// AVX-512.
     #[inline]
     #[allow(
         unsafe_code,

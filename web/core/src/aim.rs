@@ -1,7 +1,8 @@
 //! Two parameters for a landing point, by Newton's method with exact first and second derivatives:
 //! each step goes to the point where the quadratic model of the landing comes nearest to the
-//! target, within the ranges. The curvature matters, since carry has a maximum over loft. A search
-//! far from the target begins where a grid of drives is near to it.
+//! target, within the ranges. The curvature matters, since carry has a maximum over loft. If the
+//! setup's landing is far from the target, the search begins at nodes of a grid whose landings are
+//! near to it.
 
 use crate::message;
 use crate::refusal::Refusal;
@@ -16,18 +17,19 @@ use longdrive::{Error, Outcome, Setup};
 use serde::{Deserialize, Serialize};
 use std::cell::Cell;
 
-/// A landing this near to the target has reached it, m.
+/// Distance between landing and target, m, that ends the search.
 const REACHED: f64 = 1e-3;
 
-/// A landing this near to the target is within the reach of a few steps, m.
+/// Distance between landing and target, m, that a few steps of Newton's method can close.
 const NEAR: f64 = 10.0;
 
-/// A step below this part of each range ends the search.
+/// Smallest step, as a fraction of each range; a smaller step ends the search.
 const SHORTEST: f64 = 1e-7;
 
-/// The largest number of drives of a search, and of a search from one of several starts: few are
-/// enough, unless the target lies on the other side of a maximum.
+/// The largest number of drives of the last search, from the best point so far.
 const MOST_DRIVES: u64 = 20;
+/// The largest number of drives of a first search from each start: few are enough, unless the
+/// target lies on the other side of a maximum.
 const FIRST_DRIVES: u64 = 3;
 
 /// The largest number of halvings of a step.
@@ -149,8 +151,8 @@ impl Aim {
         self.search(best, MOST_DRIVES)
     }
 
-    /// The points where the landing, linear in the triangles of a grid, is at the target; last the
-    /// node that lands nearest to it.
+    /// Starts of the search: the points where the landing, interpolated linearly in the triangles
+    /// of a grid, is at the target. The last start is the node that lands nearest to the target.
     fn starts(&self, from: [f64; 2]) -> Result<Vec<[f64; 2]>, Error> {
         let [across, up] = self.vary;
         let plane = Plane::fly(&self.setup, &LANDING, across, up, NODES, Order::Value)?;
@@ -175,7 +177,7 @@ impl Aim {
             let y = corner[1] + t * (above[1] - corner[1]);
             starts.push((zero.is_outside, self.change(from, [x, y]), [x, y]));
         }
-        // a drive like that of the setup first
+        // begin with the start that is nearest to the setup's own values
         starts.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
         let mut starts: Vec<_> = starts.into_iter().map(|(.., start)| start).collect();
         let distance = |node: &usize| misses[*node][0].hypot(misses[*node][1]);
@@ -186,7 +188,7 @@ impl Aim {
         Ok(starts)
     }
 
-    /// Continues a search until the landing comes no nearer, or for this number of drives.
+    /// Continues a search until no step lands nearer to the target, or for this number of drives.
     fn search(&self, mut best: Point, drives: u64) -> Result<Point, Error> {
         let last = self.drives.get() + drives;
         while best.distance() > 0.5 * REACHED && self.drives.get() < last {
@@ -198,7 +200,7 @@ impl Aim {
         Ok(best)
     }
 
-    /// The drive after a step, if it lands nearer to the target. A step to a drive that does not
+    /// The drive after a step, if it lands nearer to the target. A step that does not land nearer
     /// is halved.
     fn step(&self, best: &Point) -> Result<Option<Point>, Error> {
         let mut to = self.nearest(best)?;
@@ -243,10 +245,10 @@ impl Aim {
         Ok(to)
     }
 
-    /// The largest change between two points, in parts of the ranges.
+    /// The largest change between two points, as a fraction of the ranges.
     fn change(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
         let parts = [0, 1].map(|k| (to[k] - from[k]) / (self.vary[k].high - self.vary[k].low));
-        // NaN in a range of one value, where nothing changes
+        // in a range of one value the quotient is NaN, which `max` ignores
         parts
             .into_iter()
             .fold(0.0, |most, part| most.max(part.abs()))
@@ -282,8 +284,8 @@ impl Functions for Model<'_> {
     }
 }
 
-/// The triangles of the grid, two to a cell: the corner at its right angle, the node beside it and
-/// the one above or below it.
+/// The triangles of the grid, two in each cell: the corner at its right angle, the node beside it
+/// and the one above or below it.
 fn triangles() -> impl Iterator<Item = [usize; 3]> {
     let [columns, rows] = NODES;
     let cells = (0..rows - 1).flat_map(move |row| (0..columns - 1).map(move |k| row * columns + k));
@@ -295,14 +297,14 @@ fn triangles() -> impl Iterator<Item = [usize; 3]> {
 
 /// The place where a function that is linear in a triangle vanishes.
 struct Zero {
-    /// The parts of the two sides from the corner.
+    /// Position along the two sides from the corner, as fractions of their lengths.
     parts: [f64; 2],
-    /// True if it is outside of the triangle.
+    /// True if the position is outside of the triangle.
     is_outside: bool,
 }
 
 impl Zero {
-    /// The zero in a triangle or slightly outside of it, since the landing is curved.
+    /// The zero in a triangle, or slightly outside of it because the landing is not exactly linear.
     fn of([corner, side, above]: [[f64; 2]; 3]) -> Option<Self> {
         const SLACK: f64 = 0.1;
         let [a, b] = [side, above].map(|end| [end[0] - corner[0], end[1] - corner[1]]);
@@ -317,7 +319,7 @@ impl Zero {
     }
 }
 
-/// The message of a target that the ranges do not reach.
+/// Message for a target that no landing within the ranges reaches.
 fn unreached(checked: &CheckedSetup<'_>, vary: &[Vary; 2], distance: f64) -> String {
     let [first, second] = vary.map(|range| {
         let [low, high] = [range.low, range.high].map(|end| range.parameter.show(Some(end)));

@@ -17,7 +17,7 @@ const PROGRAM: &str = "longdrive";
 /// The width of answers as text, columns.
 const WIDTH: usize = 80;
 
-/// Receives the completed and all parts of long work.
+/// Receives the number of completed parts of long work, and the number of all parts.
 pub type ShowProgress = fn(done: f64, of: f64);
 
 /// The largest answer, bytes.
@@ -53,7 +53,7 @@ enum Mentions {
     /// Options, as on the command line.
     #[default]
     Program,
-    /// Fields.
+    /// Names of fields, without hyphens.
     Page,
 }
 
@@ -67,7 +67,7 @@ struct Head {
     files: Vec<FileOfBlock>,
 }
 
-/// A message beside the answer.
+/// A message of the command in addition to its answer.
 #[derive(Serialize)]
 struct Said {
     kind: &'static str,

@@ -26,7 +26,7 @@ pub struct Request {
     order: u8,
     #[serde(default)]
     diagonal: bool,
-    /// False for the derivatives alone.
+    /// False if only derivatives are requested.
     #[serde(default = "yes")]
     outcomes: bool,
     #[serde(default)]
@@ -107,7 +107,7 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
 }
 
 impl Head<'_> {
-    /// Appends the value of every outcome, and takes over status and warnings of the drive.
+    /// Appends the value of every outcome, and copies status and warnings of the drive.
     fn append_outcomes(
         &mut self,
         drive: &Drive<f64>,
@@ -178,7 +178,8 @@ impl Columns {
         Ok(columns)
     }
 
-    /// Derivatives by the known parameters in the columns of all, NaN for the others.
+    /// Expands derivatives by the known parameters to the columns of all parameters, with NaN for
+    /// the others.
     fn widened(&self, taylor: &Taylor) -> Taylor {
         let known = &self.known;
         let mut wide = undefined(self.count);
@@ -202,7 +203,8 @@ struct Derivatives<'a> {
 }
 
 impl Derivatives<'_> {
-    /// Appends gradients and Hessians, NaN where they do not exist. Returns what is missing.
+    /// Appends gradients and Hessians, NaN where they do not exist. Returns the missing
+    /// derivatives.
     fn append(mut self, of: &[Outcome], numbers: &mut Vec<f64>) -> Result<Vec<Missing>, Refusal> {
         if of.is_empty() || self.columns.count == 0 || self.order == Order::Value {
             return Ok(vec![]);

@@ -28,7 +28,7 @@ impl<'a> Message<'a> {
             let (head, block) = rest.split_at_checked(head)?;
             is_whole.then_some(Self { head, block })
         };
-        parts().ok_or_else(|| Refusal::of_request("its lengths are not those of its bytes"))
+        parts().ok_or_else(|| Refusal::of_request("its lengths do not fit its number of bytes"))
     }
 }
 

@@ -17,7 +17,7 @@ pub struct Refusal {
 }
 
 impl Refusal {
-    /// The refusal of a request that the page made wrongly.
+    /// The refusal of a malformed request, which is an error of the page.
     pub fn of_request(why: &str) -> Self {
         Self {
             status: "error",
@@ -55,7 +55,8 @@ impl Refusal {
     }
 }
 
-/// The place of a parameter in a message. A launch condition may be without its group.
+/// The place of a parameter in a message. The message may name a launch condition without its
+/// group.
 fn place(message: &str, name: &str) -> Option<usize> {
     let is_of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
     let whole = |name: &str| {

@@ -1,4 +1,4 @@
-//! What the requests have in common: a setup, ranges of parameters, and units.
+//! Parts that the requests share: a setup, ranges of parameters, and units.
 
 use crate::refusal::Refusal;
 use crate::words::in_page_words;
@@ -8,7 +8,7 @@ use longdrive::{Error, Outcome, Setup};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
-/// The name of a setup file without one, in messages.
+/// Name, in messages, of a setup file that has no name.
 const SETUP_FILE: &str = "setup";
 
 /// A setup: a preset or a setup file, and changes.
@@ -170,7 +170,7 @@ impl CheckedSetup<'_> {
     /// The range of a parameter.
     ///
     /// # Errors
-    /// For an unknown name, a value that is no number of the parameter, and a reversed range.
+    /// For an unknown name, an end that is not a number of the parameter, and a reversed range.
     pub fn range(&self, range: &RangeRequest) -> Result<Vary, Refusal> {
         let read = || {
             let parameter = self.setup.variable(&range.name)?;

@@ -1,4 +1,4 @@
-//! The integration of a session: the longest step with which the drives of some ranges are
+//! The integration of a session: the longest step with which all drives in some ranges are
 //! accurate.
 
 use crate::message;

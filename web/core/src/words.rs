@@ -2,7 +2,7 @@
 
 use longdrive::command::{Argument, Mention, with_mentions};
 
-/// A message whose arguments are those of the page: fields, without hyphens.
+/// A message with arguments in the syntax of the page: fields, without hyphens.
 pub fn in_page_words(message: &str) -> String {
     with_mentions(message, page_words)
 }

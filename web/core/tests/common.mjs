@@ -1,4 +1,4 @@
-// What the tests share: the core, the program, and random setups.
+// Shared by the tests: the core, the program, and random setups.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -15,7 +15,7 @@ for (const needed of [file, program]) {
 }
 const module = new WebAssembly.Module(readFileSync(file));
 
-/** A folder without files: what the program would find on disk, the core must not find. */
+/** An empty folder: the core must not find the files that the program would find on disk. */
 const empty = mkdtempSync(join(tmpdir(), 'longdrive-core-'));
 
 /** A new instance. */
@@ -74,5 +74,5 @@ export function randomSetup(next) {
   return { preset: PRESETS[Math.floor(next() * PRESETS.length)], set };
 }
 
-/** The words that give a setup on the command line. */
+/** The arguments that give a setup on the command line. */
 export const wordsOf = ({ preset, set }) => [preset, ...Object.entries(set).flatMap(([name, value]) => ['--set', `${name}=${value}`])];

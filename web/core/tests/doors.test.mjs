@@ -43,7 +43,7 @@ test('same outcomes and derivatives of a drive as the program', () => {
     }
     const words = ['gradient', ...wordsOf(setup), '--hessian', '--of', 'carry,total,spin', '--wrt', wrt.join(','), '--json'];
     const told = JSON.parse(run(words).stdout).outcomes;
-    // a price tag: yards per degree, mph or inch
+    // units of prices, SI: yards per degree, mph or inch
     const units = [DEG, 0.44704, DEG, 0.0254, 0.44704];
     derivatives.forEach(({ of, gradient, hessian }, k) => {
       const size = of === 'spin' ? 1 : YARD;
@@ -377,7 +377,7 @@ test('malformed input gets a message and never a trap', async () => {
   };
   const values = [null, -1, 0, 1e308, -1e308, 1e-320, '', 'deg', '10 deg', 'none', [], {}, [1, 2], true, '\u0000', 'inf', '-inf', 'nan', '..'];
   const pick = from => from[Math.floor(next() * from.length)];
-  /** A copy with one value anywhere replaced, or removed. */
+  /** A copy in which one value, at a random place, is replaced or removed. */
   const changed = value => {
     if (value === null || typeof value !== 'object' || next() < 0.3) return pick(values);
     const copy = Array.isArray(value) ? [...value] : { ...value };

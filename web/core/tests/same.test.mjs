@@ -1,4 +1,4 @@
-// The core beside the program: the same numbers, statuses and messages.
+// Compares the core with the program: numbers, statuses and messages are equal.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { random, randomSetup, run, start, wordsOf } from './common.mjs';
@@ -7,16 +7,19 @@ const core = await start();
 const next = random(56);
 const setups = Array.from({ length: 100 }, () => randomSetup(next));
 
-/** The largest difference, in parts of the size of the outcome. */
+/** The largest difference, as a fraction of the size of the outcome. */
 const ROUNDING = 1e-12;
 
-/** The same of second derivatives of the total, where each bounce enlarges the rounding of the one before. */
+/**
+ * The largest difference of second derivatives of the total: each bounce amplifies the rounding
+ * error of the bounce before.
+ */
 const ROUNDING_OF_BOUNCES = 1e-11;
 
-/** The optimizer's tolerance: a gradient that vanishes at an optimum is known to it. */
+/** The optimizer's tolerance, up to which a gradient that vanishes at an optimum is known. */
 const KKT = 1e-10;
 
-/** Words in a row, as standard error has them between line breaks. */
+/** The words of a text in one line: standard error has line breaks between them. */
 const inLine = text => text.replace(/\s+/g, ' ').trim();
 
 /** A text without the digits of a KKT residual, which is a rounding error at an optimum. */

@@ -7,7 +7,7 @@ declare module '*.css';
 declare module 'virtual:catalog' {
   import type { Choice, Parameter, Preset } from './setup/parameters';
 
-  /** What the program lists: `parameters --json` and `presets --json` with integrations. */
+  /** The lists of the program: `parameters --json` and `presets --json` with integrations. */
   const listed: { parameters: Parameter[]; choices: Choice[]; presets: Preset[] };
   export default listed;
 }

@@ -6,12 +6,14 @@ use crate::number::{Numbers, inlined};
 /// 1.5·2⁵²: adding it rounds a number to an integer in the low bits of the mantissa.
 pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
-/// ln 2 in two parts; integer multiples of the first are exact (Cody & Waite 1980).
+/// Leading digits of ln 2: integer multiples are exact (Cody & Waite 1980).
 const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
+/// Remaining digits of ln 2.
 const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 
-/// Clamp limits of x: beyond them eˣ is 0 or ∞ for practical purposes.
+/// Lower clamp of x: below it eˣ is 0 for practical purposes.
 const LEAST: f64 = -708.0;
+/// Upper clamp of x: above it eˣ is ∞ for practical purposes.
 const GREATEST: f64 = 709.0;
 
 /// Taylor coefficients 1/n!.

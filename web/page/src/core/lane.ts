@@ -1,5 +1,5 @@
-// A worker as the page sees it: one piece of work at a time, and for each topic at most one that
-// waits. A newer piece replaces the one that waits; the answer to a replaced piece is null. The
+// A worker as the page uses it. It does one piece of work at a time; for each topic at most one
+// piece waits. A newer piece replaces the waiting piece of its topic, whose answer is null. The
 // thread begins at once; work waits for the core.
 import workerCode from 'virtual:worker';
 import type { Packed } from './load';
@@ -13,13 +13,13 @@ interface Job {
 
 type Answer = { numbers: Numbers[]; milliseconds: number } | { reply: Reply };
 
-/** The part of long work that is done. */
+/** The progress of long work: parts done, and all parts. */
 export interface Progress {
   done: number;
   of: number;
 }
 
-/** A worker that traps this often without an answer in between is not begun again. */
+/** Number of traps without an answer in between, after which a worker is not begun again. */
 const MOST_TRAPS = 5;
 
 export class Lane {
@@ -35,7 +35,7 @@ export class Lane {
   #onStart = { started: (_: WebAssembly.Module) => {}, failed: (_: Error) => {} };
   /** Receives the message of a trap, after which the worker begins anew. */
   onTrap: (message: string) => void = () => {};
-  /** Called when nothing is under way and nothing waits. */
+  /** Called when no work is running or waiting. */
   onIdle: () => void = () => {};
   /** Receives the progress of long work; null when it ends. */
   onProgress: (progress: Progress | null) => void = () => {};
@@ -55,7 +55,10 @@ export class Lane {
     return answer && 'numbers' in answer ? answer : null;
   }
 
-  /** The answer to a command, or null if a newer one of the topic came first or it was ended. */
+  /**
+   * The answer to a command; null if a newer command of the topic came first, or if the command was
+   * ended.
+   */
   async command(topic: string, words: string[], files: Record<string, Uint8Array> = {}) {
     const answer = await this.#queue(topic, { kind: 'command', command: { words, files } });
     return answer && 'reply' in answer ? answer.reply : null;

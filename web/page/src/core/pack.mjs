@@ -4,7 +4,7 @@
 const ESCAPE = 0x3d;
 /** NUL, carriage return, '<' and '='. */
 const ESCAPED = [0x00, 0x0d, 0x3c, ESCAPE];
-/** What is added to an escaped byte. */
+/** The offset that is added to an escaped byte. */
 const SHIFT = 0x40;
 
 /**

@@ -41,7 +41,7 @@ interface DriveHead {
   warnings?: string[];
 }
 
-/** The place of the numbers after the outcomes and derivatives. */
+/** Index of the first number after the outcomes and derivatives. */
 function afterDerivatives({ outcomes, of, wrt, order, diagonal }: DriveHead): number {
   const n = wrt.length;
   const second = diagonal ? n : n * n;
@@ -78,13 +78,16 @@ interface Missing {
   message: string;
 }
 
-/** Why the first outcome of `of` has no derivative by a parameter. */
+/** Reasons why the first outcome of `of` has no derivative by a parameter. */
 export function readMissing({ head }: Numbers): Map<string, string> {
   const { missing } = head as unknown as { missing: Missing[] };
   return new Map(missing.flatMap(({ wrt, message }) => (wrt === null ? [] : [[wrt, message] as const])));
 }
 
-/** The derivatives of the first outcome of `of` by each parameter that has them; of its Hessian, the diagonal. */
+/**
+ * The derivatives of the first outcome of `of` by each parameter that has them: the gradient, and
+ * the diagonal of the Hessian.
+ */
 export function readSlopes({ head, block }: Numbers): Map<string, Slope> {
   const { outcomes, wrt } = head as unknown as DriveHead;
   const n = wrt.length;

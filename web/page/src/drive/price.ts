@@ -19,7 +19,7 @@ export function bandOf(value: number, { first, second }: Slope, loss: number): B
   const curvature = second / 2;
   const root = first * first - 4 * curvature * loss;
   if (Math.abs(curvature) * loss < 1e-12 * first * first || curvature === 0) {
-    // a line
+    // without curvature the model is a line
     if (first > 0) low = -loss / first;
     if (first < 0) high = -loss / first;
   } else if (root >= 0) {
@@ -33,12 +33,12 @@ export function bandOf(value: number, { first, second }: Slope, loss: number): B
   return { low: value + low, high: value + high };
 }
 
-/** Units whose single unit is worth too little to be printed. */
+/** Number of units in a printed price; the price of a single unit would be too small. */
 const STEPS: Readonly<Record<string, number>> = {
   rpm: 100, ft: 1000, m: 100, degF: 10, degC: 10, 'g cm^2': 100, hPa: 10, 'rad/s': 1,
 };
 
-/** Parameters whose unit is small for what they usually are. */
+/** Numbers of units that take precedence over `STEPS`, by parameter. */
 const STEPS_OF: Readonly<Record<string, number>> = { 'wind.from': 10, 'ground.height': 1 };
 
 export interface Price {

@@ -1,4 +1,4 @@
-// Yours, the best, the difference, and the worth of a further degree.
+// Your drive, the best drive, their difference, and the worth of a further degree.
 import { useComputed } from '@preact/signals';
 import { priceOf } from '../drive/price';
 import { labelOf } from '../setup/parameters';
@@ -75,10 +75,10 @@ function ValueRow({ name, theirs }: { name: string; theirs: number }) {
   );
 }
 
-/** The zero of a scale with an offset, so that a difference of temperatures has none. */
+/** The number of this unit at 0 SI, so that a difference of temperatures has no offset. */
 const zero = (unit: string) => (unit === 'degC' ? 273.15 : unit === 'degF' ? 255.372222 : 0);
 
-/** The worth of a further degree, at yours and beyond the bounds of the best. */
+/** The worth of a further degree, at your drive and beyond the bounds of the best drive. */
 function Worth() {
   const { explorer } = usePage();
   const { slopes, best } = explorer;

@@ -108,7 +108,7 @@ interface Difference {
   by_launch: { shares: Share[] } | null;
 }
 
-/** What `compare` says about the first design and another one. */
+/** The answer of `compare` about the first design and another one. */
 function Causes({ other }: { other: number }) {
   const { explorer } = usePage();
   const { designs, goal, units } = explorer.state.value;

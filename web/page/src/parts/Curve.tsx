@@ -6,11 +6,11 @@ import { line } from './scale';
 interface Props {
   drive: Drive;
   name: string;
-  /** What is drawn over the distance. */
+  /** The coordinate that is drawn over the distance. */
   axis: 'height' | 'right';
   x: (metres: number) => number;
   y: (metres: number) => number;
-  /** A text that is another one when `x` or `y` is. */
+  /** A key that changes whenever `x` or `y` changes. */
   scale: string;
 }
 

@@ -1,4 +1,4 @@
-// The strike point on the face, to drag. The two strike sliders do the same by keyboard.
+// The strike point on the face, to drag. The two strike sliders move it by keyboard.
 import { useComputed } from '@preact/signals';
 import { withValues } from '../setup/design';
 import { digits, fromSI, textOf } from '../setup/units';
@@ -12,7 +12,7 @@ const SCALE = 2200;
 const WIDTH = 2 * HALF[0] * SCALE + 20;
 const HEIGHT = 2 * HALF[1] * SCALE + 20;
 
-/** A strike beside the face is drawn at its edge. */
+/** A strike outside of the picture is drawn at its edge. */
 const inside = (pixel: number, end: number) => Math.min(end, Math.max(0, pixel));
 
 export function FaceView() {

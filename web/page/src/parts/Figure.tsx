@@ -1,4 +1,5 @@
-// Pictures with their name, a sentence and a table that say the same, and tables; both with their files.
+// Pictures, each with a name, a sentence and a table of the same content; tables without a picture;
+// buttons that download both.
 import type { ComponentChildren, Ref } from 'preact';
 import { useState } from 'preact/hooks';
 import { download, pictureOf } from './download';
@@ -12,15 +13,15 @@ interface Props {
   name: string;
   title: string;
   sentence: string;
-  /** Made only where it is seen. */
+  /** Computed only when the table is visible. */
   table: () => Table;
-  /** The place of a picture that takes its width. */
+  /** The element around the picture, whose width the picture takes. */
   place?: Ref<HTMLDivElement>;
   children: ComponentChildren;
   below?: ComponentChildren;
-  /** The sentence is told when it changes. */
+  /** True if screen readers announce a change of the sentence. */
   isLive?: boolean;
-  /** The table is seen at first. */
+  /** True if the table is open at first. */
   isOpen?: boolean;
   /** The row of the table that the picture shows. */
   at?: number;
@@ -62,7 +63,7 @@ interface SavedProps {
   numbers: () => unknown;
 }
 
-/** The files of a table that is seen without a picture. */
+/** Buttons that download a table without a picture. */
 export function TableFiles({ name, table, numbers }: SavedProps) {
   return (
     <p class="buttons">

@@ -79,7 +79,7 @@ export function Files() {
   );
 }
 
-/** The words that find the best drive. */
+/** The arguments of the command that finds the best drive. */
 function wordsOf(explorer: Explorer): string[] {
   const state = explorer.state.value;
   const words = bestWords(explorer, state, explorer.design.value, varyOf(state));

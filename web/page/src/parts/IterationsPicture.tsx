@@ -18,7 +18,7 @@ import { Areas, HEIGHT, levelsOf, linesOf, MapScales, planOf, TOP } from './MapP
 import type { Plan } from './MapPicture';
 import { line, MARGIN } from './scale';
 
-/** Nodes of the map along a side, and of a curve. */
+/** Nodes of the map along a side, and nodes of a curve. */
 const NODES = 40;
 const CURVE = 121;
 
@@ -41,17 +41,20 @@ export function IterationsPicture(props: Props) {
     if (!first) return undefined;
     return isRefused(first) ? null : readMap(first, axes);
   });
-  // the map of other parameters, until the new one comes
+  // the last map is of other parameters: wait for the new one
   if (!map || map.across !== axes.across || (!isCurve && map.up !== axes.up)) return null;
   return isCurve ? <CurvePicture {...props} map={map} /> : <PlanePicture {...props} map={map} />;
 }
 
-/** The parameters of the picture: those that vary, or those of the map. */
+/**
+ * The parameters of the picture: the varied ones if there are at most two, else the parameters of
+ * the map.
+ */
 function axesOf({ names, ranges }: Iterations, explorer: Explorer): MapAxes {
   const { goal } = explorer.state.value;
   const ofMap = mapOf(explorer.state.value);
   if (names.length === 1) {
-    // a map with one value of a parameter that every setup has is a curve
+    // a curve is a map whose second axis has one value, of a parameter that every setup has
     const up = names[0] === 'gravity' ? 'ball.mass' : 'gravity';
     const value = explorer.value(up) ?? NaN;
     return { across: names[0]!, up, ranges: [ranges[0]!, { low: value, high: value, step: 0 }], goal };
@@ -61,7 +64,9 @@ function axesOf({ names, ranges }: Iterations, explorer: Explorer): MapAxes {
   return { across, up, ranges: [range(across), range(up)], goal };
 }
 
-/** A value of each iterate on an axis: your own one, if the parameter does not vary. */
+/**
+ * The coordinate of an iterate on an axis: the value of your drive, if the parameter does not vary.
+ */
 function coordinate(x: ArrayLike<number>, { names }: Iterations, name: string, explorer: Explorer): number {
   const varied = names.indexOf(name);
   return varied < 0 ? explorer.value(name) ?? NaN : x[varied] ?? NaN;
@@ -107,7 +112,7 @@ function PlanePicture({ iterations, at, width, sentence, map }: Props & { map: M
   );
 }
 
-/** Contours of the quadratic model; parameters that are not on an axis are those of the iterate. */
+/** Contours of the quadratic model; parameters without an axis have their values at the iterate. */
 function modelLines(iteration: Iteration, { names }: Iterations, map: MapData, plan: Plan, levels: number[]): string {
   const [across, up] = [map.across, map.up].map((name) => names.indexOf(name)) as [number, number];
   const values = Array.from({ length: NODES * NODES }, (_, node) => {
@@ -170,7 +175,7 @@ const Legend = ({ width }: { width: number }) => (
 
 const tickText = (tick: number) => digits(tick, Number.isInteger(tick) ? 0 : 1);
 
-/** Room above the curve and below it, as a part of its height. */
+/** Room above the curve and below it, as a fraction of its height. */
 const ROOM = 0.15;
 
 function CurvePicture({ iterations, at, width, sentence, map }: Props & { map: MapData }) {

@@ -1,4 +1,4 @@
-// Contours of the loop's carry over the map of the exact one.
+// Contours of the loop's carry over the map of the exact carry.
 import { useMemo } from 'preact/hooks';
 import { isRefused } from '../drive/drive';
 import { digits } from '../setup/units';
@@ -12,7 +12,7 @@ import { inLength, lengthUnit } from './lengths';
 import { levelsOf, linesOf, planOf } from './MapPicture';
 import type { Grid } from './MapPicture';
 
-/** Nodes along a side: few at once, then more. */
+/** Nodes along a side: a coarse map at once, then a fine one. */
 const COARSE = 16;
 const FINE = 48;
 
@@ -32,7 +32,7 @@ async function fly(explorer: Explorer, map: MapData, nodes: number, step: number
   return { key, columns: nodes, rows: nodes, values, worst: Math.max(...rows.map(worstOf)) };
 }
 
-/** The loop over the map, and what it says; null where the loop is not over it. */
+/** The map of the loop and a sentence about it; null if the loop is not drawn over the map. */
 export function useLoop(map: MapData | null) {
   const { explorer } = usePage();
   const step = explorer.loopStep.value;

@@ -1,4 +1,5 @@
-// The loop over the slider of the chosen parameter: how far its carry is from the exact one.
+// The loop over the slider of the chosen parameter: the difference of its carry from the exact
+// carry.
 import { isRefused } from '../drive/drive';
 import { labelOf } from '../setup/parameters';
 import { digits } from '../setup/units';
@@ -14,7 +15,7 @@ import { KNOB } from './Track';
 
 const NODES = 400;
 const HEIGHT = 40;
-/** Room for the line of the exact carry. */
+/** Height that is kept free for the line of the exact carry, pixels. */
 const ROOM = 4;
 
 export function LoopTrack({ name }: { name: string }) {
@@ -27,7 +28,7 @@ function Teeth({ name, step }: { name: string; step: number }) {
   const { explorer } = usePage();
   const { low, high, step: difference } = explorer.travel(name);
   const { preset, set } = explorer.design.value;
-  // the parameter itself does not change what its slider has
+  // the loop along a parameter does not depend on the parameter's own value
   const others = Object.entries(set).filter(([each]) => each !== name);
   const key = JSON.stringify([name, low, high, step, preset, others]);
   const loop = useAnswer(key, 150, async () => {

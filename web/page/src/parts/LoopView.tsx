@@ -19,7 +19,7 @@ import { useWidth } from './size';
 
 const NODES = 300;
 const HEIGHT = 170;
-/** The part of a slider's travel that is shown. */
+/** The fraction of a slider's travel that is shown. */
 const PART = 0.06;
 
 async function flyLoop(explorer: Explorer, name: string, step: number, difference: number): Promise<Loop | { refused: string } | undefined> {
@@ -69,7 +69,7 @@ function Lecture({ explorer }: { explorer: Explorer }) {
   );
 }
 
-/** Whether the loop is laid over the map and the slider, while this view is open. */
+/** A switch that lays the loop over the map and the slider, while this view is open. */
 function Overlay({ step, name }: { step: number; name: string }) {
   const { explorer } = usePage();
   const [isOver, setOver] = useState(false);

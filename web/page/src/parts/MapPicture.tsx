@@ -1,4 +1,4 @@
-// What pictures over two parameters share: the plan, areas between contours, lines and scales.
+// Shared by pictures over two parameters: the plan, areas between contours, lines and scales.
 import { contours } from 'd3-contour';
 import { useMemo } from 'preact/hooks';
 import { labelOf } from '../setup/parameters';
@@ -101,7 +101,7 @@ export function levelsOf(map: MapData, units: System): number[] {
   return ticks(fromSI(from, unit), fromSI(high, unit), LEVELS).map((level) => toSI(level, unit));
 }
 
-/** Below every level, where a drive does not land. */
+/** The value of a drive that does not land, below every level. */
 const NONE = -1;
 
 const ringsOf = ({ columns, rows, values }: Grid, levels: number[]) =>

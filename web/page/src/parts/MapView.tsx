@@ -94,7 +94,7 @@ function Picture({ map, width, sentence, loop }: PictureProps) {
   );
 }
 
-/** The place of your drive, which moves while the map stays. */
+/** The point of your drive, which moves while the map stays. */
 function Yours({ map, plan }: { map: MapData; plan: Plan }) {
   const { explorer } = usePage();
   const x = plan.x(explorer.value(map.across) ?? NaN);
@@ -107,7 +107,7 @@ const Star = ({ x, y }: { x: number; y: number }) => (
   <path class="ghost star" d={`M${x - 7},${y}H${x + 7}M${x},${y - 7}V${y + 7}`} />
 );
 
-/** Every twelfth or so value of the map. */
+/** The table of the map, with about every twelfth value. */
 function tableOf(map: MapData, units: 'us' | 'metric', explorer: Explorer) {
   const every = Math.max(1, Math.round(map.columns / 6));
   const take = (count: number) => Array.from({ length: count }, (_, k) => k)

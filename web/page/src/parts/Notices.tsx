@@ -1,4 +1,4 @@
-// What went wrong, what a link had too much, and how far a long command is.
+// Notices: errors, parts of a link that are unknown, and the progress of a long command.
 import { usePage } from './context';
 
 export function Notices() {

@@ -1,4 +1,4 @@
-// The numbers of a launch monitor: yours beside the best drive.
+// The numbers of a launch monitor: your drive beside the best drive.
 import { usePage } from './context';
 import { TableFiles, TableView } from './Figure';
 import { outcomesOf, ROWS, shown } from './outcomes';

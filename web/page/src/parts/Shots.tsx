@@ -1,4 +1,4 @@
-// Shots of a launch monitor: a CSV is flown, with measured beside computed.
+// Shots of a launch monitor: the page flies a CSV file and shows measured beside computed numbers.
 import { useState } from 'preact/hooks';
 import { fromSI, digits, signed, symbolOf } from '../setup/units';
 import type { Design } from '../setup/design';
@@ -33,7 +33,7 @@ interface Result {
 
 const OUTPUT = 'flown.csv';
 
-/** Groups of parameters that a measured shot brings itself. */
+/** Groups of parameters that the measured shots give. */
 const MEASURED = ['swing', 'club', 'strike', 'impact', 'launch'];
 
 /** The setup of the flight: `fly` refuses values of a club that no row uses. */

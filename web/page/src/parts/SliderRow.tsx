@@ -54,7 +54,7 @@ export function SliderRow({ name, isInGroup = false }: Props) {
 
 type Row = ReturnType<typeof rowOf>;
 
-/** What the slider of a parameter shows. */
+/** The content of a parameter's row. */
 function rowOf(explorer: Explorer, name: string) {
   const travel = explorer.travel(name);
   const unit = explorer.unit(name);
@@ -88,7 +88,7 @@ function About({ name, label }: { name: string; label: string }) {
   );
 }
 
-/** Whether the best drive may change the parameter. */
+/** A switch that lets the best drive change the parameter. */
 function Freedom({ name, label }: { name: string; label: string }) {
   const { explorer } = usePage();
   const state = explorer.state.value;
@@ -135,7 +135,7 @@ interface FieldProps {
   id: string;
   label: string;
   unit: string;
-  /** The number as the state has it. */
+  /** The number of the state as text. */
   shown: string;
   hasMessage: boolean;
 }
@@ -156,7 +156,7 @@ function shownOf(explorer: Explorer, name: string): string {
   return String(Number(fromSI(value, unit).toFixed(decimals + 1)));
 }
 
-/** A number as it is typed, until it is committed or the state has another one. */
+/** A number as it is typed, until it is committed or the state has another number. */
 interface Draft {
   instead: string;
   text: string;

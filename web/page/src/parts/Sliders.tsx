@@ -1,4 +1,4 @@
-// All parameters: those of the first screen, the others in groups, and a search.
+// All parameters: sliders of the first screen, other sliders in groups, and a search.
 import { useState } from 'preact/hooks';
 import { firstOf, hasLaunch, lawOf, withValues } from '../setup/design';
 import { AIR_FIRST, LAUNCH_FIRST, groupOf, labelOf } from '../setup/parameters';
@@ -27,7 +27,9 @@ export function Sliders() {
   );
 }
 
-/** A club strikes the ball, or a launch monitor has measured its launch. */
+/**
+ * A switch between a club that strikes the ball and a launch that a launch monitor has measured.
+ */
 function StartSwitch({ isLaunch }: { isLaunch: boolean }) {
   const { explorer } = usePage();
   const toLaunch = () => {

@@ -10,7 +10,7 @@ import { farthest, MARGIN } from './scale';
 import { pathTable } from './SideView';
 import { useWidth } from './size';
 
-/** Half of the width of the ground that is shown at least, m. */
+/** Half of the smallest width of ground in the picture, m. */
 const HALF_WIDTH = 22;
 const FARTHEST_ASIDE = 60;
 
@@ -32,7 +32,7 @@ export function TopView() {
   const scale = (width - MARGIN.left - MARGIN.right) / distance;
   const aside = [drive, ghost].flatMap((each) =>
     [...(each?.path ?? []), ...(each?.roll ?? [])].map(({ right }) => Math.abs(right)));
-  // in steps, so that the picture seldom changes its height
+  // rounded up to steps, so that the picture seldom changes its height
   const half = Math.ceil(Math.max(HALF_WIDTH, ...aside) / 12) * 12;
   const x = (downrange: number) => MARGIN.left + downrange * scale;
   const y = (right: number) => MARGIN.top + (half + right) * scale;
@@ -43,7 +43,7 @@ export function TopView() {
     ? `The ball lands at ${length(carry, units)}, ${sideways(lateral, units)}.` : 'No drive yet.';
   const unit = lengthUnit(units);
   const aim = (downrange: number, right: number) => explorer.aim(pair, downrange, right);
-  // the same elements at most moves, so that they are not compared
+  // memoized, because most moves do not change them
   const scales = useMemo(() => (
     <>
       {ticks(0, inLength(distance, units), Math.max(3, width / 110)).map((tick) => (
@@ -86,11 +86,13 @@ interface HandleProps {
   x: number;
   y: number;
   landing: Landing;
-  /** Receives the landing at the begin of the drag, and the way of the pointer since then. */
+  /**
+   * Receives the landing at the start of the drag, and the displacement of the pointer since then.
+   */
   onMove: (from: Landing, dx: number, dy: number) => Promise<void>;
 }
 
-/** The landing point. The sliders below do the same by keyboard. */
+/** The landing point, to drag. The sliders below move it by keyboard. */
 function Handle({ x, y, landing, onMove }: HandleProps) {
   const { explorer } = usePage();
   const last = useRef(Promise.resolve());
@@ -99,7 +101,7 @@ function Handle({ x, y, landing, onMove }: HandleProps) {
     const handle = event.currentTarget as SVGGElement;
     if (!handle.hasPointerCapture(event.pointerId)) return;
     const { x: fromX, y: fromY, landing: from } = begin.current;
-    // differences: the picture may move while its drive changes
+    // displacements, because the scale of the picture may change during the drag
     last.current = onMove(from, event.clientX - fromX, event.clientY - fromY);
   };
   const take = (event: PointerEvent) => {

@@ -1,10 +1,10 @@
-// The answer to a question that follows what the page shows.
+// Answers that are requested again when the content of the page changes.
 import { useEffect, useState } from 'preact/hooks';
 
-/** An answer, null where there is none, or undefined where a newer question came first. */
+/** An answer; null if there is none, or undefined if a newer question came first. */
 type Answered<T> = Promise<T | null | undefined>;
 
-/** The last answer; asked anew a moment after the text of `key` is another one. */
+/** The last answer. It is requested again `milliseconds` after the last change of `key`. */
 export function useAnswer<T>(key: string, milliseconds: number, ask: () => Answered<T>): T | null {
   const [found, setFound] = useState<T | null>(null);
   useEffect(() => {

@@ -35,7 +35,7 @@ export const ROWS: readonly Row[] = [
   row('flight_time', 'flight time', both('s'), 2),
 ];
 
-/** All outcomes of a drive, SI; null where there is none. */
+/** All outcomes of a drive, SI; null for an outcome without a value. */
 export const outcomesOf = ({ outcomes }: Drive) =>
   Object.fromEntries(Object.entries(outcomes).map(([name, value]) => [name, Number.isFinite(value) ? value : null]));
 

@@ -22,17 +22,17 @@ export const setupOf = ({ preset, set }: Design) => ({
 export const hasLaunch = ({ set }: Design) =>
   Object.entries(set).some(([name, text]) => name.startsWith('launch.') && text !== NONE);
 
-/** Parameters and choices that have no effect where a launch is given. */
+/** Parameters and choices that have no effect if a launch is given. */
 export const OF_STRIKE = /^(swing|club|strike|impact)\.|^golfer$/;
 
 /** The sliders of the first screen that belong to the ball's start. */
 export const firstOf = (design: Design) => (hasLaunch(design) ? LAUNCH_FIRST : CLUB_FIRST);
 
-/** The law of drag and lift of a design. */
+/** The aerodynamic law of a design. */
 export const lawOf = (design: Design, catalog: Catalog): Value =>
   design.set['aero.law'] ?? catalog.preset(design.preset)?.setup['aero.law'] ?? null;
 
-/** The SI value of a parameter: null where it is unset, NaN where only the core can read it. */
+/** The SI value of a parameter: null if it is unset, NaN if only the core can read it. */
 export function numberOf(name: string, design: Design, catalog: Catalog): number | null {
   const text = design.set[name];
   if (text === NONE) return null;
@@ -55,14 +55,17 @@ export function withValues(design: Design, values: Record<string, string | undef
   return { ...design, set };
 }
 
-/** Parameters that mean something only together: a wind needs its direction. */
+/**
+ * The default of a parameter that `name` needs: a wind speed needs a direction, and a direction a
+ * speed.
+ */
 export function together(name: string, design: Design): Record<string, string> {
   if (name === 'wind.speed' && design.set['wind.from'] === undefined) return { 'wind.from': '0 deg' };
   if (name === 'wind.from' && design.set['wind.speed'] === undefined) return { 'wind.speed': '0 mph' };
   return {};
 }
 
-/** The values that a parameter has where no value is stated, from its meaning in the program. */
+/** The values that unset parameters have, as the program documents them. */
 export const WHEN_UNSET: Readonly<Record<string, number>> = {
   'wind.speed': 0,
   'wind.from': 0,

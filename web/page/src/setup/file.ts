@@ -1,4 +1,4 @@
-// Setup files of the program, down and up.
+// Setup files of the program: download and upload.
 import type { Design } from './design';
 import { NONE } from './design';
 import type { Catalog, Choice, Parameter } from './parameters';
@@ -11,17 +11,20 @@ export function writeSetup(design: Design): string {
   return [`preset = ${JSON.stringify(design.preset)}`, ...rows, ''].join('\n');
 }
 
-/** Values that follow from others, where these are stated. */
+/**
+ * Parameters of the weather, and parameters that the program computes if weather or wind are
+ * stated.
+ */
 const WEATHER = ['air.temperature', 'air.pressure', 'air.altitude', 'air.humidity'];
 const FROM_WEATHER = ['air.density', 'air.viscosity'];
 const FROM_WIND = ['wind.right', 'wind.downrange'];
 
-/** What `parameters --json` says about a file. */
+/** The answer of `parameters --json` about a setup file. */
 export interface FileValues {
   law: string;
   parameters: (Parameter & { value: number | string | null })[];
   choices: Choice[];
-  /** Whether the file or its preset states method and step, which the page chooses otherwise. */
+  /** True if the file or its preset states method and step; otherwise the page chooses both. */
   states_step: boolean;
 }
 
@@ -40,7 +43,7 @@ export function designOf(values: FileValues, catalog: Catalog, system: System): 
   const rows = values.parameters.filter(({ law, parameter }) =>
     (law === null || law === values.law) && isUsed(parameter));
   const choices = values.choices.filter(({ choice }) => catalog.choice(choice) && isUsed(choice));
-  // a step of the preset would be stated in place of the page's or the program's choice
+  // a preset that states its step would replace the choice of the page or of the program
   const presets = catalog.presets.filter((preset) => values.states_step || !preset.states_step);
   const candidates = presets.map((preset): Design => {
     const set: Record<string, string> = {};

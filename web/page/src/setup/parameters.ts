@@ -29,7 +29,7 @@ export interface Preset {
   name: string;
   about: string;
   setup: Record<string, Value>;
-  /** Whether it states method and step, which the page chooses otherwise. */
+  /** True if the preset states method and step; otherwise the page chooses both. */
   states_step: boolean;
   /** The choice of the page; null without one. */
   integration: Integration | null;
@@ -39,7 +39,10 @@ export interface Preset {
 export class Catalog {
   readonly parameters: readonly Parameter[];
   readonly presets: readonly Preset[];
-  /** Choices that presets state, in their order; a kind of turf is its numbers. */
+  /**
+   * Choices that presets state, in their order. The kind of turf is not among them: presets state
+   * its parameters.
+   */
   readonly choices: readonly Choice[];
   readonly #byName = new Map<string, Parameter[]>();
 
@@ -63,7 +66,7 @@ export class Catalog {
     return this.choices.find(({ choice }) => choice === name);
   }
 
-  /** The parameter with the law of a preset: laws share names such as aero.cd0. */
+  /** The parameter of this name. `law` selects among laws that share names such as aero.cd0. */
   parameter(name: string, law?: Value): Parameter | undefined {
     const all = this.#byName.get(name);
     return all?.find((parameter) => parameter.law === law) ?? all?.[0];

@@ -43,7 +43,10 @@ const ROWS: Readonly<Record<string, Row>> = {
   'air.pressure': [700, 1080, 1, 'hPa'],
 };
 
-/** Travel without a row: half of the value to both sides, or a share of the unit around 0. */
+/**
+ * Travel of a parameter without a row: half of the value to both sides, or a fraction of the unit
+ * around 0.
+ */
 function around(value: number | null, unit: string): Travel {
   const size = value === null || value === 0 || !Number.isFinite(value)
     ? 10 * sizeOf(unit) : Math.abs(value);

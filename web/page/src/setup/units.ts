@@ -6,7 +6,7 @@ interface Unit {
   /** SI = (number + offset) × factor. */
   factor: number;
   offset?: number;
-  /** The unit as it is printed, if not by its name. */
+  /** The printed unit, if it differs from the name. */
   symbol?: string;
 }
 
@@ -48,7 +48,7 @@ const UNITS: Readonly<Record<string, Unit>> = {
   'm/s^2': { factor: 1, symbol: 'm/s²' },
 };
 
-/** Units of a system in place of those that the program shows. */
+/** Units of each system that replace the display units of the program. */
 const INSTEAD: Readonly<Record<System, Readonly<Record<string, string>>>> = {
   us: { degC: 'degF', 'm/s': 'mph' },
   metric: { mph: 'm/s', ft: 'm' },
@@ -75,7 +75,7 @@ export function withUnit(number: string, unit: string): string {
   return symbol === '°' ? `${number}°` : `${number} ${symbol}`;
 }
 
-/** A true minus, and no minus before a rounded zero. */
+/** A number with a true minus sign, and without a sign if it rounds to zero. */
 export function digits(number: number, decimals: number): string {
   if (!Number.isFinite(number)) return '–';
   const text = number.toFixed(decimals);
@@ -90,13 +90,13 @@ export function signed(number: number, decimals: number): string {
 
 const QUANTITY = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*(.*?)\s*$/i;
 
-/** The parts of "10.5 deg", or null. */
+/** Number and unit of a text such as "10.5 deg"; null for other texts. */
 export function parts(text: string): { number: number; unit: string } | null {
   const match = QUANTITY.exec(text.replace('−', '-'));
   return match ? { number: Number(match[1]), unit: match[2] ?? '' } : null;
 }
 
-/** The SI value of a text such as "100 mph", or null for what only the core can read. */
+/** The SI value of a text such as "100 mph"; null for a text that only the core can read. */
 export function valueOf(text: string, unitSI: string): number | null {
   const read = parts(text);
   if (!read) return null;
@@ -105,7 +105,9 @@ export function valueOf(text: string, unitSI: string): number | null {
   return unit in UNITS || unit === unitSI ? toSI(read.number, unit) : null;
 }
 
-/** A text for the core: digits after the point as many as the number needs, at most `decimals`. */
+/**
+ * A text for the core, with as many digits after the point as the number needs, at most `decimals`.
+ */
 export function textOf(si: number, unit: string, decimals: number): string {
   const number = String(Number(fromSI(si, unit).toFixed(decimals)));
   return unit === '' ? number : `${number} ${unit}`;

@@ -1,4 +1,4 @@
-// A design as the words of the command line.
+// A design as arguments of the command line.
 import type { Design } from './design';
 import { OF_STRIKE, hasLaunch } from './design';
 import type { Parameter } from './parameters';
@@ -16,13 +16,13 @@ export function settingsOf(design: Design, option = '--set'): string[] {
 
 export const setupWords = (design: Design) => [design.preset, ...settingsOf(design)];
 
-/** The words of a range: club.loft=4deg..20deg. */
+/** The argument of a range: club.loft=4deg..20deg. */
 export function rangeWords({ parameter, shown_in }: Parameter, { low, high }: Travel): string {
   const [from, to] = [low, high].map((end) => compact(textOf(end, shown_in, 6)));
   return `${parameter}=${from}..${to}`;
 }
 
-/** Words that a shell reads as they are. */
+/** Quotes a word that a shell would change. */
 function quoted(word: string): string {
   return /^[\w./:=,+-]+$/.test(word) ? word : `'${word.replace(/'/g, `'\\''`)}'`;
 }

@@ -5,7 +5,7 @@ import { read, write } from './fragment';
 import { History } from './history';
 import type { State } from './state';
 
-/** Browsers refuse more than about six changes of the address in a second. */
+/** Milliseconds between changes of the address: browsers refuse more than about six in a second. */
 const PAUSE = 250;
 
 export class Address {
@@ -37,7 +37,7 @@ export class Address {
   #changed(state: State, isFinal: boolean) {
     const fragment = write(state);
     if (!isFinal) {
-      // replaced while the hand drags
+      // a drag replaces the last address instead of adding one
       clearTimeout(this.#timer);
       this.#timer = window.setTimeout(() => history.replaceState(null, '', `#${fragment}`), PAUSE);
       return;
@@ -54,7 +54,9 @@ export class Address {
     this.#tell();
   }
 
-  /** Another address: typed, or by the buttons of the browser. */
+  /**
+   * Shows the state of another address, which was typed or reached by the buttons of the browser.
+   */
   #visit() {
     const fragment = location.hash.slice(1);
     if (fragment === write(this.#explorer.state.value)) return;

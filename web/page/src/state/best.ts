@@ -1,4 +1,4 @@
-// The best drive: what `optimize` says.
+// The best drive: the answer of `optimize`.
 import type { Reply } from '../core/messages';
 import type { Design } from '../setup/design';
 import { withValues } from '../setup/design';
@@ -14,12 +14,14 @@ export interface Best {
   /** The setup with these values. */
   design: Design;
   flight: Readonly<Record<string, number | null>>;
-  /** The gain of raising or lowering a parameter beyond its bound, SI; 0 within. */
+  /**
+   * The gain of moving the bound of a parameter outwards, SI; 0 for a parameter within its bounds.
+   */
   beyond: Readonly<Record<string, number>>;
   warnings: readonly string[];
 }
 
-/** The parameters of a design and how far their sliders go. */
+/** The parameters of a design and the ranges of their sliders. */
 interface Fields {
   parameter(name: string): Parameter;
   travel(name: string): Travel;
@@ -32,7 +34,7 @@ interface OptimizeAnswer {
   warnings: string[];
 }
 
-/** The words that find the best of a design. */
+/** The arguments of the command that finds the best drive of a design. */
 export function bestWords(
   fields: Fields, { goal, units }: State, design: Design, names: readonly string[],
 ): string[] {

@@ -1,4 +1,4 @@
-// The state of the page and what the core says about it. Components read its signals.
+// The state of the page and the answers of the core about it. Components read its signals.
 import { batch, computed, signal } from '@preact/signals';
 import type { Lane, Progress } from '../core/lane';
 import type { Call, Reply } from '../core/messages';
@@ -20,7 +20,7 @@ import { mapCall, mapKey, readMap } from './map';
 import type { State } from './state';
 import { activeOf, mapOf, varyOf, withDesign } from './state';
 
-/** First derivatives for prices, and second ones by each parameter alone for bands. */
+/** Requested derivatives: first ones for prices, and the diagonal of the second ones for bands. */
 const PRICES = { order: 2, diagonal: true };
 const COARSE = 20;
 const FINE = 60;
@@ -36,7 +36,10 @@ export class Explorer {
   readonly drive = signal<Drive | null>(null);
   readonly refusal = signal<Refusal | null>(null);
   readonly slopes = signal<ReadonlyMap<string, Slope>>(new Map());
-  /** Why a parameter has no derivative in this setup, for example where another takes its place. */
+  /**
+   * Reasons why parameters have no derivative in this setup, for example because another one
+   * replaces them.
+   */
   readonly noSlope = signal<ReadonlyMap<string, string>>(new Map());
   readonly best = signal<Best | null>(null);
   readonly bestMessage = signal<string | null>(null);
@@ -48,17 +51,19 @@ export class Explorer {
   readonly busy = signal(true);
   readonly trap = signal<string | null>(null);
   readonly progress = signal<(Progress & { what: string }) | null>(null);
-  /** What a long command does, while it runs. */
+  /** The description of the long command that runs; null without one. */
   readonly working = signal<string | null>(null);
   readonly aimMessage = signal<string | null>(null);
-  /** The time step of the loop that lies over the map and a slider, s; null without it. */
+  /**
+   * The time step of the loop that is drawn over the map and a slider, s; null if none is drawn.
+   */
   readonly loopStep = signal<number | null>(null);
-  /** The group of further sliders that is open. */
+  /** The open group of further sliders. */
   readonly openGroup = signal<string | null>(null);
   /** Milliseconds of the last drive in the worker. */
   readonly milliseconds = signal(0);
   readonly design = computed(() => activeOf(this.state.value));
-  // parts of the state that seldom change, so that what shows them is not drawn at each move
+  // parts of the state that seldom change: their components are not rendered at each move
   readonly units = computed(() => this.state.value.units);
   readonly goal = computed(() => this.state.value.goal);
   readonly law = computed(() => lawOf(this.design.value, this.catalog));
@@ -67,7 +72,7 @@ export class Explorer {
   #mapKey = '';
   #traps = 0;
   readonly #rest = new Later(REST);
-  /** Called after each change; `isFinal` when the hand lets go. */
+  /** Called after each change; `isFinal` is false during a drag. */
   onChange: (state: State, isFinal: boolean) => void = () => {};
 
   constructor(catalog: Catalog, hand: Lane, desk: Lane, state: State) {
@@ -77,7 +82,7 @@ export class Explorer {
     this.state = signal(state);
     for (const lane of [hand, desk]) {
       lane.onTrap = (message) => this.#trapped(message);
-      // after those who wait for the last answer have asked for more
+      // wait until the receivers of the last answer have sent further requests
       lane.onIdle = () => setTimeout(() => this.#look(), 0);
     }
     desk.onProgress = (progress) => {
@@ -86,9 +91,9 @@ export class Explorer {
     };
   }
 
-  // what the components do
+  // actions of the components
 
-  /** Changes the state; a drag is final when the hand lets go. */
+  /** Changes the state; `isFinal` is false during a drag. */
   change(state: State, isFinal = true) {
     const isOther = state !== this.state.value;
     this.state.value = state;
@@ -100,7 +105,7 @@ export class Explorer {
     this.change(withDesign(this.state.value, design), isFinal);
   }
 
-  /** Sets one parameter as it is typed. */
+  /** Sets one parameter to a typed text. */
   set(name: string, text: string, isFinal = true) {
     const { design } = this;
     this.changeDesign(
@@ -125,7 +130,7 @@ export class Explorer {
     this.onChange(this.state.value, true);
   }
 
-  // what the fields show
+  // contents of the fields
 
   parameter(name: string): Parameter {
     const found = this.catalog.parameter(name, this.law.value);
@@ -154,13 +159,13 @@ export class Explorer {
     return { parameter: this.parameter(name), unit, decimals: decimalsOf(this.travel(name), unit) };
   }
 
-  /** A parameter of this value, as a sentence has it: "8.80°". */
+  /** The value of a parameter as text for a sentence: "8.80°". */
   shown(name: string, value: number, more = 1): string {
     const { unit, decimals } = this.field(name);
     return digits(fromSI(value, unit), Math.min(6, decimals + more));
   }
 
-  /** A text that is another one when the slider or field of a parameter looks otherwise. */
+  /** A key that changes whenever the row of a parameter looks different. */
   rowKey(name: string): string {
     const { preset, set } = this.design.value;
     const { refusal } = this;
@@ -168,7 +173,7 @@ export class Explorer {
     return JSON.stringify([preset, set[name], set['aero.law'], this.state.value.units, message]);
   }
 
-  // what the core is asked
+  // requests to the core
 
   /** The setup of a request to the core. */
   setup(design: Design = this.design.value) {
@@ -239,7 +244,7 @@ export class Explorer {
     this.#mapIfOther();
   }
 
-  /** Prices of wind and air that are not stated: those of the values that they have then. */
+  /** The call for prices of wind and air that are not stated, at the values that they have then. */
   #unsetCall(): Call | null {
     const { set } = this.design.value;
     const isCalm = ['wind.right', 'wind.downrange'].every((name) => this.value(name) === 0);
@@ -293,14 +298,17 @@ export class Explorer {
       (isRefused(numbers) ? refusalOf(numbers) : readDrive(numbers)));
   }
 
-  /** The axes of the map. Their ranges do not follow the hand, so that the map stays while one drags. */
+  /** The axes of the map. Their ranges do not follow a drag, so that the map stays. */
   #mapAxes(): MapAxes {
     const [across, up] = mapOf(this.state.value);
     const range = (name: string) => travelOf(this.parameter(name), this.presetValue(name), null);
     return { across, up, ranges: [range(across), range(up)], goal: this.state.value.goal };
   }
 
-  /** A coarse map at once where the map changes; the hand's own two parameters do not change it. */
+  /**
+   * Computes a coarse map at once if the map changes. It does not depend on the values of its own
+   * two parameters.
+   */
   #mapIfOther() {
     if (mapKey(this.design.value, this.#mapAxes()) !== this.#mapKey) void this.#flyMap(COARSE);
   }
@@ -329,7 +337,7 @@ export class Explorer {
     if (reply) this.mapBest.value = readBest(reply, design, this);
   }
 
-  /** Two parameters that make the ball land there. */
+  /** Values of two parameters with which the ball lands at this point. */
   async aim(names: readonly [string, string], carry: number, lateral: number) {
     const vary = names.map((name) => ({ name, ...ends(this.travel(name)) }));
     const request = { setup: this.setup(), units: this.state.value.units, vary, carry, lateral };
@@ -344,7 +352,7 @@ export class Explorer {
     this.changeDesign(withValues(this.design.value, values), false);
   }
 
-  /** A long command with its progress; null if it was ended. */
+  /** The answer of a long command, with progress; null if the command was ended. */
   async run(what: string, words: string[], files: Record<string, Uint8Array> = {}): Promise<Reply | null> {
     this.working.value = what;
     const reply = await this.desk.command('long', words, files);
@@ -360,7 +368,7 @@ export class Explorer {
   #trapped(message: string) {
     this.trap.value = message;
     this.#traps += 1;
-    // the drive that trapped once is tried again once
+    // after the first trap, compute the drive once more
     if (this.#traps === 1) this.#rest.call(() => this.refresh());
   }
 
@@ -381,7 +389,7 @@ export function messageOf({ answer, said }: Reply): string {
     const { message } = JSON.parse(answer) as { message?: string };
     if (message) return message;
   } catch {
-    // no JSON: the message is beside the answer
+    // not JSON: the message is beside the answer
   }
   return said.map(({ text }) => text).join(' ') || 'no answer';
 }

@@ -9,10 +9,10 @@ const VERSION = '1';
 const PREFIXES = ['', 'b:', 'c:', 'd:'];
 const SYSTEMS = ['us', 'metric'] as const;
 
-/** Half a character, which cannot be encoded. */
+/** A lone surrogate (half a character), which cannot be encoded. */
 const LONE = /\p{Surrogate}/gu;
 
-/** Characters that a reader of an address may see as they are. */
+/** Encodes a text for an address, but keeps characters that are readable in it. */
 const escape = (text: string) =>
   encodeURIComponent(text.replace(LONE, '\ufffd')).replace(/%2C/g, ',').replace(/%3A/g, ':').replace(/%2F/g, '/');
 
@@ -25,7 +25,7 @@ function differences(design: Design, first: Design): [string, string][] {
     if (design === first || first.set[name] !== text) rows.push([name, compact(text)]);
   }
   if (design === first) return rows;
-  // a value of the first design that this one does not have
+  // the first design states a value that this design does not have
   for (const name of Object.keys(first.set)) {
     if (!(name in design.set)) rows.push([name, '']);
   }
@@ -65,7 +65,7 @@ function decoded(part: string): string {
   }
 }
 
-/** The state of a fragment, and its parts that are unknown, in a newer version for example. */
+/** The state of a fragment, and the parts that are unknown, for example of a newer version. */
 export function read(fragment: string, catalog: Catalog): Read {
   const unknown: string[] = [];
   const [version = '', preset = '', ...parts] = fragment.replace(/^#/, '').split('&').map(decoded);

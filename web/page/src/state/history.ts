@@ -1,4 +1,4 @@
-// States that can be gone back to.
+// States of the page for undo and redo.
 
 export class History<T> {
   #past: T[] = [];
@@ -17,7 +17,7 @@ export class History<T> {
     return this.#future.length > 0;
   }
 
-  /** Keeps a new state; those that were undone are gone. False if nothing changed. */
+  /** Adds a new state and deletes the undone ones. False if nothing changed. */
   push(state: T): boolean {
     if (state === this.#now) return false;
     this.#past.push(this.#now);

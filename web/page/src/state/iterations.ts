@@ -4,9 +4,9 @@ import type { Travel } from '../setup/travel';
 
 /** One iterate, SI. Arrays have a number for each parameter that is varied. */
 export interface Iteration {
-  /** 0 from your drive, 1 from a better drive of a sample. */
+  /** Number of the search: 0 begins at your drive, 1 at a better drive of a sample. */
   search: number;
-  /** The iterations of its search before it. */
+  /** Number of earlier iterations of this search. */
   number: number;
   value: number;
   /** Relative KKT residual. */
@@ -17,7 +17,7 @@ export interface Iteration {
   /** The bound of each parameter: −1 the lower, 1 the upper, 0 none. */
   bounds: Float64Array;
   gradient: Float64Array;
-  /** By rows. */
+  /** Row by row. */
   hessian: Float64Array;
   /** The trust region within the ranges. */
   low: Float64Array;
@@ -27,10 +27,11 @@ export interface Iteration {
 export interface Trial {
   x: Float64Array;
   isAccepted: boolean;
-  /** Gains of the outcome, by the model and by the drive. */
+  /** Gain of the outcome by the model. */
   predicted: number;
+  /** Gain of the outcome by the drive. */
   actual: number;
-  /** True where the model has no maximum, and the step is that of one with its curvature reflected. */
+  /** True if the model has no maximum; the step is then computed with a reflected curvature. */
   isReflected: boolean;
 }
 

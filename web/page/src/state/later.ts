@@ -1,4 +1,4 @@
-// Work that waits until nothing has asked for it for a while.
+// Debouncing: work that starts once it was not requested again for a while.
 
 export class Later {
   readonly #milliseconds: number;

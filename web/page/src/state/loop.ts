@@ -6,11 +6,13 @@ import type { MapAxes } from './map';
 export interface Loop {
   name: string;
   at: Float64Array;
-  /** Carry of the loop, and the difference of it that takes the place of a derivative. */
+  /** Carry of the loop. */
   loop: Float64Array;
+  /** Difference quotient of the loop's carry, in place of a derivative. */
   difference: Float64Array;
-  /** Carry of the exact drive, and its derivative. */
+  /** Carry of the exact drive. */
   carry: Float64Array;
+  /** Derivative of the exact carry. */
   slope: Float64Array;
 }
 
@@ -20,7 +22,7 @@ interface Along {
   high: number;
 }
 
-/** The columns of an answer: loop, its interpolated landing, difference, exact carry and slope. */
+/** Columns: parameter, loop, its interpolated landing, difference, exact carry, exact slope. */
 const COLUMNS = 6;
 
 export const loopCall = (

@@ -19,13 +19,13 @@ export interface MapData extends MapAxes {
   values: Float64Array;
 }
 
-/** A text that is another one where the map is another one. */
+/** A key that changes whenever the map changes. */
 export function mapKey({ preset, set }: Design, { across, up, goal }: MapAxes): string {
   const rest = Object.entries(set).filter(([name]) => name !== across && name !== up);
   return JSON.stringify([preset, across, up, goal, rest]);
 }
 
-/** The request for a map with so many columns and rows. */
+/** The request for a map with these numbers of columns and rows. */
 export function mapCall(
   { across, up, ranges, goal }: MapAxes, setup: unknown, nodes: readonly [number, number],
 ): Call {

@@ -1,4 +1,4 @@
-// All that a link holds: designs, and how they are shown.
+// The content of a link: designs, and how they are shown.
 import type { Design } from '../setup/design';
 import { hasLaunch } from '../setup/design';
 import type { System } from '../setup/units';
@@ -7,14 +7,14 @@ export type Goal = 'carry' | 'total';
 export const GOALS: readonly Goal[] = ['carry', 'total'];
 
 export interface State {
-  /** One to four designs; the sliders move the one that is active. */
+  /** One to four designs; the sliders move the active one. */
   readonly designs: readonly Design[];
   readonly active: number;
   readonly goal: Goal;
   readonly units: System;
-  /** Parameters that the best drive may change; null for the usual ones. */
+  /** Parameters that the best drive may change; null for the default. */
   readonly vary: readonly string[] | null;
-  /** Parameters of the map, across and up; null for the usual ones. */
+  /** Parameters of the map, across and up; null for the default. */
   readonly map: readonly [string, string] | null;
 }
 
