@@ -15,14 +15,9 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
     }
 
     fn has_corner_at_zero_spin(&self) -> bool {
-<<<<<<< HEAD
-        // C_D is constant below the least spin of a table, unless that is 0
-        self.table.grid.full_lift.is_none()
-=======
         // C_D is constant below the least spin of a table, so it has a corner only if the least
         // spin is 0
-        self.table.grid().full_lift.is_none()
->>>>>>> wt-words
+        self.table.grid.full_lift.is_none()
     }
 
     fn continuous_derivatives(&self) -> Option<u32> {
