@@ -25,7 +25,7 @@ impl<T: Numbers> AerodynamicLaw<T> for LaunchMonitor<T> {
         Fitted {
             spin_ratio: Some([0.06, 0.33]),
             reynolds: Some([7e4, 2.3e5]),
-            to: "predictions of a launch monitor for 400 shots",
+            to: "what a launch monitor predicts of 400 shots",
             ..Fitted::UNKNOWN
         }
     }
