@@ -49,9 +49,9 @@ pub struct LaunchReport {
     #[serde(flatten)]
     #[cfg_attr(test, schemars(schema_with = "launch_schema"))]
     pub outcomes: ByName<Number>,
-    /// The velocity of the ball, m/s.
+    /// The velocity of the ball, m/s: up, right, downrange.
     pub velocity: [Number; 3],
-    /// The angular velocity of the ball, rad/s.
+    /// The angular velocity of the ball, rad/s: up, right, downrange.
     pub spin_vector: [Number; 3],
 }
 
@@ -59,9 +59,9 @@ pub struct LaunchReport {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ClubReport {
-    /// The velocity of the centre of mass, m/s.
+    /// The velocity of the centre of mass, m/s: up, right, downrange.
     pub velocity: [Number; 3],
-    /// The angular velocity, rad/s.
+    /// The angular velocity, rad/s: up, right, downrange.
     pub angular_velocity: [Number; 3],
 }
 

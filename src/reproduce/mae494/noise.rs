@@ -82,7 +82,7 @@ pub struct Landings {
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Sawtooth {
-    /// Number of jumps in [`Noise::zoom`].
+    /// Number of jumps in `zoom`.
     pub count: usize,
     /// Mean distance of the jumps, rad of loft.
     pub width: f64,

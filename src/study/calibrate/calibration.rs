@@ -27,13 +27,13 @@ pub struct Estimate {
 pub struct Remainder {
     /// The row of the table.
     pub row: usize,
-    /// The measured outcome; [`Outcome::Carry`] for a stationary parameter.
+    /// The measured outcome; carry for a stationary parameter.
     #[serde(rename = "of")]
     pub outcome: Outcome,
     /// The stationary parameter, if the carry of the row is maximal in a parameter.
     #[serde(rename = "parameter")]
     pub stationary: Option<&'static Parameter>,
-    /// The measured value, SI; `None` for a stationary parameter.
+    /// The measured value, SI; missing for a stationary parameter.
     pub measured: Option<f64>,
     /// Computed − measured, SI. For a stationary parameter: distance of the computed optimum from
     /// the row's value, to first order.

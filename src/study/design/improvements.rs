@@ -13,9 +13,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct Improvement {
     /// The statistic.
     pub goal: Goal,
-    /// Value for the initial design, SI; `None` if a swing does not fly.
+    /// Value for the initial design, SI; missing if a swing does not fly.
     pub as_set_up: Option<f64>,
-    /// Value for the best design, SI; `None` if a swing does not fly.
+    /// Value for the best design, SI; missing if a swing does not fly.
     pub best: Option<f64>,
 }
 

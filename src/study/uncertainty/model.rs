@@ -21,7 +21,7 @@ pub struct SamplePlan {
 /// Bootstrap resamples for confidence intervals.
 const RESAMPLES: usize = 400;
 
-/// A number with its 95 % confidence interval.
+/// A number with its confidence interval: 95 % unless stated otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Interval {
