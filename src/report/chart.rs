@@ -68,7 +68,7 @@ impl<'a> ChartReport<'a> {
     /// The chart as CSV. The column heads contain the units: `swing.speed [m/s]`.
     ///
     /// # Errors
-    /// [`Error::Output`].
+    /// [`Error::Output`](crate::Error::Output).
     pub fn csv(&self, units: TableUnits) -> Result<String> {
         let chart = self.chart;
         let launched = LAUNCH

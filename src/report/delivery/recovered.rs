@@ -14,7 +14,7 @@ const HALF: f64 = 0.5;
 /// parameter, a row for each shot.
 ///
 /// # Errors
-/// [`Error::Output`].
+/// [`Error::Output`](crate::Error::Output).
 pub fn recovered_csv(all: &[Delivery]) -> Result<String> {
     let mut found = all.iter().filter_map(Delivery::explained).peekable();
     let Some(first) = found.peek() else {

@@ -20,7 +20,7 @@ struct Row<'a> {
 /// with the name of the view.
 ///
 /// # Errors
-/// [`Error::Output`].
+/// [`Error::Output`](crate::Error::Output).
 pub fn figure_csv(figure: &Figure) -> Result<String> {
     figure_csv_in(figure, TableUnits::Si)
 }
@@ -28,7 +28,7 @@ pub fn figure_csv(figure: &Figure) -> Result<String> {
 /// The data of a plot as CSV in these units.
 ///
 /// # Errors
-/// [`Error::Output`].
+/// [`Error::Output`](crate::Error::Output).
 pub fn figure_csv_in(figure: &Figure, units: TableUnits) -> Result<String> {
     let has_contours = |view: &&Figure| {
         view.layers

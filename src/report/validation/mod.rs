@@ -124,7 +124,7 @@ impl<'a> ValidationReport<'a> {
     /// The errors as CSV: a row for each quantity of each drive, in SI.
     ///
     /// # Errors
-    /// [`Error::Output`].
+    /// [`Error::Output`](crate::Error::Output).
     pub fn csv(&self) -> Result<String> {
         let head = [
             "set",
