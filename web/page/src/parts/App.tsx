@@ -75,8 +75,11 @@ function useKeys() {
     const press = (event: KeyboardEvent) => {
       const isTyped = event.target instanceof HTMLInputElement && event.target.type !== 'range'
         && event.target.type !== 'radio' && event.target.type !== 'checkbox';
-      if (isTyped || event.target instanceof HTMLSelectElement) return;
       const isCommand = event.ctrlKey || event.metaKey;
+      // the browser would undo a number that the drive has already, and the field would differ from it
+      const isCommitted = isTyped && event.target.matches('.number:not([data-draft])');
+      if (isTyped && !(isCommand && isCommitted)) return;
+      if (event.target instanceof HTMLSelectElement) return;
       const key = event.key.toLowerCase();
       if (isCommand && key === 'z' && !event.shiftKey) address.undo();
       else if (isCommand && (key === 'y' || (key === 'z' && event.shiftKey))) address.redo();

@@ -4,7 +4,7 @@ import { useComputed } from '@preact/signals';
 import { useEffect, useState } from 'preact/hooks';
 import { isRefused, refusalOf } from '../drive/drive';
 import { labelOf } from '../setup/parameters';
-import { digits, fromSI, sizeOf, symbolOf } from '../setup/units';
+import { digits, fromSI, sizeOf, symbolOf, withUnit } from '../setup/units';
 import type { Explorer } from '../state/explorer';
 import { loopCall, readLoop, worstOf } from '../state/loop';
 import type { Loop } from '../state/loop';
@@ -104,10 +104,12 @@ function Pictures({ explorer, loop }: { explorer: Explorer; loop: Loop }) {
   const perUnit = `${length} per ${symbol === '°' ? 'degree' : symbol || '1'}`;
   return (
     <>
-      <Chart name="teeth" title={`Carry over ${labelOf(loop.name)}`} at={at} curves={carries} unit={length} across={symbol}
-        sentence={`The loop is up to ${digits(worst, 2)} ${length} from the exact carry.`} />
-      <Chart name="slopes" title="Slope of the carry" at={at} curves={slopes} unit={perUnit} across={symbol}
-        sentence={`Differences of the loop reach ${digits(steepest, 1)}; the exact slope is ${digits(middle, 2)} ${perUnit}.`} />
+      <Chart name="teeth" title={`Carry over ${labelOf(loop.name)}`}
+        legend={['loop of time steps', 'exact']} at={at} curves={carries} unit={length} across={unit}
+        sentence={`The loop is up to ${digits(worst, 2)} ${length} from the exact carry, and jumps where its number of time steps changes.`} />
+      <Chart name="slopes" title={`Slope of the carry over ${labelOf(loop.name)}`}
+        legend={['differences of the loop', 'exact']} at={at} curves={slopes} unit={perUnit} across={unit}
+        sentence={`Differences of the loop reach ${digits(steepest, 1)} ${perUnit}; the exact slope is ${digits(middle, 2)} ${perUnit}.`} />
     </>
   );
 }
@@ -115,15 +117,18 @@ function Pictures({ explorer, loop }: { explorer: Explorer; loop: Loop }) {
 interface ChartProps {
   name: string;
   title: string;
+  /** Names of the curves. */
+  legend: [loop: string, exact: string];
   at: number[];
   /** The loop, then the exact drive. */
   curves: number[][];
   unit: string;
+  /** The unit of `at`. */
   across: string;
   sentence: string;
 }
 
-function Chart({ name, title, at, curves, unit, across, sentence }: ChartProps) {
+function Chart({ name, title, legend, at, curves, unit, across, sentence }: ChartProps) {
   const { ref, width } = useWidth();
   const known = curves.flat().filter(Number.isFinite);
   const [low, high] = [Math.min(...known), Math.max(...known)];
@@ -132,8 +137,9 @@ function Chart({ name, title, at, curves, unit, across, sentence }: ChartProps) 
   const y = (value: number) => MARGIN.top + ((high - value) / (high - low || 1)) * (HEIGHT - MARGIN.top - MARGIN.bottom);
   const points = (curve: number[]) => line(curve.map((value, k) => [x(at[k]!), y(value)] as const)
     .filter(([, height]) => Number.isFinite(height)));
+  const legendAt = (k: number) => width - 250 + 170 * k;
   const table = () => ({
-    head: [`[${across}]`, `loop [${unit}]`, `exact [${unit}]`],
+    head: [`[${symbolOf(across)}]`, `loop [${unit}]`, `exact [${unit}]`],
     rows: at.filter((_, k) => k % 15 === 0).map((value, k) =>
       [digits(value, 3), ...curves.map((curve) => digits(curve[k * 15] ?? NaN, 3))]),
   });
@@ -141,10 +147,17 @@ function Chart({ name, title, at, curves, unit, across, sentence }: ChartProps) 
     <Figure name={name} title={title} sentence={sentence} table={table} place={ref}>
       <svg width={width} height={HEIGHT} role="img" aria-label={`${title}. ${sentence}`}>
         <ChartScales width={width} bottom={HEIGHT - 14}
-          across={{ ticks: ticks(first, last, width / 110), place: x, text: (tick) => String(Number(tick.toFixed(3))) }}
+          across={{ ticks: ticks(first, last, width / 110), place: x, text: (tick) => withUnit(String(Number(tick.toFixed(3))), across) }}
           up={{ ticks: ticks(low, high, 3), place: y, text: (tick) => String(Number(tick.toPrecision(4))) }} />
         <polyline class="ghost teeth-line" points={points(curves[0]!)} />
         <polyline class="yours" points={points(curves[1]!)} />
+        <text class="tick" x={MARGIN.left + 4} y={10}>{unit}</text>
+        {legend.map((text, k) => (
+          <g key={text}>
+            <polyline class={k === 0 ? 'ghost teeth-line' : 'yours'} points={`${legendAt(k)},6 ${legendAt(k) + 24},6`} />
+            <text class="tick" x={legendAt(k) + 28} y={10}>{text}</text>
+          </g>
+        ))}
       </svg>
     </Figure>
   );

@@ -3,7 +3,7 @@ import { useComputed } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { hasLaunch, lawOf, withValues } from '../setup/design';
 import { labelOf } from '../setup/parameters';
-import { digits, fromSI, symbolOf, textOf } from '../setup/units';
+import { digits, fromSI, symbolOf, textOf, withUnit } from '../setup/units';
 import type { MapData } from '../state/map';
 import { mapOf } from '../state/state';
 import type { Explorer } from '../state/explorer';
@@ -30,8 +30,10 @@ export function MapView() {
   const isOfMap = best && map && best.names.every((name) => [map.across, map.up].includes(name));
   const valuesOfBest = useComputed(() => {
     const { names = [], values = {} } = explorer.mapBest.value ?? {};
-    return names.map((name) => `${labelOf(name)} ${explorer.shown(name, values[name] ?? NaN)}`
-      + `${symbolOf(explorer.unit(name))}`).join(', ');
+    return names.map((name) => {
+      const value = withUnit(explorer.shown(name, values[name] ?? NaN), explorer.unit(name));
+      return `${labelOf(name)} ${value}`;
+    }).join(', ');
   }).value;
   const bestText = isOfMap ? valuesOfBest : null;
   const sentence = map

@@ -105,7 +105,10 @@ function Compared({ name, flown, csv }: Result) {
   });
   return (
     <>
-      <p role="status">{flown.flown} of {flown.rows} shots of {name} were flown.</p>
+      <p role="status">
+        {flown.flown} of {flown.rows} shots of {name} were flown.
+        {flown.flown < flown.rows && ' The CSV below has the reason for each other shot.'}
+      </p>
       {rows.length > 0 && (
         <TableView head={['outcome', 'shots', 'computed − measured', 'mean size']} rows={rows} />
       )}

@@ -33,7 +33,7 @@ export function SliderRow({ name, isInGroup = false }: Props) {
         <label for={`slide-${id}`}>{label}</label>
         <Field name={name} id={id} label={label} unit={unit} shown={row.shown} hasMessage={message !== null} />
         <span class="unit">{symbolOf(unit)}</span>
-        <button type="button" class="reset" disabled={!isSet} onClick={() => explorer.reset(name)}
+        <button type="button" class="reset" disabled={!row.hasReset} onClick={() => explorer.reset(name)}
           aria-label={`reset ${label}`} title="back to the preset">↺</button>
         <button type="button" class="ask" aria-expanded={isAsked} aria-label={`about ${label}`}
           onClick={() => setAsked(!isAsked)}>?</button>
@@ -60,7 +60,9 @@ function rowOf(explorer: Explorer, name: string) {
   const unit = explorer.unit(name);
   const value = explorer.value(name);
   const isNumber = value !== null && Number.isFinite(value);
-  const usual = explorer.presetValue(name) ?? WHEN_UNSET[name] ?? (travel.low + travel.high) / 2;
+  const preset = explorer.presetValue(name);
+  const isSet = name in explorer.design.value.set;
+  const usual = preset ?? WHEN_UNSET[name] ?? (travel.low + travel.high) / 2;
   const refusal = explorer.refusal.value;
   return {
     travel,
@@ -70,7 +72,9 @@ function rowOf(explorer: Explorer, name: string) {
     decimals: decimalsOf(travel, unit),
     units: explorer.units.value,
     shown: shownOf(explorer, name),
-    isSet: name in explorer.design.value.set,
+    isSet,
+    // a launch has no preset: without one of its values there is no drive
+    hasReset: isSet && (preset !== null || !name.startsWith('launch.')),
     message: refusal?.parameters[0] === name ? refusal.message : null,
   };
 }
@@ -125,7 +129,7 @@ function PriceLine({ name, id, row }: { name: string; id: string; row: Row }) {
   return (
     <p class="price" id={`price-${id}`}>
       <b>{priceOf(name, slope, unit, units).text}</b>
-      <span title={`values that cost at most ${loss}`}>{isUnset ? ' · not stated' : ` · within ${loss}: ${band}`}</span>
+      <span title={`values that cost at most ${loss}`}>{isUnset ? ' · not stated' : ` · at most ${loss} lost: ${band}`}</span>
     </p>
   );
 }
@@ -176,9 +180,10 @@ function Field({ name, id, label, unit, shown, hasMessage }: FieldProps) {
     const read = parts(typed);
     explorer.set(name, read && read.unit === '' && unit !== '' ? `${typed} ${unit}` : typed);
   };
+  const isDraft = draft?.instead === shown;
   return (
     <input type="text" class="number" inputMode="decimal" autoComplete="off" spellcheck={false}
-      value={draft?.instead === shown ? draft.text : shown} placeholder="–"
+      value={isDraft ? draft.text : shown} placeholder="–" data-draft={isDraft ? '' : undefined}
       aria-label={`${label}, ${unit || 'number'}`}
       aria-invalid={hasMessage} aria-describedby={hasMessage ? `message-${id}` : undefined}
       onInput={(event) => setDraft({ instead: shown, text: (event.target as HTMLInputElement).value })}

@@ -127,12 +127,16 @@ interface AimProps {
 }
 
 function Aim(props: AimProps) {
+  const { explorer } = usePage();
   const [isOpen, setOpen] = useState(false);
   return (
-    <details class="aim" onToggle={(event) => setOpen(event.currentTarget.open)}>
-      <summary>aim: move the landing point</summary>
-      {isOpen && <AimSliders {...props} />}
-    </details>
+    <>
+      {explorer.aimMessage.value && <p class="message" role="status">{explorer.aimMessage.value}</p>}
+      <details class="aim" onToggle={(event) => setOpen(event.currentTarget.open)}>
+        <summary>aim: move the landing point</summary>
+        {isOpen && <AimSliders {...props} />}
+      </details>
+    </>
   );
 }
 
@@ -167,7 +171,6 @@ function AimSliders({ pair, onPair, carry, lateral, onAim }: AimProps) {
       <p>Drag the landing point, or use these sliders; {select(0)} and {select(1)} follow.</p>
       {slider('carry', carry, 100, longest, (metres) => onAim(metres, lateral))}
       {slider('lateral', lateral, -FARTHEST_ASIDE, FARTHEST_ASIDE, (metres) => onAim(carry, metres))}
-      {explorer.aimMessage.value && <p class="message" role="status">{explorer.aimMessage.value}</p>}
     </>
   );
 }

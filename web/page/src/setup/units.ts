@@ -3,6 +3,8 @@
 export type System = 'us' | 'metric';
 
 interface Unit {
+  /** The SI unit of the same quantity. */
+  si: string;
   /** SI = (number + offset) × factor. */
   factor: number;
   offset?: number;
@@ -14,38 +16,38 @@ const DEGREE = Math.PI / 180;
 const RPM = Math.PI / 30;
 
 const UNITS: Readonly<Record<string, Unit>> = {
-  '': { factor: 1 },
-  'm/s': { factor: 1 },
-  mph: { factor: 0.44704 },
-  'km/h': { factor: 1 / 3.6 },
-  kph: { factor: 1 / 3.6 },
-  'ft/s': { factor: 0.3048 },
-  m: { factor: 1 },
-  mm: { factor: 1e-3 },
-  cm: { factor: 1e-2 },
-  in: { factor: 0.0254 },
-  ft: { factor: 0.3048 },
-  yd: { factor: 0.9144 },
-  rad: { factor: 1 },
-  deg: { factor: DEGREE, symbol: '°' },
-  'rad/s': { factor: 1 },
-  rpm: { factor: RPM },
-  kg: { factor: 1 },
-  g: { factor: 1e-3 },
-  'kg m^2': { factor: 1, symbol: 'kg m²' },
-  'g cm^2': { factor: 1e-7, symbol: 'g cm²' },
-  'kg/m^3': { factor: 1, symbol: 'kg/m³' },
-  'Pa s': { factor: 1 },
-  Pa: { factor: 1 },
-  hPa: { factor: 100 },
-  K: { factor: 1 },
-  degC: { factor: 1, offset: 273.15, symbol: '°C' },
-  degF: { factor: 5 / 9, offset: 459.67, symbol: '°F' },
-  s: { factor: 1 },
-  '1/s': { factor: 1 },
-  's/m': { factor: 1 },
-  's/rad': { factor: 1 },
-  'm/s^2': { factor: 1, symbol: 'm/s²' },
+  '': { si: '', factor: 1 },
+  'm/s': { si: 'm/s', factor: 1 },
+  mph: { si: 'm/s', factor: 0.44704 },
+  'km/h': { si: 'm/s', factor: 1 / 3.6 },
+  kph: { si: 'm/s', factor: 1 / 3.6 },
+  'ft/s': { si: 'm/s', factor: 0.3048 },
+  m: { si: 'm', factor: 1 },
+  mm: { si: 'm', factor: 1e-3 },
+  cm: { si: 'm', factor: 1e-2 },
+  in: { si: 'm', factor: 0.0254 },
+  ft: { si: 'm', factor: 0.3048 },
+  yd: { si: 'm', factor: 0.9144 },
+  rad: { si: 'rad', factor: 1 },
+  deg: { si: 'rad', factor: DEGREE, symbol: '°' },
+  'rad/s': { si: 'rad/s', factor: 1 },
+  rpm: { si: 'rad/s', factor: RPM },
+  kg: { si: 'kg', factor: 1 },
+  g: { si: 'kg', factor: 1e-3 },
+  'kg m^2': { si: 'kg m^2', factor: 1, symbol: 'kg m²' },
+  'g cm^2': { si: 'kg m^2', factor: 1e-7, symbol: 'g cm²' },
+  'kg/m^3': { si: 'kg/m^3', factor: 1, symbol: 'kg/m³' },
+  'Pa s': { si: 'Pa s', factor: 1 },
+  Pa: { si: 'Pa', factor: 1 },
+  hPa: { si: 'Pa', factor: 100 },
+  K: { si: 'K', factor: 1 },
+  degC: { si: 'K', factor: 1, offset: 273.15, symbol: '°C' },
+  degF: { si: 'K', factor: 5 / 9, offset: 459.67, symbol: '°F' },
+  s: { si: 's', factor: 1 },
+  '1/s': { si: '1/s', factor: 1 },
+  's/m': { si: 's/m', factor: 1 },
+  's/rad': { si: 's/rad', factor: 1 },
+  'm/s^2': { si: 'm/s^2', factor: 1, symbol: 'm/s²' },
 };
 
 /** Units of each system that replace the display units of the program. */
@@ -56,7 +58,7 @@ const INSTEAD: Readonly<Record<System, Readonly<Record<string, string>>>> = {
 
 export const unitIn = (system: System, shownIn: string) => INSTEAD[system][shownIn] ?? shownIn;
 
-const known = (unit: string): Unit => UNITS[unit] ?? { factor: 1 };
+const known = (unit: string): Unit => UNITS[unit] ?? { si: unit, factor: 1 };
 
 export const toSI = (number: number, unit: string) =>
   (number + (known(unit).offset ?? 0)) * known(unit).factor;
@@ -102,7 +104,7 @@ export function valueOf(text: string, unitSI: string): number | null {
   if (!read) return null;
   if (read.unit === '') return read.number;
   const unit = read.unit === '°' ? 'deg' : read.unit;
-  return unit in UNITS || unit === unitSI ? toSI(read.number, unit) : null;
+  return known(unit).si === unitSI ? toSI(read.number, unit) : null;
 }
 
 /**

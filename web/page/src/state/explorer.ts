@@ -98,7 +98,9 @@ export class Explorer {
     const isOther = state !== this.state.value;
     this.state.value = state;
     this.onChange(state, isFinal);
-    if (isOther) this.refresh();
+    if (!isOther) return;
+    this.aimMessage.value = null;
+    this.refresh();
   }
 
   changeDesign(design: Design, isFinal = true) {
@@ -192,8 +194,10 @@ export class Explorer {
   /** Asks the core for all answers to the state; a worker without a core keeps the requests until it has one. */
   refresh() {
     this.busy.value = true;
-    void this.#fly();
-    this.#rest.call(() => {
+    const flown = this.#fly();
+    this.#rest.call(async () => {
+      // before the drive, the coarse map would replace the fine one in the queue of a worker that starts
+      await flown;
       void this.#findBest();
       void this.#flyOthers();
       void this.#flyMap(FINE);
@@ -345,11 +349,15 @@ export class Explorer {
     const answer = await this.hand.calls('aim', [{ door: 'aim', request }]);
     const first = answer?.numbers[0];
     if (!first) return;
-    this.aimMessage.value = first.head.message ?? null;
-    if (first.head.status !== 'reached' && first.head.status !== 'nearest') return;
+    const message = first.head.message ?? null;
+    if (first.head.status !== 'reached' && first.head.status !== 'nearest') {
+      this.aimMessage.value = message;
+      return;
+    }
     const values = Object.fromEntries(names.map((name, k) =>
       [name, textOf(first.block[k] ?? NaN, this.field(name).unit, 4)]));
     this.changeDesign(withValues(this.design.value, values), false);
+    this.aimMessage.value = message;
   }
 
   /** The answer of a long command, with progress; null if the command was ended. */
