@@ -17,7 +17,7 @@ pub trait Points {
     /// Moves to a row, from which [`read`](Self::read) continues.
     ///
     /// # Errors
-    /// Errors of reading the rows before it.
+    /// Errors in the rows before `row`, if they must be read.
     fn seek(&mut self, row: u64) -> Result<()>;
 
     /// Appends up to `most` rows to `values`, SI, with a value for each parameter. Returns the

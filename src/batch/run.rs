@@ -33,8 +33,8 @@ impl Batch {
     /// `run.first_row` if there was no row.
     ///
     /// # Errors
-    /// [`Error::Together`] for points of other parameters, or in another order, and for a
-    /// [`read`](Points::read) with inconsistent numbers of rows and values; errors of `points` and
+    /// [`Error::Together`] if `points` does not have the swept parameters in their order, or if
+    /// [`Points::read`] returns inconsistent numbers of rows and values; errors of `points` and
     /// `sink`. Rows before an unreadable point are delivered first.
     pub fn run<R: Send>(
         &self,
@@ -153,7 +153,7 @@ pub fn simulate_batch(
 /// Like [`simulate_batch`], with the exact derivatives of every outcome by each parameter of `wrt`.
 ///
 /// # Errors
-/// Errors of [`simulate_batch`]; [`Error::Nothing`] without parameters of differentiation.
+/// Errors of [`simulate_batch`]; [`Error::Nothing`] if `wrt` is empty.
 pub fn gradient_batch(
     setup: &Setup<f64>,
     points: &mut dyn Points,
