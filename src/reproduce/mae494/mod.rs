@@ -55,7 +55,7 @@ pub struct Mae494 {
     pub average: Average,
     /// Parametric study.
     pub parametric: Parametric,
-    /// Discontinuities of the flight loop, and searches with them.
+    /// Discontinuities of the flight loop, and searches on its discontinuous carry.
     pub noise: Noise,
 }
 
