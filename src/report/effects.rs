@@ -73,7 +73,7 @@ pub struct EffectReport {
 
 impl<'a> EffectsReport<'a> {
     /// The report of the effects `found`: on the drive as set up, or on the drive of the optimum
-    /// `best`. `totals` are the optimized outcome and the sensitivities of its optimal value.
+    /// `best`. `totals` has the optimized outcome and the sensitivities of its optimal value.
     pub fn new(
         found: &'a [Effects],
         best: Option<&Optimum>,
@@ -246,8 +246,8 @@ fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> Table {
         .with_first_rows(FIRST_ROWS)
 }
 
-/// True if an outcome does not depend on a parameter with an uncertainty, by its derivatives and by
-/// the flown drives.
+/// True if a parameter with an uncertainty has no effect on an outcome: neither in the derivatives
+/// nor in the computed drives.
 fn is_without(effects: &Effects, effect: &Effect) -> bool {
     let Some(Bar {
         sigma,

@@ -10,8 +10,8 @@ use crate::units::System;
 /// Version of the address.
 const VERSION: &str = "1";
 
-/// A setup as the state of the explorer, what follows `#` in its address: the preset, and each
-/// value that differs from it, as after `--set`.
+/// The state of the explorer for a setup: the text after `#` in the address of the explorer. The
+/// text has the preset, and each value that differs from the preset, as after `--set`.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::Preset, report::explorer_state, units::System};
@@ -43,7 +43,7 @@ pub fn explorer_state(setup: &Setup<f64>, preset: &Preset, system: System) -> Re
     Ok(format!("{VERSION}&{}{}", preset.name, parts.concat()))
 }
 
-/// The choices that differ from those of the preset.
+/// The choices that differ from the choices of the preset.
 fn changed_choices(
     setup: &Setup<f64>,
     base: &Setup<f64>,
@@ -69,7 +69,7 @@ fn changed_choices(
     .map(|(name, own, _)| (name, own.to_owned()))
 }
 
-/// The numbers that differ from those of the preset.
+/// The numbers that differ from the numbers of the preset.
 fn changed_numbers(
     setup: &Setup<f64>,
     mut base: Setup<f64>,
@@ -103,8 +103,8 @@ fn compact(value: &str) -> String {
     }
 }
 
-/// A text with escapes for the characters that an address does not have, and for those that
-/// separate its parts (RFC 3986).
+/// A text with percent escapes (RFC 3986) for the characters that an address must not have, and for
+/// the characters that separate the parts of the state.
 fn encoded(text: &str) -> String {
     let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.~,:/".contains(&byte);
     let encoded = |byte: u8| match is_plain(byte) {

@@ -181,7 +181,7 @@ impl ParquetTable {
     /// number `ordinal`.
     ///
     /// # Errors
-    /// [`Error::Output`] for other metadata.
+    /// [`Error::Output`] if `metadata` is not the metadata of a row group.
     pub fn place(&self, metadata: &[u8], at: u64, ordinal: usize) -> Result<PlacedGroup> {
         let place = || {
             let alone = ParquetMetaDataReader::decode_metadata(metadata)?;

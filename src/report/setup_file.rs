@@ -126,8 +126,8 @@ pub fn preset_toml(name: &str) -> Result<String> {
     ))
 }
 
-/// The shortest text in this unit that is parsed to exactly this value; in SI if rounding prevents
-/// it.
+/// The shortest text in this unit that is parsed to exactly this value. If rounding prevents such a
+/// text, the value is written in SI.
 pub(super) fn exact(parameter: &Parameter, value: Option<f64>, unit: &str) -> String {
     let Some(value) = value else {
         return UNSET.into();

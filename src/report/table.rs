@@ -1,6 +1,6 @@
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, presets};
 
-/// Minimum width of a text column to be wrapped.
+/// Minimum width of a column whose text is wrapped.
 const NARROWEST: usize = 20;
 
 /// Number of spaces before the first column, and after each column.

@@ -10,16 +10,17 @@ use crate::units::typeset;
 /// Text size, pixels.
 const SIZE: f64 = TEXT - 0.5;
 
-/// Distance between lines of a name, and extra distance between names, pixels.
+/// Distance between lines of a name, pixels.
 const APART: f64 = LINE - 3.0;
+/// Additional distance between names, pixels.
 const GAP: f64 = 3.0;
 
 /// Length of the connector between the plot and a name, pixels.
 const CONNECTOR: f64 = 16.0;
 
-/// Distance within which the end of a line is at a side of the plot; height of the connectors above
-/// the plot, pixels.
+/// Maximum distance from a side of the plot at which a line counts as ending at this side, pixels.
 const NEAR: f64 = 3.0;
+/// Height of the highest connector above the plot, pixels.
 const OVER: f64 = 10.0;
 
 /// Maximum width of the names relative to the picture; wider names are wrapped.
@@ -76,7 +77,7 @@ impl<'a> EndNames<'a> {
         self.names.iter().map(Name::height).sum()
     }
 
-    /// Writes each name beside the end of its line, as near as the others allow.
+    /// Writes each name beside the end of its line, as near as the other names allow.
     pub fn draw(&self, canvas: &mut Canvas, plane: &Plane<'_>, figure: &Figure) {
         let [_, top, right, bottom] = plane.frame;
         let placed = self.names.iter();
@@ -117,7 +118,7 @@ impl<'a> EndNames<'a> {
     }
 }
 
-/// True for the names of series: those of background lines are less important.
+/// True for the names of series. The names of background lines are less important.
 fn is_bold(hue: Hue) -> bool {
     matches!(hue, Hue::Series(_))
 }

@@ -4,10 +4,11 @@ use crate::error::Result;
 use crate::report::parquet::{Cells, Kind, ParquetGroup, ParquetTable, PlacedGroup};
 use parquet::data_type::ByteArray;
 
-/// Maximum and minimum number of rows in a row group, and maximum number of bytes of its numbers.
-/// The minimum number of rows applies even if the bytes exceed their maximum.
+/// Maximum number of rows in a row group.
 const MOST_ROWS: usize = 128 * CHUNK;
+/// Minimum number of rows in a row group, even if their numbers have more than `MOST_BYTES` bytes.
 const LEAST_ROWS: usize = 16 * CHUNK;
+/// Maximum number of bytes of the numbers in a row group.
 const MOST_BYTES: usize = 16 << 20;
 
 /// A batch as Parquet: `DOUBLE` columns (required for the swept parameters, optional for the rest)
@@ -96,7 +97,7 @@ impl SweepParquet {
     /// number `ordinal`.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) for other metadata.
+    /// [`Error::Output`](crate::Error::Output) if `metadata` is not the metadata of a row group.
     pub fn place(&self, metadata: &[u8], at: u64, ordinal: usize) -> Result<PlacedGroup> {
         self.table.place(metadata, at, ordinal)
     }

@@ -30,7 +30,7 @@ pub struct Noise {
     pub shorter_steps: Vec<ShorterStep>,
     /// Differences at loft 10° with larger steps of the loft.
     pub longer_differences: Vec<LongerDifference>,
-    /// Carry by loft near 10°.
+    /// The carry by loft near 10°.
     pub zoom: Vec<Landings>,
     /// Searches for each way to compute the landing and each method.
     pub searches: Vec<Searches>,
