@@ -170,7 +170,7 @@ impl Running {
             .clone()
     }
 
-    /// Stores what the answer leaves out, for JSON.
+    /// Stores a text about omitted results, for JSON.
     pub fn leave_out(&self, text: &str) {
         self.left_out
             .lock()

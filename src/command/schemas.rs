@@ -72,7 +72,8 @@ fn row<T: JsonSchema>(command: &str) -> Schema {
     plain(schema)
 }
 
-/// The answers of a command: with a result, in one of several shapes, or without.
+/// The schemas of a command's answers: answers with a result, in one of several shapes, and answers
+/// without a result.
 pub struct Answers {
     pub command: String,
     generator: SchemaGenerator,

@@ -30,7 +30,7 @@ impl SwingsArgs {
         self.swings.is_some() || !self.distribution.is_empty()
     }
 
-    /// An option about swings, if one is given.
+    /// An option that needs swings, if one is given.
     fn stray(&self) -> Option<&'static str> {
         let given = [
             ("`correlation`", !self.correlation.is_empty()),

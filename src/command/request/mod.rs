@@ -479,7 +479,7 @@ impl Request {
 
 /// Notes for the user about the setup.
 impl Request {
-    /// Notes the start value of each parameter that is both stated and varied.
+    /// Prints a note on the start value of each parameter that is both stated and varied.
     pub fn note_starts(&self, setup: &Setup<f64>, vary: &[Vary]) {
         for name in self.stated() {
             let Some(range) = vary.iter().find(|range| range.parameter.name == name) else {
@@ -499,7 +499,8 @@ impl Request {
         }
     }
 
-    /// Notes the spin values of the setup that a setting of another spin condition replaces.
+    /// Prints a note on the spin values of the setup that a setting of another spin condition
+    /// replaces.
     fn note_replaced(&self, setup: &Setup<f64>, before: &[&'static Parameter], by: &Setting) {
         let after = setup.given_launch_conditions();
         let gone: Vec<_> = before
@@ -518,7 +519,8 @@ impl Request {
         ));
     }
 
-    /// Notes the club parameters of a setup file that have no effect, because it states the launch.
+    /// Prints a note on the club parameters that a setup file sets without effect, because the file
+    /// states the launch.
     fn note_unused_club(&self) {
         let names: Vec<_> = self
             .source
@@ -541,8 +543,8 @@ impl OwnLaw {
     /// The user's table of drag and lift, if one is given.
     ///
     /// # Errors
-    /// The errors of a setup; [`Error::Unreadable`] for a setting of a parameter that is not of the
-    /// table.
+    /// The errors of a setup; [`Error::Unreadable`] if a setting has a parameter that does not
+    /// belong to the table.
     pub fn law(&self) -> Result<Option<Law<f64>>> {
         let settings = Setting::read_all("set", &self.set)?;
         refuse_duplicates(&settings)?;
