@@ -143,8 +143,8 @@ impl Deliveries {
         self.all.iter().filter_map(Delivery::explained).count()
     }
 
-    /// All warnings. Reports only the warnings about the deliveries: the warnings in `warned` were
-    /// reported before.
+    /// All warnings. Reports the warnings about the deliveries, but not those in `warned`, which
+    /// were reported before.
     fn warnings(&self) -> Vec<Message> {
         let mut warnings = vec![];
         if self.left_out > 0 {

@@ -45,7 +45,7 @@ impl SwingsArgs {
     }
 
     /// # Errors
-    /// [`Error::Unreadable`] for an option about swings if no swings are given.
+    /// [`Error::Unreadable`] if an option needs swings, but no swings are given.
     pub fn refuse_stray(&self) -> Result<()> {
         match self.stray().filter(|_| !self.is_given()) {
             Some(option) => {
@@ -61,7 +61,7 @@ impl SwingsArgs {
     }
 
     /// # Errors
-    /// [`Error::Unreadable`] for correlations if no distributions are given.
+    /// [`Error::Unreadable`] if correlations are given, but no distributions.
     pub fn refuse_correlation(&self) -> Result<()> {
         if self.correlation.is_empty() {
             Ok(())

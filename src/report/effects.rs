@@ -121,7 +121,7 @@ impl OutcomeEffects {
 impl Report for EffectsReport<'_> {
     const COMMAND: &'static str = "sensitivity";
 
-    /// Each outcome with the effects of uncertainties, then all derivatives.
+    /// The effects of uncertainties on each outcome, then all derivatives.
     fn document(&self, system: System) -> Document {
         let at = if self.at_optimum.is_some() {
             At::Optimum

@@ -23,7 +23,8 @@ const VERSION: &str = "1";
 /// ```
 ///
 /// # Errors
-/// [`Error::Unreadable`] for a user's own table of drag and lift, which an address cannot hold.
+/// [`Error::Unreadable`] if the setup has a user's own table of drag and lift, because an address
+/// cannot hold a table.
 pub fn explorer_state(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<String> {
     if let Some(table) = setup.law.table() {
         let source = "the explorer has no tables of your own; leave it out, or use a published law";

@@ -112,7 +112,7 @@ fn stated(rows: Vec<SourcedValue>, setup: &Setup<f64>) -> impl Iterator<Item = S
 /// A preset as a setup file in TOML, each number with its source.
 ///
 /// # Errors
-/// [`Error::Unknown`](crate::Error::Unknown) for an unknown name.
+/// [`Error::Unknown`](crate::Error::Unknown) if there is no preset `name`.
 pub fn preset_toml(name: &str) -> Result<String> {
     let setup = Setup::preset(name)?;
     let Some(preset) = Preset::named(name) else {

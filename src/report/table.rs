@@ -64,7 +64,7 @@ fn width(head: &[&str], rows: &[Vec<String>], column: usize) -> usize {
         .unwrap_or(0)
 }
 
-/// Some columns of a table. With the width `narrowed`, the last one is wrapped.
+/// Some columns of a table. With the width `narrowed`, the last column is wrapped.
 fn part(
     head: &[&str],
     right: &[usize],

@@ -38,7 +38,7 @@ impl SetupArgs {
     /// Reads the setup and the settings.
     ///
     /// # Errors
-    /// For an unreadable setup, and a setting that does not apply to it.
+    /// If the setup cannot be read, or if a setting does not apply to the setup.
     pub fn request(&self) -> Result<Request> {
         let source = Source::read(&self.drive.setup)?;
         Request::new(source, self.drive.settings()?, self)
@@ -57,7 +57,7 @@ impl DriveArgs {
     /// The settings of `--set`, of options such as `--speed`, and of `--launch`.
     ///
     /// # Errors
-    /// For an unreadable setting.
+    /// If a setting cannot be read.
     pub fn settings(&self) -> Result<Vec<Setting>> {
         let mut settings = Setting::read_all("set", &self.set)?;
         let short_names = self.short_names.given();
@@ -75,7 +75,7 @@ impl Request {
     /// `args` has the options other than settings.
     ///
     /// # Errors
-    /// For two settings of one parameter, and a setting that does not apply.
+    /// If two settings state one parameter, or if a setting does not apply to the source.
     pub fn new(source: Source, stated: Vec<Setting>, args: &SetupArgs) -> Result<Self> {
         let tolerance = args.tolerance.as_deref().map(read_tolerance).transpose()?;
         Ok(Self {
@@ -138,7 +138,7 @@ impl Request {
     /// The checked setup.
     ///
     /// # Errors
-    /// For a missing parameter, and parameters that contradict each other.
+    /// If a parameter is missing, or if parameters contradict each other.
     pub fn setup(&self) -> Result<Setup<f64>> {
         self.refuse_idle_unset(&self.setup, &[])?;
         self.setup.validate()?;

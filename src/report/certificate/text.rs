@@ -187,7 +187,7 @@ fn agreement(rows: &[Row]) -> Option<String> {
     ))
 }
 
-/// Each derivative with its verdict.
+/// Table of the derivatives with their verdicts.
 pub(super) fn rows_table(rows: &[Row]) -> Table {
     let head = [
         "outcome",

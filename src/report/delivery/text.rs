@@ -188,7 +188,7 @@ fn shots(all: &[Delivery], spread: &[Spread], system: System) -> Table {
     Table::new(head, rows).right(1..columns)
 }
 
-/// Each row without a delivery, with the reason.
+/// Lines with the rows that have no delivery, and the reasons.
 fn failures(all: &[Delivery], system: System) -> Vec<Line> {
     let why = |delivery: &Delivery| match &delivery.found {
         Ok(delivered) => verdict(delivered).1,

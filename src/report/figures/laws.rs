@@ -210,7 +210,8 @@ impl LawPlot {
         layers
     }
 
-    /// Measured points of the law's source, with the other variable near its constant value.
+    /// The measured points of the law's source at which the other variable is near its constant
+    /// value.
     fn measured_points(&self, law: &Law<f64>) -> Vec<[f64; 2]> {
         let [low, high] = self.range;
         let which = self.of as usize;

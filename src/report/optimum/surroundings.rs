@@ -6,7 +6,7 @@ use crate::study::{ClubAlone, Limit as WindowLimit, Optimum, Vary, Window};
 use crate::units::{System, signed};
 use serde::Serialize;
 
-/// Results about the surroundings of an optimum of a single drive.
+/// The surroundings of an optimum of a single drive.
 #[derive(Clone, Copy, Debug)]
 pub struct Surroundings<'a> {
     /// The allowed loss, SI.

@@ -191,7 +191,7 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     }
 }
 
-/// Each exact derivative with the best numerical derivative.
+/// Table of the exact derivatives and the best numerical derivatives.
 pub(super) fn verdicts(rows: &[Row]) -> Markup {
     const EXACT: &str = "exact, SI";
     const NUMERICAL: &str = "numerical, extrapolated";

@@ -223,8 +223,8 @@ fn lane(figure: &Figure, layer: usize, bar: &Bar) -> (usize, usize) {
     }
 }
 
-/// True if the value is to the left of its bar: the bar points left, or it has no length and the
-/// other bar of the row points right.
+/// True if the value is to the left of its bar: the bar points left, or the bar has no length and
+/// the other bar of the row points right.
 fn is_left(figure: &Figure, layer: usize, bar: &Bar) -> bool {
     let is_right = |bar: &Bar| bar.to > bar.from;
     bar.to < bar.from

@@ -28,7 +28,7 @@ impl SweepParquet {
     /// The table of a batch. The file stores `question` under the key `longdrive`.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) for columns that Parquet does not allow.
+    /// [`Error::Output`](crate::Error::Output) if Parquet does not allow the columns of the batch.
     pub fn new(batch: &Batch, question: &str) -> Result<Self> {
         let (parameters, results) = (parameter_names(batch), batch.columns());
         let columns = parameters
@@ -62,10 +62,10 @@ impl SweepParquet {
     /// The row group of some blocks.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) for values that Parquet does not allow.
+    /// [`Error::Output`](crate::Error::Output) if Parquet does not allow a value of `blocks`.
     ///
     /// # Panics
-    /// If a block has other numbers of parameters, outcomes or derivatives than the batch.
+    /// If a block differs from the batch in the number of parameters, outcomes or derivatives.
     pub fn group(&self, blocks: &[Block]) -> Result<ParquetGroup> {
         blocks.iter().for_each(|block| self.columns.expect(block));
         let all = |block: &Block| 0..block.rows();
@@ -105,7 +105,7 @@ impl SweepParquet {
     /// The last bytes of a file with these row groups.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) for values that Parquet does not allow.
+    /// [`Error::Output`](crate::Error::Output) if Parquet does not allow `groups`.
     pub fn foot(&self, groups: &[PlacedGroup]) -> Result<Vec<u8>> {
         self.foot_with(groups, &[])
     }
@@ -113,7 +113,7 @@ impl SweepParquet {
     /// The footer with further notes by key.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) for values that Parquet does not allow.
+    /// [`Error::Output`](crate::Error::Output) if Parquet does not allow `groups` or `notes`.
     pub fn foot_with(&self, groups: &[PlacedGroup], notes: &[(&str, String)]) -> Result<Vec<u8>> {
         self.table.foot(groups, notes)
     }
