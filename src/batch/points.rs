@@ -24,7 +24,7 @@ pub trait Points {
     /// number of rows, which is 0 only at the end. The caller checks the number of values.
     ///
     /// # Errors
-    /// [`Error::Table`] for unreadable input.
+    /// [`Error::Table`] if the input cannot be read.
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize>;
 
     /// Notes on the source, such as ignored columns of a table.

@@ -27,10 +27,10 @@ pub struct Run<'a> {
 }
 
 impl Batch {
-    /// Computes the drives of all points. The thread that computed a block also calls `work` on it.
-    /// `sink` receives the results in the order of the points. Returns the row after the last
-    /// delivered one: the number of points or the requested end, unless the run was interrupted;
-    /// `run.first_row` if there was no row.
+    /// Computes the drives of all points. The thread that computed a block also calls `work` on the
+    /// block. `sink` receives the results in the order of the points. Returns the number of the row
+    /// after the last delivered row: the number of points or `run.end_row`, unless the run was
+    /// interrupted; `run.first_row` if no row was delivered.
     ///
     /// # Errors
     /// [`Error::Together`] if `points` does not have the swept parameters in their order, or if
@@ -128,9 +128,9 @@ impl Batch {
 }
 
 /// Outcomes of the drives at all points, passed to `sink` in order, in blocks of at most [`CHUNK`]
-/// rows. Returns the row after the last delivered one, or `run.first_row` if there was none. The
-/// setup determines the integration: [`accuracy`](crate::integration::accuracy()) finds method and step
-/// for a given error.
+/// rows. Returns the number of the row after the last delivered row, or `run.first_row` if no row
+/// was delivered. The setup determines the integration: method and step for a given error are the
+/// result of [`accuracy`](crate::integration::accuracy()).
 ///
 /// # Errors
 /// Errors of [`Batch::new`] and [`Batch::run`]. A drive without a flight is not an error; its

@@ -90,8 +90,8 @@ pub trait Host: Send + Sync {
     /// Receives the content of an output file that the host keeps in memory.
     fn keep(&self, _name: &Path, _content: Vec<u8>) {}
 
-    /// Announces work that can be interrupted: once `stop` is true, it returns its result so far.
-    /// The host then shows the message `stopping`.
+    /// Announces work that can be interrupted: once `stop` is true, the work returns its result so
+    /// far. The host then shows the message `stopping`.
     fn can_stop(&self, _stopping: &'static str, _stop: &Arc<AtomicBool>) {}
 
     /// Announces that the following work cannot be interrupted.

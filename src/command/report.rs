@@ -421,8 +421,8 @@ fn usual_speeds(setup: &Setup<f64>) -> Result<Vary> {
     }
 }
 
-/// Adds the plot data of the drive and its optimum, as far as they fly; `given` are the stated
-/// uncertainties.
+/// Adds the plot data of the drive as set up and of the optimal drive, as far as their balls fly.
+/// `given` are the stated uncertainties.
 fn add_pictures(
     findings: &mut Findings,
     given: &[Sigma],

@@ -1,7 +1,7 @@
 //! The JSON schemas of docs/schema, from the types of the answers.
 //!
-//! `LONGDRIVE_WRITE_SCHEMAS=1 cargo test --features full schemas` writes them. The answers of
-//! `sweep` about parts need the feature `parquet`; without it `sweep.json` is not compared.
+//! `LONGDRIVE_WRITE_SCHEMAS=1 cargo test --features full schemas` writes the schemas. The answers
+//! of `sweep` about parts need the feature `parquet`; without it `sweep.json` is not compared.
 
 use super::fly::listen::MessageCounts;
 use super::picture::PlotFile;

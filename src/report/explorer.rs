@@ -77,7 +77,7 @@ fn changed_numbers(
     system: System,
 ) -> Result<impl Iterator<Item = (&'static str, String)>> {
     let states_step = setup.states_step && !base.states_step;
-    // the coefficients of another law are compared with the published ones
+    // the coefficients of another law are compared with the published coefficients
     base.set_law(setup.law.name())?;
     // the program refuses settings of a club that strikes no ball
     let is_used = |row: &Parameter| {

@@ -52,8 +52,8 @@ pub(super) fn gain(constraint: &Constraint, at: &ConstraintValue) -> f64 {
 }
 
 impl Objective {
-    /// The gain for each unit of `by`, with its sign: "+2.11 yd for each degree". Golfers read it
-    /// as the price of the limit.
+    /// The gain for each unit of `by`, with its sign: "+2.11 yd for each degree". For golfers, the
+    /// gain is the price of the limit.
     pub fn price(self, amount: f64, by: (Quantity, &'static str), system: System) -> String {
         // for a minimized objective, a decrease is a gain
         let amount = if self.sense == Sense::Maximize {

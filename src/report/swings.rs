@@ -289,7 +289,7 @@ pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Li
     notes.into_iter().map(Line::flush).collect()
 }
 
-/// Notes on designs that violate a limit, or with which a swing does not fly.
+/// Notes on designs that violate a limit, or with which the ball does not fly in one of the swings.
 fn designs(best: &Optimum, nominal: Option<&Nominal>) -> Vec<String> {
     let kept = nominal.map(|nominal| nominal.kept.as_ref());
     let as_set_up = best.as_set_up.as_ref();

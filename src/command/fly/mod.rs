@@ -170,7 +170,7 @@ impl<'a> Remarks<'a> {
     }
 }
 
-/// Remarks on measured outcomes without a comparison, with advice on how to get one.
+/// Remarks on measured outcomes without a comparison, with advice on how to get a comparison.
 fn not_compared(shots: &Shots, of: &[Outcome], is_on_their_ground: bool) -> Vec<Message> {
     let mut remarks = vec![];
     if !is_on_their_ground && of.iter().any(|of| of.needs_run() && shots.has(*of)) {

@@ -146,7 +146,7 @@ impl fmt::Display for Setting {
 /// Refuses several settings of one parameter.
 ///
 /// # Errors
-/// [`Error::Unreadable`], which names two of them.
+/// [`Error::Unreadable`], which names two of the settings.
 pub fn refuse_duplicates(settings: &[Setting]) -> Result<()> {
     for (i, setting) in settings.iter().enumerate() {
         let earlier = settings[..i]

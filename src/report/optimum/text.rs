@@ -71,7 +71,8 @@ pub fn optimum_document(
     document
 }
 
-/// Adds the varied parameters of an optimum of one drive with its surroundings, and the constraints.
+/// Adds the varied parameters of the optimum of a single drive with its surroundings, and the
+/// constraints.
 pub(in crate::report) fn add_place(
     document: &mut Document,
     optimum: &Optimum,

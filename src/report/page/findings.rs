@@ -13,7 +13,7 @@ use crate::units::{Message, System};
 /// The setup file of a report, with the optimal drive or else the drive as set up.
 pub const SETUP_FILE: &str = "setup.toml";
 
-/// The file of the explorer beside a report.
+/// Name of the explorer's file in the folder of a report.
 pub const EXPLORER_FILE: &str = "explorer.html";
 
 /// The link from a report to the explorer, which opens with the drive as set up.

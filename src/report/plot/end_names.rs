@@ -45,7 +45,7 @@ struct Name<'a> {
 }
 
 impl<'a> EndNames<'a> {
-    /// The names of the lines; `None` if the figure has them elsewhere.
+    /// The names of the lines; `None` if the figure has the names elsewhere.
     pub fn of(figure: &'a Figure, width: f64) -> Option<Self> {
         if figure.line_names != LineNames::AtEnds {
             return None;
@@ -85,7 +85,8 @@ impl<'a> EndNames<'a> {
         // a line that leaves at the top ends before the right side
         let leaves = |at: [f64; 2]| at[1] < top + NEAR && at[0] < right - NEAR;
         let (mut leaving, mut placed): (Vec<_>, Vec<_>) = placed.partition(|(_, at)| leaves(*at));
-        // their connectors run above the plot: the first to leave has the highest one
+        // the connectors of these lines run above the plot: the line that leaves first has the
+        // highest connector
         leaving.sort_by(|(_, a), (_, b)| a[0].total_cmp(&b[0]));
         placed.sort_by(|(_, a), (_, b)| a[1].total_cmp(&b[1]));
         let above = leaving.len();

@@ -289,8 +289,8 @@ fn nearest(labels: &Labels<'_>, plane: &Plane<'_>, name: &str, at: [f64; 2]) -> 
         ])
 }
 
-/// Minimum distance of a name from a label beside it: two labels in a row would look like one,
-/// pixels.
+/// Minimum distance between a name and a label beside it, pixels. If they were nearer, they would
+/// look like one label.
 const APART: f64 = 8.0;
 
 /// Writes the names of lines on the lines, if the figure has them there. A name without
