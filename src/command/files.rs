@@ -61,7 +61,7 @@ impl Rule {
         refuse_standard_output(path, "file, as in `output mine.toml`")?;
         let destination = self.place(path)?;
         if destination.is_file() {
-            // report a path that cannot be written before the work, not after it
+            // before the work, report a path that cannot be written
             create_beside(&destination.at).map_err(|error| unwritable(path, &error))?;
         }
         Ok(destination)

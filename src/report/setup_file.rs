@@ -41,7 +41,8 @@ pub fn setup_toml(
     Ok(toml(preset, about, &rows, is_of_preset))
 }
 
-/// The remark of each varied parameter in a setup file: "optimum: 10.4 deg in 4 deg .. 20 deg".
+/// The remark of each varied parameter in a setup file, such as "optimum: 10.4 deg in 4 deg .. 20
+/// deg".
 pub(super) fn remarks_on_varied(
     word: &str,
     vary: &[Vary],

@@ -53,7 +53,7 @@ impl Field {
     }
 }
 
-/// The regions of a field, the lowest level first. Each contains the next one.
+/// The regions of a field, the lowest level first. Each region contains the next region.
 pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
     let unit = field.measure.unit_size(system);
     let (columns, rows) = (field.columns, field.rows());
