@@ -355,8 +355,8 @@ pub(super) struct OutcomeError {
     quantity: Quantity,
 }
 
-/// The root mean square of the held-out differences: of each outcome, and of each parameter in which
-/// a row states an optimum.
+/// The root mean square of the held-out differences: of each outcome, and of each parameter in
+/// which a row states an optimum.
 pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
     // before the loop ends, `rms` is the sum of squares
     let mut all: Vec<(OutcomeError, usize)> = vec![];

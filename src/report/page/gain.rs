@@ -18,8 +18,8 @@ struct Column<'a> {
     drive: Option<&'a Drive<f64>>,
 }
 
-/// Carry, total and varied parameters of the drive as set up, of the best club with the swing as set
-/// up, and of the optimum.
+/// Carry, total and varied parameters of the drive as set up, of the best club with the swing as
+/// set up, and of the optimum.
 pub(super) fn steps(findings: &Findings, best: &Optimum) -> Markup {
     let columns = columns(findings, best);
     html! {

@@ -30,8 +30,8 @@ pub const TABLE_2: [[f64; 3]; 9] = [
     [15.0, 7.2053, 243.43],
 ];
 
-/// Recommended optimum: the loft of Table 1, deg, a swing elevation of Table 2, deg, and the longest
-/// distance of Table 1, m.
+/// Recommended optimum: the loft of Table 1, deg, a swing elevation of Table 2, deg, and the
+/// longest distance of Table 1, m.
 pub const OPTIMUM: [f64; 3] = [17.68, 7.3, 248.48];
 
 /// Range of loft, deg.
