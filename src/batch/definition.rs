@@ -24,10 +24,11 @@ impl Batch {
     /// Creates a batch of the outcomes `of` at points of `parameters`, with derivatives by `wrt`.
     ///
     /// # Errors
-    /// Errors of [`Setup::validate`]; [`Error::Nothing`] without outcomes or swept parameters;
-    /// [`Error::NotVariable`], [`Error::Unknown`] and [`Error::OtherLaw`] of [`Setup::variable`],
-    /// also for a coefficient of another law with the name of a coefficient of the setup's law;
-    /// [`Error::SearchRange`] and [`Error::Together`] for a repeated parameter.
+    /// Errors of [`Setup::validate`]; [`Error::Nothing`] if `of` or `parameters` is empty;
+    /// [`Error::NotVariable`], [`Error::Unknown`] and [`Error::OtherLaw`] of [`Setup::variable`];
+    /// [`Error::OtherLaw`] also for a coefficient that belongs to another law but has the same name
+    /// in the setup's law; [`Error::SearchRange`] if `parameters` repeats a parameter, and
+    /// [`Error::Together`] if `wrt` does.
     pub fn new(
         setup: &Setup<f64>,
         parameters: &[&'static Parameter],
@@ -78,13 +79,13 @@ impl Batch {
         })
     }
 
-    /// Adapts the step of each drive. If the defect of the integration (docs/model.md, eq. 16a)
-    /// exceeds this limit, m, the drive is repeated with half the step until the defect is
-    /// accepted. A drive above the limit even with the shortest step has the status `diverged`. The
-    /// default, infinity, keeps the setup's step.
+    /// Adapts the step of each drive: if the defect of the integration (docs/model.md, eq. 16a)
+    /// exceeds `defect` (m), the drive is repeated with half the step until the defect is accepted.
+    /// If the defect is too large even with the shortest step, the drive has the status `diverged`.
+    /// The default, infinity, keeps the setup's step.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for NaN and for limits ≤ 0.
+    /// [`Error::OutOfRange`] if `defect` is NaN or ≤ 0.
     pub fn with_largest_defect(self, defect: f64) -> Result<Self> {
         if defect > 0.0 {
             return Ok(Self {
@@ -101,10 +102,10 @@ impl Batch {
         })
     }
 
-    /// The batch with another time step, s.
+    /// Copy of the batch with the time step `step`, s.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for more than 1e8 steps.
+    /// [`Error::OutOfRange`] if `step` is ≤ 0, or if the time limit would need more than 1e8 steps.
     pub(crate) fn with_step(&self, step: f64) -> Result<Self> {
         let mut batch = self.clone();
         batch.setup.flight.step = step;
@@ -115,7 +116,7 @@ impl Batch {
     /// Sets the instruction level. The default is the widest level of this processor.
     ///
     /// # Errors
-    /// [`Error::Together`] if the processor does not support the level.
+    /// [`Error::Together`] if the processor does not support `level`.
     pub fn with_level(self, level: Level) -> Result<Self> {
         let most = Level::here();
         if !level.is_here() {
@@ -136,8 +137,8 @@ impl Batch {
         self.level
     }
 
-    /// Largest accepted defect of the integration, m (docs/model.md, eq. 16a); infinite if the
-    /// setup's step is kept.
+    /// Largest accepted defect of the integration, m (docs/model.md, eq. 16a); infinite if all
+    /// drives have the setup's step.
     pub fn largest_defect(&self) -> f64 {
         self.largest_defect
     }

@@ -70,9 +70,9 @@ impl Batch {
     }
 
     /// Computes the drives of a block in lane batches, and returns the rows that need scalar
-    /// evaluation. All rows need it if the inertia tensor is swept, because the tensor must be
-    /// checked in each row, or if there are so many parameters of differentiation that one drive
-    /// fills the lanes.
+    /// evaluation. These are all rows in two cases: if the inertia tensor is swept, because the
+    /// tensor must be checked in each row; or if a drive has so many parameters of differentiation
+    /// that it fills the lanes.
     fn evaluate_in_lanes(&self, block: &mut Block, stop: &AtomicBool) -> Vec<usize> {
         if self.wrt.len() > 4 * MOST_PER_LANE
             || self
@@ -111,9 +111,8 @@ impl Batch {
     /// Scalar evaluation of a drive. The step is halved until the defect of the integration is
     /// accepted.
     ///
-    /// # Errors
-    /// [`Error::Stopped`]; the error of a drive without an impact or with a diverged flight, whose
-    /// status is already in the block.
+    /// [`Error::Stopped`]; the error of a drive that has no impact or a diverged flight. The status
+    /// of this drive is already in the block.
     fn evaluate_scalar(
         &self,
         mut setup: Setup<f64>,
@@ -147,8 +146,8 @@ impl Batch {
         Ok(())
     }
 
-    /// Computes the derivatives of all outcomes together. If one of them is undefined, each is
-    /// computed separately.
+    /// Computes the derivatives of all outcomes in one evaluation. If this evaluation fails,
+    /// computes each derivative separately.
     ///
     /// # Errors
     /// [`Error::Stopped`].

@@ -2,12 +2,12 @@ use super::points::{Points, refuse_repeated};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Vary};
 
-/// Equally spaced values of a parameter, including both ends.
+/// Equally spaced values of a parameter over a range, both ends included.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
     /// Parameter and range, SI.
     pub over: Vary,
-    /// Number of values; with 1, only the lower end.
+    /// Number of values; a count of 1 gives only the lower end.
     pub count: u64,
 }
 
@@ -20,8 +20,7 @@ impl Axis {
     /// assert_eq!((axis.value(0), axis.value(1), axis.value(5)), (40.0, 42.0, 50.0));
     /// ```
     ///
-    /// # Errors
-    /// [`Error::SearchRange`] for a missing or zero count; errors of [`Vary::read`].
+    /// [`Error::SearchRange`] if the count in `text` is missing or zero; errors of [`Vary::read`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let refuse = |reason: String| Error::SearchRange {
             name: text.trim().into(),
@@ -75,8 +74,8 @@ impl Grid {
     /// Grid of these axes.
     ///
     /// # Errors
-    /// [`Error::TooLarge`] if the number of rows overflows; [`Error::SearchRange`] for an axis
-    /// without values or a repeated parameter; [`Error::Nothing`] without axes.
+    /// [`Error::TooLarge`] if the number of rows overflows; [`Error::SearchRange`] if an axis has
+    /// no values or a parameter is repeated; [`Error::Nothing`] if `axes` is empty.
     pub fn new(axes: Vec<Axis>) -> Result<Self> {
         let parameters: Vec<_> = axes.iter().map(|axis| axis.over.parameter).collect();
         refuse_repeated(&parameters)?;
@@ -129,7 +128,7 @@ impl Points for Grid {
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize> {
         let rows = self.rows.saturating_sub(self.next).min(most as u64);
         for row in self.next..self.next + rows {
-            // number of rows over which an axis keeps its value
+            // number of consecutive rows in which an axis has the same value
             let mut stride = self.rows;
             values.extend(self.axes.iter().map(|axis| {
                 stride /= axis.count;

@@ -5,22 +5,22 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::mpsc;
 
-/// Number of chunks in flight per thread, so that no thread waits for the ordering.
+/// Maximum number of chunks in flight per thread: enough that threads need not wait for `sink`.
 const UNDER_WAY: u64 = 4;
 
-/// Maximum number of threads. Starting more threads takes longer than they save.
+/// Maximum number of threads. More threads need longer to start than they save.
 const MOST_THREADS: usize = 256;
 
 /// WebAssembly has threads only if compiled with atomics.
 pub(crate) const HAS_THREADS: bool =
     cfg!(any(not(target_family = "wasm"), target_feature = "atomics"));
 
-/// Processes each chunk from `next` in parallel and passes the results to `sink` in order. A
-/// bounded number of chunks is in flight. `threads`: 0 for one per processor, at most 256. Without
-/// threads (WebAssembly) the chunks are processed one by one.
+/// Processes each chunk from `next` in parallel and passes the results to `sink` in order. The
+/// number of chunks in flight is bounded. `threads` is the number of threads, at most 256; 0 means
+/// one per processor. Without threads (WebAssembly) the chunks are processed one by one.
 ///
 /// # Errors
-/// Errors of `next` and `sink`. Results before an error of `next` are delivered first.
+/// Errors of `next` and `sink`. If `next` fails, the earlier results are delivered first.
 pub(crate) fn in_order<T: Send, R: Send>(
     threads: usize,
     mut next: impl FnMut() -> Result<Option<T>>,

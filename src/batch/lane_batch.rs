@@ -86,8 +86,9 @@ impl OverNumbers for LaneFlight<'_, '_> {
 }
 
 impl LaneBatch<'_> {
-    /// Partitions the rows into flying rows, with their upward speed at launch, and rows that need
-    /// scalar evaluation. A ball launched into the ground gets its status here.
+    /// Partitions the rows into rows whose ball flies, with the upward speed at launch, and rows
+    /// that need scalar evaluation. Sets the status of a ball launched into the ground, unless an
+    /// outcome of the launch is requested.
     #[inline(always)]
     fn partition<V: Lanes<Lane = f64>>(&mut self) -> Partition {
         let batch = self.batch;
@@ -198,8 +199,9 @@ impl LaneBatch<'_> {
         }
     }
 
-    /// Sets the swept parameters to the values of a group of rows; `directions` has the direction
-    /// in which a swept parameter is seeded, if it is one of `wrt`.
+    /// Sets the swept parameters to the values of a group of rows. `directions` has an entry for
+    /// each swept parameter: the direction of its derivative, or `None` if the parameter is not in
+    /// `wrt`.
     #[inline(always)]
     fn put_group<J: Lanes>(
         &self,
@@ -219,7 +221,7 @@ impl LaneBatch<'_> {
         );
     }
 
-    /// Seeds the parameters of differentiation at the setup's own values.
+    /// Sets the parameters of differentiation to the setup's own values, with unit derivatives.
     #[inline(always)]
     fn seed_parameters<J: Lanes>(&self, setup: &mut Setup<J>) {
         setup.put(

@@ -17,14 +17,14 @@ pub trait Points {
     /// Moves to a row, from which [`read`](Self::read) continues.
     ///
     /// # Errors
-    /// Errors of reading the rows before it.
+    /// Errors in the rows before `row`, if they must be read.
     fn seek(&mut self, row: u64) -> Result<()>;
 
     /// Appends up to `most` rows to `values`, SI, with a value for each parameter. Returns the
     /// number of rows, which is 0 only at the end. The caller checks the number of values.
     ///
     /// # Errors
-    /// [`Error::Table`] for unreadable input.
+    /// [`Error::Table`] if the input cannot be read.
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize>;
 
     /// Notes on the source, such as ignored columns of a table.

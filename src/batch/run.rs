@@ -27,14 +27,14 @@ pub struct Run<'a> {
 }
 
 impl Batch {
-    /// Computes the drives of all points. The thread that computed a block also calls `work` on it.
-    /// `sink` receives the results in the order of the points. Returns the row after the last
-    /// delivered one: the number of points or the requested end, unless the run was interrupted;
-    /// `run.first_row` if there was no row.
+    /// Computes the drives of all points. The thread that computed a block also calls `work` on the
+    /// block. `sink` receives the results in the order of the points. Returns the number of the row
+    /// after the last delivered row: the number of points or `run.end_row`, unless the run was
+    /// interrupted; `run.first_row` if no row was delivered.
     ///
     /// # Errors
-    /// [`Error::Together`] for points of other parameters, or in another order, and for a
-    /// [`read`](Points::read) with inconsistent numbers of rows and values; errors of `points` and
+    /// [`Error::Together`] if `points` does not have the swept parameters in their order, or if
+    /// [`Points::read`] returns inconsistent numbers of rows and values; errors of `points` and
     /// `sink`. Rows before an unreadable point are delivered first.
     pub fn run<R: Send>(
         &self,
@@ -128,9 +128,9 @@ impl Batch {
 }
 
 /// Outcomes of the drives at all points, passed to `sink` in order, in blocks of at most [`CHUNK`]
-/// rows. Returns the row after the last delivered one, or `run.first_row` if there was none. The
-/// setup determines the integration: [`accuracy`](crate::integration::accuracy()) finds method and step
-/// for a given error.
+/// rows. Returns the number of the row after the last delivered row, or `run.first_row` if no row
+/// was delivered. The setup determines the integration: method and step for a given error are the
+/// result of [`accuracy`](crate::integration::accuracy()).
 ///
 /// # Errors
 /// Errors of [`Batch::new`] and [`Batch::run`]. A drive without a flight is not an error; its
@@ -153,7 +153,7 @@ pub fn simulate_batch(
 /// Like [`simulate_batch`], with the exact derivatives of every outcome by each parameter of `wrt`.
 ///
 /// # Errors
-/// Errors of [`simulate_batch`]; [`Error::Nothing`] without parameters of differentiation.
+/// Errors of [`simulate_batch`]; [`Error::Nothing`] if `wrt` is empty.
 pub fn gradient_batch(
     setup: &Setup<f64>,
     points: &mut dyn Points,

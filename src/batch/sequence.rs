@@ -4,7 +4,7 @@ use crate::optimize::sobol;
 use crate::parameters::{Parameter, Vary};
 
 /// Scrambled Sobol sequence over ranges of some parameters (Owen 1995; Burley 2020): evenly spread
-/// for any number of points. After each 65,536 points the scrambling changes.
+/// for any number of points. The scrambling changes after every 65,536 points.
 #[derive(Clone, Debug)]
 pub struct Sequence {
     over: Vec<Vary>,
@@ -19,8 +19,8 @@ impl Sequence {
     /// points.
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a repeated parameter, or too many of them; [`Error::Nothing`]
-    /// without ranges.
+    /// [`Error::SearchRange`] if `over` repeats a parameter or has too many parameters;
+    /// [`Error::Nothing`] if it is empty.
     pub fn new(over: Vec<Vary>, rows: u64, seed: u32) -> Result<Self> {
         let parameters: Vec<_> = over.iter().map(|vary| vary.parameter).collect();
         refuse_repeated(&parameters)?;

@@ -247,7 +247,7 @@ impl Outputs {
     }
 }
 
-/// Cross-validation: fits of this law and of the laws to compare, each without some rows.
+/// Cross-validation: fits of this law and of the laws to compare. Each fit omits some rows.
 struct CrossValidation<'a> {
     folds: usize,
     compared: Vec<Compared<'a>>,
@@ -316,8 +316,8 @@ impl<'a> CrossValidation<'a> {
     }
 }
 
-/// Returns true if the values are fitted. After an interruption they are the values of the last
-/// iteration.
+/// Returns true if the values are fitted. After an interruption, the setup has the values of the
+/// last iteration.
 fn is_fitted(found: &Calibration) -> bool {
     found.is_minimum
         || !matches!(

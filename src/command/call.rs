@@ -59,7 +59,7 @@ pub enum Value {
     Named(String, Box<Value>),
     /// Several values of one argument.
     Several(Vec<Value>),
-    /// Parts of one value, which commas separate: the changes that make a model.
+    /// Several texts of one value, with commas between them, such as the changes that make a model.
     Joined(Vec<Value>),
 }
 
@@ -82,7 +82,7 @@ impl Call {
     /// The words of the command line, the name of the program first.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for an unknown command, and an argument that it does not have.
+    /// [`Error::Unreadable`] if the command is unknown, or does not have one of the arguments.
     pub fn words(&self) -> Result<Vec<OsString>> {
         Ok(self.command_line()?.words)
     }
@@ -151,15 +151,15 @@ impl Call {
     }
 }
 
-/// The name of an argument: that of its option, with underscores.
+/// The name of an argument: the name of its option, with underscores.
 fn name_of(arg: &Arg) -> String {
     arg.get_long()
         .unwrap_or(arg.get_id().as_str())
         .replace('-', "_")
 }
 
-/// The quantity of a goal such as `mean(carry) - 0.5*std(lateral)`: that of its first outcome. A
-/// share of drives and strokes have no unit.
+/// The quantity of a goal such as `mean(carry) - 0.5*std(lateral)`: the quantity of its first
+/// outcome. Fractions of drives and numbers of strokes have no unit.
 pub fn quantity_of_goal(goal: &str) -> Option<Quantity> {
     let mut rest = goal;
     while let Some(start) = rest.find(|c: char| c.is_ascii_lowercase()) {
@@ -179,13 +179,14 @@ pub fn quantity_of_goal(goal: &str) -> Option<Quantity> {
     None
 }
 
-/// The parameter of a name, of any law.
+/// The parameter with this name, of any law.
 fn parameter(name: &str) -> Option<&'static Parameter> {
     let of_any_law = || Law::all_rows().find(|row| row.name == name);
     Setup::default().parameter(name).ok().or_else(of_any_law)
 }
 
-/// The quantity of a parameter or an outcome, whose SI unit a number without a unit has.
+/// The quantity of a parameter or an outcome. A number without a unit is in the SI unit of this
+/// quantity.
 pub fn quantity_of(name: &str) -> Option<Quantity> {
     let of_outcome = || Outcome::named(name).ok().map(|outcome| outcome.quantity());
     parameter(name)
@@ -294,8 +295,8 @@ impl Writer {
     }
 }
 
-/// The error of a value out of range, with the degrees that were probably meant by an angle without
-/// a unit.
+/// The error of a value out of range. For an angle without a unit, the advice of the error is the
+/// same number in degrees, which was probably meant.
 pub fn with_degrees(error: Error, bare_angles: &[f64]) -> Error {
     let Error::OutOfRange {
         name,

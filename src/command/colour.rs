@@ -33,7 +33,7 @@ const STATUS: [(&str, Style); 15] = [
 /// Prints an answer to standard output.
 pub fn print(text: &str) -> io::Result<()> {
     let mut out = anstream::stdout().lock();
-    // write text without colours unchanged, byte for byte; help has colours of its own
+    // write text without colours byte for byte; the help has its own colours
     if AutoStream::choice(&io::stdout()) == ColorChoice::Never && !text.contains('\u{1b}') {
         let mut out = out.into_inner();
         return out.write_all(text.as_bytes()).and_then(|()| out.flush());

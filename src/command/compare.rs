@@ -151,7 +151,7 @@ impl Pair {
     /// The comparison of the two drives.
     ///
     /// # Errors
-    /// For an incomplete setup; the errors of [`Comparison::new`].
+    /// If a setup is incomplete; the errors of [`Comparison::new`].
     pub fn comparison(&self, [a, b]: &[Request; 2]) -> Result<Comparison> {
         let setup = |request: &Request| request.within_tolerance(request.setup()?);
         let comparison = Comparison::new(&setup(a).map_err(of_a)?, &setup(b).map_err(of_b)?)?;

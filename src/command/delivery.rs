@@ -143,8 +143,8 @@ impl Deliveries {
         self.all.iter().filter_map(Delivery::explained).count()
     }
 
-    /// All warnings. Reports only the warnings about the deliveries: those in `warned` were
-    /// reported before.
+    /// All warnings. Reports the warnings about the deliveries, but not those in `warned`, which
+    /// were reported before.
     fn warnings(&self) -> Vec<Message> {
         let mut warnings = vec![];
         if self.left_out > 0 {
@@ -231,7 +231,8 @@ fn of_shots(
 /// The club parameter that a golfer can read on the club.
 const LOFT: &str = "club.loft";
 
-/// The warning that the loft is an average's: a best loft found later is relative to this loft.
+/// The warning that the setup has the loft of an average golfer: a best loft that is found later is
+/// relative to this loft.
 fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec<Message> {
     let is_varied = unknowns
         .iter()
@@ -252,7 +253,7 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
 }
 
 /// The parameters to find, with the prior knowledge of each. A club value that the command line
-/// states has the uncertainty of a launch monitor, as a column has.
+/// states has the uncertainty of a launch monitor, like a value in a column of a table.
 fn read_unknowns(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Vec<Unknown>> {
     let vary = args
         .vary

@@ -109,8 +109,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer.found(found.is_found()))
 }
 
-/// Refuses a file that names no preset: the default preset of the other commands is above the Rules
-/// of Golf, so this command has another one.
+/// Refuses a file that names no preset. The default preset of the other commands exceeds the limits
+/// of the Rules of Golf, so this command has another default preset.
 fn refuse_unnamed_preset(request: &Request) -> Result<()> {
     if request.source().names_preset() {
         return Ok(());

@@ -16,7 +16,7 @@ use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
-/// Files that the outputs of a command must not replace.
+/// Files that the outputs of a command must not replace, and the permission to replace other files.
 #[derive(Clone, Debug, Default)]
 pub struct Rule {
     inputs: Vec<PathBuf>,
@@ -24,7 +24,8 @@ pub struct Rule {
 }
 
 impl Rule {
-    /// The rule for a command that reads the files `inputs`, or that stores its progress in them.
+    /// The rule for a command that reads the files `inputs`, or that stores its progress in these
+    /// files.
     pub fn new(inputs: impl IntoIterator<Item = PathBuf>, overwrite: bool) -> Self {
         Self {
             inputs: inputs
@@ -46,7 +47,7 @@ impl Rule {
     /// The destination of a file, if the rule allows it.
     ///
     /// # Errors
-    /// [`Error::Results`] for a folder, an input, an existing file, and a path that cannot be
+    /// [`Error::Results`] if `path` is a folder, an input or an existing file, or if it cannot be
     /// written.
     pub fn file(&self, path: &Path) -> Result<Destination> {
         if running().host.keeps(path) {
@@ -60,7 +61,7 @@ impl Rule {
         refuse_standard_output(path, "file, as in `output mine.toml`")?;
         let destination = self.place(path)?;
         if destination.is_file() {
-            // report a path that cannot be written before the work, not after it
+            // before the work, report a path that cannot be written
             create_beside(&destination.at).map_err(|error| unwritable(path, &error))?;
         }
         Ok(destination)
@@ -70,7 +71,8 @@ impl Rule {
     /// and its extension must not belong to another format.
     ///
     /// # Errors
-    /// The errors of [`file`](Self::file); the extension of another format.
+    /// The errors of [`file`](Self::file); [`Error::Results`] if the extension belongs to another
+    /// format.
     pub fn setup_file(&self, path: Option<&Path>) -> Result<Option<Destination>> {
         let Some(path) = path else { return Ok(None) };
         let destination = self.file(path)?;
@@ -157,8 +159,8 @@ impl Rule {
     /// its files. A missing parent is an error, because the path is probably misspelt.
     ///
     /// # Errors
-    /// [`Error::Results`] for a path to a file, a folder that cannot be created or written, and an
-    /// existing file in it that the rule protects.
+    /// [`Error::Results`] if `path` is a file, if the folder cannot be created or written, or if
+    /// the rule protects one of the files `names` in it.
     pub fn folder(&self, path: &Path, names: &[&str]) -> Result<Folder> {
         refuse_standard_output(path, "folder")?;
         let folder = Folder {
@@ -259,7 +261,7 @@ impl Destination {
     /// Begins a file that is written in pieces and renamed once it is complete.
     ///
     /// # Errors
-    /// [`Error::Results`] if it cannot be written.
+    /// [`Error::Results`] if the file cannot be written.
     pub fn begin(&self) -> Result<Pieces> {
         let to = match self.kind {
             Kind::File => create_beside(&self.at).map(To::Beside),
@@ -299,7 +301,7 @@ impl Destination {
         Ok(file)
     }
 
-    /// Moves a complete file to its path.
+    /// Moves the complete temporary file to the path of the destination.
     fn end(&self, file: NamedTempFile) -> io::Result<()> {
         file.as_file().sync_all()?;
         Ok(persist(file.into_temp_path(), &self.at, self.may_replace)?)

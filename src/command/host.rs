@@ -90,8 +90,8 @@ pub trait Host: Send + Sync {
     /// Receives the content of an output file that the host keeps in memory.
     fn keep(&self, _name: &Path, _content: Vec<u8>) {}
 
-    /// Announces work that can be interrupted: once `stop` is true, it returns its result so far.
-    /// The host then shows the message `stopping`.
+    /// Announces work that can be interrupted: once `stop` is true, the work returns its result so
+    /// far. The host then shows the message `stopping`.
     fn can_stop(&self, _stopping: &'static str, _stop: &Arc<AtomicBool>) {}
 
     /// Announces that the following work cannot be interrupted.
@@ -119,17 +119,17 @@ impl Hold for () {}
 /// The work whose progress a host may show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Work<'a> {
-    /// Parts of this name, in plural. Their number follows.
+    /// Countable parts with this name, in plural. [`Progress::set_length`] receives their number.
     Parts(&'a str),
     /// This number of searches. The message is the best value so far.
     Searches(u64),
-    /// The iterations of one search. The message is the last of them.
+    /// The iterations of one search. The message is the last iteration.
     Iterations,
     /// Work without countable parts, with its name.
     Uncounted(&'a str),
 }
 
-/// Shows the progress of one piece of work. Worker threads call it too.
+/// Shows the progress of one piece of work. Worker threads call these functions too.
 pub trait Progress: Send + Sync {
     /// Sets the number of all parts.
     fn set_length(&self, _parts: u64) {}
@@ -143,7 +143,8 @@ pub trait Progress: Send + Sync {
     /// Sets the message.
     fn set_message(&self, _message: String) {}
 
-    /// Estimates the remaining time from now on: the parts so far were completed earlier.
+    /// Restarts the estimate of the remaining time, because the parts so far were completed
+    /// earlier.
     fn reset_eta(&self) {}
 
     /// Runs `work`, which reports to the host, while nothing of the progress is on the screen.

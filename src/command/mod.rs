@@ -296,7 +296,7 @@ impl Program {
     /// Reads a command line.
     ///
     /// # Errors
-    /// For words that are no command line of this program, and for `--help` and `--version`.
+    /// If `words` are no command line of this program, and for `--help` and `--version`.
     fn read(words: &[OsString]) -> Result<Self, clap::Error> {
         let width = width::of_answers();
         let with_help = program()

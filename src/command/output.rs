@@ -145,7 +145,7 @@ pub fn tell(text: &str) {
     running().tell(text);
 }
 
-/// Adds `text`, about what the answer leaves out, to the JSON; with `--verbose` also reports it.
+/// Adds a text about omitted results to the JSON; with `--verbose`, also reports the text.
 pub fn tell_left_out(text: &str) {
     running().leave_out(text);
     tell_detail(text);
@@ -298,7 +298,7 @@ fn tip_of_unknown_option(argument: &str) -> String {
 }
 
 /// Replaces the parser's tip about an unexpected argument. The parser treats an unknown option as a
-/// setup, and advises `--`; and it suggests options that only begin alike.
+/// setup and advises `--`, or it suggests options that only have the same beginning.
 fn in_own_words(error: &mut clap::Error) {
     let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else {
         return;

@@ -33,8 +33,8 @@ pub fn run(args: &Args) -> Result<Answer> {
 }
 
 impl Args {
-    /// The setup and the search word. If the command line has one argument only, it is the word,
-    /// unless it names a setup.
+    /// The setup and the search word. A single argument is the search word, unless it names a
+    /// setup.
     fn setup_and_word(&self) -> (SetupArgs, Option<String>) {
         let mut setup_args = self.setup_args.clone();
         if self.word.is_some() || Source::is_named_by(&setup_args.drive.setup) {

@@ -109,8 +109,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer(args, &origin, &findings, names, remarks))
 }
 
-/// The way to the explorer: its page with the drive as set up, or the command that serves it.
-/// `None` for a setup that the explorer cannot have.
+/// The link to the explorer: its page with the drive as set up, or the command that serves the
+/// page. `None` for a setup that the explorer cannot represent.
 fn explorer_link(request: &Request, setup: &Setup<f64>) -> Option<ExplorerLink> {
     let state = explorer_state(setup, request.source().preset(), system()).ok()?;
     if compiled_in().is_some() {
@@ -402,8 +402,8 @@ impl Args {
     }
 }
 
-/// The default speed range of the chart. If the speed of the drive is outside of it, a range of the
-/// same width around that speed, not below half of the speed.
+/// The default speed range of the chart. If the drive's speed is outside of this range: a range of
+/// the same width around the drive's speed, but not below half of the drive's speed.
 fn usual_speeds(setup: &Setup<f64>) -> Result<Vary> {
     let usual = if setup.launch.is_given() {
         "launch.ball_speed=120mph..190mph"
@@ -421,8 +421,8 @@ fn usual_speeds(setup: &Setup<f64>) -> Result<Vary> {
     }
 }
 
-/// Adds the plot data of the drive and its optimum, as far as they fly; `given` are the stated
-/// uncertainties.
+/// Adds the plot data of the drive as set up and of the optimal drive, as far as their balls fly.
+/// `given` are the stated uncertainties.
 fn add_pictures(
     findings: &mut Findings,
     given: &[Sigma],

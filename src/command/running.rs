@@ -81,7 +81,8 @@ fn default_host() -> Arc<dyn Host> {
     Arc::new(Nobody)
 }
 
-/// The innermost command of this thread, or one of the default host if this thread has no command.
+/// The innermost command of this thread. A thread without a command gets a command of the default
+/// host.
 /// Threads that a command starts must get its `Running` explicitly.
 pub fn running() -> Arc<Running> {
     /// The program of a thread without a command: it has no options.
@@ -170,7 +171,7 @@ impl Running {
             .clone()
     }
 
-    /// Stores what the answer leaves out, for JSON.
+    /// Stores a text about omitted results, for JSON.
     pub fn leave_out(&self, text: &str) {
         self.left_out
             .lock()

@@ -1,7 +1,7 @@
 //! The JSON schemas of docs/schema, from the types of the answers.
 //!
-//! `LONGDRIVE_WRITE_SCHEMAS=1 cargo test --features full schemas` writes them. The answers of
-//! `sweep` about parts need the feature `parquet`; without it `sweep.json` is not compared.
+//! `LONGDRIVE_WRITE_SCHEMAS=1 cargo test --features full schemas` writes the schemas. The answers
+//! of `sweep` about parts need the feature `parquet`; without it `sweep.json` is not compared.
 
 use super::fly::listen::MessageCounts;
 use super::picture::PlotFile;
@@ -72,7 +72,8 @@ fn row<T: JsonSchema>(command: &str) -> Schema {
     plain(schema)
 }
 
-/// The answers of a command: with a result, in one of several shapes, or without.
+/// The schemas of a command's answers: answers with a result, in one of several shapes, and answers
+/// without a result.
 pub struct Answers {
     pub command: String,
     generator: SchemaGenerator,

@@ -143,7 +143,7 @@ impl Totals {
     }
 }
 
-/// For each end of an uncertainty range without a drive, the reason.
+/// The reason for each end of an uncertainty range at which there is no drive.
 fn unflown(setup: &Setup<f64>, of: &[Outcome], effects: &Effects) -> Vec<Message> {
     let why = |bar: &Bar, sign: f64| flown_off(setup, of, &bar.sigma, sign).err();
     let ends = effects

@@ -30,7 +30,7 @@ impl SwingsArgs {
         self.swings.is_some() || !self.distribution.is_empty()
     }
 
-    /// An option about swings, if one is given.
+    /// An option that needs swings, if one is given.
     fn stray(&self) -> Option<&'static str> {
         let given = [
             ("`correlation`", !self.correlation.is_empty()),
@@ -45,7 +45,7 @@ impl SwingsArgs {
     }
 
     /// # Errors
-    /// [`Error::Unreadable`] for an option about swings if no swings are given.
+    /// [`Error::Unreadable`] if an option needs swings, but no swings are given.
     pub fn refuse_stray(&self) -> Result<()> {
         match self.stray().filter(|_| !self.is_given()) {
             Some(option) => {
@@ -61,7 +61,7 @@ impl SwingsArgs {
     }
 
     /// # Errors
-    /// [`Error::Unreadable`] for correlations if no distributions are given.
+    /// [`Error::Unreadable`] if correlations are given, but no distributions.
     pub fn refuse_correlation(&self) -> Result<()> {
         if self.correlation.is_empty() {
             Ok(())

@@ -1,4 +1,4 @@
-//! The width of the terminal: that of `COLUMNS` if it is set, else that of the stream.
+//! The width of text: the width that `COLUMNS` states, or else the width of the terminal.
 
 #[cfg(feature = "cli")]
 use std::io;

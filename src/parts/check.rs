@@ -74,13 +74,13 @@ impl Checked {
     }
 }
 
-/// Checks the footers of a folder of parts: valid, missing and faulty files. The sweep to check is
-/// `wanted`, completed by the number of parts and the instructions of the files; without `wanted`
-/// it is the sweep of most files. With `contents`, also reads the rows, compares them with the
-/// SHA-256 in each footer, and computes the SHA-256 of the set.
+/// Checks the footers of a folder of parts: valid, missing and faulty files. `wanted` defines the
+/// sweep to check; its number of parts and its instructions are taken from the files. Without
+/// `wanted`, the sweep to check is the sweep that most files belong to. With `contents`, also reads
+/// the rows, compares their SHA-256 with the footers, and computes the SHA-256 of the set.
 ///
 /// # Errors
-/// [`Error::Results`] for a folder that cannot be read, or without a readable part.
+/// [`Error::Results`] if `folder` cannot be read or has no readable part.
 pub fn check(folder: &Path, wanted: Option<&SweepDefinition>, contents: bool) -> Result<Checked> {
     let refuse = |reason: String| Error::Results {
         file: folder.display().to_string(),
@@ -278,7 +278,8 @@ fn question(
         .values()
         .filter(|(_, of)| like_wanted(of))
         .max_by_key(|(count, _)| *count);
-    // no file agrees with `wanted`: take number of parts and instructions from another file
+    // no file agrees with `wanted`: use the number of parts, instructions and functions of another
+    // file
     let of_none = || {
         found
             .first()
@@ -325,7 +326,7 @@ fn fault(question: &SweepDefinition, hash: &str, footer: &Footer) -> Option<(Fau
 /// Merges the summaries of parts in the order of their numbers. Duplicates of a part count once.
 ///
 /// # Errors
-/// [`Error::Together`] for parts of different sweeps.
+/// [`Error::Together`] if the parts belong to different sweeps.
 pub fn merge(manifests: &[Manifest]) -> Result<Summary> {
     let mut by_number: BTreeMap<u64, &Manifest> = BTreeMap::new();
     for manifest in manifests {

@@ -115,9 +115,9 @@ impl SweepDefinition {
     }
 }
 
-/// Hash of values of the C library's elementary functions that drives use. Other libraries and
-/// versions round differently, and so do a library's variants for other processors. Equal hashes
-/// mean equal values at some thousand arguments of each function.
+/// Hash of values of the C library's elementary functions that drives use. Their rounding depends
+/// on the library, its version and its variant for the processor. Equal hashes mean equal values at
+/// some thousand arguments of each function.
 fn elementary_functions() -> u64 {
     let functions: [fn(f64) -> f64; 6] = [
         f64::sin,

@@ -8,8 +8,9 @@ use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 
-/// Keys of a file's metadata: the definition of the sweep, and the part.
+/// Metadata key of the definition of the sweep.
 pub(super) const QUESTION: &str = "longdrive";
+/// Metadata key of the description of the part.
 pub(super) const PART: &str = "longdrive.part";
 
 /// Description of a part in the footer of its file.
@@ -136,8 +137,8 @@ fn note<T: for<'de> Deserialize<'de>>(notes: &[KeyValue], key: &str) -> Option<T
     serde_json::from_str(note.value.as_deref()?).ok()
 }
 
-/// Size of a file, and number of bytes before its footer. The length of the footer is in the first
-/// four of the last eight bytes.
+/// Size of a file, and number of bytes before its footer. The last eight bytes of the file begin
+/// with the length of the footer (four bytes).
 fn lengths(file: &mut File) -> std::io::Result<(u64, u64)> {
     let mut tail = [0; 4];
     let bytes = file.seek(SeekFrom::End(0))?;

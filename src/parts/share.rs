@@ -21,8 +21,7 @@ pub fn most_parts(rows: u64) -> u64 {
 /// ```
 ///
 /// # Errors
-/// [`Error::Together`] for a part that is not from 1 to M, and for more parts than there are
-/// blocks.
+/// [`Error::Together`] if `part` is not from 1 to M, or if there are more parts than blocks.
 pub fn rows_of(part: u64, parts: u64, rows: u64) -> Result<Range<u64>> {
     let refuse = |reason: String| {
         Err(Error::Together {

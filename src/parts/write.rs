@@ -25,18 +25,19 @@ pub struct Dataset {
 pub enum PartResult {
     /// The part was computed and its file written.
     New(Manifest),
-    /// A complete file of the part existed before.
+    /// The folder already had a complete file of the part.
     There(Manifest),
     /// The computation was interrupted; no file was written.
     Stopped,
 }
 
 impl Dataset {
-    /// The sweep of a batch over these points in `parts` parts. Each footer has these histograms
-    /// and best rows.
+    /// Divides the sweep of `batch` over `points` into `parts` parts. The footer of each part has
+    /// the histograms `bins` and the best rows `rankings`.
     ///
     /// # Errors
-    /// [`Error::Together`] for more parts than blocks of rows; errors of [`SummarySpec::new`].
+    /// [`Error::Together`] if there are more parts than blocks of rows; errors of
+    /// [`SummarySpec::new`].
     pub fn new(
         batch: Batch,
         points: &dyn Points,
@@ -64,7 +65,7 @@ impl Dataset {
     /// The rows of a part, counted from 0.
     ///
     /// # Errors
-    /// [`Error::Together`] for a part that is not from 1 to the number of parts.
+    /// [`Error::Together`] if `part` is not from 1 to the number of parts.
     pub fn rows_of(&self, part: u64) -> Result<Range<u64>> {
         rows_of(part, self.question.parts, self.question.rows)
     }
@@ -74,8 +75,8 @@ impl Dataset {
     /// `progress` receives the number of computed rows.
     ///
     /// # Errors
-    /// [`Error::Results`] for a part of another sweep in the folder, for another file of this name
-    /// (`overwrite` replaces it), and for a file that cannot be written; errors of
+    /// [`Error::Results`] if the folder has a part of another sweep, if another file has the name
+    /// of this part (`overwrite` replaces the file), or if the file cannot be written; errors of
     /// [`rows_of`](Self::rows_of) and [`Batch::run`].
     pub fn write(
         &self,
@@ -140,7 +141,7 @@ impl Dataset {
         }))
     }
 
-    /// Computes the rows of `run` and writes them; `None` if stopped.
+    /// Computes the rows of `run` and writes them to the file; `None` if the run was stopped.
     fn write_rows(
         &self,
         file: &mut Unfinished,
@@ -214,8 +215,8 @@ impl Dataset {
             .map_err(|reason| format!("{reason}; {advice}"))
     }
 
-    /// Refuses a folder with a part of another sweep. Reads one file only, for speed; `check` reads
-    /// all of them.
+    /// Refuses a folder with a part of another sweep. For speed, reads only one file; `check` reads
+    /// all files.
     fn refuse_other_sweep(&self, folder: &Path, place: &Path) -> Result<()> {
         let entries = fs::read_dir(folder).map_err(|error| Error::Results {
             file: folder.display().to_string(),
@@ -254,7 +255,7 @@ struct Content {
     summary: Summary,
 }
 
-/// A file before it is renamed to its final name.
+/// A file that does not have its final name yet.
 struct Unfinished {
     file: tempfile::NamedTempFile,
     hash: Hash,

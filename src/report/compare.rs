@@ -197,8 +197,8 @@ impl Report for ComparisonReport<'_> {
         }
     }
 
-    /// The differences that were asked for, the outcomes of the two drives, then each difference
-    /// split into its causes.
+    /// The requested differences, the outcomes of the two drives, then each difference split into
+    /// its causes.
     fn document(&self, system: System) -> Document {
         let [a, b] = &self.titles;
         let mut document = Document::default();
@@ -303,8 +303,8 @@ fn add_causes(document: &mut Document, difference: &Difference, system: System) 
     }
 }
 
-/// Adds the shares of a difference to a document, the largest first; a line if one cause is all of
-/// it.
+/// Adds the shares of a difference to a document, the largest first. A difference with a single
+/// cause becomes a line of text.
 fn add_shares(
     document: &mut Document,
     title: &str,
@@ -373,7 +373,8 @@ fn add_shares(
     document.add(table);
 }
 
-/// The part of a difference that is in no share, with its reason; `None` if it is rounding.
+/// The remainder of a difference, which belongs to no share, with the reason; `None` if the
+/// remainder is a rounding error.
 fn remainder_text(difference: &Difference, split: &Shares, system: System) -> Option<String> {
     let of = difference.of;
     let remainder = shown::change(of, split.remainder, system);

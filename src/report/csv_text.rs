@@ -3,7 +3,7 @@ use crate::error::{Error, Result};
 /// A table as CSV.
 ///
 /// # Errors
-/// [`Error::Output`] for a row that does not have as many cells as the head.
+/// [`Error::Output`] if a row has more or fewer cells than the head.
 pub(super) fn csv_text(
     head: Vec<String>,
     rows: impl IntoIterator<Item = Vec<String>>,

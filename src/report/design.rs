@@ -13,7 +13,8 @@ use crate::study::Sense;
 use crate::study::design::{ConstraintState, Design, DesignConstraint, Enforcement, Improvement};
 use crate::units::{System, signed};
 
-/// A value below this fraction of `DesignConstraint::step` is displayed as 0.
+/// Threshold of rounding errors, as a fraction of `DesignConstraint::step`. A smaller value is
+/// displayed as 0.
 const ROUNDING: f64 = 1e-6;
 
 /// A design with its limits and its changes.
@@ -25,7 +26,7 @@ pub struct Designed<'a> {
     pub setup: &'a Setup<f64>,
     /// The best design.
     pub best: &'a Optimum,
-    /// The goals before and after.
+    /// The goals before the search and with the best design.
     pub improvements: &'a [Improvement],
     /// The assumptions, in sentences.
     pub notes: &'a [String],
@@ -63,8 +64,8 @@ impl Designed<'_> {
         }
     }
 
-    /// The design for readers: before and after, its rules and limits, the notes, and the
-    /// convergence.
+    /// The design for readers: the values before and after the search, the rules and limits, the
+    /// notes, and the convergence.
     pub fn document(&self, over: &OverSwings, system: System) -> Document {
         let mut document = Document::default();
         let is_converged = self.best.solution.status == Status::Converged;

@@ -13,7 +13,7 @@ use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity, System};
 use serde::Serialize;
 
-/// Minimum uncertainty of the total, m: it comes from differences between grounds
+/// Minimum uncertainty of the total, m. It covers the differences between grounds
 /// (docs/limitations.md).
 const RUN_WITHIN: f64 = 10.0 * 0.9144;
 
@@ -282,8 +282,8 @@ fn bodies(drive: &Drive<f64>, system: System) -> Vec<Line> {
     lines
 }
 
-/// "1.3 yd of the carry is extrapolated, by the law of drag and lift"; `None` if it is no more than
-/// 0.3 yd.
+/// A text such as "1.3 yd of the carry is extrapolated, by the law of drag and lift"; `None` if at
+/// most 0.3 yd are extrapolated.
 pub(super) fn extrapolated(
     setup: &Setup<f64>,
     drive: &Drive<f64>,

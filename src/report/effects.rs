@@ -73,7 +73,7 @@ pub struct EffectReport {
 
 impl<'a> EffectsReport<'a> {
     /// The report of the effects `found`: on the drive as set up, or on the drive of the optimum
-    /// `best`. `totals` are the optimized outcome and the sensitivities of its optimal value.
+    /// `best`. `totals` has the optimized outcome and the sensitivities of its optimal value.
     pub fn new(
         found: &'a [Effects],
         best: Option<&Optimum>,
@@ -121,7 +121,7 @@ impl OutcomeEffects {
 impl Report for EffectsReport<'_> {
     const COMMAND: &'static str = "sensitivity";
 
-    /// Each outcome with the effects of uncertainties, then all derivatives.
+    /// The effects of uncertainties on each outcome, then all derivatives.
     fn document(&self, system: System) -> Document {
         let at = if self.at_optimum.is_some() {
             At::Optimum
@@ -246,8 +246,8 @@ fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> Table {
         .with_first_rows(FIRST_ROWS)
 }
 
-/// True if an outcome does not depend on a parameter with an uncertainty, by its derivatives and by
-/// the flown drives.
+/// True if a parameter with an uncertainty has no effect on an outcome: neither in the derivatives
+/// nor in the computed drives.
 fn is_without(effects: &Effects, effect: &Effect) -> bool {
     let Some(Bar {
         sigma,

@@ -10,8 +10,8 @@ use crate::units::System;
 /// Version of the address.
 const VERSION: &str = "1";
 
-/// A setup as the state of the explorer, what follows `#` in its address: the preset, and each
-/// value that differs from it, as after `--set`.
+/// The state of the explorer for a setup: the text after `#` in the address of the explorer. The
+/// text has the preset, and each value that differs from the preset, as after `--set`.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::Preset, report::explorer_state, units::System};
@@ -23,7 +23,8 @@ const VERSION: &str = "1";
 /// ```
 ///
 /// # Errors
-/// [`Error::Unreadable`] for a user's own table of drag and lift, which an address cannot hold.
+/// [`Error::Unreadable`] if the setup has a user's own table of drag and lift, because an address
+/// cannot hold a table.
 pub fn explorer_state(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<String> {
     if let Some(table) = setup.law.table() {
         let source = "the explorer has no tables of your own; leave it out, or use a published law";
@@ -43,7 +44,7 @@ pub fn explorer_state(setup: &Setup<f64>, preset: &Preset, system: System) -> Re
     Ok(format!("{VERSION}&{}{}", preset.name, parts.concat()))
 }
 
-/// The choices that differ from those of the preset.
+/// The choices that differ from the choices of the preset.
 fn changed_choices(
     setup: &Setup<f64>,
     base: &Setup<f64>,
@@ -69,14 +70,14 @@ fn changed_choices(
     .map(|(name, own, _)| (name, own.to_owned()))
 }
 
-/// The numbers that differ from those of the preset.
+/// The numbers that differ from the numbers of the preset.
 fn changed_numbers(
     setup: &Setup<f64>,
     mut base: Setup<f64>,
     system: System,
 ) -> Result<impl Iterator<Item = (&'static str, String)>> {
     let states_step = setup.states_step && !base.states_step;
-    // the coefficients of another law are compared with the published ones
+    // the coefficients of another law are compared with the published coefficients
     base.set_law(setup.law.name())?;
     // the program refuses settings of a club that strikes no ball
     let is_used = |row: &Parameter| {
@@ -103,8 +104,8 @@ fn compact(value: &str) -> String {
     }
 }
 
-/// A text with escapes for the characters that an address does not have, and for those that
-/// separate its parts (RFC 3986).
+/// A text with percent escapes (RFC 3986) for the characters that an address must not have, and for
+/// the characters that separate the parts of the state.
 fn encoded(text: &str) -> String {
     let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.~,:/".contains(&byte);
     let encoded = |byte: u8| match is_plain(byte) {

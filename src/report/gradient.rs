@@ -67,7 +67,7 @@ impl Report for GradientReport<'_> {
         Ending::of_each(self.found.iter().map(|(_, taylor)| taylor.as_ref().err()))
     }
 
-    /// Each outcome with its gradient, and its Hessian if requested. Derivatives are also in SI
+    /// The gradients of the outcomes, and the Hessians if requested. Derivatives are also in SI
     /// with twelve digits.
     fn document(&self, system: System) -> Document {
         let mut document = Document::default();

@@ -52,8 +52,8 @@ pub(super) fn gain(constraint: &Constraint, at: &ConstraintValue) -> f64 {
 }
 
 impl Objective {
-    /// The gain for each unit of `by`, with its sign: "+2.11 yd for each degree". Golfers read it
-    /// as the price of the limit.
+    /// The gain for each unit of `by`, with its sign: "+2.11 yd for each degree". For golfers, the
+    /// gain is the price of the limit.
     pub fn price(self, amount: f64, by: (Quantity, &'static str), system: System) -> String {
         // for a minimized objective, a decrease is a gain
         let amount = if self.sense == Sense::Maximize {
@@ -66,8 +66,8 @@ impl Objective {
         signed(amount, shown::price(self.of, amount, by, system))
     }
 
-    /// "active: +0.52 yd for each degree that the limit is relaxed". If there are two limits, the
-    /// text names the active one.
+    /// The state of a constraint in words, such as "active: +0.52 yd for each degree that the limit
+    /// is relaxed". If there are two limits, the text names the active limit.
     pub fn limit(self, limit: Limit<'_>, system: System) -> String {
         let Limit {
             constraint: Constraint {
@@ -112,8 +112,9 @@ impl Objective {
     }
 }
 
-/// "at its upper bound: +2.11 yd for each degree that it is raised". The signs of the multipliers
-/// determine which bound of the parameter is active; `shown` formats the gain.
+/// The state of a bound in words, such as "at its upper bound: +2.11 yd for each degree that it is
+/// raised". The signs of the multipliers determine which bound of the parameter is active; `shown`
+/// formats the gain.
 pub(super) fn bound(
     [lower, upper]: [f64; 2],
     prices: [f64; 2],

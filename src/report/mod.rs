@@ -1,7 +1,7 @@
 //! Results as text, JSON, CSV, Parquet, plots and pages; nothing here writes a file.
 //!
-//! A result is a struct that implements [`Report`]: serialized, it is the body of the JSON, in SI
-//! and radians; its [`Document`] is for readers, in the units of a system.
+//! A result is a struct that implements [`Report`]. The serialized struct is the body of the JSON,
+//! in SI and radians. The [`Document`] of the struct is for readers, in the units of a system.
 
 mod calibration;
 mod certificate;

@@ -76,7 +76,7 @@ impl ParquetTable {
     /// A table of these columns. The file stores `question` under the key `longdrive`.
     ///
     /// # Errors
-    /// [`Error::Output`] for columns that Parquet does not allow.
+    /// [`Error::Output`] if Parquet does not allow `columns`.
     pub fn new(name: &str, columns: &[(String, Kind)], question: &str) -> Result<Self> {
         // page indexes would make the footer depend on the position in the file
         let mut properties = WriterProperties::builder()
@@ -128,7 +128,7 @@ impl ParquetTable {
     /// The row group of these columns; `cells` gives the values of a column by its index.
     ///
     /// # Errors
-    /// [`Error::Output`] for values that Parquet does not allow.
+    /// [`Error::Output`] if Parquet does not allow a value of `cells`.
     pub fn group(&self, cells: impl FnMut(usize) -> Cells) -> Result<ParquetGroup> {
         let mut file = self.write(Some(cells)).map_err(failed)?;
         let metadata = metadata_of(&file);
@@ -181,7 +181,7 @@ impl ParquetTable {
     /// number `ordinal`.
     ///
     /// # Errors
-    /// [`Error::Output`] for other metadata.
+    /// [`Error::Output`] if `metadata` is not the metadata of a row group.
     pub fn place(&self, metadata: &[u8], at: u64, ordinal: usize) -> Result<PlacedGroup> {
         let place = || {
             let alone = ParquetMetaDataReader::decode_metadata(metadata)?;
@@ -210,7 +210,7 @@ impl ParquetTable {
     /// The last bytes of a file with these row groups, and with further notes by key.
     ///
     /// # Errors
-    /// [`Error::Output`] for values that Parquet does not allow.
+    /// [`Error::Output`] if Parquet does not allow `groups` or `notes`.
     pub fn foot(&self, groups: &[PlacedGroup], notes: &[(&str, String)]) -> Result<Vec<u8>> {
         let foot = || {
             let none: Option<fn(usize) -> Cells> = None;

@@ -296,7 +296,7 @@ impl PresetsReport {
     /// The report of all presets, or of the preset with this name.
     ///
     /// # Errors
-    /// [`Error::Unknown`](crate::Error::Unknown) for an unknown name.
+    /// [`Error::Unknown`](crate::Error::Unknown) if there is no preset `name`.
     pub fn new(name: Option<&str>) -> Result<Self> {
         if let Some(name) = name {
             Setup::preset(name)?;

@@ -26,8 +26,8 @@ pub struct Reply<T> {
     pub body: T,
 }
 
-/// The result of a command. Serialized, it is the body of the JSON, in SI and radians. Its document
-/// is the answer for people.
+/// The result of a command. The serialized result is the body of the JSON, in SI and radians. The
+/// document of the result is the answer for people.
 pub trait Report: Serialize {
     /// The name of the command.
     const COMMAND: &'static str;

@@ -363,8 +363,8 @@ fn add_constraints(document: &mut Document, found: &Robust, system: System) {
     }
 }
 
-/// The multiplier, as `price`, of a bound or constraint that is inactive for the robust design but
-/// active at a single model's optimum.
+/// The multiplier in words, `price`, if the bound or constraint is inactive for the robust design
+/// (zero `multipliers`) but active at a single model's optimum.
 fn of_the_bests(multipliers: [f64; 2], price: String) -> Option<String> {
     Some(price).filter(|price| multipliers == [0.0; 2] && !price.starts_with("0 "))
 }

@@ -406,8 +406,8 @@ fn step(parameter: &Parameter, amount: f64, system: System) -> String {
     format!("{sign}{size}")
 }
 
-/// "ellipse of club.loft and swing.attack_angle for a loss of 1.00 yd: half-axes (+1.20 deg, -3.40
-/// deg) and (…); drives around it lose 0.90 yd to 1.10 yd".
+/// An ellipse in words, such as "ellipse of club.loft and swing.attack_angle for a loss of 1.00 yd:
+/// half-axes (+1.20 deg, -3.40 deg) and (…); drives around it lose 0.90 yd to 1.10 yd".
 fn ellipse_line(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -> String {
     let pair = ellipse.pair.map(|i| best.search.vary[i].parameter);
     let axis = |components: [f64; 2]| {
@@ -430,7 +430,8 @@ fn ellipse_line(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -
     )
 }
 
-/// "together club.loft +1.20 deg, swing.attack_angle -0.90 deg, or the opposite: …".
+/// A direction in words, such as "together club.loft +1.20 deg, swing.attack_angle -0.90 deg, or
+/// the opposite: …".
 fn direction_line(best: &Optimum, direction: &Direction, loss: &str, system: System) -> String {
     let moves = best
         .search

@@ -11,8 +11,9 @@ const MOST_DIGITS: usize = 17;
 
 /// A setup as a setup file in TOML: its preset, then every parameter with its source. `about` are
 /// the first lines of the file. A remark in `remarks` replaces the source of its parameter. Method
-/// and step are in the file only if the setup states them: a program that reads it may choose them.
-/// Air and wind of the preset are comments, so that another weather can be given with the file.
+/// and step are in the file only if the setup states them; otherwise a program that reads the file
+/// may choose them. Air and wind of the preset are comments, so that another weather can be given
+/// with the file.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::Preset, report::setup_toml};
@@ -40,7 +41,8 @@ pub fn setup_toml(
     Ok(toml(preset, about, &rows, is_of_preset))
 }
 
-/// The remark of each varied parameter in a setup file: "optimum: 10.4 deg in 4 deg .. 20 deg".
+/// The remark of each varied parameter in a setup file, such as "optimum: 10.4 deg in 4 deg .. 20
+/// deg".
 pub(super) fn remarks_on_varied(
     word: &str,
     vary: &[Vary],
@@ -103,7 +105,7 @@ fn rows(
         .collect())
 }
 
-/// The values without method and step, unless the setup states them.
+/// The values. Method and step are omitted, unless the setup states them.
 fn stated(rows: Vec<SourcedValue>, setup: &Setup<f64>) -> impl Iterator<Item = SourcedValue> {
     rows.into_iter()
         .filter(|row| setup.states_step || !is_of_step(row.name))
@@ -112,7 +114,7 @@ fn stated(rows: Vec<SourcedValue>, setup: &Setup<f64>) -> impl Iterator<Item = S
 /// A preset as a setup file in TOML, each number with its source.
 ///
 /// # Errors
-/// [`Error::Unknown`](crate::Error::Unknown) for an unknown name.
+/// [`Error::Unknown`](crate::Error::Unknown) if there is no preset `name`.
 pub fn preset_toml(name: &str) -> Result<String> {
     let setup = Setup::preset(name)?;
     let Some(preset) = Preset::named(name) else {
@@ -126,8 +128,8 @@ pub fn preset_toml(name: &str) -> Result<String> {
     ))
 }
 
-/// The shortest text in this unit that is parsed to exactly this value; in SI if rounding prevents
-/// it.
+/// The shortest text in this unit that is parsed to exactly this value. If rounding prevents such a
+/// text, the value is written in SI.
 pub(super) fn exact(parameter: &Parameter, value: Option<f64>, unit: &str) -> String {
     let Some(value) = value else {
         return UNSET.into();

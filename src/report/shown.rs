@@ -298,18 +298,18 @@ pub(super) fn active(
     }
 }
 
-/// Relative size below which a change is a rounding error.
+/// Relative size below which a change counts as a rounding error.
 const ROUNDING: f64 = 1e-12;
 
 /// A derivative for display: 0 if it is only the rounding error of its computation. `value` is the
 /// differentiated quantity in SI; `of` is its kind and unit.
 ///
 /// The criterion: a change of each parameter in `by` by its typical size changes `value` by less
-/// than 1e-12 of itself, or less than 1e-12 of its unit if that is more. The typical size is the
-/// default value, or one unit if the default is 0 or does not exist. The criterion depends neither
-/// on the displayed units nor on a parameter that happens to be 0. A flight has about a thousand
-/// operations with a relative rounding error of 1e-16 each, so that smaller derivatives have no
-/// correct digit. JSON and CSV keep all digits.
+/// than 1e-12 · |`value`| or, if that is more, 1e-12 units of `value`. The typical size is the
+/// default of the parameter, or one unit if the default is 0 or does not exist. The criterion
+/// depends neither on the displayed units nor on a parameter that happens to be 0. A flight has
+/// about a thousand operations with a relative rounding error of 1e-16 each, so that smaller
+/// derivatives have no correct digit. JSON and CSV keep all digits.
 pub(super) fn settled(slope: f64, value: f64, of: (Quantity, &str), by: &[&Parameter]) -> f64 {
     let sizes = by.iter().map(|by| typical_size(by));
     let change = slope.abs() * sizes.product::<f64>();

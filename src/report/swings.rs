@@ -72,7 +72,8 @@ pub struct StudiesReport {
     /// The swings.
     #[serde(flatten)]
     pub scenarios: ScenariosReport,
-    /// The goals with the design before the search, SI; `null` if a swing does not fly.
+    /// The values of the goals at the design before the search, SI; `null` if the ball does not fly
+    /// in one of the swings.
     pub as_set_up: Option<ByName<Number>>,
     /// The best design for the mean swing; `null` without an optimum, or if the mean swing does not
     /// fly.
@@ -98,9 +99,10 @@ pub struct StudiesReport {
 pub struct NominalReport {
     /// The varied parameters, SI.
     pub optimum: ByName<Number>,
-    /// The goals predicted for the mean swing, SI.
+    /// The values of the goals that the mean swing alone predicts, SI.
     pub promised: ByName<Number>,
-    /// The goals over all swings, SI; `null` if a swing does not fly.
+    /// The values of the goals over all swings, SI; `null` if the ball does not fly in one of the
+    /// swings.
     pub kept: Option<ByName<Number>>,
 }
 
@@ -108,7 +110,7 @@ pub struct NominalReport {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SamplingReport {
-    /// The 99 % interval, widened to hold `value` where it would not.
+    /// The 99 % interval, extended to `value` if it does not contain `value`.
     pub interval: Interval,
     /// The number of sequences.
     pub sequences: usize,
@@ -287,7 +289,7 @@ pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Li
     notes.into_iter().map(Line::flush).collect()
 }
 
-/// Notes on designs that violate a limit, or with which a swing does not fly.
+/// Notes on designs that violate a limit, or with which the ball does not fly in one of the swings.
 fn designs(best: &Optimum, nominal: Option<&Nominal>) -> Vec<String> {
     let kept = nominal.map(|nominal| nominal.kept.as_ref());
     let as_set_up = best.as_set_up.as_ref();

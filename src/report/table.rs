@@ -1,6 +1,6 @@
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, presets};
 
-/// Minimum width of a text column to be wrapped.
+/// Minimum width of a column whose text is wrapped.
 const NARROWEST: usize = 20;
 
 /// Number of spaces before the first column, and after each column.
@@ -64,7 +64,7 @@ fn width(head: &[&str], rows: &[Vec<String>], column: usize) -> usize {
         .unwrap_or(0)
 }
 
-/// Some columns of a table. With the width `narrowed`, the last one is wrapped.
+/// Some columns of a table. With the width `narrowed`, the last column is wrapped.
 fn part(
     head: &[&str],
     right: &[usize],

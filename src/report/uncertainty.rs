@@ -339,7 +339,8 @@ fn values(distribution: &Distribution) -> Vec<f64> {
     }
 }
 
-/// "normal: 110 mph ± 0.5 mph"; "truncated normal: 110 mph ± 4 mph, cut at 105 mph and 115 mph".
+/// A distribution in words, such as "normal: 110 mph ± 0.5 mph" or "truncated normal: 110 mph ± 4
+/// mph, cut at 105 mph and 115 mph".
 pub(super) fn distribution_text(input: &Uncertain, system: System) -> String {
     let show = |value: f64| shown::stated(input.parameter, value, system);
     let spread = |value: f64| shown::stated_difference(input.parameter, value, system);

@@ -1,8 +1,9 @@
 use crate::parameters::Setup;
 use serde::Serialize;
 
-/// Parameters that the studies vary.
+/// Name of the loft, which the studies vary.
 pub(super) const LOFT: &str = "club.loft";
+/// Name of the attack angle, which the studies vary.
 pub(super) const ATTACK_ANGLE: &str = "swing.attack_angle";
 
 /// A delivery with its carry.

@@ -37,7 +37,8 @@ impl LoopRow {
     }
 }
 
-/// Steps of the loop, s: a shorter one takes too long, a longer one has too few steps.
+/// Allowed range of the loop's step, s. A shorter step takes too long; a longer step gives too few
+/// points.
 const LOOP_STEPS: [f64; 2] = [1e-4, 1.0];
 
 /// True for a setup that the report's loop models: no wind, no spin damping, and a ground at the
@@ -58,9 +59,10 @@ fn is_modelled(setup: &Setup<f64>) -> bool {
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for a step outside 0.0001 s to 1 s; [`Error::Undefined`] for a setup that
-/// the loop does not model: a given launch, wind, spin damping, or a ground that is not level with
-/// the tee; the errors of [`strike`](crate::impact::strike); [`Error::NoFlight`] without a landing.
+/// [`Error::OutOfRange`] if `step` is outside 0.0001 s to 1 s; [`Error::Undefined`] if the loop
+/// does not model the setup (a stated launch, wind, spin damping, or a ground that is not level
+/// with the tee); errors of [`strike`](crate::impact::strike); [`Error::NoFlight`] without a
+/// landing.
 pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
     let [least, most] = LOOP_STEPS;
     if !(least..=most).contains(&step) {
@@ -83,8 +85,8 @@ pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
     fly_past_the_ground(setup, step)
 }
 
-/// Differences of the report's loop for each carry row of a certificate. Empty for setups that the
-/// loop does not model: wind, spin damping, or a ground below the tee.
+/// Differences of the report's loop for each carry row of a certificate. Empty if the loop does not
+/// model the setup: wind, spin damping, or a ground that is not level with the tee.
 pub fn while_loop(setup: &Setup<f64>, rows: &[Row]) -> Vec<LoopRow> {
     if !is_modelled(setup) {
         return vec![];

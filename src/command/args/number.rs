@@ -35,7 +35,7 @@ pub fn whole<T: TryFrom<u64>>(
     }
 }
 
-/// Any number that a 32-bit option takes.
+/// Largest number that a 32-bit option takes.
 pub const U32: u64 = u32::MAX as u64;
 
 /// Refuses several threads on a processor that has one: WebAssembly.

@@ -2,12 +2,12 @@
 
 use httparse::{EMPTY_HEADER, Error, Header, Request, Status};
 
-/// The longest head of a request, bytes.
+/// Maximum length of the head of a request, bytes.
 pub const MOST_BYTES: usize = 16 << 10;
 /// Maximum number of headers of a request.
 const MOST_HEADERS: usize = 64;
 
-/// The response to a connection above the maximum number.
+/// The response to a connection above the maximum number of connections.
 pub const TOO_MANY: &[u8] =
     b"HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n";
 
@@ -28,7 +28,7 @@ pub struct Site<'a> {
     pub policy: &'a str,
 }
 
-/// The response to requests without the page, with its status and text.
+/// The response with a status and a text in place of the page; `more` has further headers.
 fn refusal(status: &str, more: &str, text: &'static str) -> Response<'static> {
     Response {
         head: head(status, "text/plain; charset=utf-8", text.len(), more),
@@ -50,7 +50,7 @@ fn head(status: &str, kind: &str, length: usize, more: &str) -> String {
     )
 }
 
-/// The response to a request that does not end in time, or whose connection ends within it.
+/// The response to an incomplete request, after a timeout or at the end of its connection.
 pub fn incomplete() -> Response<'static> {
     refusal("408 Request Timeout", "", "The request does not end.\n")
 }
@@ -95,8 +95,9 @@ impl Site<'_> {
         response
     }
 
-    /// True for a request with one `Host`, this server. The check protects against DNS rebinding:
-    /// a page of another host cannot have its own name lead here.
+    /// True for a request with exactly one `Host` header, which names this server. The check
+    /// protects against DNS rebinding: another page could let the name of its host refer to this
+    /// machine.
     fn is_own_host(&self, headers: &[Header<'_>]) -> bool {
         let own = ["127.0.0.1", "localhost"].map(|name| format!("{name}:{}", self.port));
         let is_host = |header: &&Header<'_>| header.name.eq_ignore_ascii_case("host");
@@ -106,7 +107,7 @@ impl Site<'_> {
     }
 
     fn page(&self) -> Response<'_> {
-        // a frame of another page could be clicked without being seen
+        // prevent clickjacking: another page could show this page in an invisible frame
         let more = format!(
             "Content-Security-Policy: {}; frame-ancestors 'none'\r\n",
             self.policy

@@ -92,8 +92,8 @@ fn response<'a>(
     Ok((!bytes.is_empty()).then(incomplete))
 }
 
-/// Reads what the client still sends: closing before that would reset the connection, and the
-/// client could not read the response.
+/// Reads and discards the rest of the client's data. Closing a connection with unread data would
+/// reset it, and the client could not read the response.
 fn discard_rest(stream: &mut TcpStream, stop: &AtomicBool) {
     let began = Instant::now();
     let mut piece = [0; 4096];

@@ -94,8 +94,7 @@ fn fly(args: &Args) -> Result<Answer> {
     ))
 }
 
-/// The flights of the shots. If the request gives the ground, it is the ground where the shots were
-/// measured.
+/// The flights of the shots. If the request gives a ground, the shots were measured on this ground.
 fn flying(request: &Request, setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Flying> {
     request.refuse_replaced(setup, shots.further())?;
     let flying = followed(request, setup, of, |setup| Flying::new(setup, shots, of))?;
@@ -151,7 +150,7 @@ fn refuse_no_rows(tally: &ShotStatistics, file: &Path) -> Result<()> {
     })
 }
 
-/// Remarks about a file of shots. `add` also reports each of them to the user.
+/// Remarks about a file of shots. `add` also reports each remark to the user.
 struct Remarks<'a> {
     file: &'a Path,
     all: Vec<Message>,
@@ -171,7 +170,7 @@ impl<'a> Remarks<'a> {
     }
 }
 
-/// Remarks on measured outcomes without a comparison, with advice on how to get one.
+/// Remarks on measured outcomes without a comparison, with advice on how to get a comparison.
 fn not_compared(shots: &Shots, of: &[Outcome], is_on_their_ground: bool) -> Vec<Message> {
     let mut remarks = vec![];
     if !is_on_their_ground && of.iter().any(|of| of.needs_run() && shots.has(*of)) {

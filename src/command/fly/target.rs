@@ -81,7 +81,7 @@ impl Target {
         })
     }
 
-    /// The file, if the rows are written to one on disk.
+    /// The file, if the destination of the rows is a file on disk.
     pub fn file(&self) -> Option<&Path> {
         let destination = self.destination.as_ref();
         destination

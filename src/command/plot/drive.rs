@@ -166,7 +166,7 @@ fn refuse_other_hand(before: &Setup<f64>, after: &Setup<f64>, drawing: &Drawing)
     })
 }
 
-/// A warning if more than the club differs between two designs.
+/// A warning if two designs differ in more than the club.
 fn beside_the_club(before: &Setup<f64>, after: &Setup<f64>) -> Vec<Message> {
     let names = causes(before, after)
         .into_iter()
@@ -185,7 +185,7 @@ fn beside_the_club(before: &Setup<f64>, after: &Setup<f64>) -> Vec<Message> {
     vec![message.into()]
 }
 
-/// The warnings of an optimum's drive.
+/// The warnings about the drive at an optimum.
 pub fn at_optimum(best: &Optimum) -> Vec<Message> {
     let warnings = best.drive.as_ref().map_or_else(Vec::new, |drive| {
         drive.warnings_about(&best.setup, &best.search.outcomes())

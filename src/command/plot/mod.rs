@@ -343,7 +343,7 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
     }
     let own = setup.law.table().map(|_| setup.law.name());
     let all = || Law::NAMES.iter().copied().chain(own);
-    // the setup's law has the setup's coefficients; the other laws have their published
+    // the setup's law has the coefficients of the setup; the other laws have their published
     // coefficients
     let named = |name: &str| {
         let mut other = setup;

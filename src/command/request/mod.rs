@@ -38,7 +38,7 @@ impl SetupArgs {
     /// Reads the setup and the settings.
     ///
     /// # Errors
-    /// For an unreadable setup, and a setting that does not apply to it.
+    /// If the setup cannot be read, or if a setting does not apply to the setup.
     pub fn request(&self) -> Result<Request> {
         let source = Source::read(&self.drive.setup)?;
         Request::new(source, self.drive.settings()?, self)
@@ -57,7 +57,7 @@ impl DriveArgs {
     /// The settings of `--set`, of options such as `--speed`, and of `--launch`.
     ///
     /// # Errors
-    /// For an unreadable setting.
+    /// If a setting cannot be read.
     pub fn settings(&self) -> Result<Vec<Setting>> {
         let mut settings = Setting::read_all("set", &self.set)?;
         let short_names = self.short_names.given();
@@ -75,7 +75,7 @@ impl Request {
     /// `args` has the options other than settings.
     ///
     /// # Errors
-    /// For two settings of one parameter, and a setting that does not apply.
+    /// If two settings state one parameter, or if a setting does not apply to the source.
     pub fn new(source: Source, stated: Vec<Setting>, args: &SetupArgs) -> Result<Self> {
         let tolerance = args.tolerance.as_deref().map(read_tolerance).transpose()?;
         Ok(Self {
@@ -138,7 +138,7 @@ impl Request {
     /// The checked setup.
     ///
     /// # Errors
-    /// For a missing parameter, and parameters that contradict each other.
+    /// If a parameter is missing, or if parameters contradict each other.
     pub fn setup(&self) -> Result<Setup<f64>> {
         self.refuse_idle_unset(&self.setup, &[])?;
         self.setup.validate()?;
@@ -479,7 +479,7 @@ impl Request {
 
 /// Notes for the user about the setup.
 impl Request {
-    /// Notes the start value of each parameter that is both stated and varied.
+    /// Prints a note on the start value of each parameter that is both stated and varied.
     pub fn note_starts(&self, setup: &Setup<f64>, vary: &[Vary]) {
         for name in self.stated() {
             let Some(range) = vary.iter().find(|range| range.parameter.name == name) else {
@@ -499,7 +499,8 @@ impl Request {
         }
     }
 
-    /// Notes the spin values of the setup that a setting of another spin condition replaces.
+    /// Prints a note on the spin values of the setup that a setting of another spin condition
+    /// replaces.
     fn note_replaced(&self, setup: &Setup<f64>, before: &[&'static Parameter], by: &Setting) {
         let after = setup.given_launch_conditions();
         let gone: Vec<_> = before
@@ -518,7 +519,8 @@ impl Request {
         ));
     }
 
-    /// Notes the club parameters of a setup file that have no effect, because it states the launch.
+    /// Prints a note on the club parameters that a setup file sets without effect, because the file
+    /// states the launch.
     fn note_unused_club(&self) {
         let names: Vec<_> = self
             .source
@@ -541,8 +543,8 @@ impl OwnLaw {
     /// The user's table of drag and lift, if one is given.
     ///
     /// # Errors
-    /// The errors of a setup; [`Error::Unreadable`] for a setting of a parameter that is not of the
-    /// table.
+    /// The errors of a setup; [`Error::Unreadable`] if a setting has a parameter that does not
+    /// belong to the table.
     pub fn law(&self) -> Result<Option<Law<f64>>> {
         let settings = Setting::read_all("set", &self.set)?;
         refuse_duplicates(&settings)?;

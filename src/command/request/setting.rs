@@ -21,7 +21,7 @@ impl Setting {
     /// Reads `NAME=VALUE`, the value of an option such as `--set` or `--set-a`.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for a text without `=`.
+    /// [`Error::Unreadable`] if `text` has no `=`.
     fn read(argument: &'static str, text: &str) -> Result<Self> {
         let (name, value) = split(argument, text, "club.loft=10.5deg")?;
         Ok(Self {
@@ -36,7 +36,7 @@ impl Setting {
     /// `--launch`.
     ///
     /// # Errors
-    /// For an unknown condition.
+    /// [`Error::Unknown`] if `name` is no launch condition.
     pub fn of_launch(argument: &'static str, name: &str, value: &str) -> Result<Self> {
         let setup = Setup::default();
         let condition = setup.launch_condition(name).ok_or_else(|| {
@@ -65,7 +65,7 @@ impl Setting {
     /// Reads the texts of an option such as `--set`.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for a text without `=`.
+    /// [`Error::Unreadable`] if one of `texts` has no `=`.
     pub fn read_all(argument: &'static str, texts: &[String]) -> Result<Vec<Self>> {
         texts
             .iter()
@@ -76,7 +76,8 @@ impl Setting {
     /// Reads the texts of an option such as `--launch`.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for a text without `=`; for an unknown condition.
+    /// [`Error::Unreadable`] if one of `texts` has no `=`; the errors of
+    /// [`of_launch`](Self::of_launch).
     pub fn read_all_launch(argument: &'static str, texts: &[String]) -> Result<Vec<Self>> {
         let read = |text: &String| {
             let (name, value) = split(argument, text, "ball_speed=167mph")?;
@@ -145,7 +146,7 @@ impl fmt::Display for Setting {
 /// Refuses several settings of one parameter.
 ///
 /// # Errors
-/// [`Error::Unreadable`], which names two of them.
+/// [`Error::Unreadable`], which names two of the settings.
 pub fn refuse_duplicates(settings: &[Setting]) -> Result<()> {
     for (i, setting) in settings.iter().enumerate() {
         let earlier = settings[..i]
@@ -169,7 +170,7 @@ pub fn refuse_duplicates(settings: &[Setting]) -> Result<()> {
 /// Reads the length of `--tolerance`, m.
 ///
 /// # Errors
-/// For a text that is not a positive length.
+/// If `text` is not a positive length.
 pub fn read_tolerance(text: &str) -> Result<f64> {
     let tolerance = Quantity::LENGTH
         .read(text)

@@ -32,7 +32,7 @@ impl Source {
     /// Reads the setup that the command line names.
     ///
     /// # Errors
-    /// For an unknown preset; the errors of [`SetupFile::open`] for a file.
+    /// If `argument` is an unknown preset; the errors of [`SetupFile::open`] if it is a file.
     pub fn read(argument: &str) -> Result<Self> {
         let path = Path::new(argument);
         let is_named_like_a_file = argument.contains(['/', '\\']) || path.extension().is_some();

@@ -91,7 +91,8 @@ impl Request {
     }
 
     /// The text of a setup file for other commands. If the user stated method or step, the text has
-    /// these, not the choice for `--tolerance`, which is valid only for the drives of this command.
+    /// the stated values. The values for `--tolerance` are valid only for the drives of this
+    /// command.
     ///
     /// # Errors
     /// If the setup cannot be written.

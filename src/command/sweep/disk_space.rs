@@ -68,8 +68,8 @@ pub fn check(
     })
 }
 
-/// The number of bytes available for a file, including its present size; and the folder of the
-/// file.
+/// The number of bytes available for a file, including the present size of the file; and the folder
+/// of the file.
 fn free(path: &Path) -> Option<(f64, String)> {
     let folder = path
         .parent()
@@ -87,7 +87,7 @@ fn available_space(folder: &Path) -> Option<u64> {
     fs4::available_space(folder).ok()
 }
 
-/// A host without a terminal says itself how much it keeps.
+/// Unknown: a host without a terminal limits the size of its files itself.
 #[cfg(not(feature = "cli"))]
 fn available_space(_: &Path) -> Option<u64> {
     None
@@ -119,7 +119,7 @@ const UNITS: [(f64, &str); 6] = [
     (1.0, "second"),
 ];
 
-/// A duration in the largest unit of which it has about one and a half or more.
+/// A duration in the largest unit of which the duration has at least about 1.5.
 fn duration(seconds: f64) -> String {
     let most = Duration::MAX.as_secs_f64();
     let seconds = if (0.0..=most).contains(&seconds) {

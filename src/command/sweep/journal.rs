@@ -19,8 +19,8 @@ struct JournalHeader {
 }
 
 /// The progress of an incomplete file of rows, in a separate file `FILE.resume`. The first line is
-/// the identity of the sweep; each further line records that rows were written to the disk. An
-/// incomplete last line, after a kill, is ignored.
+/// the identity of the sweep; each further line records that rows were written to the disk. After a
+/// kill, the last line may be incomplete; it is then ignored.
 pub struct Journal {
     path: PathBuf,
     file: File,

@@ -96,7 +96,7 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
     Ok(Answer::text(written_text(part, folder, &manifest, there)))
 }
 
-/// "part 1 of 8: 1000 drives in sweep/part-1.parquet".
+/// A text such as "part 1 of 8: 1000 drives in sweep/part-1.parquet".
 fn written_text(part: PartOf, folder: &Path, manifest: &Manifest, there: Option<String>) -> String {
     let drives = counted(manifest.part.rows, "drive");
     let path = folder.join(&manifest.file);

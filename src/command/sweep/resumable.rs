@@ -18,8 +18,9 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use tempfile::TempPath;
 
-/// Minimum time between two lines of the journal. A line also needs a minimum number of blocks.
+/// Minimum time between two lines of the journal.
 const OFTEN: Duration = Duration::from_secs(1);
+/// Minimum number of blocks between two lines of the journal.
 const BLOCKS: u64 = 16;
 
 /// The output file of a sweep that can be resumed: `FILE.part` until all rows are present, then
@@ -30,13 +31,16 @@ pub struct ResumableFile<'a> {
     file: File,
     journal: Journal,
     writer: &'a Writer,
-    /// Number of rows, number of bytes and status counts of the file.
+    /// Number of rows in the file.
+    /// Number of bytes in the file.
     rows: u64,
+    /// Status counts of the rows in the file.
     bytes: u64,
     status_counts: StatusCounts,
-    /// Number of rows in the journal. A resumed sweep continues after them.
+    /// Number of rows in the journal. A resumed sweep continues after these rows.
     safe: u64,
-    /// Number of blocks since the last line of the journal, and the time of that line.
+    /// Number of blocks since the last line of the journal.
+    /// Time of the last line of the journal.
     since: u64,
     last: Option<Instant>,
     #[cfg(feature = "parquet")]

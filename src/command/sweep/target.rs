@@ -130,7 +130,7 @@ impl Target {
         self.files.as_ref().map(|files| files.whole.as_path())
     }
 
-    /// Begins the output, or continues an interrupted one.
+    /// Begins the output, or continues an interrupted output.
     pub fn open<'a>(&self, writer: &'a Writer, args: &Args) -> Result<Output<'a>> {
         if let Some(files) = &self.files {
             return Ok(Output::Resumable(Box::new(ResumableFile::open(

@@ -165,8 +165,8 @@ pub struct HeldOutReport {
 }
 
 impl<'a> CalibrationReport<'a> {
-    /// The report of a fit to these shots; `held_out` are the prediction errors with the names of
-    /// their fits.
+    /// The report of a fit to these shots. `held_out` are the prediction errors on held-out data,
+    /// each with the name of its fit.
     pub fn new(
         table: &'a ShotTable,
         found: &'a Calibration,

@@ -3,7 +3,7 @@ use crate::report::figures::capital;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::study::calibrate::{Calibration, Remainder, ShotTable};
 
-/// A measured value with the computed value.
+/// A measured value and the computed value.
 struct Point {
     computed: f64,
     measured: f64,
@@ -11,8 +11,8 @@ struct Point {
     sigma: f64,
 }
 
-/// Two plots for each outcome with more than one measurement: measured against computed values, and
-/// residuals.
+/// Two plots for each outcome with more than one measurement: the measured values over the computed
+/// values, and the residuals.
 pub(super) fn figures(table: &ShotTable, found: &Calibration) -> Vec<Figure> {
     let mut outcomes: Vec<Outcome> = vec![];
     for remainder in found
@@ -53,7 +53,7 @@ fn points(table: &ShotTable, found: &Calibration, of: Outcome) -> Vec<Point> {
     remainders.filter_map(point).collect()
 }
 
-/// Measured against computed values, with the line of equality.
+/// Plot of the measured values over the computed values, with the line where both are equal.
 fn agreement(of: Outcome, points: &[Point]) -> Figure {
     let measure = Measure::outcome(of);
     let labelled = |which: &str| {

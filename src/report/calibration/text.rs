@@ -152,7 +152,7 @@ pub(super) fn to_its_error(
         .map(|error| 1.0 - (error / size).log10().floor());
     match decimals {
         Some(decimals @ 0.0..=9.0) => fixed(number, decimals as usize),
-        // a number far from 1 gets the same digits and a power of ten
+        // a very large or small number gets as many digits, with a power of ten
         Some(decimals) if value != 0.0 => {
             let digits = number.abs().log10().floor() + decimals + 1.0;
             significant(number, digits.clamp(4.0, 17.0) as usize)
@@ -190,7 +190,7 @@ fn estimated(estimate: &Estimate, reach: f64, system: System) -> Vec<String> {
     vec![parameter.name.into(), show(*value), error, interval]
 }
 
-/// χ², and how the standard errors depend on χ².
+/// χ², and the dependence of the standard errors on χ².
 fn chi_square(statistics: &Statistics, stated: Uncertainties) -> String {
     let chi = significant(statistics.chi_square, 5);
     let dof = statistics.degrees_of_freedom;
@@ -342,7 +342,7 @@ fn row(remainder: &Remainder, system: System) -> Vec<String> {
     ]
 }
 
-/// A difference, with its sign.
+/// A difference with its sign.
 fn short(difference: f64, quantity: Quantity, unit: &str) -> String {
     signed(difference, quantity.read_off_difference(difference, unit))
 }
@@ -355,7 +355,8 @@ pub(super) struct OutcomeError {
     quantity: Quantity,
 }
 
-/// The root mean square for each outcome, or for each parameter in which a row states an optimum.
+/// The root mean square of the held-out differences: of each outcome, and of each parameter in
+/// which a row states an optimum.
 pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
     // before the loop ends, `rms` is the sum of squares
     let mut all: Vec<(OutcomeError, usize)> = vec![];

@@ -150,7 +150,7 @@ fn failure_of_second(row: &Row) -> Option<String> {
     ))
 }
 
-/// A first derivative that differs from num-dual's.
+/// A first derivative that differs from the derivative by num-dual.
 fn disagreement(row: &Row) -> Option<String> {
     let found = &row.num_dual;
     if found.holds() {
@@ -187,7 +187,7 @@ fn agreement(rows: &[Row]) -> Option<String> {
     ))
 }
 
-/// Each derivative with its verdict.
+/// Table of the derivatives with their verdicts.
 pub(super) fn rows_table(rows: &[Row]) -> Table {
     let head = [
         "outcome",

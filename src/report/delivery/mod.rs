@@ -310,8 +310,8 @@ impl From<[f64; 2]> for MeanAndDeviation {
     }
 }
 
-/// Warnings about parameters at a bound of their search range: the bound determines their value,
-/// not the launch.
+/// Warnings about parameters at a bound of their search range: the bound, not the launch,
+/// determines the values of these parameters.
 pub fn bound_warnings(all: &[Delivery], system: System) -> Vec<Message> {
     let found: Vec<_> = all
         .iter()

@@ -7,7 +7,8 @@ use crate::report::shown;
 use crate::study::delivery::{Delivery, Population, Posterior, PredictedOutcome, Recovered};
 use crate::units::{Message, System, counted, significant};
 
-/// Minimum fraction of the prior variance that a shot removes from an identified parameter.
+/// Minimum fraction of a parameter's prior variance that a shot must remove, so that the
+/// distribution of the parameter does not depend mainly on the prior.
 const HALF: f64 = 0.5;
 
 /// The most probable swing behind each shot with a delivery, as CSV in SI: a column for each
@@ -81,8 +82,8 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
     text
 }
 
-/// Warnings about a distribution whose spread is smaller than the assumed one, or that does not
-/// reproduce the measured launches.
+/// Warnings about a distribution that has less spread than the prior in the directions that the
+/// shots do not identify, or that does not reproduce the measured launches.
 pub fn population_warnings(population: &Population, system: System) -> Vec<Message> {
     let mut all = vec![];
     if population.prior_factor < 1.0 {

@@ -97,7 +97,8 @@ pub(super) fn amount(parameter: &Parameter, value: f64, system: System) -> Strin
         .read_off_difference(value, system.unit(parameter.unit))
 }
 
-/// A change that the launch does not determine, with the removed fraction of its variance.
+/// A change of the delivery that the launch does not determine, with the fraction of the prior
+/// variance that the launch removes.
 fn unidentified(untold: &Unidentified, system: System) -> String {
     let one = |(parameter, change): &(&'static Parameter, f64)| {
         let sign = if *change < 0.0 { "-" } else { "+" };
@@ -187,7 +188,7 @@ fn shots(all: &[Delivery], spread: &[Spread], system: System) -> Table {
     Table::new(head, rows).right(1..columns)
 }
 
-/// Each row without a delivery, with the reason.
+/// Lines with the rows that have no delivery, and the reasons.
 fn failures(all: &[Delivery], system: System) -> Vec<Line> {
     let why = |delivery: &Delivery| match &delivery.found {
         Ok(delivered) => verdict(delivered).1,

@@ -5,9 +5,9 @@ use crate::units::System;
 use maud::{Markup, html};
 
 /// A document as a self-contained HTML page, with the pictures and data of its figures as separate
-/// files. Returns all files, `index.html` first. `documents` is the
-/// document in each system of [`System::ALL`]; the reader can switch between them. The page opens
-/// with `system`, which also determines the names of the data.
+/// files. Returns all files, `index.html` first. `documents` is the document in each system of
+/// [`System::ALL`]; the reader can switch between the systems. The page opens with `system`, which
+/// also determines the names of the data.
 ///
 /// # Errors
 /// The errors of [`figure_svg`](crate::report::plot::figure_svg) and

@@ -18,19 +18,19 @@ pub struct Document {
     parts: Vec<Part>,
 }
 
-/// A block, and the texts that show it. Pages show all blocks.
+/// A block and its detail, which determines the texts that show the block. Pages show all blocks.
 #[derive(Clone, Debug)]
 struct Part {
     block: Block,
     detail: Detail,
 }
 
-/// The texts that show a block.
+/// The texts that show a block, by their detail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Detail {
     /// All texts.
     Answer,
-    /// Texts with every table. A screen has no room for this block.
+    /// Texts with every table. Texts for a screen have no space for this block.
     Rest,
     /// Texts about the computation.
     Computation,
@@ -222,7 +222,7 @@ impl Document {
         self.push(Block::Paragraph(text.into()));
     }
 
-    /// Adds consecutive lines; nothing if there are none.
+    /// Adds consecutive lines. Without lines, the document is unchanged.
     pub fn list(&mut self, lines: impl IntoIterator<Item = Line>) {
         let lines: Vec<Line> = lines.into_iter().collect();
         if !lines.is_empty() {
@@ -262,7 +262,7 @@ impl Document {
         }
     }
 
-    /// Puts lines before the first block: into its list if it is one.
+    /// Puts lines before the first block. If the first block is a list, the lines begin this list.
     pub(super) fn put_first(&mut self, first: impl Iterator<Item = Line>) {
         if let Some(Part {
             block: Block::List(lines),

@@ -8,9 +8,9 @@ pub struct TextOptions {
     /// The maximum width of the text, columns. A word, and a table that cannot be narrower, may be
     /// wider.
     pub width: usize,
-    /// Includes tables and rows for which a screen has no room.
+    /// True to include tables and rows for which a screen has no space.
     pub all: bool,
-    /// Includes details of the computation: residuals, and parameters that were left out.
+    /// True to include details of the computation: residuals, and parameters that were left out.
     pub verbose: bool,
 }
 

@@ -8,7 +8,7 @@ use crate::units::System;
 /// The optimum along a parameter, as small plots with a common horizontal axis.
 #[derive(Clone, Debug)]
 pub struct ChartFigures {
-    /// A plot of the optimal value, and one of each varied parameter that changes.
+    /// A plot of the optimal value, and a plot of each varied parameter that changes.
     pub drawn: Vec<Figure>,
     /// The parameters that are at the same bound in every optimum, each with a sentence instead of
     /// a plot.
@@ -43,10 +43,12 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
     found
 }
 
-/// A chart, with the optimum and the measure that all its plots show.
+/// A chart with the data that all its plots show: the optimum of the drive as set up, and the
+/// measure of the horizontal axis.
 struct Drawing<'a> {
     chart: &'a Chart,
-    /// The optimum of the drive as set up, with its value of the chart's parameter.
+    /// The optimum of the drive as set up, with the value that this drive has of the chart's
+    /// parameter.
     own: Option<(f64, &'a Optimum)>,
     system: System,
     along: Measure,

@@ -8,16 +8,17 @@ use crate::study::Landing;
 use crate::study::uncertainty::LandingEllipse;
 use crate::units::{Quantity, System, significant, with_unit};
 
-/// Limits of the aspect ratio, height over width: of the view of the landings, and of the view from
-/// the tee.
+/// Limits of the aspect ratio (height over width) of the view of the landings.
 const SHAPE: [f64; 2] = [0.8, 1.25];
+/// Limits of the aspect ratio (height over width) of the view from the tee.
 const FROM_TEE: [f64; 2] = [0.8, 1.1];
 
-/// Width of the fairway, m: 30 yards. It is for scale only.
+/// Width of the fairway, m: 30 yards. The fairway only shows the scale.
 const FAIRWAY: f64 = 27.432;
 
-/// Numbers of segments of an ellipse and of an arc.
+/// Number of segments of an ellipse.
 const AROUND: u32 = 120;
+/// Number of segments of an arc.
 const ALONG: u32 = 90;
 
 /// Approximate number of arcs.
@@ -30,8 +31,8 @@ const EDGES: Hue = Hue::Series(2);
 const LABELLED: f64 = 0.85;
 
 /// The landings of drives from above at true scale, with the target at the top, the edges of a
-/// fairway and arcs of equal distance from the tee. Each landing has the ellipses of 50 % and 95 % of
-/// the landings for the variation of the golfer's inputs, and the point where the ball comes to
+/// fairway and arcs of equal distance from the tee. Each landing has the ellipses of 50 % and 95 %
+/// of the landings for the variation of the golfer's inputs, and the point where the ball comes to
 /// rest. A second view begins at the tee.
 pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     let layers: Vec<Layer> = landings
@@ -84,8 +85,8 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     figure.noted(notes.join(" "))
 }
 
-/// The ranges of some layers, symmetric about the target line and with margins. They contain the
-/// edges of the fairway.
+/// Ranges of the coordinates of `layers` with margins: to the right, symmetric about the target
+/// line and at least as wide as the fairway; and downrange.
 fn extents(layers: &[Layer]) -> [[f64; 2]; 2] {
     let points = || {
         layers.iter().flat_map(|layer| match layer {
@@ -121,7 +122,7 @@ fn view(name: &str, title: &str, ranges: [[f64; 2]; 2], shape: [f64; 2], y_grows
     to_scale(figure, ranges, shape, [Grows::Evenly, y_grows])
 }
 
-/// A view with its course and these layers.
+/// Adds the arcs, the fairway, the target line and `layers` to a view.
 fn drawn(mut figure: Figure, layers: &[Layer], system: System) -> Figure {
     let [x, y] = [&figure.x, &figure.y].map(|axis| axis.reach.unwrap_or_default());
     let along = |x: f64| vec![[x, y[0].max(0.0)], [x, y[1]]];
@@ -149,7 +150,7 @@ fn arcs([x, y]: [[f64; 2]; 2], system: System) -> Vec<Layer> {
     let first = (y[0].max(0.0) / step).floor() as u32 + 1;
     let mut layers = vec![];
     for radius in (first..).map(|i| f64::from(i) * step) {
-        // an arc reaches the picture if its top does
+        // an arc reaches the picture if the top of the arc does
         if radius > y[1] {
             break;
         }
@@ -175,7 +176,7 @@ fn arcs([x, y]: [[f64; 2]; 2], system: System) -> Vec<Layer> {
     layers
 }
 
-/// Clears the names of symbols: the first view has them.
+/// Clears the names of symbols, because the first view already has them in its legend.
 fn clear_names(layers: &mut [Layer]) {
     for layer in layers {
         if let Layer::Line { name, .. } | Layer::Dots { name, .. } | Layer::Mark { name, .. } =
@@ -222,7 +223,7 @@ fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
                 format!("run ({})", landing.name)
             },
             hue,
-            // another run on the same line stays visible between the dashes
+            // the dashes leave another roll-out on the same line visible
             is_dashed,
             points: vec![landing.at, rest],
         });

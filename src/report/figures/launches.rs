@@ -74,7 +74,8 @@ fn note(map: &Launches, system: System) -> String {
     notes.join(" ")
 }
 
-/// The launch and the carry of a drive, with its ball speed if the map has another one.
+/// The launch and the carry of a drive, with the ball speed of the drive if it differs from the
+/// ball speed of the map.
 fn note_of(one: &Launched, has_own_speed: bool, system: System) -> String {
     let told = |of: Outcome, value: f64| shown::outcome(of, value, system);
     let carry = one.carry.map_or("no flight".into(), |carry| {

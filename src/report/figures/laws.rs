@@ -26,8 +26,9 @@ pub enum Coefficient {
     Lift,
 }
 
-/// Ranges of spin ratio and Reynolds number, about twice the ranges of a drive.
+/// Range of the spin ratio in a plot, about twice the range of a drive.
 const SPIN_RATIOS: [f64; 2] = [0.0, 0.4];
+/// Range of the Reynolds number in a plot, about twice the range of a drive.
 const REYNOLDS: [f64; 2] = [4e4, 2.4e5];
 
 /// Number of segments of a curve.
@@ -44,7 +45,8 @@ struct Measured {
     values: [Option<f64>; 2],
 }
 
-/// The range of a coefficient. Values beyond it are not drawn, except those of the law in use.
+/// Range of the coefficients in a plot. Values outside of this range are not drawn, except the
+/// values of the law in use.
 const COEFFICIENTS: [f64; 2] = [0.0, 0.5];
 
 /// Laws of drag and lift as curves with measured points. The law of the setup has a colour, the
@@ -208,7 +210,8 @@ impl LawPlot {
         layers
     }
 
-    /// Measured points of the law's source, with the other variable near its constant value.
+    /// The measured points of the law's source at which the other variable is near its constant
+    /// value.
     fn measured_points(&self, law: &Law<f64>) -> Vec<[f64; 2]> {
         let [low, high] = self.range;
         let which = self.of as usize;
@@ -337,8 +340,8 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
                 values: [Some(drag), Some(lift)],
             })
             .collect(),
-        // lift over the spin ratio is a mean of several balls; drag over the Reynolds number is of
-        // one ball, for any spin ratio
+        // the lift, over the spin ratio, is the mean of several balls; the drag, over the Reynolds
+        // number, is from one ball and applies to any spin ratio
         Law::Lyu(_) => cells(include_str!("../../../tests/data/lyu_2018.csv"))
             .map(|[reynolds, spin_ratio, drag, lift]| Measured {
                 spin_ratio,

@@ -60,8 +60,8 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
 /// The name of the drive as set up.
 const AS_SET_UP: &str = "as set up";
 
-/// The drive as set up and the optimum, as far as they are on the map, with an arrow from one to the
-/// other.
+/// The drive as set up and the optimum, if the map contains them, with an arrow from the drive as
+/// set up to the optimum.
 fn marks(map: &Map, setup: &Setup<f64>, best: Option<&Optimum>) -> Vec<Layer> {
     let (across, up) = (&map.across, &map.up);
     let at =
@@ -203,7 +203,8 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
     layers
 }
 
-/// The region of drives that lose little. With an equation, it is a part of the equation's line.
+/// The region of drives that lose little. If the search has an equation as a constraint, the region
+/// is a segment of the equation's line.
 fn nearly_as_good(region: &Region, name: &str) -> Vec<Layer> {
     let of = |values: &[Option<f64>]| {
         field_of(

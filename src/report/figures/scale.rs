@@ -24,8 +24,8 @@ pub(super) fn with_margin([low, high]: [f64; 2], below: f64, above: f64) -> [f64
     [low - below * size, high + above * size]
 }
 
-/// A figure at true scale with these ranges. One of them grows until the aspect ratio, height over
-/// width, is within these limits.
+/// A figure at true scale with these ranges. If the aspect ratio (height over width) is outside of
+/// the limits, one of the ranges grows.
 pub(super) fn to_scale(
     figure: Figure,
     [mut x, mut y]: [[f64; 2]; 2],

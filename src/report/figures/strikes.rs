@@ -7,7 +7,8 @@ use crate::report::shown;
 use crate::study::Face;
 use crate::units::{Quantity, System};
 
-/// Only every n-th node of a face is drawn: contours are interpolated by the gradients.
+/// Distance of drawn nodes of a face, in nodes. Few nodes are enough, because the contours are
+/// interpolated with the gradients.
 const THINNED: usize = 5;
 
 /// Outcomes over the strike on the face: carry, lateral, ball speed and spin axis, seen from the

@@ -1,5 +1,5 @@
-//! Common style of the plots of drives (a drive has the same colour and dashes in all of them, and
-//! the same words in titles), and conversion of grids to fields.
+//! Common style of the plots of drives, and conversion of grids to fields. A drive has one colour
+//! and one dash pattern in all plots, and the titles of all plots use the same words.
 
 use crate::report::plot::{Field, Hue, Measure};
 use crate::study::{Plane, Vary};

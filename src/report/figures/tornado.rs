@@ -61,7 +61,8 @@ struct Ends {
     first_order: f64,
     lower: f64,
     higher: f64,
-    /// True if both ends are computed drives; otherwise a missing end is the first-order effect.
+    /// True if both ends are from computed drives. Otherwise the first-order effect replaces a
+    /// missing end.
     is_flown: bool,
 }
 

@@ -29,9 +29,9 @@ const TOTAL_WITHIN: f64 = 9.144;
 /// Minimum width of the view from above to each side, m.
 const CORRIDOR: f64 = 10.0;
 
-/// Limits of the aspect ratio at true scale, and the aspect ratio of the stretched view, height
-/// over width.
+/// Limits of the aspect ratio (height over width) at true scale.
 const SHAPE: [f64; 2] = [0.3, 0.9];
+/// Aspect ratio (height over width) of the stretched view.
 const STRETCHED: f64 = 0.42;
 
 /// Minimum ratio of the stretched height to the height at true scale. Below it there is no
@@ -182,7 +182,7 @@ fn path_lines(flown: &[NamedDrive], paths: &[Vec<[f64; 2]>]) -> Vec<Layer> {
 fn run_lines(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>]) -> Vec<Layer> {
     let line = |(i, (one, points)): (usize, (&NamedDrive, &Vec<[f64; 2]>))| {
         let (hue, is_dashed) = style(&one.name, i);
-        // the legend has the run of a single drive, and each of several drives only once
+        // a single drive has no name; of several drives, the legend shows each name once
         let (name, is_dashed) = match one.name.as_str() {
             "" => ("run".into(), true),
             name => (format!("{name} (run)"), is_dashed),

@@ -78,7 +78,8 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Publish
     add_parts_of_slopes(document, found, shown);
 }
 
-/// The optima of impact and flight alone, against the optimum of the whole.
+/// The optimum of the impact alone and the optimum of the flight alone, compared with the optimum
+/// of the whole drive.
 fn optima_of_subsystems(found: &Mae494, shown: Published) -> String {
     let parts = &found.subsystems;
     format!(

@@ -119,7 +119,7 @@ fn carried(row: &Row, shown: Published) -> String {
         .map_or("does not fly".into(), |carry| shown.length(carry))
 }
 
-/// The active bounds: "club.loft at its upper bound, 0.52 m per deg beyond it".
+/// The active bounds in words, such as "club.loft at its upper bound, 0.52 m per deg beyond it".
 fn held(row: &Row, shown: Published) -> String {
     let solution = &row.best.solution;
     let bounds = row.active.iter().filter_map(|active| {

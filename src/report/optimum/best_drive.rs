@@ -1,4 +1,5 @@
-//! The drive at an optimum of one drive: its gain, its launch and its flight.
+//! Lines of a report on the optimum of a single drive (not over swings): gain, launch and flight of
+//! the optimal drive.
 
 use super::super::document::Line;
 use super::super::drive::extrapolated;
@@ -7,8 +8,8 @@ use crate::drive::{Drive, Outcome};
 use crate::study::Optimum;
 use crate::units::{System, signed};
 
-/// "carry 286.0 yd → 300.4 yd: +14.4 yd" with the change of the total. If carry and total disagree
-/// about the better drive, it adds advice.
+/// Lines such as "carry 286.0 yd → 300.4 yd: +14.4 yd", with the change of the total. If the carry
+/// grows but the total falls, the lines include advice.
 pub(in crate::report) fn gain_lines(
     optimum: &Optimum,
     drive: &Drive<f64>,

@@ -16,7 +16,8 @@ fn objective(optimum: &Optimum) -> Objective {
     }
 }
 
-/// "active: +0.52 yd for each degree that the limit is relaxed".
+/// The state of a constraint in words, such as "active: +0.52 yd for each degree that the limit is
+/// relaxed".
 pub(in crate::report) fn constraint_in_words(
     optimum: &Optimum,
     j: usize,
@@ -31,7 +32,8 @@ pub(in crate::report) fn constraint_in_words(
     objective(optimum).limit(limit, system)
 }
 
-/// "at its upper bound: +2.11 yd for each degree that it is raised".
+/// The state of a bound in words, such as "at its upper bound: +2.11 yd for each degree that it is
+/// raised".
 pub(in crate::report) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> String {
     let vary = optimum.search.vary[i];
     let goal = &optimum.search.of;

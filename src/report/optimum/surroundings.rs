@@ -1,4 +1,4 @@
-//! The flatness of an optimum of one drive, and the gain of the club alone.
+//! The flatness of an optimum of a single drive, and the gain of the club alone.
 
 use super::super::json::{ByName, Number};
 use super::super::shown;
@@ -6,7 +6,7 @@ use crate::study::{ClubAlone, Limit as WindowLimit, Optimum, Vary, Window};
 use crate::units::{System, signed};
 use serde::Serialize;
 
-/// Results about the surroundings of an optimum of one drive.
+/// The surroundings of an optimum of a single drive.
 #[derive(Clone, Copy, Debug)]
 pub struct Surroundings<'a> {
     /// The allowed loss, SI.
@@ -18,8 +18,7 @@ pub struct Surroundings<'a> {
 }
 
 impl Surroundings<'_> {
-    /// "each alone loses less than 1.00 yd: club.loft 5.36° to 6.94°", and the gain of the club
-    /// alone.
+    /// The windows of the varied parameters in a line, then the gain of the club alone.
     pub(super) fn lines(&self, optimum: &Optimum, system: System) -> Vec<String> {
         let loss = shown::spread(optimum.search.outcome(), self.loss, system);
         let vary = optimum.search.vary.iter().zip(self.windows);
@@ -36,7 +35,8 @@ impl Surroundings<'_> {
     }
 }
 
-/// "club.loft 5.36° to 6.94°", with the reason for each end that is not due to the loss.
+/// A window in words, such as "club.loft 5.36° to 6.94°", with the reason for each end that is not
+/// due to the loss.
 fn window_text(optimum: &Optimum, vary: &Vary, window: &Window, system: System) -> String {
     let end = |value: f64, limit: WindowLimit| {
         let value = shown::parameter(vary.parameter, value, system);
@@ -57,8 +57,8 @@ fn window_text(optimum: &Optimum, vary: &Vary, window: &Window, system: System) 
     )
 }
 
-/// "the club alone, with the swing as set up: +2.60 yd (club.loft 10.40°); the swing too: +11.90
-/// yd".
+/// The gain of the club in words, such as "the club alone, with the swing as set up: +2.60 yd
+/// (club.loft 10.40°); the swing too: +11.90 yd".
 fn club_text(optimum: &Optimum, club: &ClubAlone, system: System) -> String {
     let goal = &optimum.search.of;
     let gain = |amount: f64| signed(amount, shown::goal_difference(goal, amount, system));

@@ -71,7 +71,8 @@ pub fn optimum_document(
     document
 }
 
-/// Adds the varied parameters of an optimum of one drive with its surroundings, and the constraints.
+/// Adds the varied parameters of the optimum of a single drive with its surroundings, and the
+/// constraints.
 pub(in crate::report) fn add_place(
     document: &mut Document,
     optimum: &Optimum,
@@ -127,8 +128,8 @@ pub(in crate::report) fn place(optimum: &Optimum, over: &OverSwings, system: Sys
     }
 }
 
-/// Adds a table of the constraints with their gains if there are any. For swings, the table of the
-/// goals has their values.
+/// Adds a table of the constraints with their gains if there are any. For swings, the values of the
+/// constraints are in the table of the goals.
 fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
     let is_one_drive = optimum.search.scenarios.is_one_drive();
     let all = optimum.constraints();
@@ -174,8 +175,8 @@ pub(in crate::report) fn add_convergence(
     }
 }
 
-/// The status of a search with its message: the numbers of the solver, or what it means for the
-/// drive.
+/// The status of a search with its message: the numbers of the solver, or the meaning of the status
+/// for the drive.
 pub(in crate::report) fn ended_line(optimum: &Optimum, system: System) -> Line {
     Line::flush(format!(
         "{}: {} ({})",
@@ -185,7 +186,7 @@ pub(in crate::report) fn ended_line(optimum: &Optimum, system: System) -> Line {
     ))
 }
 
-/// "4 iterations, 5 evaluations of 64 swings".
+/// The effort of a search, such as "4 iterations, 5 evaluations of 64 swings".
 fn effort(optimum: &Optimum) -> String {
     let scenarios = &optimum.search.scenarios;
     let swings = match scenarios.is_one_drive() {

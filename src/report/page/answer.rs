@@ -104,7 +104,7 @@ fn tiles(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Markup {
     }
 }
 
-/// The active bounds and constraints, and their prices.
+/// The active bounds and constraints with their multipliers.
 fn limits(best: &Optimum) -> Markup {
     let search = &best.search;
     let bounds = search.vary.iter().enumerate().filter_map(|(i, vary)| {
@@ -176,7 +176,7 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
     Some(format!("your limit: {each} {does} {amount}"))
 }
 
-/// The sources of the uncertainty after ±.
+/// The sources of the uncertainty that the summary states after ±.
 fn what_is_known(findings: &Findings) -> Markup {
     let of = findings
         .effects_of(findings.of)

@@ -13,14 +13,14 @@ use crate::units::{Message, System};
 /// The setup file of a report, with the optimal drive or else the drive as set up.
 pub const SETUP_FILE: &str = "setup.toml";
 
-/// The file of the explorer beside a report.
+/// Name of the explorer's file in the folder of a report.
 pub const EXPLORER_FILE: &str = "explorer.html";
 
-/// The way from a report to the explorer of its drive as set up.
+/// The link from a report to the explorer, which opens with the drive as set up.
 pub enum ExplorerLink {
-    /// [`EXPLORER_FILE`] with this state, what follows `#`.
+    /// Opens [`EXPLORER_FILE`] with this state, the text after `#`.
     State(String),
-    /// The command that serves the explorer.
+    /// States the command that serves the explorer.
     Command(String),
 }
 
@@ -72,7 +72,7 @@ pub struct Findings {
     pub rows: Vec<Row>,
     /// Finite differences of the MAE 494 report's while-loop.
     pub loops: Vec<LoopRow>,
-    /// The explorer; `None` for a setup that it cannot have.
+    /// The link to the explorer; `None` for a setup that the explorer cannot represent.
     pub explorer: Option<ExplorerLink>,
     /// The units shown when the page opens.
     pub system: System,

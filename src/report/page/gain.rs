@@ -1,4 +1,5 @@
-//! From the drive as set up to the optimum: with the best club alone, and with another swing too.
+//! The gain from the drive as set up to the optimum: by the best club alone, and by another swing
+//! too.
 
 use super::findings::Findings;
 use super::numbers::outcome;
@@ -17,8 +18,8 @@ struct Column<'a> {
     drive: Option<&'a Drive<f64>>,
 }
 
-/// Carry, total and varied parameters of the drive as set up, of the best club with the swing as set
-/// up, and of the optimum.
+/// Carry, total and varied parameters of the drive as set up, of the best club with the swing as
+/// set up, and of the optimum.
 pub(super) fn steps(findings: &Findings, best: &Optimum) -> Markup {
     let columns = columns(findings, best);
     html! {
@@ -50,7 +51,7 @@ pub(super) fn steps(findings: &Findings, best: &Optimum) -> Markup {
     }
 }
 
-/// The outcome of the report, and carry or total beside the other one.
+/// The outcome of the report. Carry is followed by the total, and the total by the carry.
 fn outcomes(of: Outcome) -> Vec<Outcome> {
     match of {
         Outcome::Carry => vec![of, Outcome::Total],

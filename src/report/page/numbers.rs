@@ -7,7 +7,7 @@ use crate::report::shown;
 use crate::units::{System, significant, with_unit};
 use maud::Markup;
 
-/// The value of an outcome; a dash without one.
+/// The value of an outcome; a dash if there is no value.
 pub(super) fn outcome(of: Outcome, found: Option<f64>) -> Markup {
     both(|system| shown::outcome_or_dash(of, found, system))
 }

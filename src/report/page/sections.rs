@@ -117,12 +117,12 @@ fn label(head: impl Render) -> Markup {
     html! { span.label { (head) } }
 }
 
-/// The head of the windows of small loss.
+/// The column head of the windows of small loss.
 fn alone(of: Outcome, flatness: &Flatness) -> Markup {
     html! { "alone, for a loss of " (loss(of, flatness.loss)) }
 }
 
-/// The window of a parameter with a small loss, and what ends it.
+/// The window of a parameter with a small loss, and the reasons for its ends.
 fn window(best: &Optimum, vary: &Vary, window: &Window) -> Markup {
     html! {
         span {
@@ -191,7 +191,7 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     }
 }
 
-/// Each exact derivative with the best numerical derivative.
+/// Table of the exact derivatives and the best numerical derivatives.
 pub(super) fn verdicts(rows: &[Row]) -> Markup {
     const EXACT: &str = "exact, SI";
     const NUMERICAL: &str = "numerical, extrapolated";

@@ -8,19 +8,22 @@ use super::layers::Plane;
 use super::text_width::{text_width, wrapped};
 use crate::units::{System, leading_number, signed, typeset};
 
-/// Text size of names and values, and the line height of a name, pixels.
+/// Text size of names, pixels.
 const NAME: f64 = TEXT - 0.5;
+/// Text size of values, pixels.
 const VALUE: f64 = 12.0;
+/// Height of a line of a name, pixels.
 const NAME_LINE: f64 = 15.0;
 
-/// Maximum fraction of a picture's width for names on the left, and their maximum number of lines.
-/// Longer names are above the bars.
+/// Maximum width of names on the left, as a fraction of the picture's width. Longer names are above
+/// the bars.
 const BESIDE: f64 = 0.38;
+/// Maximum number of lines of a name on the left. Longer names are above the bars.
 const MOST_LINES: usize = 2;
 
-/// Height of a row, pixels. Half the height of a bar, pixels: in a row with one bar, and in a row
-/// with two bars.
+/// Height of a row, pixels.
 const ROW: f64 = 34.0;
+/// Half the height of a bar, pixels: in a row with one bar, and in a row with two bars.
 const HALF: [f64; 2] = [8.0, 6.0];
 
 /// Distance between the middle of a row and each of its two bars, pixels.
@@ -220,8 +223,8 @@ fn lane(figure: &Figure, layer: usize, bar: &Bar) -> (usize, usize) {
     }
 }
 
-/// True if the value is to the left of its bar: the bar points left, or it has no length and the
-/// other bar of the row points right.
+/// True if the value is to the left of its bar: the bar points left, or the bar has no length and
+/// the other bar of the row points right.
 fn is_left(figure: &Figure, layer: usize, bar: &Bar) -> bool {
     let is_right = |bar: &Bar| bar.to > bar.from;
     bar.to < bar.from
@@ -257,7 +260,7 @@ fn value(figure: &Figure, layer: usize, bar: &Bar, system: System) -> String {
 }
 
 /// The horizontal axis with a margin for the values, in a frame of this width, pixels; `None` if
-/// the frame is too narrow for them.
+/// the frame is too narrow for the values.
 pub(super) fn with_room(figure: &Figure, system: System, width: f64) -> Option<Axis> {
     let (mut low, mut high) = (0.0_f64, 0.0_f64);
     let mut beside = [0.0_f64; 2];

@@ -1,6 +1,6 @@
 //! Contour lines, which Plotters does not have. The `contour` crate computes them with marching
-//! squares on the interpolated field: unlike coloured cells, they are smooth at any size and in
-//! print.
+//! squares on the interpolated field. Contour lines are smooth at any size and in print; coloured
+//! cells are not.
 
 use super::figure::Field;
 use super::interpolation::Refined;
@@ -53,7 +53,7 @@ impl Field {
     }
 }
 
-/// The regions of a field, the lowest level first. Each contains the next one.
+/// The regions of a field, the lowest level first. Each region contains the next region.
 pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
     let unit = field.measure.unit_size(system);
     let (columns, rows) = (field.columns, field.rows());
@@ -208,9 +208,11 @@ struct Interval {
     is_outermost: bool,
 }
 
-/// The intervals that need finer levels: the interval that covers most of the map, and its dense
-/// neighbours, as far as the number of lines allows. `None` if no interval is dense, or if a single
-/// dense interval lies between coarser intervals.
+/// The range of levels to refine. It begins with the interval that has the largest share of the
+/// map, and grows by neighbours as long as `fits` accepts the number of lines: first by the larger
+/// neighbour, then by neighbours that are outermost or have a share above `LARGE`. `None` if the
+/// largest share is below `dense`, if that interval alone does not fit, or if no neighbour fits and
+/// the interval is not outermost.
 fn dense_stretch(
     intervals: &[Interval],
     dense: f64,
@@ -243,9 +245,10 @@ fn dense_stretch(
 
 /// Maximum number of lines before refinement, approximately.
 const FIRST_LINES: f64 = 8.0;
-/// An interval is dense if it covers more than this fraction of the map, and more than `DENSE`
-/// times the average of all intervals.
+/// Share of the map above which a further interval gets finer levels.
 const LARGE: f64 = 0.12;
+/// Minimum share of the map of the first interval to refine, relative to the average share of all
+/// intervals.
 const DENSE: f64 = 1.5;
 /// Maximum number of lines after refinement.
 const LINES: usize = 14;
@@ -281,7 +284,7 @@ fn round_step(step: f64) -> Option<f64> {
         .find(|round| *round >= step * (1.0 - 1e-9) && round.is_finite() && *round > 0.0)
 }
 
-/// The pieces of a ring without those along the border of the map.
+/// The pieces of a ring, except the pieces along the border of the map.
 fn inner(ring: &[[f64; 2]], columns: usize, rows: usize) -> Vec<Vec<[f64; 2]>> {
     let ends = [(columns - 1) as f64, (rows - 1) as f64];
     let along = |a: &[f64; 2], b: &[f64; 2]| {

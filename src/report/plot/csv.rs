@@ -114,7 +114,7 @@ impl Columns {
     }
 }
 
-/// The rows of a layer. With several views, `of_view` is the end of their names.
+/// The rows of a layer. If the figure has several views, `of_view` is appended to the names.
 fn rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Row<'a>> {
     let point = |[x, y]: [f64; 2]| [Some(x), Some(y), None, None];
     let between =

@@ -10,16 +10,17 @@ use crate::units::typeset;
 /// Text size, pixels.
 const SIZE: f64 = TEXT - 0.5;
 
-/// Distance between lines of a name, and extra distance between names, pixels.
+/// Distance between lines of a name, pixels.
 const APART: f64 = LINE - 3.0;
+/// Additional distance between names, pixels.
 const GAP: f64 = 3.0;
 
 /// Length of the connector between the plot and a name, pixels.
 const CONNECTOR: f64 = 16.0;
 
-/// Distance within which the end of a line is at a side of the plot; height of the connectors above
-/// the plot, pixels.
+/// Maximum distance from a side of the plot at which a line counts as ending at this side, pixels.
 const NEAR: f64 = 3.0;
+/// Height of the highest connector above the plot, pixels.
 const OVER: f64 = 10.0;
 
 /// Maximum width of the names relative to the picture; wider names are wrapped.
@@ -44,7 +45,7 @@ struct Name<'a> {
 }
 
 impl<'a> EndNames<'a> {
-    /// The names of the lines; `None` if the figure has them elsewhere.
+    /// The names of the lines; `None` if the figure has the names elsewhere.
     pub fn of(figure: &'a Figure, width: f64) -> Option<Self> {
         if figure.line_names != LineNames::AtEnds {
             return None;
@@ -76,7 +77,7 @@ impl<'a> EndNames<'a> {
         self.names.iter().map(Name::height).sum()
     }
 
-    /// Writes each name beside the end of its line, as near as the others allow.
+    /// Writes each name beside the end of its line, as near as the other names allow.
     pub fn draw(&self, canvas: &mut Canvas, plane: &Plane<'_>, figure: &Figure) {
         let [_, top, right, bottom] = plane.frame;
         let placed = self.names.iter();
@@ -84,7 +85,8 @@ impl<'a> EndNames<'a> {
         // a line that leaves at the top ends before the right side
         let leaves = |at: [f64; 2]| at[1] < top + NEAR && at[0] < right - NEAR;
         let (mut leaving, mut placed): (Vec<_>, Vec<_>) = placed.partition(|(_, at)| leaves(*at));
-        // their connectors run above the plot: the first to leave has the highest one
+        // the connectors of these lines run above the plot: the line that leaves first has the
+        // highest connector
         leaving.sort_by(|(_, a), (_, b)| a[0].total_cmp(&b[0]));
         placed.sort_by(|(_, a), (_, b)| a[1].total_cmp(&b[1]));
         let above = leaving.len();
@@ -117,7 +119,7 @@ impl<'a> EndNames<'a> {
     }
 }
 
-/// True for the names of series: those of background lines are less important.
+/// True for the names of series. The names of background lines are less important.
 fn is_bold(hue: Hue) -> bool {
     matches!(hue, Hue::Series(_))
 }

@@ -277,8 +277,8 @@ pub struct Field {
     pub gradients: Vec<Option<[f64; 2]>>,
     /// The meaning of a missing value: "no flight".
     pub nothing: &'static str,
-    /// The values of all fields that share their levels and colours, SI; empty if this one has
-    /// levels of its own.
+    /// The values of all fields that share their levels and colours, SI; empty if this field has
+    /// its own levels.
     pub beside: Vec<f64>,
 }
 

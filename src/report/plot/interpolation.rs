@@ -72,7 +72,7 @@ impl Refined {
         self
     }
 
-    /// The values next to nodes that have one.
+    /// The values at points whose nearest node of the field has a value.
     pub fn known(&self) -> impl Iterator<Item = f64> + '_ {
         let values = self.values.iter().zip(&self.is_known);
         values.filter(|(_, is_known)| **is_known).map(|(at, _)| *at)

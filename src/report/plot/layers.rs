@@ -9,13 +9,15 @@ use super::simplify::simplified;
 use super::ticks::Drawn;
 use crate::units::{System, significant, with_unit};
 
-/// Distance of the first cross bar of a series along its line (the middle of the legend's symbol),
-/// and distance between cross bars, pixels.
+/// Distance of the first cross bar of a series along its line, pixels: the middle of the legend's
+/// symbol.
 const FIRST_BARS: f64 = 0.5 * SIGN;
+/// Distance between cross bars, pixels.
 const BARS_APART: f64 = 32.0;
 
-/// Widths of lines: of background elements, and of the others, pixels.
+/// Width of the lines of background elements, pixels.
 const THIN: f64 = 1.2;
+/// Width of other lines, pixels.
 pub(super) const WIDE: f64 = 2.0;
 
 /// Radius of a dot, pixels.
@@ -74,7 +76,7 @@ impl Plane<'_> {
     }
 }
 
-/// True for layers that cover an area. They are drawn below the contour lines and the others.
+/// True for layers that cover an area. They are drawn below the contour lines and the other layers.
 pub(super) fn is_area(layer: &Layer) -> bool {
     matches!(
         layer,
@@ -106,7 +108,8 @@ pub(super) fn draw(canvas: &mut Canvas, plane: &Plane<'_>, layer: &Layer, ground
             canvas.polygon(&outline, color, 0.22);
         }
         Layer::Contours(field) => ground(canvas, plane, field, grounds),
-        // bars are drawn with the names of the rows, a mark with its label: neither appears alone
+        // bars are drawn with the names of the rows, a mark with its label: none of them appears
+        // alone
         Layer::Bars { .. } | Layer::Mark { .. } | Layer::Text { .. } => {}
         // arrows are drawn after the labels, which have precedence
         Layer::Arrows { name, .. } if !name.is_empty() => {}

@@ -15,16 +15,17 @@ use crate::units::{System, typeset};
 /// Margin of a picture, pixels.
 pub(super) const MARGIN: f64 = 6.0;
 
-/// Text size of the title and of the numbers on axes, pixels.
+/// Text size of the title, pixels.
 pub(super) const TITLE: f64 = TEXT + 2.0;
+/// Text size of the numbers on axes, pixels.
 pub(super) const NUMBER: f64 = TEXT - 0.5;
 
 /// Minimum width of the frame of the axes, pixels.
 const LEAST: f64 = 100.0;
 
-/// Maximum number of ticks on a vertical axis; approximate distance of ticks on a horizontal one,
-/// pixels.
+/// Maximum number of ticks on a vertical axis.
 const MOST: usize = 6;
+/// Approximate distance of ticks on a horizontal axis, pixels.
 const APART: f64 = 60.0;
 
 /// The layout of a figure for a width.
@@ -107,8 +108,8 @@ struct Axes {
     tall: f64,
 }
 
-/// The axes with the largest number of vertical ticks whose texts do not overlap. The error is the
-/// axis that can show none of the numbers.
+/// The axes with the largest number of vertical ticks whose texts do not overlap. If an axis can
+/// show none of the values, the error names this axis.
 fn axes(
     figure: &Figure,
     system: System,

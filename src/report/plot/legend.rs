@@ -12,7 +12,7 @@ const SIZE: f64 = TEXT - 0.5;
 /// Distance between a symbol and its name, and between a name and the next symbol, pixels.
 const GAPS: [f64; 2] = [6.0, 14.0];
 
-/// A legend with more names than this has columns.
+/// Maximum number of names in a legend without columns.
 const FEW: usize = 4;
 
 /// A layer in a legend.

@@ -6,30 +6,31 @@ use super::layers::{Plane, place_on, star};
 use super::legend;
 use super::palette::Color;
 
-/// Half the size of a mark, and the distance between a mark and its label, pixels.
+/// Half the size of a mark, pixels.
 const SIZE: f64 = 6.5;
+/// Distance between a mark and a label beside it, pixels.
 const GAP: f64 = 9.0;
 
-/// Height of a label beside its mark that leaves a level line through the mark free, pixels.
+/// Height of a label beside its mark at which a level line through the mark stays free, pixels.
 const HALF_LINE: f64 = 0.65 * LINE;
 
-/// Distances of a label from its mark where lines run through all nearer positions, pixels, and twice
-/// the number of points of lines that a nearer label may cover instead.
+/// Larger distances of a label from its mark, pixels, if lines run through all nearer positions.
 const FAR_GAPS: [f64; 2] = [36.0, 64.0];
+/// Costs of a label at each of `FAR_GAPS`. Each point of a line under a label costs 2.
 const FAR_COSTS: [usize; 2] = [5, 6];
 
-/// Twice the number of points of lines that a label beside its mark may cover instead of one above
-/// or below it.
+/// Cost of a label above or below its mark instead of beside it. Each point of a line under a label
+/// costs 2.
 const OVER_COST: usize = 6;
 
-/// Marks nearer than this are drawn as one, pixels.
+/// Maximum distance of marks that are drawn as one mark, pixels.
 const SAME: f64 = 4.0;
 
-/// Least difference between the distances of a label from another mark and from its own mark,
+/// Minimum difference between the distance of a label from another mark and from its own mark,
 /// pixels.
 const CLEAR: f64 = 2.0;
 
-/// Distance from which a line connects a label with its mark, pixels.
+/// Distance of a label from its mark above which a line connects the two, pixels.
 const FAR: f64 = 1.5 * LINE;
 
 /// Draws the marks, then their labels. Marks whose label is also in the legend are drawn only if
@@ -116,7 +117,8 @@ fn around(at: &[f64; 2]) -> [[f64; 2]; 2] {
     [[at[0] - SIZE, at[1] - SIZE], [at[0] + SIZE, at[1] + SIZE]]
 }
 
-/// Marks at the same place as one mark with both names and the colour of the upper one.
+/// Merges marks at the same place into one mark, which has both names and the colour of the upper
+/// mark.
 fn merged(marks: Vec<Mark>) -> Vec<Mark> {
     let mut apart: Vec<Mark> = vec![];
     for mark in marks {
@@ -175,7 +177,8 @@ fn write_near(
     labels.write(name, middle, color, true);
 }
 
-/// Equidistant points along the lines of a figure, so dense that no label fits between them, pixels.
+/// Equidistant points along the lines of a figure, in pixels. They are so dense that no label fits
+/// between them.
 fn lines(plane: &Plane<'_>, figure: &Figure) -> Vec<[f64; 2]> {
     const STEP: f64 = 3.0;
     let lines = figure.layers.iter().filter_map(|layer| match layer {
@@ -214,8 +217,8 @@ fn is_free(labels: &Labels<'_>, plane: &Plane<'_>, name: &str, middle: &[f64; 2]
         && labels.is_free([low, high])
 }
 
-/// The middle of a label next to its mark, or above or below it, in a free position that covers the
-/// least of the lines and is nearer to its mark than to the others.
+/// The middle of a label in a free position next to its mark, or above or below it. The label
+/// covers the least of the lines, and is nearer to its own mark than to other marks.
 fn beside(
     labels: &Labels<'_>,
     plane: &Plane<'_>,
@@ -254,7 +257,7 @@ fn beside(
         let mut others = others.iter();
         others.all(|other| distance(other.at, extent) > least)
     };
-    // the first of the positions that cover least
+    // the first of the positions with the lowest cost
     all.filter(|(middle, _)| is_free(labels, plane, name, middle) && is_clear(middle))
         .min_by_key(|(middle, cost)| 2 * hidden(middle) + cost)
         .map(|(middle, _)| middle)
@@ -286,8 +289,8 @@ fn nearest(labels: &Labels<'_>, plane: &Plane<'_>, name: &str, at: [f64; 2]) -> 
         ])
 }
 
-/// Minimum distance of a name from a label beside it: two labels in a row would look like one,
-/// pixels.
+/// Minimum distance between a name and a label beside it, pixels. If they were nearer, they would
+/// look like one label.
 const APART: f64 = 8.0;
 
 /// Writes the names of lines on the lines, if the figure has them there. A name without

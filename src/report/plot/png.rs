@@ -9,7 +9,7 @@ use resvg::usvg::{Options, Tree};
 /// every machine. `scale` is the number of image pixels per pixel of [`Look::width`].
 ///
 /// # Errors
-/// The errors of [`figure_svg`]; [`Error::Plot`] for a picture that is too large for the memory.
+/// The errors of [`figure_svg`]; [`Error::Plot`] if the picture is too large for the memory.
 pub fn figure_png(figure: &Figure, look: &Look, scale: f64) -> Result<Vec<u8>> {
     let failed = |reason: String| Error::Plot {
         name: figure.name.clone(),

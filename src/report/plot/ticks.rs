@@ -4,8 +4,8 @@ use super::axis::{Axis, Scale};
 use super::text_width::text_width;
 use crate::units::{System, significant};
 
-/// An axis with its ends and ticks, in the unit of a system; for a logarithmic axis, their
-/// logarithms.
+/// An axis with its ends and ticks, in the unit of a system. A logarithmic axis has the logarithms
+/// of ends and ticks.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Drawn {
     axis: Axis,

@@ -22,7 +22,7 @@ const CLUB: [(&str, Outcome); 4] = [
     ("Face Angle", Outcome::LaunchAngle),
 ];
 
-/// Measured outcomes of the flight.
+/// The measured outcomes of the flight.
 const MEASURED: [(&str, Outcome); 6] = [
     ("Carry", Outcome::CarryDistance),
     ("Carry Side", Outcome::Lateral),
@@ -32,7 +32,7 @@ const MEASURED: [(&str, Outcome); 6] = [
     ("Carry Flat - Ball Speed", Outcome::LandingSpeed),
 ];
 
-/// Statements of the export about the origin of the spin and the conditions of its values.
+/// Columns of the export about the origin of the spin and about the conditions of the values.
 const TEXTS: [&str; 2] = ["Spin Rate Type", "Condition"];
 
 /// The line of column heads.

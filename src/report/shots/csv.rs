@@ -6,7 +6,7 @@ use crate::table::quoted;
 use crate::units::System;
 use std::sync::Arc;
 
-/// Resolution of numbers in a table: four decimals, such as 0.1 mm of a length.
+/// Inverse of the resolution of numbers in a table: four decimals, such as 0.1 mm of a length.
 const DECIMALS: f64 = 1e4;
 
 /// The added columns: line, status of the flight, reason for a missing flight, notes, predicted

@@ -21,7 +21,7 @@ const LAUNCH: [&str; 5] = [
     "spin_axis",
 ];
 
-/// Measured outcomes of the flight.
+/// The measured outcomes of the flight.
 const MEASURED: [Outcome; 8] = [
     Outcome::CarryDistance,
     Outcome::Lateral,
@@ -65,7 +65,7 @@ impl ShotParquet {
     /// The table of these shots with their predicted outcomes.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) for columns that Parquet does not allow.
+    /// [`Error::Output`](crate::Error::Output) if Parquet does not allow the columns.
     pub fn new(shots: &Shots, of: &[Outcome]) -> Result<Self> {
         let mut columns: Vec<(String, Kind, Of)> = vec![
             ("line".into(), Kind::Number, Of::Line),
@@ -123,7 +123,7 @@ impl ShotParquet {
     /// Adds shots. Returns the bytes of a row group once it is full, otherwise no bytes.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) for values that Parquet does not allow.
+    /// [`Error::Output`](crate::Error::Output) if Parquet does not allow a value of the shots.
     pub fn take(&mut self, flown: Flown) -> Result<Vec<u8>> {
         self.waiting.push(flown);
         match self.waiting.iter().map(Flown::rows).sum::<usize>() >= ROWS {

@@ -41,7 +41,7 @@ impl SweepJsonLines {
     /// A line for each drive.
     ///
     /// # Panics
-    /// If the block has other numbers of parameters, outcomes or derivatives than the batch.
+    /// If the block differs from the batch in the number of parameters, outcomes or derivatives.
     pub fn rows(&self, block: &Block) -> Vec<u8> {
         self.columns.expect(block);
         let width = self.parameters.len() + self.results.len();

@@ -33,7 +33,8 @@ impl Columns {
     }
 
     /// # Panics
-    /// If a block has other numbers of parameters, outcomes or derivatives.
+    /// If the block differs from these columns in the number of parameters, outcomes or
+    /// derivatives.
     #[track_caller]
     fn expect(&self, block: &Block) {
         let (here, there) = (self.0, block.columns());
@@ -54,7 +55,7 @@ fn parameter_names(batch: &Batch) -> Vec<&'static str> {
         .collect()
 }
 
-/// Appends a number in the shortest form that is parsed to the same value.
+/// Appends a number in the shortest form from which the number can be parsed exactly.
 pub(super) fn push_number(bytes: &mut Vec<u8>, number: f64) {
     // writing to memory does not fail
     let _ = serde_json::to_writer(bytes, &(number + 0.0));

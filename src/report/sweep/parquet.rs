@@ -4,10 +4,11 @@ use crate::error::Result;
 use crate::report::parquet::{Cells, Kind, ParquetGroup, ParquetTable, PlacedGroup};
 use parquet::data_type::ByteArray;
 
-/// Maximum and minimum number of rows in a row group, and maximum number of bytes of its numbers.
-/// The minimum number of rows applies even if the bytes exceed their maximum.
+/// Maximum number of rows in a row group.
 const MOST_ROWS: usize = 128 * CHUNK;
+/// Minimum number of rows in a row group, even if their numbers have more than `MOST_BYTES` bytes.
 const LEAST_ROWS: usize = 16 * CHUNK;
+/// Maximum number of bytes of the numbers in a row group.
 const MOST_BYTES: usize = 16 << 20;
 
 /// A batch as Parquet: `DOUBLE` columns (required for the swept parameters, optional for the rest)
@@ -27,7 +28,7 @@ impl SweepParquet {
     /// The table of a batch. The file stores `question` under the key `longdrive`.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) for columns that Parquet does not allow.
+    /// [`Error::Output`](crate::Error::Output) if Parquet does not allow the columns of the batch.
     pub fn new(batch: &Batch, question: &str) -> Result<Self> {
         let (parameters, results) = (parameter_names(batch), batch.columns());
         let columns = parameters
@@ -61,10 +62,10 @@ impl SweepParquet {
     /// The row group of some blocks.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) for values that Parquet does not allow.
+    /// [`Error::Output`](crate::Error::Output) if Parquet does not allow a value of `blocks`.
     ///
     /// # Panics
-    /// If a block has other numbers of parameters, outcomes or derivatives than the batch.
+    /// If a block differs from the batch in the number of parameters, outcomes or derivatives.
     pub fn group(&self, blocks: &[Block]) -> Result<ParquetGroup> {
         blocks.iter().for_each(|block| self.columns.expect(block));
         let all = |block: &Block| 0..block.rows();
@@ -96,7 +97,7 @@ impl SweepParquet {
     /// number `ordinal`.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) for other metadata.
+    /// [`Error::Output`](crate::Error::Output) if `metadata` is not the metadata of a row group.
     pub fn place(&self, metadata: &[u8], at: u64, ordinal: usize) -> Result<PlacedGroup> {
         self.table.place(metadata, at, ordinal)
     }
@@ -104,7 +105,7 @@ impl SweepParquet {
     /// The last bytes of a file with these row groups.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) for values that Parquet does not allow.
+    /// [`Error::Output`](crate::Error::Output) if Parquet does not allow `groups`.
     pub fn foot(&self, groups: &[PlacedGroup]) -> Result<Vec<u8>> {
         self.foot_with(groups, &[])
     }
@@ -112,7 +113,7 @@ impl SweepParquet {
     /// The footer with further notes by key.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) for values that Parquet does not allow.
+    /// [`Error::Output`](crate::Error::Output) if Parquet does not allow `groups` or `notes`.
     pub fn foot_with(&self, groups: &[PlacedGroup], notes: &[(&str, String)]) -> Result<Vec<u8>> {
         self.table.foot(groups, notes)
     }

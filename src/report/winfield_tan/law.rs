@@ -8,9 +8,9 @@ use crate::report::shown::stated;
 use crate::reproduce::{FittedNumber, WinfieldTan};
 use crate::units::{Quantity, System, significant};
 
-/// Speeds of the displayed values in m/s and in mph; the two lists agree within 3 %. The flights of
-/// the paper have these speeds.
+/// Speeds of the displayed values, m/s. The flights of the paper have these speeds.
 const METRES_PER_SECOND: [f64; 4] = [30.0, 40.0, 50.0, 65.0];
+/// Speeds of the displayed values, mph. They agree with `METRES_PER_SECOND` within 3 %.
 const MILES_PER_HOUR: [f64; 4] = [70.0, 90.0, 110.0, 145.0];
 
 /// The lowest and the highest ball speed in the paper's flights, m/s.
@@ -19,10 +19,10 @@ const FLOWN: [f64; 2] = [25.0, 68.0];
 /// Spin ratios of the displayed values.
 const SPIN_RATIOS: [f64; 6] = [0.03, 0.06, 0.10, 0.15, 0.20, 0.30];
 
-/// The uncertainty of a printed distance in the calibration, m: 0.05 yd.
+/// Uncertainty of a printed distance in the calibration, m: 0.05 yd.
 const WEIGHT: f64 = 0.04572;
 
-/// The largest spin in the paper's flights, rad/s: for loft 17.14° at 110 mph.
+/// Largest spin in the paper's flights, rad/s: for loft 17.14° at 110 mph.
 const MOST_SPIN: f64 = 450.0;
 
 /// Adds the law to a document: its formula and coefficients, its values, and plots.

@@ -27,7 +27,7 @@ impl Average {
         Self::at(setup, &printed::AVERAGED_LOFTS, printed::AVERAGE_LOFT)
     }
 
-    /// The study for these lofts, deg, compared with a printed best loft, deg.
+    /// The study for the lofts `lofts`, deg, compared with a printed best loft, deg.
     pub(in crate::reproduce) fn at(
         setup: &Setup<f64>,
         lofts: &[f64],

@@ -108,16 +108,18 @@ impl From<[f64; 3]> for ByLaunch {
     }
 }
 
-/// Speeds, m/s, and spins, rad/s, wide enough for any golf ball.
+/// Minimum ball speed of the searches, m/s.
 const SLOWEST: f64 = 10.0;
+/// Maximum ball speed of the searches, m/s: faster than any golf ball.
 const MOST_SPEED: f64 = 300.0;
+/// Maximum spin of the searches, rad/s: more than any golf ball has.
 const MOST_SPIN: f64 = 1000.0;
 
-/// Launch angles slightly off horizontal and vertical, which give short carries.
+/// Range of the launch angle, rad: almost from horizontal to vertical. The ends give short carries.
 const ANGLES: [f64; 2] = [0.01, FRAC_PI_2 - 0.01];
 
 impl Energy {
-    /// The energy argument for a setup and a distance, m.
+    /// The energy argument for the club of `setup` and a distance, m.
     pub(super) fn new(setup: &Setup<f64>, distance: f64) -> Result<Self> {
         let (head, ball) = (setup.club.mass, setup.ball.mass);
         let fastest = (1.0 + setup.impact.restitution) / (1.0 + ball / head) * setup.swing.speed;
@@ -184,8 +186,7 @@ impl Subsystems {
     }
 }
 
-/// The flight as a function of its launch, x = (ball speed, launch angle, backspin), without a
-/// club.
+/// The flight without a club, as a function of its launch x = (ball speed, launch angle, backspin).
 struct FlightAlone {
     carry: Evaluator,
     wanted: Wanted,
@@ -194,7 +195,7 @@ struct FlightAlone {
 #[derive(Clone, Copy)]
 enum Wanted {
     Farthest,
-    /// Minimum ball speed for this carry, m.
+    /// Minimum ball speed that gives this carry, m.
     SlowestBeyond(f64),
 }
 
@@ -217,7 +218,7 @@ impl FlightAlone {
         })
     }
 
-    /// The best launch for a range of ball speed, with the multipliers of the upper bounds.
+    /// The best launch for a range of the ball speed, with the multipliers of the upper bounds.
     fn best(&self, speeds: [f64; 2]) -> Result<(Launched, Vec<f64>)> {
         let domain = Domain::new(
             vec![speeds[0], ANGLES[0], 0.0],

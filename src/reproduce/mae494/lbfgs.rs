@@ -12,9 +12,9 @@ const ITERATIONS: u64 = 200;
 
 /// Minimizes with argmin's L-BFGS from `start`: returns the best point and the termination message.
 ///
-/// argmin's L-BFGS has no bounds, so the substitution x = middle + half the width · sin u removes
-/// them. L-BFGS also fails where the function is undefined, so a drive that does not fly has carry
-/// 0.
+/// argmin's L-BFGS has no bounds. The substitution x = middle + half the width · sin u removes the
+/// bounds of the problem. L-BFGS also fails where the function is undefined. A drive whose ball
+/// does not fly therefore has carry 0.
 pub(super) fn search_by_lbfgs(objective: &Objective, start: &[f64]) -> (Vec<f64>, String) {
     let bounds = &objective.domain.variables;
     let half = |i: usize| 0.5 * (bounds.high[i] - bounds.low[i]);
@@ -42,7 +42,7 @@ pub(super) fn search_by_lbfgs(objective: &Objective, start: &[f64]) -> (Vec<f64>
     (best.into_inner().1, message)
 }
 
-/// Replaces the result of a drive that does not fly by a default value.
+/// Replaces the error of a ball that does not fly by the value `without`.
 fn flown<T>(found: Result<T, crate::Error>, without: T) -> Result<T, crate::Error> {
     match found {
         Err(crate::Error::NoFlight { .. }) => Ok(without),
@@ -53,7 +53,7 @@ fn flown<T>(found: Result<T, crate::Error>, without: T) -> Result<T, crate::Erro
 /// The problem in the unbounded variables u.
 struct Unbounded<'a, 'b> {
     objective: &'a Objective<'b>,
-    /// The smallest value so far, with its point.
+    /// The smallest value so far and its point.
     best: &'a RefCell<(f64, Vec<f64>)>,
 }
 

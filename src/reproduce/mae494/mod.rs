@@ -4,7 +4,7 @@
 //! The report's flight loop overshoots the ground, which makes carry discontinuous; its optimizer
 //! failed on the resulting steps, and a regression replaced the optimizer. Here the report's
 //! constants are used in Winfield & Tan's equations (preset `mae494`), and every printed optimum is
-//! compared with the exact one.
+//! compared with the exact optimum.
 
 mod average;
 mod launches;
@@ -55,7 +55,7 @@ pub struct Mae494 {
     pub average: Average,
     /// Parametric study.
     pub parametric: Parametric,
-    /// Discontinuities of the flight loop, and searches with them.
+    /// Discontinuities of the flight loop, and searches on its discontinuous carry.
     pub noise: Noise,
 }
 

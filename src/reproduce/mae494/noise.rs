@@ -30,7 +30,7 @@ pub struct Noise {
     pub shorter_steps: Vec<ShorterStep>,
     /// Differences at loft 10° with larger steps of the loft.
     pub longer_differences: Vec<LongerDifference>,
-    /// Carry by loft near 10°.
+    /// The carry by loft near 10°.
     pub zoom: Vec<Landings>,
     /// Searches for each way to compute the landing and each method.
     pub searches: Vec<Searches>,
@@ -110,12 +110,13 @@ pub struct Slopes {
     pub sign_is_wrong: bool,
 }
 
-/// Number of intervals between the points of [`Noise::zoom`], and its half-width about 10°, deg.
+/// Number of intervals between the points of [`Noise::zoom`].
 const ZOOM: u32 = 400;
+/// Half-width of the range of [`Noise::zoom`] about 10°, deg.
 const REACH: f64 = 0.5;
 
 impl Noise {
-    /// The study of the noise, in the air and with the club of a setup.
+    /// The study of the noise, with the air and the club of `setup`.
     pub(super) fn new(setup: &Setup<f64>, progress: &mut impl FnMut(&str)) -> Result<Self> {
         let (step, difference) = (setup.flight.step, f64::EPSILON.sqrt());
         let smooth_at = |loft: f64| tables::carried(&level(setup, loft));
@@ -205,8 +206,9 @@ fn loop_slopes(setup: &Setup<f64>, loft: f64, by: f64, step: f64) -> Result<[f64
 }
 
 impl Sawtooth {
-    /// Finds jumps: neighbouring points between which the changes of the loop's carry and of the
-    /// smooth carry differ by more than three times the smooth change.
+    /// Finds the jumps. A jump is a pair of neighbouring points at which the change of the loop's
+    /// carry minus the change of the smooth carry exceeds three times the change of the smooth
+    /// carry.
     fn of(zoom: &[Landings]) -> Self {
         let jump = |pair: &[Landings]| {
             let smooth = pair[1].smooth - pair[0].smooth;
@@ -239,7 +241,8 @@ fn level(setup: &Setup<f64>, loft: f64) -> Setup<f64> {
     .set(setup)
 }
 
-/// d carry/dλ, and the derivative at fixed time, ∂z/∂λ = d carry/dλ − ż dt/dλ.
+/// The derivative of carry by loft, d carry/dλ, and the derivative at fixed time, ∂z/∂λ = d
+/// carry/dλ − ż dt/dλ.
 fn exact_slopes(setup: &Setup<f64>) -> Result<(f64, f64)> {
     let of = [
         Outcome::Carry,

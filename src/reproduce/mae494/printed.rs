@@ -30,8 +30,8 @@ pub const TABLE_2: [[f64; 3]; 9] = [
     [15.0, 7.2053, 243.43],
 ];
 
-/// Recommended optimum: the loft of Table 1, deg, a swing elevation of Table 2, deg, and the longest
-/// distance of Table 1, m.
+/// Recommended optimum: the loft of Table 1, deg, a swing elevation of Table 2, deg, and the
+/// longest distance of Table 1, m.
 pub const OPTIMUM: [f64; 3] = [17.68, 7.3, 248.48];
 
 /// Range of loft, deg.
@@ -52,8 +52,9 @@ pub const REGRESSION: [[f64; 2]; 5] = [
 /// The swing elevation of [`REGRESSION`], deg.
 pub const REGRESSION_ATTACK: f64 = 10.0;
 
-/// Attack angles and lofts of the third study, deg.
+/// Attack angles of the third study, deg.
 pub const AVERAGED: [f64; 11] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0];
+/// Lofts of the third study, deg.
 pub const AVERAGED_LOFTS: [f64; 11] = [
     8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0, 18.0,
 ];

@@ -15,12 +15,12 @@ pub struct Row {
     pub best: Optimum,
     /// Active bounds.
     pub active: Vec<Active>,
-    /// Carry of the printed optimum in the same model, m; `None` if it does not fly.
+    /// Carry at the printed optimum in the same model, m; `None` if the ball does not fly.
     pub at_printed: Option<f64>,
 }
 
 impl Row {
-    /// Loss of carry of the printed optimum, m; the whole carry if it does not fly.
+    /// Loss of carry at the printed optimum, m; the whole carry if the ball does not fly.
     pub fn cost(&self) -> f64 {
         self.best.value().unwrap_or_default() - self.at_printed.unwrap_or_default()
     }
@@ -64,7 +64,7 @@ pub(super) fn optimum(setup: &Setup<f64>) -> Result<Row> {
     )
 }
 
-/// The exact optimum over the named parameters within the report's ranges. All other parameters
+/// The exact optimum over the parameters `names` within the report's ranges. All other parameters
 /// have the printed values.
 fn row(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Row> {
     let at = printed.set(setup);
@@ -76,8 +76,8 @@ fn row(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Row> {
         vary,
         ..Search::largest(Outcome::Carry)
     };
-    // some printed optima do not fly, and carry may have several maxima, so several starts are
-    // needed
+    // the ball does not fly at some printed optima, and carry may have several maxima: use several
+    // starts
     let best = optima(&at, &search, 8, &Observers::default())?.best;
     Ok(Row {
         printed,
@@ -103,7 +103,7 @@ pub(super) fn carried(setup: &Setup<f64>) -> Result<f64> {
     Ok(Drive::new(setup)?.landed()?.carry)
 }
 
-/// Carry of a drive, m; `None` if it does not fly.
+/// Carry of a drive, m; `None` if the ball does not fly.
 pub(super) fn carried_if_flown(setup: &Setup<f64>) -> Result<Option<f64>> {
     match carried(setup) {
         Err(Error::NoFlight { .. }) => Ok(None),

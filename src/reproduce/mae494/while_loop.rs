@@ -1,5 +1,5 @@
 //! Counter-example: the flight loop of the report's listing, to demonstrate its failure. No result
-//! of this library uses it.
+//! of this library uses this loop.
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::atmosphere::AirState;
@@ -18,9 +18,9 @@ pub struct LoopLanding {
     pub interpolated: f64,
 }
 
-/// Flies in steps of `step` s until the height is negative, as in the listing: explicit Euler for
-/// the velocity (the `ode45` of the listing integrates a constant), and the position moves with the
-/// new velocity.
+/// Integrates the flight in steps of `step` s until the height is negative, as in the listing. The
+/// velocity has explicit Euler steps, because the listing's `ode45` integrates a constant. The
+/// position moves with the new velocity.
 ///
 /// # Errors
 /// The errors of [`strike`]; [`Error::NoFlight`] if the ball is airborne at the time limit.

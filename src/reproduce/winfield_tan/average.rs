@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector};
 pub struct Mean {
     /// Mean carries of the lofts 7, 8 … 12°.
     pub rows: Vec<LoftCarry>,
-    /// Maximum of the quintic polynomial through these means, as in the paper.
+    /// Maximum of the quintic polynomial through these means, computed as in the paper.
     pub by_polynomial: LoftCarry,
     /// Points of the polynomial between the first and last loft.
     pub polynomial: Vec<LoftCarry>,
@@ -54,8 +54,8 @@ impl Mean {
 /// Number of points of [`Mean::polynomial`].
 const CURVE: usize = 101;
 
-/// Interpolating polynomial in the loft minus `middle`, the mean loft, in degrees, for well-scaled
-/// powers.
+/// Interpolating polynomial in the difference of the loft from `middle`, the mean loft, in degrees.
+/// The difference keeps the powers well scaled.
 struct Polynomial {
     middle: f64,
     coefficients: DVector<f64>,

@@ -38,9 +38,9 @@ pub const TABLE_2: [[f64; 3]; 13] = [
     [5.0, 10.22, 230.32],
     [10.0, 8.39, 238.55],
 ];
-/// Best loft of the mean over attack angles of 0–10°, deg, and the mean at this loft, yd.
+/// The loft with the best mean carry over attack angles of 0–10°, deg, and this mean carry, yd.
 pub const AVERAGE: [f64; 2] = [10.68, 228.01];
-/// Lofts of the mean, deg.
+/// Lofts with a computed mean carry, deg.
 pub const AVERAGED_LOFTS: [f64; 6] = [7.0, 8.0, 9.0, 10.0, 11.0, 12.0];
 /// Robot "Iron Byron" with the delivery of the single shot: mean and standard deviation of twenty
 /// distances, yd.

@@ -9,8 +9,9 @@ use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
 use crate::study::{Search, optimum as search};
 use crate::units::Quantity;
 
-/// Search ranges, deg, far beyond the printed values.
+/// Search range of the loft, deg, far beyond the printed values.
 const LOFTS: [f64; 2] = [-10.0, 40.0];
+/// Search range of the attack angle, deg, far beyond the printed values.
 const ATTACKS: [f64; 2] = [-20.0, 50.0];
 
 /// An optimum, computed and printed.
@@ -81,7 +82,7 @@ fn best(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Best> {
     })
 }
 
-/// The optimum over the named parameters, from a starting point.
+/// The optimum over the parameters `names`, searched from the delivery `from`.
 fn searched(setup: &Setup<f64>, from: Delivery, names: &[&str]) -> Result<Delivery> {
     let range = |name: &&str| {
         let [low, high] = if *name == LOFT { LOFTS } else { ATTACKS };
