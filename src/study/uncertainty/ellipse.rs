@@ -1,6 +1,7 @@
 use statrs::distribution::{ContinuousCDF, Normal};
 
-/// Variance ratio below which an ellipse is a line, up to rounding.
+/// Smallest ratio of the variances of an ellipse. With a smaller ratio it is a line, up to
+/// rounding.
 const FLAT: f64 = 1e-14;
 
 /// An ellipse that contains a share of the landings.
