@@ -139,8 +139,8 @@ impl SearchProblem {
         })
     }
 
-    /// The problem with a limit of the defect of its drives, m, beyond which they are repeated with
-    /// shorter steps.
+    /// The problem with a limit of the drives' defect, m. Drives with a larger defect are repeated
+    /// with shorter steps.
     pub fn with_largest_defect(mut self, largest_defect: f64) -> Self {
         let limited = |drive: Evaluator| drive.with_largest_defect(largest_defect);
         self.drives = self.drives.into_iter().map(limited).collect();
@@ -200,7 +200,7 @@ impl SearchProblem {
         }
     }
 
-    /// The outcomes of these scenarios, with derivatives to an order.
+    /// The outcomes of these scenarios, with derivatives up to an order.
     fn flown(
         &self,
         scenarios: &[usize],
@@ -377,8 +377,8 @@ impl SearchProblem {
         self.reported(&self.moved(x)?, x, stop)
     }
 
-    /// Goals with the setup's own design. A varied parameter that the setup has no value for is not
-    /// set.
+    /// Values of the goals at the setup's own design. If the setup has no value for a varied
+    /// parameter, the parameter is not set.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
@@ -398,7 +398,7 @@ impl SearchProblem {
         ))
     }
 
-    /// Goals with the setup's own design, over the scenarios with other weights.
+    /// Values of the goals at the setup's own design, over the scenarios with other weights.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
@@ -472,8 +472,8 @@ impl SearchProblem {
     /// the limited goals.
     ///
     /// # Errors
-    /// [`Error::NoFlight`] for a swing that does not fly; [`Error::NotConverged`] once `stop` is
-    /// true.
+    /// [`Error::NoFlight`] if the ball does not fly in one of the swings; [`Error::NotConverged`]
+    /// once `stop` is true.
     pub fn goals_until(&self, x: &[f64], order: Order, stop: &AtomicBool) -> Result<Vec<Taylor>> {
         let all: Vec<usize> = (0..self.drives.len()).collect();
         let flown = self.flown(&all, x, order, stop);
@@ -540,8 +540,8 @@ impl SearchProblem {
     }
 }
 
-/// Refuses a parameter that the swings vary, if the search varies it too, or if a relation of the
-/// design contains it.
+/// Refuses a parameter of the swings if the search varies it too, or if a relation of the design
+/// contains it.
 fn refuse_distributed(search: &Search) -> Result<()> {
     let distributed = &search.scenarios.parameters;
     let refuse = |parameter: &Parameter, reason: &str| {

@@ -15,8 +15,8 @@ const BLOCK: usize = 512;
 /// Outcomes of a setup for each swing: a column of values for each outcome.
 ///
 /// # Errors
-/// [`Error::NoFlight`], which names the first swing that does not fly; [`Error::NotConverged`] once
-/// `stop` is true.
+/// [`Error::NoFlight`], which names the first swing in which the ball does not fly;
+/// [`Error::NotConverged`] once `stop` is true.
 pub(in crate::study) fn columns(
     setup: &Setup<f64>,
     of: &[Outcome],

@@ -130,8 +130,9 @@ pub struct Robust {
     pub search: Search,
     /// The models, each with its own best design.
     pub models: Vec<(Model, Optimum)>,
-    /// Loss of each model (row) with the best design of each model (column), relative to the row's
-    /// own best design; `None` if a constraint is violated or a swing does not fly.
+    /// Loss of each model (row) with the best design of each model (column), relative to the best
+    /// design of the row's model; `None` if a constraint is violated or the ball does not fly in
+    /// one of the swings.
     pub matrix: Vec<Vec<Option<f64>>>,
     /// Result of the search for the minimax design. Its variables are the design parameters and the
     /// greatest loss t.
@@ -140,15 +141,16 @@ pub struct Robust {
     pub design: Vec<f64>,
     /// The first model's setup with this design.
     pub setup: Setup<f64>,
-    /// The goals of each model with this design: the objective, then the limited goals.
+    /// The values of each model's goals at this design: first the objective, then the limited
+    /// goals.
     pub goals: Vec<Vec<f64>>,
     /// The loss of each model with this design.
     pub losses: Vec<f64>,
     /// Multiplier of each model's loss. The multipliers sum to 1, and are 0 for models that lose
     /// less than the greatest loss.
     pub shares: Vec<f64>,
-    /// The loss of each model with the design as set up; `None` if a constraint is violated or a
-    /// swing does not fly.
+    /// The loss of each model with the design as set up; `None` if a constraint is violated or the
+    /// ball does not fly in one of the swings.
     pub as_set_up: Vec<Option<f64>>,
     /// The number of searches for the smallest greatest loss.
     pub searches: usize,
@@ -346,8 +348,8 @@ fn best_of_each(
     models.into_iter().map(best).collect()
 }
 
-/// The multiplier of each model's loss. Of the 1 + `limits` constraints of a model, the first is
-/// its loss less t.
+/// The multiplier of each model's loss. The first of the 1 + `limits` constraints of a model limits
+/// its loss.
 fn shares(solution: &Solution, limits: usize) -> Vec<f64> {
     let losses = solution.constraints.iter().step_by(1 + limits);
     losses.map(|at| at.multiplier.max(0.0)).collect()
@@ -443,7 +445,7 @@ impl<'a> Losses<'a> {
         Ok(all.filter_map(start).collect())
     }
 
-    /// The goals of each model with a design, also after an interrupt.
+    /// The values of each model's goals at a design, also after an interrupt.
     fn goals(&self, design: &[f64]) -> Result<Vec<Vec<f64>>> {
         let never = AtomicBool::new(false);
         let problems = self.problems.iter();
