@@ -11,7 +11,8 @@ use crate::optimize::sensitivity::{ActiveSet, Response, first_event, response};
 use crate::optimize::solution::Solution;
 use crate::optimize::status::Status;
 
-/// Slopes above this count as infinite, slopes below its inverse as zero: rounding dominates both.
+/// Slope above which a slope counts as infinite. Slopes below the inverse count as zero. Rounding
+/// dominates both.
 const STEEPEST: f64 = 1e8;
 
 /// A compromise, with its derivatives along the front.
