@@ -15,8 +15,8 @@ pub(crate) const SEA_LEVEL_TEMPERATURE: f64 = 288.15;
 /// Temperature lapse rate of the standard atmosphere, K/m (ISO 2533:1975).
 pub(crate) const LAPSE_RATE: f64 = 0.0065;
 
-/// Two sets of parameters that describe the same thing: if one of `by` is set, the parameters of
-/// `replaced` follow from it.
+/// Two sets of parameters that describe the same quantity: if a parameter of `by` is set, the
+/// parameters of `replaced` follow from the set `by`.
 #[derive(Debug, PartialEq)]
 pub struct Ways {
     /// Name of the described quantity: `air`, `wind`.
@@ -77,8 +77,8 @@ pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Ways> {
         .collect()
 }
 
-/// True if a parameter is in one of the [`Ways`], and both setups use the same parameters of it with
-/// the same values.
+/// True if one of the [`Ways`] contains the parameter, and both setups describe this quantity by
+/// the same parameters with the same values.
 pub(crate) fn is_given_alike([a, b]: [&Setup<f64>; 2], parameter: &Parameter) -> bool {
     let Some(ways) = WAYS.iter().find(|ways| ways.has(parameter)) else {
         return false;
@@ -178,7 +178,7 @@ impl Setup<f64> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Together`].
+    /// [`Error::Together`] for a replaced parameter.
     pub fn refuse_replaced(&self, names: &[&str]) -> Result<()> {
         refuse_replaced(names, |name| self.is_set(name))
     }

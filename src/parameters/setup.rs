@@ -134,7 +134,8 @@ impl Parameter {
         }
     }
 
-    /// A value as text, with the given text appended if its unit is neither of the units shown.
+    /// The value as `shown`, with the user's `text` appended if its unit is neither of the shown
+    /// units.
     fn with_given_text(&self, shown: String, text: &str) -> String {
         let is_another = |unit: &str| {
             ![self.quantity.si, self.unit]
@@ -328,7 +329,7 @@ impl Setup<f64> {
             self.apply_text(name, text, *bare)?;
         }
         refuse_idle_turf(|known| settings.iter().any(|(name, ..)| *name == known))?;
-        // resets last: a reset needs the parameter that replaces this one
+        // reset last: a reset needs the parameter that replaces the parameter to reset
         let is_reset = |(name, text, _): &&(&str, &str, bool)| is_reset(name, text);
         let numbers = || {
             settings

@@ -83,7 +83,7 @@ impl Bins {
         })
     }
 
-    /// Text that identifies the bins: equal for equal bins.
+    /// Text that identifies the bins: equal bins have equal texts.
     pub fn identity(&self) -> String {
         format!(
             "{}={:?}..{:?}:{}",
