@@ -201,7 +201,8 @@ impl Integration {
     /// Outcomes of the setup with their derivatives; interrupted once `stop` is true.
     ///
     /// # Errors
-    /// The errors of [`evaluate`](crate::derivative::evaluate); [`Error::Stopped`].
+    /// The errors of [`evaluate`](crate::derivative::evaluate); [`Error::Stopped`] after an
+    /// interrupt.
     pub fn evaluate_until(
         &self,
         of: &[Outcome],
@@ -266,7 +267,7 @@ pub(crate) fn neighbourhood(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> V
     wrt.iter().filter_map(around).collect()
 }
 
-/// All outcomes except those of the roll-out, whose step error is unknown.
+/// All outcomes except the outcomes of the roll-out, whose step error is unknown.
 pub(crate) fn of_the_flight() -> Vec<Outcome> {
     let all = Outcome::ALL.iter().copied();
     all.filter(|outcome| !outcome.needs_run()).collect()

@@ -35,7 +35,7 @@ pub struct Solution {
     pub kkt_residual: f64,
     /// Components of the KKT residual.
     pub residual: Residual,
-    /// Kink of f at the point, if the search ended at one.
+    /// Kink of f at the point, if the search ended at a kink.
     pub kink: Option<Kink>,
     /// Iterations taken.
     pub iterations: u64,

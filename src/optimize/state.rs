@@ -241,8 +241,7 @@ impl State {
         })
     }
 
-    /// Evaluates the functions at x. Returns `None`, and records the reason, where they are
-    /// undefined.
+    /// Evaluates the functions at x. If they are undefined, returns `None` and records the reason.
     pub fn evaluate_at(
         &mut self,
         x: Vec<f64>,

@@ -122,11 +122,12 @@ pub(super) fn instead(name: &str) -> String {
     })
 }
 
-/// Refuses a parameter of `names` that is replaced by another one, which is among `names` or
+/// Refuses a parameter of `names` that another parameter replaces, which is among `names` or
 /// already set. `names` are in the order in which they were given.
 ///
 /// # Errors
-/// [`Error::Together`], with advice how to unset the one that was given first.
+/// [`Error::Together`] for such a parameter, with advice how to unset the parameter that was given
+/// first.
 pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> Result<()> {
     for Ways {
         by: by_all,
@@ -266,7 +267,7 @@ impl Setup<f64> {
     /// `names` together.
     ///
     /// # Errors
-    /// [`Error::Together`].
+    /// [`Error::Together`] for such weather or wind.
     pub(crate) fn check_air(&self, names: &[&str]) -> Result<()> {
         let (air, wind) = (&self.air, &self.wind);
         let has = |name: &str, value: Option<f64>| value.is_some() || names.contains(&name);

@@ -104,8 +104,8 @@ impl Vary {
     /// A parameter with a range in SI.
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a reversed or infinite range, [`Error::OutOfRange`],
-    /// [`Error::NotANumber`].
+    /// [`Error::SearchRange`] for a reversed or infinite range; [`Error::OutOfRange`] for an end
+    /// outside the allowed values; [`Error::NotANumber`] for NaN.
     pub fn new(parameter: &'static Parameter, low: f64, high: f64) -> Result<Self> {
         parameter.check(low)?;
         parameter.check(high)?;

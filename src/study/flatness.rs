@@ -68,7 +68,7 @@ pub struct Direction {
     pub losses: [Option<f64>; 2],
 }
 
-/// An ellipse around the optimum in the plane of two parameters, with the others fixed.
+/// An ellipse around the optimum in the plane of two parameters, with all other parameters fixed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ellipse {
     /// The indices of the two parameters in the search.
@@ -77,7 +77,7 @@ pub struct Ellipse {
     /// in units of the ranges comes first.
     pub half_axes: [[f64; 2]; 2],
     /// Smallest and largest loss of the drives on the ellipse that meet the ranges and constraints;
-    /// `None` if there are none.
+    /// `None` if no drive meets them.
     pub losses: Option<(f64, f64)>,
 }
 
@@ -137,8 +137,8 @@ pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
 /// The window of each varied parameter for a stated loss of the outcome, SI.
 ///
 /// # Errors
-/// [`Error::NotConverged`]; [`Error::Optimizer`] for a loss that is not above 0;
-/// [`Error::Unreadable`] for a search over swings.
+/// [`Error::NotConverged`] without a converged optimum; [`Error::Optimizer`] for a loss that is not
+/// above 0; [`Error::Unreadable`] for a search over swings.
 pub fn windows(best: &Optimum, loss: f64) -> Result<Vec<Window>> {
     Top::new(&problem(best, loss)?, best, loss)?.windows()
 }

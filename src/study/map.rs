@@ -142,7 +142,8 @@ pub fn map(
     })
 }
 
-/// Gradients at the centres of equal cells. A centre without a flight, or at a corner, has none.
+/// Gradients at the centres of equal cells. Centres without a gradient are omitted: the ball does
+/// not fly, or the drive lies at a corner.
 fn slopes(gradients: &Evaluator, ranges: [Vary; 2], cells: usize) -> Vec<Slope> {
     (0..cells * cells)
         .into_par_iter()

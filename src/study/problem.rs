@@ -305,7 +305,8 @@ impl SearchProblem {
         })
     }
 
-    /// Goals at `x` from the outcomes of the scenarios, with smoothed kinks and jumps.
+    /// Values of the goals at `x` from the outcomes of the scenarios, with smoothed kinks and
+    /// jumps.
     fn measured(
         &self,
         x: &[f64],
@@ -335,7 +336,8 @@ impl SearchProblem {
         self.goals.iter().map(goal).collect()
     }
 
-    /// Exact goals at `x`, without smoothing, from a column of values for each outcome.
+    /// Exact values of the goals at `x`, without smoothing, from a column of values for each
+    /// outcome.
     fn exact(&self, x: &[f64], columns: &[Vec<f64>], weights: &[f64]) -> Vec<f64> {
         let term = |(weight, measure): &(f64, Measure)| {
             let value = self
@@ -359,12 +361,13 @@ impl SearchProblem {
         places.map(|place| &columns[place][..]).collect()
     }
 
-    /// Exact goals at `x`: the objective, then the limited goals. Goals with a kink or jump are
-    /// evaluated over the swings of [`sequences`](Scenarios::sequences) if all of these fly, other
-    /// goals over the scenarios.
+    /// Exact values of the goals at `x`: first the objective, then the limited goals. A goal with a
+    /// kink or jump is evaluated over the swings of [`sequences`](Scenarios::sequences) if the ball
+    /// flies in all of these swings; other goals are evaluated over the scenarios.
     ///
     /// # Errors
-    /// [`Error::NoFlight`] for a scenario that does not fly; [`Error::NotConverged`] once stopped.
+    /// [`Error::NoFlight`] if the ball does not fly in one of the scenarios;
+    /// [`Error::NotConverged`] once stopped.
     pub fn values(&self, x: &[f64]) -> Result<Vec<f64>> {
         self.values_until(x, &self.stop)
     }
@@ -386,7 +389,7 @@ impl SearchProblem {
         self.reported(&self.set_up, &self.own(), &self.stop)
     }
 
-    /// Exact goals at `x`, with `weights` for the scenarios.
+    /// Exact values of the goals at `x`, with `weights` for the scenarios.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
@@ -410,7 +413,7 @@ impl SearchProblem {
         ))
     }
 
-    /// Goals at `x`, over each of the [`sequences`](Scenarios::sequences).
+    /// Values of the goals at `x`, over each of the [`sequences`](Scenarios::sequences).
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
@@ -468,8 +471,8 @@ impl SearchProblem {
         Ok(values)
     }
 
-    /// Goals at `x` with smoothed kinks and jumps, with derivatives to an order: the objective, then
-    /// the limited goals.
+    /// Values of the goals at `x` with smoothed kinks and jumps, with derivatives up to an order:
+    /// first the objective, then the limited goals.
     ///
     /// # Errors
     /// [`Error::NoFlight`] if the ball does not fly in one of the swings; [`Error::NotConverged`]

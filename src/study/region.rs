@@ -32,7 +32,8 @@ const COARSE: usize = 41;
 /// Nodes in each direction of the grid that shows the region.
 const FINE: usize = 97;
 
-/// Maximum number of grids. Each grid covers the part of the previous one that contains the region.
+/// Maximum number of grids. Each grid covers the part of the previous grid that contains the
+/// region.
 const LOOKS: usize = 8;
 
 /// Smallest fraction of the grid's width that a resolved region fills.

@@ -127,7 +127,7 @@ impl Search {
     /// Refuses a search over swings, for studies of one drive.
     ///
     /// # Errors
-    /// [`Error::Unreadable`].
+    /// [`Error::Unreadable`] for a search over swings.
     pub fn refuse_swings(&self) -> Result<()> {
         if self.is_of_outcomes() {
             return Ok(());
@@ -161,7 +161,8 @@ impl Search {
     /// Refuses a search without a parameter to vary, and a search that varies a parameter twice.
     ///
     /// # Errors
-    /// [`Error::Nothing`]; [`Error::SearchRange`].
+    /// [`Error::Nothing`] without a parameter to vary; [`Error::SearchRange`] for a repeated
+    /// parameter.
     pub(super) fn check(&self) -> Result<()> {
         if self.vary.iter().all(|vary| vary.low == vary.high) {
             return Err(Error::Nothing {

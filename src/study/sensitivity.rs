@@ -105,8 +105,8 @@ impl Change {
     /// 0.01.
     ///
     /// # Errors
-    /// [`Error::Unreadable`]; the errors of [`Setup::variable`]; [`Error::OutOfRange`] if the
-    /// result is outside the parameter's range.
+    /// [`Error::Unreadable`] for a text that is not a change; the errors of [`Setup::variable`];
+    /// [`Error::OutOfRange`] if the result is outside the parameter's range.
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source| Error::Unreadable {
             name: format!("the change {}", text.trim()),

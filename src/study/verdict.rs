@@ -14,7 +14,7 @@ use std::fmt;
 /// constraint.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Active {
-    /// The parameter varied, or the text of the constraint.
+    /// The name of the varied parameter, or the text of the constraint.
     pub name: String,
     /// The bound; `None` for a constraint.
     pub end: Option<BoundSide>,

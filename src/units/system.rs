@@ -57,7 +57,7 @@ impl System {
     }
 }
 
-/// Units of the columns of a CSV table: SI, or those of a system.
+/// Units of the columns of a CSV table: SI units, or the units of a system.
 ///
 /// ```
 /// use longdrive::units::{Quantity, System, TableUnits};

@@ -1,4 +1,4 @@
-//! Compromises of a front, and the step from one to the next.
+//! Compromises of a front, and the step from one compromise to the next.
 
 use super::context::{Combined, FrontContext, with_limit};
 use super::result::FrontEvent;

@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Initial damping τ, relative to scaled Jacobian columns of length 1 (Madsen, Nielsen & Tingleff
-/// 2004, eq. 3.14: between 1e-6 for a good start and 1 for a poor one).
+/// 2004, eq. 3.14: between 1e-6 for a good start and 1 for a poor start).
 const FIRST_DAMPING: f64 = 1e-3;
 /// Relative reduction of F that is within the rounding of the residuals.
 const NOISE: f64 = 1e-15;

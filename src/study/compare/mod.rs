@@ -27,7 +27,8 @@ pub struct Comparison {
     pub setups: [Setup<f64>; 2],
     /// The drives.
     pub drives: [Drive<f64>; 2],
-    /// True if the integration settings of one setup were changed to match the other.
+    /// True if the integration settings of one setup were changed to the settings of the other
+    /// setup.
     pub is_refined: bool,
     path: Path,
     /// Path between the launches; `None` if `path` already connects the launches.

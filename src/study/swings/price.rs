@@ -49,7 +49,8 @@ pub enum GoalError {
     /// The 99 % interval of the goal over all swings, and the number of independent sequences of
     /// swings whose scatter gives the interval. It contains the reported value.
     Sampling(Interval, usize),
-    /// Unknown, because one of the other scenarios does not fly: the swing, and the reason.
+    /// Unknown, because the ball does not fly in one of the other scenarios: the swing, and the
+    /// reason.
     Unknown(String),
 }
 

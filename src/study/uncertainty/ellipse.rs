@@ -4,7 +4,7 @@ use statrs::distribution::{ContinuousCDF, Normal};
 /// rounding.
 const FLAT: f64 = 1e-14;
 
-/// An ellipse that contains a share of the landings.
+/// An ellipse that contains a given share of the landings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LandingEllipse {
     /// Share for normally distributed landings.
