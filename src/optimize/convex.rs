@@ -23,8 +23,8 @@ pub(super) struct Convexified {
 }
 
 /// Replaces a Hessian by a positive definite matrix, equal to it near a minimum.
+///
 /// A quadratic program needs a convex matrix (for an indefinite matrix Clarabel returns a wrong
-/// point). In order of preference:
 /// point). In order of preference:
 /// 1. the Hessian itself, if it is positive definite;
 /// 2. if only directions along active normals make it indefinite: the Hessian plus curvature along

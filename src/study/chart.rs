@@ -176,6 +176,7 @@ const LOCATED: f64 = 1e-10;
 /// and corrected by a search. The step adapts to the prediction error; changes of the active set
 /// are located by bisection. `on_point` receives every point and returns whether to continue.
 ///
+/// # Errors
 /// [`Error::NotConverged`] if no first optimum is found; [`Error::Unreadable`] if the search varies
 /// the parameter of `along`; the errors of [`optimum`].
 pub fn chart(
