@@ -10,7 +10,8 @@ use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
 
 /// Outcomes and derivatives at a point, by the chain rule if `split` is given. `progress` receives
-/// the numbers of completed and of all passes (evaluations of a drive in all lanes).
+/// the number of completed passes (evaluations of a drive in all lanes) and the number of all
+/// passes.
 pub(super) fn derivatives(
     point: &Point<'_>,
     split: Option<&Split>,
@@ -115,7 +116,7 @@ fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[usize], launch
         if taylor.hessian.is_empty() {
             continue;
         }
-        // derivative of the slope by the parameters
+        // derivative of `slope` by the parameters
         let mut slope_by_parameters = vec![0.0; parameters];
         for &other in variables {
             add_change(

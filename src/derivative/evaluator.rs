@@ -94,7 +94,7 @@ impl Evaluator {
     }
 
     /// Adapts the step at each point. If the defect of the integration (docs/model.md, eq. 16a)
-    /// exceeds this limit, m, the drive is repeated with half the step until the defect is
+    /// exceeds `largest_defect`, m, the drive is repeated with half the step until the defect is
     /// accepted.
     pub(crate) fn with_largest_defect(self, largest_defect: f64) -> Self {
         Self {
@@ -164,8 +164,8 @@ impl Evaluator {
         self.unchecked(setup, values, order.min(self.order), stop, &mut |_, _| ())
     }
 
-    /// Outcomes of the setup itself. `progress` receives the numbers of completed and of all
-    /// evaluations of the drive.
+    /// Outcomes of the setup itself. `progress` receives the number of completed evaluations of the
+    /// drive and the number of all evaluations.
     pub(crate) fn at_setup(
         &self,
         stop: Option<&AtomicBool>,
@@ -201,7 +201,7 @@ impl Evaluator {
     }
 
     /// # Errors
-    /// [`Error::Diverged`] for a larger defect than is accepted.
+    /// [`Error::Diverged`] if the defect of a drive exceeds the largest accepted defect.
     fn with_step_of(
         &self,
         setup: &Setup<f64>,

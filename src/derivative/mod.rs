@@ -88,8 +88,8 @@ pub fn evaluate(
     evaluate_with(setup, of, wrt, order, |_, _| ())
 }
 
-/// Like [`evaluate`]; `progress` receives the numbers of completed and of all evaluations of the
-/// drive.
+/// Like [`evaluate`]; `progress` receives the number of completed evaluations of the drive and the
+/// number of all evaluations.
 ///
 /// # Errors
 /// The errors of [`evaluate`].

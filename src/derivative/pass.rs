@@ -63,8 +63,8 @@ impl Stage<'_> {
 }
 
 impl Point<'_> {
-    /// Writes the derivatives by `variables` to `taylors`. `progress` receives the numbers of
-    /// completed and of all passes.
+    /// Writes the derivatives by `variables` to `taylors`. `progress` receives the number of
+    /// completed passes and the number of all passes.
     pub fn differentiate(
         &self,
         stage: Stage<'_>,

@@ -37,10 +37,11 @@ const METHOD: Method = Method::DormandPrince8;
 pub(super) const SAFETY: f64 = 0.25;
 /// Longest trial step, s. Each further trial step is shorter by the factor 2^(−1/4).
 const LONGEST_STEP: f64 = 1.6;
+/// Number of trial steps.
 const STEPS: i32 = 36;
-/// Step of the reference flights, relative to the tested step, and the shortest reference step in
-/// s.
+/// Step of the reference flights, relative to the tested step.
 const REFERENCE: f64 = 1.0 / 4.0;
+/// Shortest step of the reference flights, s.
 const SHORTEST_REFERENCE: f64 = 1e-3;
 /// Number of sampled points inside the ranges.
 const INSIDE: u64 = 64;
@@ -52,7 +53,8 @@ const COMBINED: usize = 4;
 /// Number of slightly shorter steps tested per drive, because the error depends on the position of
 /// the landing within the last step.
 const PHASES: u32 = 8;
-/// Errors below this are rounding, m (for example in a flight almost without air).
+/// Threshold for errors, m. Smaller errors are rounding (for example in a flight almost without
+/// air).
 const ROUNDING: f64 = 1e-12;
 
 /// The longest step for which all lengths among the outcomes have errors below `tolerance` (m), for
@@ -68,8 +70,8 @@ const ROUNDING: f64 = 1e-12;
 /// ```
 ///
 /// # Errors
-/// [`Error::Tolerance`] for a tolerance ≤ 0, or one that no step down to 4 ms reaches, with the
-/// worst drive; [`Error::NoFlight`] if no drive lands; the errors of [`Batch::new`].
+/// [`Error::Tolerance`] for a tolerance ≤ 0, and for a tolerance that no step down to 4 ms reaches,
+/// with the worst drive; [`Error::NoFlight`] if no drive lands; the errors of [`Batch::new`].
 pub fn accuracy(
     setup: &Setup<f64>,
     ranges: &[Vary],

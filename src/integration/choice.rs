@@ -1,4 +1,4 @@
-//! Method and step of flights: chosen for a tolerance, or those of the setup.
+//! Method and step of flights: chosen for a tolerance, or stated by the setup.
 
 use super::accuracy::{Accuracy, SAFETY, accuracy_until};
 use crate::batch::Batch;
@@ -71,9 +71,10 @@ impl StepChoice {
         Ok(found)
     }
 
-    /// Method and step for outcomes as functions of parameters: for values between half and one and
-    /// a half of the setup's own, and at least 10°, 5 m/s or 1 cm around them. Beyond, a drive whose
-    /// estimate of the error is larger than within is repeated with half the step.
+    /// Method and step for outcomes as functions of parameters near the setup's own values. Each
+    /// parameter may change by half its value, and by at least 10°, 5 m/s or 1 cm; with more than
+    /// four parameters the allowed changes are smaller. Farther away, a drive whose error estimate
+    /// exceeds the limit is repeated with half the step.
     ///
     /// ```
     /// use longdrive::derivative::Order;
@@ -137,7 +138,7 @@ impl StepChoice {
                 largest_defect: found.largest_defect,
                 warning: None,
             }),
-            // no drive lands: there is no length to limit the error of
+            // no drive lands, so there is no length with an error
             Err(Error::NoFlight { .. }) => Ok(Integration::own(setup, None)),
             Err(Error::Tolerance { reason, .. }) if self == Self::Micrometre => {
                 let warning = format!(
@@ -152,7 +153,8 @@ impl StepChoice {
         }
     }
 
-    /// True if method and step are those of the setup, which no drives need to be computed for.
+    /// True if method and step are those of the setup, so that no drives are computed to choose
+    /// them.
     pub fn is_own(self, setup: &Setup<f64>) -> bool {
         self == Self::Own || self == Self::Micrometre && setup.states_step
     }
@@ -199,7 +201,8 @@ impl Integration {
     /// Outcomes of the setup with their derivatives; interrupted once `stop` is true.
     ///
     /// # Errors
-    /// The errors of [`evaluate`](crate::derivative::evaluate); [`Error::Stopped`].
+    /// The errors of [`evaluate`](crate::derivative::evaluate); [`Error::Stopped`] after an
+    /// interrupt.
     pub fn evaluate_until(
         &self,
         of: &[Outcome],
@@ -239,8 +242,9 @@ impl Integration {
     }
 }
 
-/// Ranges around the setup's own values, within the ranges of the parameters. The more parameters,
-/// the narrower: points at random would be far away in most of many.
+/// Ranges around the setup's own values, within the ranges of the parameters. With more than four
+/// parameters the ranges are narrower: most random points would otherwise be far from the setup in
+/// several parameters.
 pub(crate) fn neighbourhood(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Vec<Vary> {
     let part = (2.0 / (wrt.len() as f64).sqrt()).min(1.0);
     let around = |parameter: &&'static Parameter| {
@@ -263,7 +267,7 @@ pub(crate) fn neighbourhood(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> V
     wrt.iter().filter_map(around).collect()
 }
 
-/// All outcomes except those of the roll-out, whose step error is unknown.
+/// All outcomes except the outcomes of the roll-out, whose step error is unknown.
 pub(crate) fn of_the_flight() -> Vec<Outcome> {
     let all = Outcome::ALL.iter().copied();
     all.filter(|outcome| !outcome.needs_run()).collect()

@@ -8,13 +8,13 @@ use super::scaling::{Point, Scaling};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-/// Points farther than this, in units of the scale, are not used.
+/// Largest distance of a point that is used, in units of the scale.
 const NEARBY: f64 = 0.05;
 /// Distance within which the expansion of another side is accurate enough to rule out further
 /// progress.
 const CLOSE: f64 = 1e-4;
 
-/// Nearest known point of each other side of nearby kinks, nearest first.
+/// The nearest known point on each other side of nearby kinks, nearest first.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Bundle(Vec<Point>);
 
@@ -24,8 +24,8 @@ impl Bundle {
         self.0.iter().all(|point| point.has_dimensions(n, m))
     }
 
-    /// Adds `candidate` if it lies on another side of a kink near `at`. Keeps the nearest point of
-    /// each such side.
+    /// Adds `candidate` if it lies on another side of a kink near `at`. Keeps only the nearest
+    /// point of each side.
     pub fn update(&mut self, scaling: &Scaling, at: &Point, candidate: Option<Point>) {
         let is_side = |point: &Point| {
             scaling.distance(point, at) <= NEARBY && are_sides_of_a_kink(scaling, at, point)
@@ -45,7 +45,7 @@ impl Bundle {
         }
     }
 
-    /// Removes the farthest side if it is not [close](CLOSE). Returns true if one was removed.
+    /// Removes the farthest side if it is not [close](CLOSE). Returns true if a side was removed.
     pub fn drop_farthest(&mut self, scaling: &Scaling, at: &Point) -> bool {
         let too_far = self
             .0
@@ -58,8 +58,8 @@ impl Bundle {
     }
 
     /// Terms of the piecewise model: the second-order expansion of each other side, in scaled
-    /// variables, moved to `at`. There each expansion is at most f, because at a kink that stalls a
-    /// search f is the maximum of its sides.
+    /// variables, moved to `at`. At this point each expansion is at most f, because at a kink that
+    /// stalls a search f is the maximum of its sides.
     pub fn max_terms(&self, scaling: &Scaling, at: &Point, hessian: &DMatrix<f64>) -> Vec<MaxTerm> {
         if self.0.is_empty() {
             return vec![];

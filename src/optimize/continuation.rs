@@ -7,12 +7,12 @@ use super::domain::Bounds;
 pub(crate) const LONGEST: f64 = 1.0 / 16.0;
 /// Shortest step, as a fraction of the range.
 const SHORTEST: f64 = 1.0 / 65_536.0;
-/// A step is halved if the distance between its predicted and its corrected optimum, in units of
-/// the variables' ranges, exceeds this.
+/// Largest distance of the predicted from the corrected optimum, in units of the variables' ranges.
+/// If the distance is larger, the step is halved.
 pub(crate) const TOO_FAR: f64 = 0.02;
-/// The next step is doubled if the distance of [`TOO_FAR`] is below this.
+/// Distance of the predicted from the corrected optimum below which the next step is doubled.
 const NEAR: f64 = 0.002;
-/// Trust-region radius of the corrector. It keeps the search on the followed optimum.
+/// Trust-region radius of the corrector. It keeps the search at the followed optimum.
 pub(crate) const RADIUS: f64 = 0.05;
 
 /// Adaptive step length along a range, from the distance between predicted and corrected optima.

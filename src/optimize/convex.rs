@@ -1,21 +1,22 @@
 use super::null_space::null_space;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-/// Smallest eigenvalue after a reflection, relative to the largest.
+/// Smallest eigenvalue after a reflection, relative to the largest eigenvalue.
 const FLOOR: f64 = 1e-8;
-/// Growth factor of the raise of the Hessian along active normals, from one attempt to the next.
-/// The first raise is the Hessian's size.
+/// Growth factor, from one attempt to the next, of the curvature that is added to the Hessian along
+/// the active normals. The first attempt adds the Hessian's size.
 const GROWTH: f64 = 4.0;
-/// Maximum number of attempts. A larger raise makes the raised Hessian numerically singular.
+/// Maximum number of attempts. More added curvature makes the sum numerically singular.
 const MOST_RAISES: u32 = 15;
-/// Raise before a reflection, relative to the Hessian's size. It separates the eigenvalues of the
-/// active normals from the eigenvalues of the tangents.
+/// Curvature added along the active normals before a reflection, relative to the Hessian's size. It
+/// separates the eigenvalues of the active normals from the eigenvalues of the tangents.
 const APART: f64 = 100.0;
 
-/// Reflection that made a Hessian positive definite. A raise without a reflection is not recorded.
+/// Reflection that made a Hessian positive definite. Added curvature without a reflection is not
+/// recorded.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Convexified {
-    /// Raise along each active unit normal before the reflection.
+    /// Curvature added along each active unit normal before the reflection.
     pub raise: f64,
     /// True if eigenvalues were reflected.
     pub is_reflected: bool,
@@ -23,16 +24,16 @@ pub(super) struct Convexified {
 
 /// Replaces a Hessian by a positive definite matrix, equal to it near a minimum.
 ///
-/// A quadratic program needs a convex matrix (for an indefinite one Clarabel returns a wrong
+/// A quadratic program needs a convex matrix (for an indefinite matrix Clarabel returns a wrong
 /// point). In order of preference:
-/// 1. the Hessian itself, where it is positive definite;
-/// 2. if only directions along active normals make it indefinite: the Hessian raised along them
-///    (the term of the augmented Lagrangian; Nocedal & Wright 2006, §18.3). It stays exact on the
-///    tangents, which preserves Newton's rate of convergence;
-/// 3. the raised Hessian with its negative eigenvalues λ reflected to `reflection` |λ|, at least
-///    1e-8 of the largest (Gill, Murray & Wright 1981, §4.4.2.1, with reflection in place of
-///    truncation). The raise keeps the larger curvature of the normals out of the tangents'
-///    eigenvalues. If `reflection` < 1, the Hessian is reflected on the tangents only.
+/// 1. the Hessian itself, if it is positive definite;
+/// 2. if only directions along active normals make it indefinite: the Hessian plus curvature along
+///    these normals (the term of the augmented Lagrangian; Nocedal & Wright 2006, §18.3). The sum
+///    is exact on the tangents, which preserves Newton's rate of convergence;
+/// 3. this sum with its negative eigenvalues λ reflected to `reflection` |λ|, at least 1e-8 of the
+///    largest (Gill, Murray & Wright 1981, §4.4.2.1, with reflection in place of truncation). The
+///    added curvature keeps the larger curvature of the normals out of the tangents' eigenvalues.
+///    If `reflection` < 1, the Hessian is reflected on the tangents only.
 ///
 /// A zero Hessian stays zero: the program is then linear. The result is written to `convex`.
 pub(super) fn convexify(
@@ -63,7 +64,8 @@ pub(super) fn convexify(
         });
     };
     let size = hessian.amax();
-    // a finite raise is enough if the Hessian is positive definite on the tangents (Debreu 1952)
+    // some finite multiple of the normals' outer products makes the Hessian positive definite if it
+    // is positive definite on the tangents (Debreu 1952)
     let mut raise = size;
     for _ in 0..MOST_RAISES {
         raised(convex, raise);

@@ -16,8 +16,8 @@ pub struct Kink {
 }
 
 impl Kink {
-    /// The one-sided derivative, if the kink lies on a bound towards which the objective falls:
-    /// > 0 at a lower bound, < 0 at an upper one. Its size is the multiplier of the bound.
+    /// The one-sided derivative, if the kink lies on a bound towards which the objective falls: > 0
+    /// at a lower bound, < 0 at an upper bound. Its size is the multiplier of the bound.
     pub(super) fn slope_from_bound(self) -> Option<f64> {
         match (self.slope_below, self.slope_above) {
             (None, Some(above)) if above > 0.0 => Some(above),
@@ -27,7 +27,7 @@ impl Kink {
     }
 }
 
-/// Half the distance between the points compared, in units of the variables' scale.
+/// Half the distance between the two compared points, in units of the variables' scale.
 const REACH: f64 = 1e-6;
 
 /// Looks for a kink at a point: a variable whose derivative changes between two points 2·REACH

@@ -108,7 +108,7 @@ impl Model<'_> {
         trial
     }
 
-    /// If a step has no multipliers, uses the multipliers of the previous iteration.
+    /// If a step has no multipliers, the multipliers of the previous iteration are used.
     fn with_previous_multipliers(&self, step: Step) -> Step {
         let multipliers = self
             .multipliers
@@ -240,10 +240,11 @@ impl Model<'_> {
         Some(&eigen.eigenvectors * raised * eigen.eigenvectors.transpose())
     }
 
-    /// Corrects the multipliers of active rows for the raised Hessian. The raise adds a gradient
-    /// along each active normal, proportional to the step's component along the normal. The
-    /// multipliers of the quadratic program contain this gradient; the correction restores the
-    /// multipliers of the unraised model.
+    /// Corrects the multipliers of active rows for the curvature `raise` that was added to the
+    /// Hessian along the active normals. This curvature adds a gradient along each active normal,
+    /// proportional to the step's component along the normal. The multipliers of the quadratic
+    /// program contain this gradient; the correction restores the multipliers of the original
+    /// model.
     fn correct_multipliers(
         &self,
         raise: f64,
@@ -304,8 +305,8 @@ impl Model<'_> {
             .collect()
     }
 
-    /// Predicted reduction of f. With a single term of the maximum, the exact Hessian is used: the
-    /// convexified Hessian has raised curvature along the normals of constraints.
+    /// Predicted reduction of f. If the maximum has a single term, the exact Hessian is used,
+    /// because the convexified Hessian has added curvature along the normals of constraints.
     fn objective_reduction(&self, program: &QuadraticProgram, d: &DVector<f64>) -> f64 {
         if program.max_terms.len() > 1 {
             return -program.value(d);

@@ -41,7 +41,7 @@ pub struct Observers {
     pub checkpoint: Option<Arc<Checkpoint>>,
 }
 
-/// Optima closer than this in every variable, in units of its scale, count as equal.
+/// Largest distance of two equal optima in each variable, in units of the variable's scale.
 const SAME: f64 = 1e-6;
 
 /// Starts spread evenly over the bounds: the given start, then points of the scrambled Sobol

@@ -4,17 +4,17 @@ use crate::units::counted;
 /// Objective and constraint functions of an optimization problem. One method evaluates all
 /// functions with their derivatives.
 ///
-/// [`Exact`](super::Exact) implements it for [`Functions`](super::Functions) written over any
-/// number. Hessians may be empty: the search then builds a quasi-Newton Hessian from gradients, and
-/// needs more iterations.
+/// [`Exact`](super::Exact) implements this trait for [`Functions`](super::Functions) written over
+/// any number type. Hessians may be empty: the search then builds a quasi-Newton Hessian from
+/// gradients, and needs more iterations.
 pub trait Problem {
     /// The functions and their derivatives at `x`.
     ///
     /// # Errors
     /// The reason, in a sentence, why the functions have no value at `x`. The search then shortens
-    /// its step. If its [`interrupt`](super::Observer::interrupt) flag is set by then, the search
-    /// ends at the previous iterate instead: a long evaluation may check the same flag, and return
-    /// an error once it is set.
+    /// its step. If the [`interrupt`](super::Observer::interrupt) flag of the search is set by
+    /// then, the search ends at the previous iterate instead: a long evaluation may check this
+    /// flag, and return an error once it is set.
     fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String>;
 }
 

@@ -5,13 +5,14 @@
 use super::state::{Evaluate, State};
 use argmin::core::Error;
 
-/// A multiplier larger than this, relative to the gradient of f, does not prove a KKT point.
+/// Largest multiplier, relative to the gradient of f, that proves a KKT point.
 const HUGE: f64 = 1e6;
 /// Maximum number of steps across redundant bounds in a search.
 const MOST_CROSSINGS: u32 = 10;
 /// First step along the constraint, in units of the scale. Each further step is a quarter of the
 /// previous one.
 const FIRST_STEP: f64 = 0.25;
+/// Maximum number of steps along the constraint.
 const STEPS: u32 = 8;
 
 /// An active bound and the constraint whose huge multiplier it balances.

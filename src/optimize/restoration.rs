@@ -13,16 +13,16 @@ use super::start::spread;
 use super::state::{Evaluate, State};
 use std::cell::RefCell;
 
-/// Starting points of one restoration.
+/// Number of starting points of one restoration.
 const STARTS: u32 = 32;
-/// Iterations from each starting point.
+/// Number of iterations from each starting point.
 const ITERATIONS: u64 = 50;
 /// Maximum number of restorations in a search.
 const MAX_RESTORATIONS: u32 = 3;
-/// Largest ratio of the new violation to the current one with which the search continues.
+/// Largest ratio of the new to the current violation with which the search continues.
 const CONTINUE_BELOW: f64 = 0.99;
-/// Largest ratio of the new violation to the current one with which an infeasible search moves to
-/// the new point before it ends. A larger ratio is rounding.
+/// Largest ratio of the new to the current violation with which an infeasible search moves to the
+/// new point before it ends. At a larger ratio the reduction is rounding.
 const MOVE_BELOW: f64 = 1.0 - 1e-6;
 
 impl State {

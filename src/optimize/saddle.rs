@@ -7,10 +7,11 @@ use super::scaling::{Point, Scaling, norm};
 use super::state::{Evaluate, State};
 use nalgebra::{DMatrix, DVector};
 
-/// Negative curvature smaller than this, in units of the objective's size over the scale squared,
-/// is rounding.
+/// Threshold for negative curvature, in units of the objective's size over the scale squared.
+/// Smaller negative curvature counts as rounding.
 const CURVATURE_ROUNDING: f64 = 1e-8;
-/// Multipliers smaller than this, in units of the objective's size over the scale, count as zero.
+/// Threshold for multipliers, in units of the objective's size over the scale. Smaller multipliers
+/// count as zero.
 const ZERO_MULTIPLIER: f64 = 1e-8;
 
 /// Maximum number of saddle points that a search leaves.

@@ -30,20 +30,21 @@ pub struct Response {
 /// Change of the active set along a moving optimum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Event {
-    /// Variable i reaches a bound: the lower one for `true`, the upper one for `false`.
+    /// Variable i reaches its lower bound (`true`) or its upper bound (`false`).
     BoundReached(usize, bool),
-    /// Variable i leaves a bound: the lower one for `true`, the upper one for `false`.
+    /// Variable i leaves its lower bound (`true`) or its upper bound (`false`).
     BoundLeft(usize, bool),
-    /// Constraint j reaches a limit: the lower one for `true`, the upper one for `false`.
+    /// Constraint j reaches its lower limit (`true`) or its upper limit (`false`).
     LimitReached(usize, bool),
-    /// Constraint j leaves a limit: the lower one for `true`, the upper one for `false`.
+    /// Constraint j leaves its lower limit (`true`) or its upper limit (`false`).
     LimitLeft(usize, bool),
 }
 
-/// Multipliers below this, relative to the size of the objective, count as zero.
+/// Threshold for multipliers, relative to the size of the objective. Smaller multipliers count as
+/// zero.
 const ZERO_MULTIPLIER: f64 = 1e-9;
-/// Curvature below this, relative to the size of the objective over the scales of the variables, is
-/// rounding.
+/// Threshold for curvature, relative to the size of the objective over the scales of the variables.
+/// Smaller curvature counts as rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// Active set at a solution: variables on an active bound, and active constraints.
@@ -108,8 +109,8 @@ fn size(solution: &Solution, scale: &[f64]) -> f64 {
     largest(&solution.gradient, scale).max(solution.value.unwrap_or_default().abs())
 }
 
-/// Hessian of the Lagrangian in scaled variables, with rounding set to 0: the row of a variable
-/// without effect must not look like the curvature of an optimum.
+/// Hessian of the Lagrangian in scaled variables, with rounding errors set to 0, because the row of
+/// a variable without effect must not look like the curvature of an optimum.
 fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
     let least = ROUNDING * size(solution, scale);
     DMatrix::from_fn(scale.len(), scale.len(), |i, k| {
@@ -126,7 +127,7 @@ fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
 /// [`Bounds::scale`]. Returns a basis of the tangents, a column each, and the reduced Hessian.
 ///
 /// # Panics
-/// If the domain is not the solution's, or the solution has no Hessian.
+/// If the domain does not belong to the solution, or the solution has no Hessian.
 pub fn reduced_hessian(solution: &Solution, domain: &Domain) -> (DMatrix<f64>, DMatrix<f64>) {
     let active_set = ActiveSet::new(solution, domain);
     let scale = domain.variables.scale(&solution.x);
@@ -361,8 +362,8 @@ fn solve_refined(matrix: DMatrix<f64>, right: &DVector<f64>) -> Result<DVector<f
     Ok(refined)
 }
 
-/// First change of the active set, to first order, when the parameter changes by `delta`; and the
-/// fraction of `delta` at which it happens.
+/// First change of the active set, to first order, if the parameter changes by `delta`; and the
+/// fraction of `delta` at which the active set changes.
 pub fn first_event(
     solution: &Solution,
     domain: &Domain,

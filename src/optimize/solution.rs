@@ -35,7 +35,7 @@ pub struct Solution {
     pub kkt_residual: f64,
     /// Components of the KKT residual.
     pub residual: Residual,
-    /// Kink of f at the point, if the search ended at one.
+    /// Kink of f at the point, if the search ended at a kink.
     pub kink: Option<Kink>,
     /// Iterations taken.
     pub iterations: u64,
@@ -43,7 +43,8 @@ pub struct Solution {
     pub evaluations: u64,
     /// Work counters.
     pub effort: Effort,
-    /// First iterate: the start, or the best of some other points if f is undefined at the start.
+    /// First iterate: the start, or the best of several other points if f is undefined at the
+    /// start.
     pub initial_point: Vec<f64>,
     /// Reason why the functions are undefined at the start, if they are.
     pub undefined_at_start: Option<String>,
@@ -189,7 +190,7 @@ impl Solution {
 }
 
 /// Multipliers of the active bounds on one side: components of the Lagrangian's gradient.
-/// `inward` is 1 for lower bounds and −1 for upper ones.
+/// `inward` is 1 for lower bounds and −1 for upper bounds.
 fn bound_multipliers(
     search: &State,
     inward: f64,

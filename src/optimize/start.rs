@@ -2,9 +2,9 @@ use super::domain::Bounds;
 use super::problem::Evaluation;
 use super::scaling::Point;
 
-/// Number of points tried if f is undefined at the start. The search begins at the best of those at
-/// which f is defined. If f is undefined at all of them, further points are tried until f is
-/// defined.
+/// Number of points tried if f is undefined at the start. The search begins at the best point at
+/// which f is defined. If f is undefined at all of these points, further points are tried until f
+/// is defined.
 const CHOICE: u32 = 8;
 
 /// Finds the first iterate: the start, or another point of the box if f is undefined there.

@@ -14,16 +14,17 @@ use serde::{Deserialize, Serialize};
 const MAX_CORRECTIONS: u32 = 3;
 /// Largest trust-region radius, in units of the variables' scale.
 const MAX_RADIUS: f64 = 1e16;
-/// After a poor step, the trust-region radius becomes this fraction of the step length.
+/// Radius of the trust region after a poor step, as a fraction of the step length.
 const SHRINK: f64 = 0.25;
-/// After a good step that ends on the trust-region boundary, the radius grows by this factor (Conn,
-/// Gould & Toint 2000, §17.1).
+/// Growth factor of the trust-region radius after a good step that ends on the boundary of the
+/// trust region (Conn, Gould & Toint 2000, §17.1).
 const GROW: f64 = 2.0;
 /// Smallest factor applied to |λ| when a negative eigenvalue λ is reflected.
 const MIN_REFLECTION: f64 = 1e-12;
-/// Predicted reductions below this, relative to the objective's size, are negligible.
+/// Threshold for predicted reductions, relative to the objective's size. Smaller reductions are
+/// negligible.
 const NEGLIGIBLE: f64 = 1e-13;
-/// The predicted reduction of the merit function is at least this fraction of ν times the predicted
+/// Smallest predicted reduction of the merit function, as a fraction of ν times the predicted
 /// reduction of the violation (Nocedal & Wright 2006, eq. 18.36: ρ).
 const PENALTY_RHO: f64 = 0.1;
 /// Safety factor on a raised penalty, so that the next step does not raise it again.
@@ -240,8 +241,7 @@ impl State {
         })
     }
 
-    /// Evaluates the functions at x. Returns `None`, and records the reason, where they are
-    /// undefined.
+    /// Evaluates the functions at x. If they are undefined, returns `None` and records the reason.
     pub fn evaluate_at(
         &mut self,
         x: Vec<f64>,
@@ -337,7 +337,7 @@ impl State {
         };
     }
 
-    /// Moves the iterate to a point and returns the previous one.
+    /// Moves the iterate to a point and returns the previous iterate.
     pub fn move_to(&mut self, to: Point) -> Point {
         self.scaling.floor_size(&to);
         if to.f.objective.hessian.is_empty() {

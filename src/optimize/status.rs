@@ -191,8 +191,8 @@ pub(super) fn gain_test(state: &mut State) -> bool {
 }
 
 /// Converged to rounding: no reduction is predicted, and the KKT residual relative to the initial
-/// size of the objective is below the tolerance. `size_ratio` is the initial size over the current
-/// one.
+/// size of the objective is below the tolerance. `size_ratio` is the initial size divided by the
+/// current size.
 pub(super) fn rounding_test(
     residual: Residual,
     size_ratio: f64,
@@ -209,10 +209,10 @@ pub(super) fn rounding_test(
 }
 
 /// True if a variable diverges. Far from 0 a small derivative alone does not prove stationarity
-/// (the derivative of −x³ is only 3/x of its value), so derivative times distance must be a small
-/// part of φ too.
+/// (the derivative of −x³ is only 3/x of its value), so the derivative times the distance must also
+/// be a small fraction of φ.
 pub(super) fn is_diverging(outward: Option<&Outward>, tolerance: f64) -> bool {
-    /// Distance from 0, in units of the scale, from which a variable counts as far.
+    /// Smallest distance from 0 at which a variable counts as far, in units of the scale.
     const FAR: f64 = 1e4;
     outward.is_some_and(|outward| outward.distance >= FAR && outward.rate > tolerance)
 }

@@ -15,7 +15,7 @@ use argmin::core::Error;
 
 impl Sqp {
     /// Applies the stopping tests. A converged point is checked for negative curvature, a redundant
-    /// bound and a kink; an infeasible one is followed by a feasibility restoration. The search
+    /// bound and a kink; an infeasible point is followed by a feasibility restoration. The search
     /// continues if one of these checks finds a better point.
     pub(super) fn apply_stopping_tests(
         &mut self,

@@ -64,8 +64,8 @@ pub(super) struct Reduction {
 
 /// Rounding error of the functions, relative to the objective's size and to γ.
 pub(super) const NOISE: f64 = 1e-14;
-/// Reductions up to this, relative to the size of the merit function, are little more than
-/// rounding.
+/// Threshold for reductions, relative to the size of the merit function. Smaller reductions are
+/// little more than rounding.
 const NEARLY_NOISE: f64 = 1e-10;
 /// Smallest ratio of actual to predicted reduction of an accepted step (Conn, Gould & Toint 2000,
 /// §6.1: any small positive number).
@@ -73,7 +73,7 @@ const ACCEPT: f64 = 1e-4;
 /// Ratio below which a step is poor: the trust region shrinks.
 const POOR: f64 = 0.25;
 const GOOD: f64 = 0.75;
-/// The model counts as exact if its relative error of the reduction is at most this.
+/// Largest relative error of the predicted reduction of a model that counts as exact.
 const EXACT: f64 = 1e-9;
 
 impl Reduction {

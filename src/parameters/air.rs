@@ -15,8 +15,8 @@ pub(crate) const SEA_LEVEL_TEMPERATURE: f64 = 288.15;
 /// Temperature lapse rate of the standard atmosphere, K/m (ISO 2533:1975).
 pub(crate) const LAPSE_RATE: f64 = 0.0065;
 
-/// Two sets of parameters that describe the same thing: if one of `by` is set, the parameters of
-/// `replaced` follow from it.
+/// Two sets of parameters that describe the same quantity: if a parameter of `by` is set, the
+/// parameters of `replaced` follow from the set `by`.
 #[derive(Debug, PartialEq)]
 pub struct Ways {
     /// Name of the described quantity: `air`, `wind`.
@@ -77,8 +77,8 @@ pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Ways> {
         .collect()
 }
 
-/// True if a parameter is in one of the [`Ways`], and both setups use the same parameters of it with
-/// the same values.
+/// True if one of the [`Ways`] contains the parameter, and both setups describe this quantity by
+/// the same parameters with the same values.
 pub(crate) fn is_given_alike([a, b]: [&Setup<f64>; 2], parameter: &Parameter) -> bool {
     let Some(ways) = WAYS.iter().find(|ways| ways.has(parameter)) else {
         return false;
@@ -122,11 +122,12 @@ pub(super) fn instead(name: &str) -> String {
     })
 }
 
-/// Refuses a parameter of `names` that is replaced by another one, which is among `names` or
+/// Refuses a parameter of `names` that another parameter replaces, which is among `names` or
 /// already set. `names` are in the order in which they were given.
 ///
 /// # Errors
-/// [`Error::Together`], with advice how to unset the one that was given first.
+/// [`Error::Together`] for such a parameter, with advice how to unset the parameter that was given
+/// first.
 pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> Result<()> {
     for Ways {
         by: by_all,
@@ -178,7 +179,7 @@ impl Setup<f64> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Together`].
+    /// [`Error::Together`] for a replaced parameter.
     pub fn refuse_replaced(&self, names: &[&str]) -> Result<()> {
         refuse_replaced(names, |name| self.is_set(name))
     }
@@ -266,7 +267,7 @@ impl Setup<f64> {
     /// `names` together.
     ///
     /// # Errors
-    /// [`Error::Together`].
+    /// [`Error::Together`] for such weather or wind.
     pub(crate) fn check_air(&self, names: &[&str]) -> Result<()> {
         let (air, wind) = (&self.air, &self.wind);
         let has = |name: &str, value: Option<f64>| value.is_some() || names.contains(&name);

@@ -40,7 +40,7 @@ impl Item<'_> {
 pub struct SetupFile {
     /// The setup.
     pub setup: Setup<f64>,
-    /// The preset that the file starts from: [`DEFAULT_PRESET`] if the file names none.
+    /// The preset that the file starts from: [`DEFAULT_PRESET`] if the file names no preset.
     pub preset: &'static Preset,
     /// True if the file names its preset.
     pub names_preset: bool,
@@ -52,7 +52,7 @@ impl SetupFile {
     /// Reads a setup file.
     ///
     /// # Errors
-    /// [`Error::File`] if it cannot be opened; the errors of [`Setup::from_toml`].
+    /// [`Error::File`] if the file cannot be opened; the errors of [`Setup::from_toml`].
     pub fn open(path: &Path) -> Result<Self> {
         let file = path.display().to_string();
         match InputFile::read_to_string(path) {
@@ -169,7 +169,8 @@ impl Setup<f64> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Toml`] if it is not TOML; [`Error::InFile`] with line and column of another error.
+    /// [`Error::Toml`] if the text is not TOML; [`Error::InFile`] with line and column of another
+    /// error.
     pub fn from_toml(text: &str, file: &str) -> Result<Self> {
         SetupFile::read(text, file).map(|file| file.setup)
     }

@@ -36,10 +36,10 @@ impl Club<f64> {
     /// Checks that the tensor is positive definite.
     ///
     /// # Errors
-    /// [`Error::Inertia`].
+    /// [`Error::Inertia`] if the tensor is not positive definite.
     pub(crate) fn check_inertia(&self) -> Result<()> {
         let [smallest, _, largest] = self.principal_moments();
-        // eigenvalues are accurate to the rounding of the largest
+        // eigenvalues are accurate to the rounding of the largest eigenvalue
         if smallest > 1e-14 * largest {
             Ok(())
         } else {

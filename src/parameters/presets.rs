@@ -50,7 +50,7 @@ const LOFT_SOLD: &str =
 const BEND: &str = "assumed: within 2 to 5 deg, docs/sources.md; the loft was chosen with it";
 const GROWTH: &str = "assumed: the load on the shaft grows with the square of the head speed";
 
-/// The preset of a command without a setup, and of a setup file that names none.
+/// The preset of a command without a setup, and of a setup file that names no preset.
 pub const DEFAULT_PRESET: &str = "tour-average";
 
 /// The presets; `modern-driver` has the defaults of the parameter table.

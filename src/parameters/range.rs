@@ -1,6 +1,6 @@
 use crate::units::{Quantity, significant};
 
-/// Allowed values of a parameter: those physically possible, not just usual.
+/// Allowed values of a parameter: all physically possible values, not just usual values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
     /// Lower end, SI.
@@ -53,7 +53,8 @@ impl Range {
     /// Every finite number.
     pub const FINITE: Self = Self::between(f64::NEG_INFINITY, f64::INFINITY);
 
-    /// True if a value is in the range. NaN never is; infinity is if it is an included end.
+    /// True if the range contains the value. No range contains NaN; a range contains an infinite
+    /// value only if an included end is infinite.
     pub fn contains(self, value: f64) -> bool {
         let above = value > self.low || (self.low_included && value == self.low);
         let below = value < self.high || (self.high_included && value == self.high);

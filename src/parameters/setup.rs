@@ -22,7 +22,8 @@ impl Parameter {
     /// dimension needs its unit. `none` unsets an optional parameter.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for a wrong or missing unit, [`Error::OutOfRange`].
+    /// [`Error::Unreadable`] for a wrong or missing unit; [`Error::OutOfRange`] for a value outside
+    /// the range.
     pub fn read(&self, text: &str, bare: bool) -> Result<Option<f64>> {
         let text = text.trim();
         if is_unset(text) {
@@ -69,7 +70,7 @@ impl Parameter {
     /// Checks a value, SI, against the range.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`], [`Error::NotANumber`].
+    /// [`Error::OutOfRange`] for a value outside the range; [`Error::NotANumber`] for NaN.
     pub fn check(&self, value: f64) -> Result<()> {
         let Range {
             low,
@@ -134,7 +135,8 @@ impl Parameter {
         }
     }
 
-    /// A value as text, with the given text appended if its unit is neither of the units shown.
+    /// The value as `shown`, with the user's `text` appended if its unit is neither of the shown
+    /// units.
     fn with_given_text(&self, shown: String, text: &str) -> String {
         let is_another = |unit: &str| {
             ![self.quantity.si, self.unit]
@@ -255,8 +257,10 @@ impl Setup<f64> {
     /// SI.
     ///
     /// # Errors
-    /// [`Error::Unknown`], [`Error::OtherLaw`], [`Error::Unreadable`], [`Error::OutOfRange`];
-    /// [`Error::Together`] for a parameter that follows from other parameters that are set.
+    /// [`Error::Unknown`] for an unknown name; [`Error::OtherLaw`] for a coefficient of another
+    /// law; [`Error::Unreadable`] for a text that is not a value; [`Error::OutOfRange`] for a value
+    /// outside the range; [`Error::Together`] for a parameter that follows from other parameters
+    /// that are set.
     pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
         if !is_reset(name, text) {
             self.refuse_replaced(&[name])?;
@@ -328,7 +332,7 @@ impl Setup<f64> {
             self.apply_text(name, text, *bare)?;
         }
         refuse_idle_turf(|known| settings.iter().any(|(name, ..)| *name == known))?;
-        // resets last: a reset needs the parameter that replaces this one
+        // reset last: a reset needs the parameter that replaces the parameter to reset
         let is_reset = |(name, text, _): &&(&str, &str, bool)| is_reset(name, text);
         let numbers = || {
             settings
@@ -565,7 +569,8 @@ impl Setup<f64> {
     /// Checks that a parameter is a [`variable`](Self::variable) of this setup.
     ///
     /// # Errors
-    /// The errors of [`variable`](Self::variable); [`Error::OtherLaw`].
+    /// The errors of [`variable`](Self::variable); [`Error::OtherLaw`] for a coefficient of another
+    /// law.
     pub(crate) fn check_variable(&self, parameter: &Parameter) -> Result<()> {
         self.check_found(parameter, self.variable(parameter.name)?)
     }
@@ -573,7 +578,8 @@ impl Setup<f64> {
     /// Checks that a parameter may be a [`column`](Self::column) of this setup.
     ///
     /// # Errors
-    /// The errors of [`column`](Self::column); [`Error::OtherLaw`].
+    /// The errors of [`column`](Self::column); [`Error::OtherLaw`] for a coefficient of another
+    /// law.
     pub(crate) fn check_column(&self, parameter: &Parameter) -> Result<()> {
         self.check_found(parameter, self.column(parameter.name)?)
     }
@@ -597,7 +603,7 @@ impl Setup<f64> {
 /// Refuses a parameter that is given twice.
 ///
 /// # Errors
-/// [`Error::Together`].
+/// [`Error::Together`] for a repeated parameter.
 pub(crate) fn refuse_twice(wrt: &[&'static Parameter]) -> Result<()> {
     let is_twice = |at: &usize| wrt[..*at].contains(&wrt[*at]);
     (0..wrt.len()).find(is_twice).map_or(Ok(()), |at| {

@@ -15,7 +15,7 @@ impl<T> FlightConditions<T> {
     /// Refuses a flight of more than 1e8 steps, and a step that is not positive.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`], [`Error::NotANumber`].
+    /// [`Error::OutOfRange`] or [`Error::NotANumber`] for this step or time limit.
     #[inline]
     pub(crate) fn check_steps(&self) -> Result<()> {
         let is_short = self.step > 0.0 && self.time_limit / self.step <= MOST_STEPS;

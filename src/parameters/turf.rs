@@ -73,10 +73,10 @@ impl super::Parameter {
     }
 }
 
-/// Refuses a turf whose numbers are all given too: it would have no effect.
+/// Refuses a turf if all of its numbers are also given: the turf would have no effect.
 ///
 /// # Errors
-/// [`Error::Together`].
+/// [`Error::Together`] for a turf without effect.
 pub(super) fn refuse_idle_turf(is_given: impl Fn(&str) -> bool) -> Result<()> {
     let names: Vec<_> = TURFS[0].entries.iter().map(|entry| entry.name).collect();
     if !is_given(TURF) || !names.iter().all(|name| is_given(name)) {

@@ -14,9 +14,9 @@ pub struct Vary {
 }
 
 impl Vary {
-    /// Parses `NAME=LOW..HIGH`, for example `club.loft=4deg..20deg` or `club.loft=4..20deg`: a low
-    /// end without a unit has the unit of the high end, which needs one if the quantity has a
-    /// dimension.
+    /// Parses `NAME=LOW..HIGH`, for example `club.loft=4deg..20deg` or `club.loft=4..20deg`. A low
+    /// end without a unit has the unit of the high end. The high end needs a unit if the quantity
+    /// has a dimension.
     ///
     /// ```
     /// use longdrive::{Setup, parameters::Vary};
@@ -42,7 +42,8 @@ impl Vary {
         Self::read_of(text, |name| setup.column(name))
     }
 
-    /// Start of a search: the value of the setup, or the middle of the range if it has none.
+    /// Start of a search: the value of the setup, or the middle of the range if the setup has no
+    /// value.
     pub fn start(&self, setup: &Setup<f64>) -> f64 {
         setup
             .value(self.parameter)
@@ -103,8 +104,8 @@ impl Vary {
     /// A parameter with a range in SI.
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for a reversed or infinite range, [`Error::OutOfRange`],
-    /// [`Error::NotANumber`].
+    /// [`Error::SearchRange`] for a reversed or infinite range; [`Error::OutOfRange`] for an end
+    /// outside the allowed values; [`Error::NotANumber`] for NaN.
     pub fn new(parameter: &'static Parameter, low: f64, high: f64) -> Result<Self> {
         parameter.check(low)?;
         parameter.check(high)?;
@@ -121,8 +122,8 @@ impl Vary {
         }
     }
 
-    /// Checks a range that was not made by [`new`](Self::new). It may exceed the range of the
-    /// parameter, where there are no drives.
+    /// Checks a range that was not made by [`new`](Self::new). The range may exceed the allowed
+    /// values of the parameter; drives outside of these values do not exist.
     ///
     /// # Errors
     /// [`Error::NotANumber`]; [`Error::SearchRange`] for a reversed range.

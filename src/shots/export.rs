@@ -10,7 +10,7 @@ use crate::table::{
 };
 
 /// Launch conditions of the spin. A column such as `Spin Rate Type` states one origin for all of
-/// them.
+/// these conditions.
 pub(super) const OF_SPIN: [Outcome; 4] = [
     Outcome::Spin,
     Outcome::Backspin,

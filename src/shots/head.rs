@@ -371,7 +371,8 @@ impl Export {
             .map(|at| air_of_rows(&self.further_columns[at].head))
     }
 
-    /// Ignores the air of the export, because the setup gives it explicitly; true if there was any.
+    /// Ignores the air of the export, because the setup gives the air explicitly. Returns true if
+    /// the export states the air.
     pub(super) fn ignore_air(&mut self) -> bool {
         let (Some(at), Some(replaced)) = (self.air_at(), self.air_remark()) else {
             return false;

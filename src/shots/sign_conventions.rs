@@ -10,7 +10,7 @@ pub(super) struct SignConventions {
     axis: bool,
 }
 
-/// Minimum share of the rows that must agree.
+/// Minimum fraction of the rows that agree on a sign convention.
 const SHARE: f64 = 0.8;
 
 /// Minimum lateral curve, relative to the carry, that indicates a side.
@@ -120,7 +120,7 @@ impl Signs {
     }
 }
 
-/// True for a share of at least [`SHARE`], and at least one row.
+/// True if at least one row is true, and at least the fraction [`SHARE`] of all rows.
 fn mostly(rows: impl Iterator<Item = bool>) -> bool {
     let (mut all, mut yes) = (0_u32, 0_u32);
     for row in rows {

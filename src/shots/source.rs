@@ -78,8 +78,8 @@ impl Shots {
     /// is standard input.
     ///
     /// # Errors
-    /// The errors of [`read`](Self::read), and of opening the file; a filter of a file that is not a
-    /// table. The last row is followed by an error if the filter selects none.
+    /// The errors of [`read`](Self::read), errors of opening the file, and an error for a filter if
+    /// the file is not a table. If the filter selects no row, an error follows the last row.
     pub fn open(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
         let text = if path == Path::new("-") {
             Text::open("standard input", io::stdin())?

@@ -8,18 +8,20 @@ use crate::units::{Message, Quantity};
 /// Maximum number of ratios kept for a median.
 const MOST: usize = 4096;
 
-/// Minimum number of rows for a warning: in general, and for ratios near 1.
+/// Minimum number of rows for a warning.
 const LEAST: usize = 2;
+/// Minimum number of rows for a warning from ratios near 1.
 const LEAST_NEAR_ONE: usize = 5;
 
-/// Relative tolerance of a ratio: in general, and near 1.
+/// Relative tolerance of a ratio.
 const NEAR: f64 = 0.06;
+/// Relative tolerance of a ratio near 1.
 const NEAR_ONE: f64 = 0.025;
 
 /// Minimum lateral distance that indicates a side, m.
 const STRAIGHT: f64 = 3.0;
 
-/// Minimum share of rows with opposite sides.
+/// Minimum fraction of rows with opposite sides.
 const MOST_DISAGREE: f64 = 0.8;
 
 /// Pairs of units: values in the first unit may have been read in the second.
@@ -32,10 +34,11 @@ const MISTAKEN: [(Quantity, &str, &str); 6] = [
     (Quantity::SPEED, "m/s", "mph"),
 ];
 
-/// Maximum of carry over ball speed, s. Speeds in m/s that were read as mph exceed it.
+/// Largest plausible ratio of carry to ball speed, s. The ratio is larger if speeds in m/s were
+/// read as mph.
 const MOST_CARRY_PER_SPEED: f64 = 4.6;
 
-/// Predicted/measured carry of speeds in km/h that were read in mph.
+/// Range of predicted/measured carry if speeds in km/h were read as mph.
 const IN_KMH: std::ops::Range<f64> = 1.45..2.0;
 
 /// Minimum ball speed of the rows in `carries`, m/s.

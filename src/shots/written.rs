@@ -57,7 +57,7 @@ fn wrong(key: &str, found: impl std::fmt::Display) -> Refusal {
     Refusal::new(Refusal::JSON, reason)
 }
 
-/// Members of an object; empty if it is missing.
+/// Members of an object; empty if the object is missing.
 fn members<'a>(
     message: &'a Map<String, Json>,
     key: &str,

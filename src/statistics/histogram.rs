@@ -22,7 +22,7 @@ pub struct Bins {
 
 impl Bins {
     /// Reads `OUTCOME=LOW..HIGH:COUNT`, for example `carry=200m..300m:64`; the default count is 64.
-    /// A lower edge without unit takes the unit of the upper one.
+    /// A lower edge without unit takes the unit of the upper edge.
     ///
     /// ```
     /// use longdrive::statistics::Bins;
@@ -32,8 +32,8 @@ impl Bins {
     /// ```
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for an invalid range or count, [`Error::Unknown`],
-    /// [`Error::Unreadable`].
+    /// [`Error::SearchRange`] for an invalid range or count; [`Error::Unknown`] for an unknown
+    /// outcome; [`Error::Unreadable`] for edges that are not values of the outcome.
     pub fn read(text: &str) -> Result<Self> {
         let refuse = |reason: String| Error::SearchRange {
             name: format!("of the histogram {}", text.trim()),
@@ -83,7 +83,7 @@ impl Bins {
         })
     }
 
-    /// Text that identifies the bins: equal for equal bins.
+    /// Text that identifies the bins: equal bins have equal texts.
     pub fn identity(&self) -> String {
         format!(
             "{}={:?}..{:?}:{}",

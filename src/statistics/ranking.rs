@@ -4,11 +4,12 @@ use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// Default and maximum number of rows. Every part of a sweep stores all of them.
+/// Default number of rows.
 const USUAL: usize = 10;
+/// Maximum number of rows, because every part of a sweep stores all rows.
 const MOST: usize = 10_000;
 
-/// Selection of rows: those with the highest or lowest values of an outcome.
+/// Selection of rows: the rows with the highest or lowest values of an outcome.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RankingSpec {
     /// The outcome.

@@ -88,7 +88,7 @@ impl SummarySpec {
         })
     }
 
-    /// Text that identifies the histograms and rankings: equal for equal ones.
+    /// Text that identifies the histograms and rankings: equal requests have equal texts.
     pub fn identity(&self) -> String {
         let bins = self
             .bins

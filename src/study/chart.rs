@@ -121,7 +121,7 @@ impl Chart {
             ["optimum", "optima"],
             CheckScope::Flight,
         );
-        // in the order of the warnings, without conditions that never hold
+        // in the order of the warnings; omit conditions that never hold
         let reaches = [law, face, flat]
             .into_iter()
             .filter(|reach| !reach.parts.is_empty());
@@ -177,8 +177,8 @@ const LOCATED: f64 = 1e-10;
 /// are located by bisection. `on_point` receives every point and returns whether to continue.
 ///
 /// # Errors
-/// [`Error::NotConverged`] if no first optimum is found; [`Error::Unreadable`] for a varied
-/// parameter; the errors of [`optimum`].
+/// [`Error::NotConverged`] if no first optimum is found; [`Error::Unreadable`] if the search varies
+/// the parameter of `along`; the errors of [`optimum`].
 pub fn chart(
     setup: &Setup<f64>,
     search: &Search,
@@ -229,8 +229,8 @@ impl ChartObserver {
     }
 }
 
-/// Like [`chart`], with points exactly at the given values (SI, within the range); without values,
-/// at all continuation points. `observer` can interrupt a search.
+/// Like [`chart`], but with points exactly at the values `at` (SI, within the range). If `at` is
+/// empty, all continuation points are reported. `observer` can interrupt a search.
 ///
 /// # Errors
 /// The errors of [`chart`]; [`Error::SearchRange`] for a value outside the range;
@@ -292,7 +292,8 @@ pub fn chart_at(
     Ok(chart)
 }
 
-/// Refuses a varied parameter, a search over swings, and values outside the range.
+/// Refuses a search that varies the parameter of `along`, a search over swings, and values outside
+/// the range.
 fn check(search: &Search, along: Vary, at: &[f64]) -> Result<()> {
     along.check()?;
     search.refuse_swings()?;

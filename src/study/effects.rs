@@ -82,11 +82,11 @@ impl Effects {
     }
 }
 
-/// Values below this, in their display unit, are rounding of 0.
+/// Threshold for the value of an outcome, in its display unit. Smaller values are 0 up to rounding.
 const LEAST_SIZE: f64 = 1e-9;
 
-/// Effects of all numeric parameters on outcomes; `progress` receives the number of finished and of
-/// all uncertainties.
+/// Effects of all numeric parameters on the outcomes. `progress` receives two numbers: how many of
+/// `sigmas` are finished, and how many there are.
 ///
 /// # Errors
 /// The errors of [`evaluate`]; [`Error::Unreadable`](crate::Error::Unreadable) for an uncertainty

@@ -202,7 +202,7 @@ enum Scope<'a> {
 struct Term {
     weight: f64,
     measure: Measure,
-    /// Kind of quantity of weight times measure; `None` for a kind without a name.
+    /// Kind of quantity of the weight times the measure; `None` for a kind without a name.
     quantity: Option<Quantity>,
     unit: &'static str,
 }
@@ -423,7 +423,7 @@ impl Scope<'_> {
         Ok(terms)
     }
 
-    /// Refuses a quantity whose kind differs from the first term's.
+    /// Refuses a quantity if its kind differs from the kind of the first term.
     fn check_kind(&self, piece: Piece<'_>, found: Option<Quantity>, first: Quantity) -> Result<()> {
         let name = found.map_or("a quantity of another kind", |quantity| quantity.name);
         match self {

@@ -17,11 +17,11 @@ pub struct Face {
     /// behind the face centre. False if they are relative to the sweet spot.
     pub is_from_centre: bool,
     /// Point where the face normal passes through the centre of mass, m: towards the toe, up;
-    /// `None` if no face normal does.
+    /// `None` if there is no such point.
     pub sweet_spot: Option<[f64; 2]>,
     /// Impact point of the setup, m: towards the toe, up.
     pub strike: [f64; 2],
-    /// Carry of the setup's drive, m; `None` if it does not fly.
+    /// Carry of the setup's drive, m; `None` if the ball does not fly.
     pub carry: Option<f64>,
     /// [`Face::OUTCOMES`] over `strike.toe` and `strike.high`, SI.
     pub plane: Plane,
@@ -37,11 +37,12 @@ pub struct Face {
 /// Half-width and half-height of a typical driver face, m.
 const HALF: [f64; 2] = [0.055, 0.025];
 
-/// Extent of the face relative to its ellipsoid.
+/// Largest half-width or half-height of the face, as a fraction of the ellipsoid's semi-axis.
 const WITHIN: f64 = 0.95;
 
-/// Numbers of points across and up the face: of [`Face::plane`], and of [`Face::tilts`].
+/// Numbers of points of [`Face::plane`], across and up the face.
 const NODES: [usize; 2] = [111, 51];
+/// Numbers of points of [`Face::tilts`], across and up the face.
 const ARROWS: [usize; 2] = [5, 3];
 
 impl Face {
@@ -174,7 +175,7 @@ fn tilts(setup: &Setup<f64>, centred: &Setup<f64>, half: [f64; 2]) -> Result<Vec
     Ok(nodes.filter_map(tilt).collect())
 }
 
-/// Half-width and half-height of the face: typical, limited by bulge and roll.
+/// Half-width and half-height of the face: typical values, limited by bulge and roll.
 fn half_of(setup: &Setup<f64>) -> [f64; 2] {
     let club = &setup.club;
     let (bulge, roll) = (club.bulge_radius, club.roll_radius);

@@ -48,7 +48,7 @@ pub enum Limit {
     Loss,
     /// A bound of the search.
     Bound,
-    /// A constraint, by number.
+    /// The constraint with this number.
     Constraint(usize),
     /// The ball does not fly beyond this end.
     NoFlight,
@@ -68,7 +68,7 @@ pub struct Direction {
     pub losses: [Option<f64>; 2],
 }
 
-/// An ellipse around the optimum in the plane of two parameters, with the others fixed.
+/// An ellipse around the optimum in the plane of two parameters, with all other parameters fixed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ellipse {
     /// The indices of the two parameters in the search.
@@ -77,7 +77,7 @@ pub struct Ellipse {
     /// in units of the ranges comes first.
     pub half_axes: [[f64; 2]; 2],
     /// Smallest and largest loss of the drives on the ellipse that meet the ranges and constraints;
-    /// `None` if there are none.
+    /// `None` if no drive meets them.
     pub losses: Option<(f64, f64)>,
 }
 
@@ -85,8 +85,8 @@ pub struct Ellipse {
 const OF_SHORT_DRIVE: &str = "1 yd is more than a tenth of the carry of the best drive, so the \
                               loss that is allowed is 1 % of this carry";
 
-/// Carry of the best drive, SI, with a note; `None` unless the drive is short. The carry of a short
-/// drive is below 10 yd, so [`usual_loss`] is 1 % of it, not 1 yd.
+/// Carry of the best drive, SI, with a note; `None` unless the drive is short. A short drive has a
+/// carry below 10 yd, so its [`usual_loss`] is 1 % of the carry, not 1 yd.
 pub fn short_drive(best: &Optimum) -> Option<(f64, &'static str)> {
     let carry = best
         .drive
@@ -101,8 +101,8 @@ fn yard() -> f64 {
     Quantity::LENGTH.size_of("yd").unwrap_or(1.0)
 }
 
-/// The default allowed loss, SI: 1 yd of a distance, 1 % of anything else; 1 % of the carry for a
-/// distance of a [short drive](short_drive).
+/// The default allowed loss, SI. For a distance: 1 yd, or 1 % of the carry for a [short
+/// drive](short_drive). For any other quantity: 1 % of the value.
 pub fn usual_loss(best: &Optimum) -> f64 {
     match best.search.of.quantity {
         Quantity::LENGTH => short_drive(best).map_or_else(yard, |(carry, _)| 0.01 * carry),
@@ -122,7 +122,7 @@ const AROUND: usize = 24;
 /// The flatness of an optimum for a stated loss of the outcome, SI.
 ///
 /// # Errors
-/// Those of [`windows`].
+/// The errors of [`windows`].
 pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
     let problem = problem(best, loss)?;
     let top = Top::new(&problem, best, loss)?;
@@ -137,8 +137,8 @@ pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
 /// The window of each varied parameter for a stated loss of the outcome, SI.
 ///
 /// # Errors
-/// [`Error::NotConverged`]; [`Error::Optimizer`] for a loss that is not above 0;
-/// [`Error::Unreadable`] for a search over swings.
+/// [`Error::NotConverged`] without a converged optimum; [`Error::Optimizer`] for a loss that is not
+/// above 0; [`Error::Unreadable`] for a search over swings.
 pub fn windows(best: &Optimum, loss: f64) -> Result<Vec<Window>> {
     Top::new(&problem(best, loss)?, best, loss)?.windows()
 }
@@ -192,7 +192,7 @@ impl<'a> Top<'a> {
             .collect();
         let limits = &self.domain.constraints;
         let excess = |j: usize| limits.excess(j, values[j + 1]).abs();
-        // an active constraint is met at the optimum up to rounding
+        // an active constraint is satisfied at the optimum only up to rounding
         let rounding = |j: usize| 1e-9 * (1.0 + self.best.solution.constraints[j].value.abs());
         let broken = (0..limits.dimension()).find(|&j| excess(j) > rounding(j));
         Some(match broken {
@@ -235,7 +235,7 @@ impl<'a> Top<'a> {
             Some(Ok(lost)) if lost > self.loss => Err(Limit::Loss),
             Some(Ok(_)) => Ok(()),
         };
-        // outward from a small step, to find the end next to the optimum
+        // search outward from a small step, to find the end next to the optimum
         let mut inside = 0.0;
         let mut part: f64 = 1.0 / 1024.0;
         let (mut outside, mut limit) = loop {

@@ -6,7 +6,8 @@ use crate::error::Result;
 use crate::optimize::{Observer, Status};
 use crate::parameters::Parameter;
 
-/// The best value with the swing as set up: the rest of a gain needs another swing.
+/// The best value that club and ball achieve with the swing as set up. The rest of a gain needs
+/// another swing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClubAlone {
     /// The value of the objective as set up, SI.
@@ -19,9 +20,13 @@ pub struct ClubAlone {
     pub rest: f64,
 }
 
-/// The best value with the swing as set up. `None` unless the search is over one drive and varies
-/// parameters of club or ball and of swing or strike only; also `None` if the start has no value,
-/// or the search over club and ball does not converge.
+/// The best value that club and ball achieve with the swing as set up. `None` in these cases:
+///
+/// - the search is over swings;
+/// - the search does not vary both club (or ball) and swing (or strike);
+/// - the search varies a parameter of another group;
+/// - the start has no value;
+/// - the search over club and ball does not converge.
 ///
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum).

@@ -131,7 +131,7 @@ impl Constraint {
     /// have such limits.
     ///
     /// # Errors
-    /// [`Error::SearchRange`].
+    /// [`Error::SearchRange`] for these limits.
     pub(super) fn check(&self) -> Result<()> {
         if self.low <= self.high {
             return Ok(());

@@ -16,8 +16,8 @@ pub struct Launches {
     pub plane: Plane,
     /// Launches of the drives shown; the first belongs to the setup.
     pub launched: Vec<Launched>,
-    /// Best launch angle for each backspin: [launch angle, backspin], where it lies inside the
-    /// range of [`plane`](Self::plane).
+    /// Best launch angle for each backspin: [launch angle, backspin], if it lies inside the range
+    /// of [`plane`](Self::plane).
     pub ridge: Vec<[f64; 2]>,
 }
 
@@ -33,7 +33,7 @@ pub struct Launched {
     /// Ball speed of this drive, m/s. The carries in [`Launches::plane`] are for the ball speed of
     /// the first drive.
     pub ball_speed: f64,
-    /// Carry of this drive, m; `None` if it does not fly.
+    /// Carry of this drive, m; `None` if the ball does not fly.
     pub carry: Option<f64>,
 }
 

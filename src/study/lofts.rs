@@ -1,4 +1,4 @@
-//! Carry and total over loft and attack angle.
+//! The carry and the total over loft and attack angle.
 
 use super::Vary;
 use super::plane::Plane;
@@ -7,7 +7,7 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 
-/// Columns of attack angles and rows of lofts.
+/// Numbers of nodes: attack angles across, lofts up.
 const NODES: [usize; 2] = [5, 7];
 
 /// Minimum steps of attack angle and loft, degrees.
@@ -19,9 +19,9 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// The outcomes of [`lofts`], in order.
 pub const LOFT_OUTCOMES: [Outcome; 2] = [Outcome::Carry, Outcome::Total];
 
-/// Carry and total at whole degrees of attack angle (across) and loft (up) around a setup and
-/// another one, usually its optimum. All other parameters are those of the first setup. `None` if
-/// the launch is given, or if no drive flies.
+/// The carry and the total at whole degrees of attack angle (across) and loft (up), around two
+/// setups. The second setup is usually the optimum; all other parameters are those of the first
+/// setup. `None` if the launch is given, or if no drive flies.
 ///
 /// # Errors
 /// The errors of [`Batch::new`](crate::batch::Batch::new).

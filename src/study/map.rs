@@ -25,7 +25,7 @@ pub struct Map {
     pub values: Vec<Option<f64>>,
     /// Derivatives of the outcome by both parameters at each node, SI; `None` without the outcome.
     pub gradients: Vec<Option<[f64; 2]>>,
-    /// Reason at the first node without a value.
+    /// Reason why the first node without a value has none.
     pub missing: Option<Message>,
     /// Gradients at a coarser grid of points.
     pub slopes: Vec<Slope>,
@@ -52,7 +52,8 @@ impl Map {
     }
 }
 
-/// Differences below this, relative to the value or in display units, are rounding.
+/// Threshold for differences, relative to the value or in display units. Smaller differences are
+/// rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Gradient at a point of a map, SI.
@@ -141,7 +142,8 @@ pub fn map(
     })
 }
 
-/// Gradients at the centres of equal cells. A centre without a flight, or at a corner, has none.
+/// Gradients at the centres of equal cells. Centres without a gradient are omitted: the ball does
+/// not fly, or the drive lies at a corner.
 fn slopes(gradients: &Evaluator, ranges: [Vary; 2], cells: usize) -> Vec<Slope> {
     (0..cells * cells)
         .into_par_iter()

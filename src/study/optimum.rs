@@ -31,8 +31,8 @@ pub struct Optimum {
     /// [`Sense::sign`](super::Sense::sign). For a search over swings, kinks and jumps of the goal
     /// are smoothed.
     pub solution: Solution,
-    /// Exact goals at the optimum, without smoothing, SI: the objective, then the limited goals.
-    /// `None` if a drive does not fly.
+    /// Exact values of the goals at the optimum, without smoothing, SI: first the objective, then
+    /// the limited goals. `None` if the ball does not fly in one of the drives.
     pub goals: Option<Vec<f64>>,
     /// The setup at the optimum.
     pub setup: Setup<f64>,
@@ -46,8 +46,8 @@ pub struct Optimum {
     /// Comparison of the optimum of one drive with a sample of the ranges; `None` after a local
     /// search, and after an interrupted search.
     pub sample: Option<Sample>,
-    /// The goals over the swings with the setup's own design; `None` if a swing does not fly, and
-    /// for a search over one drive.
+    /// The values of the goals over the swings at the setup's own design. `None` if the ball does
+    /// not fly in one of the swings, and for a search over one drive.
     pub as_set_up: Option<Vec<f64>>,
     /// The share of the swings whose ball ends where the table of strokes is extrapolated; `None`
     /// without a table, and after an interrupted search.
@@ -71,7 +71,7 @@ impl Optimum {
         Some(self.goals.as_ref()?[0])
     }
 
-    /// The gradient of the objective by the parameters varied, SI.
+    /// The gradient of the objective by the varied parameters, SI.
     pub fn gradient(&self) -> Vec<f64> {
         let sign = self.search.sense.sign();
         let slopes = self.solution.gradient.iter();
@@ -327,7 +327,7 @@ struct Study {
     search: Search,
     problem: SearchProblem,
     interrupt: Arc<AtomicBool>,
-    /// The goals over the swings with the setup's own design.
+    /// The values of the goals over the swings at the setup's own design.
     as_set_up: Option<Vec<f64>>,
     /// True if the outcomes of one drive are evaluated again at the end of a search, without
     /// derivatives, which changes their rounding.
@@ -463,8 +463,8 @@ impl Study {
     }
 }
 
-/// Goals over swings with a setup's own design, SI; `None` if a swing does not fly, and once `stop`
-/// is true.
+/// Values of the goals over swings at a setup's own design, SI. `None` if the ball does not fly in
+/// one of the swings, and once `stop` is true.
 ///
 /// # Errors
 /// The errors of [`optimum`].

@@ -139,8 +139,8 @@ impl SearchProblem {
         })
     }
 
-    /// The problem with a limit of the defect of its drives, m, beyond which they are repeated with
-    /// shorter steps.
+    /// The problem with a limit of the drives' defect, m. Drives with a larger defect are repeated
+    /// with shorter steps.
     pub fn with_largest_defect(mut self, largest_defect: f64) -> Self {
         let limited = |drive: Evaluator| drive.with_largest_defect(largest_defect);
         self.drives = self.drives.into_iter().map(limited).collect();
@@ -200,7 +200,7 @@ impl SearchProblem {
         }
     }
 
-    /// The outcomes of these scenarios, with derivatives to an order.
+    /// The outcomes of these scenarios, with derivatives up to an order.
     fn flown(
         &self,
         scenarios: &[usize],
@@ -305,7 +305,8 @@ impl SearchProblem {
         })
     }
 
-    /// Goals at `x` from the outcomes of the scenarios, with smoothed kinks and jumps.
+    /// Values of the goals at `x` from the outcomes of the scenarios, with smoothed kinks and
+    /// jumps.
     fn measured(
         &self,
         x: &[f64],
@@ -335,7 +336,8 @@ impl SearchProblem {
         self.goals.iter().map(goal).collect()
     }
 
-    /// Exact goals at `x`, without smoothing, from a column of values for each outcome.
+    /// Exact values of the goals at `x`, without smoothing, from a column of values for each
+    /// outcome.
     fn exact(&self, x: &[f64], columns: &[Vec<f64>], weights: &[f64]) -> Vec<f64> {
         let term = |(weight, measure): &(f64, Measure)| {
             let value = self
@@ -359,12 +361,13 @@ impl SearchProblem {
         places.map(|place| &columns[place][..]).collect()
     }
 
-    /// Exact goals at `x`: the objective, then the limited goals. Goals with a kink or jump are
-    /// evaluated over the swings of [`sequences`](Scenarios::sequences) if all of these fly, other
-    /// goals over the scenarios.
+    /// Exact values of the goals at `x`: first the objective, then the limited goals. A goal with a
+    /// kink or jump is evaluated over the swings of [`sequences`](Scenarios::sequences) if the ball
+    /// flies in all of these swings; other goals are evaluated over the scenarios.
     ///
     /// # Errors
-    /// [`Error::NoFlight`] for a scenario that does not fly; [`Error::NotConverged`] once stopped.
+    /// [`Error::NoFlight`] if the ball does not fly in one of the scenarios;
+    /// [`Error::NotConverged`] once stopped.
     pub fn values(&self, x: &[f64]) -> Result<Vec<f64>> {
         self.values_until(x, &self.stop)
     }
@@ -377,8 +380,8 @@ impl SearchProblem {
         self.reported(&self.moved(x)?, x, stop)
     }
 
-    /// Goals with the setup's own design. A varied parameter that the setup has no value for is not
-    /// set.
+    /// Values of the goals at the setup's own design. If the setup has no value for a varied
+    /// parameter, the parameter is not set.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
@@ -386,7 +389,7 @@ impl SearchProblem {
         self.reported(&self.set_up, &self.own(), &self.stop)
     }
 
-    /// Exact goals at `x`, with `weights` for the scenarios.
+    /// Exact values of the goals at `x`, with `weights` for the scenarios.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
@@ -398,7 +401,7 @@ impl SearchProblem {
         ))
     }
 
-    /// Goals with the setup's own design, over the scenarios with other weights.
+    /// Values of the goals at the setup's own design, over the scenarios with other weights.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
@@ -410,7 +413,7 @@ impl SearchProblem {
         ))
     }
 
-    /// Goals at `x`, over each of the [`sequences`](Scenarios::sequences).
+    /// Values of the goals at `x`, over each of the [`sequences`](Scenarios::sequences).
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
@@ -468,12 +471,12 @@ impl SearchProblem {
         Ok(values)
     }
 
-    /// Goals at `x` with smoothed kinks and jumps, with derivatives to an order: the objective, then
-    /// the limited goals.
+    /// Values of the goals at `x` with smoothed kinks and jumps, with derivatives up to an order:
+    /// first the objective, then the limited goals.
     ///
     /// # Errors
-    /// [`Error::NoFlight`] for a swing that does not fly; [`Error::NotConverged`] once `stop` is
-    /// true.
+    /// [`Error::NoFlight`] if the ball does not fly in one of the swings; [`Error::NotConverged`]
+    /// once `stop` is true.
     pub fn goals_until(&self, x: &[f64], order: Order, stop: &AtomicBool) -> Result<Vec<Taylor>> {
         let all: Vec<usize> = (0..self.drives.len()).collect();
         let flown = self.flown(&all, x, order, stop);
@@ -540,8 +543,8 @@ impl SearchProblem {
     }
 }
 
-/// Refuses a parameter that the swings vary, if the search varies it too, or if a relation of the
-/// design contains it.
+/// Refuses a parameter of the swings if the search varies it too, or if a relation of the design
+/// contains it.
 fn refuse_distributed(search: &Search) -> Result<()> {
     let distributed = &search.scenarios.parameters;
     let refuse = |parameter: &Parameter, reason: &str| {

@@ -27,18 +27,19 @@ pub struct Region {
     pub equation: Option<Vec<Option<f64>>>,
 }
 
-/// Number of nodes in each direction, for the grids that locate the region and for the grid that
-/// shows it.
+/// Nodes in each direction of the grids that locate the region.
 const COARSE: usize = 41;
+/// Nodes in each direction of the grid that shows the region.
 const FINE: usize = 97;
 
-/// Maximum number of grids. Each grid covers the part of the previous one that contains the region.
+/// Maximum number of grids. Each grid covers the part of the previous grid that contains the
+/// region.
 const LOOKS: usize = 8;
 
-/// The region is resolved if it fills at least this fraction of the grid's width.
+/// Smallest fraction of the grid's width that a resolved region fills.
 const FILLED: f64 = 0.55;
 
-/// Rounding of an equation, relative to the objective.
+/// Rounding tolerance of an equation, relative to the objective.
 const ROUNDING: f64 = 1e-12;
 
 impl Region {

@@ -38,7 +38,7 @@ const AT_ONCE: usize = 16;
 /// Largest number of searches from points of a sample.
 const SEARCHES: usize = 3;
 
-/// If fewer than one in this many points is feasible, the feasible region may be disconnected.
+/// Points per feasible point above which the feasible region may be disconnected.
 const ONE_IN: usize = 8;
 
 /// Compares the end of a search with a sample of the ranges. `search` starts from points that are
@@ -101,7 +101,7 @@ struct Point {
 /// The points of the sample whose drives have every outcome; `None` if `interrupt` became true
 /// before all were evaluated.
 fn fly(problem: &SearchProblem, interrupt: &AtomicBool) -> Result<Option<Vec<Point>>> {
-    // the first start is the setup's own
+    // omit the first start, which is the setup's own
     let sample = starts(&problem.domain, &problem.start(), 1 + POINTS)?.split_off(1);
     let batch = problem.batch()?;
     let mut points = vec![];

@@ -52,7 +52,7 @@ schema_of_names!(Sense, "Sense");
 /// A search for the best drive, or for the best design over swings that vary.
 ///
 /// ```text
-///   maximize   of(drives of x)                   x: the parameters varied
+///   maximize   of(drives of x)                   x: the varied parameters
 ///   subject to low ≤ x ≤ high
 ///              low ≤ goal(drives of x) ≤ high    for each constraint
 /// ```
@@ -62,7 +62,7 @@ pub struct Search {
     pub of: Goal,
     /// The direction.
     pub sense: Sense,
-    /// The parameters varied, with their ranges.
+    /// The varied parameters, with their ranges.
     pub vary: Vec<Vary>,
     /// The constraints.
     pub subject_to: Vec<Constraint>,
@@ -127,7 +127,7 @@ impl Search {
     /// Refuses a search over swings, for studies of one drive.
     ///
     /// # Errors
-    /// [`Error::Unreadable`].
+    /// [`Error::Unreadable`] for a search over swings.
     pub fn refuse_swings(&self) -> Result<()> {
         if self.is_of_outcomes() {
             return Ok(());
@@ -158,10 +158,11 @@ impl Search {
         Domain::new(low, high)?.subject_to(least, most)
     }
 
-    /// Refuses a search without a parameter to vary, and one that varies a parameter twice.
+    /// Refuses a search without a parameter to vary, and a search that varies a parameter twice.
     ///
     /// # Errors
-    /// [`Error::Nothing`]; [`Error::SearchRange`].
+    /// [`Error::Nothing`] without a parameter to vary; [`Error::SearchRange`] for a repeated
+    /// parameter.
     pub(super) fn check(&self) -> Result<()> {
         if self.vary.iter().all(|vary| vary.low == vary.high) {
             return Err(Error::Nothing {

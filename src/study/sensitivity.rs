@@ -25,8 +25,8 @@ pub struct Sensitivity {
 /// Sensitivity of an optimum to a parameter, from the KKT system with exact second derivatives.
 ///
 /// # Errors
-/// [`Error::NotConverged`] without a converged optimum; [`Error::Unreadable`] for a varied
-/// parameter; the errors of [`Setup::variable`]; [`Error::Optimizer`] if the optimum is not
+/// [`Error::NotConverged`] without a converged optimum; [`Error::Unreadable`] if the search varies
+/// `parameter`; the errors of [`Setup::variable`]; [`Error::Optimizer`] if the optimum is not
 /// isolated.
 pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sensitivity> {
     let problem = converged(best)?;
@@ -46,7 +46,7 @@ pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sens
 /// Sensitivities to several parameters, each with its own error.
 ///
 /// # Errors
-/// [`Error::NotConverged`].
+/// [`Error::NotConverged`] without a converged optimum.
 pub fn sensitivities(
     best: &Optimum,
     wrt: &[&'static Parameter],
@@ -61,10 +61,10 @@ pub fn sensitivities(
     Ok(wrt.iter().enumerate().map(one).collect())
 }
 
-/// Refuses a varied parameter: the search chooses it, so the optimum has no sensitivity to it.
+/// Refuses a parameter that the search varies: the optimum has no sensitivity to it.
 ///
 /// # Errors
-/// [`Error::Unreadable`].
+/// [`Error::Unreadable`] if the search varies `parameter`.
 pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
     if search.vary.iter().any(|vary| vary.parameter == parameter) {
         let name = parameter.name;
@@ -105,8 +105,8 @@ impl Change {
     /// 0.01.
     ///
     /// # Errors
-    /// [`Error::Unreadable`]; the errors of [`Setup::variable`]; [`Error::OutOfRange`] if the
-    /// result is outside the parameter's range.
+    /// [`Error::Unreadable`] for a text that is not a change; the errors of [`Setup::variable`];
+    /// [`Error::OutOfRange`] if the result is outside the parameter's range.
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source| Error::Unreadable {
             name: format!("the change {}", text.trim()),

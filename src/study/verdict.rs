@@ -14,7 +14,7 @@ use std::fmt;
 /// constraint.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Active {
-    /// The parameter varied, or the text of the constraint.
+    /// The name of the varied parameter, or the text of the constraint.
     pub name: String,
     /// The bound; `None` for a constraint.
     pub end: Option<BoundSide>,
@@ -54,7 +54,7 @@ impl fmt::Display for Active {
     }
 }
 
-/// The active bounds and constraints. `is_lower` chooses between the two bounds of a variable.
+/// The active bounds and constraints. `is_lower` selects the bound of a variable.
 pub(super) fn active(
     vary: &[Vary],
     constraints: &[Constraint],
@@ -312,10 +312,10 @@ impl Optimum {
         }
     }
 
-    /// True if a varied parameter does not affect the objective: over the parameter's range the
-    /// objective changes, to second order, by rounding only. Over swings the limit is 1 mm, or 1e-6
-    /// for an objective that is not a length. The optimum of such an objective is at a bound, or at
-    /// a random place.
+    /// True if a varied parameter does not affect the objective: over the range of the parameter
+    /// the objective changes, to second order, only by rounding. Over swings the limit is 1 mm, or
+    /// 1e-6 for an objective that is not a length. The optimum of such an objective lies at a bound
+    /// or at an arbitrary point.
     pub fn is_idle(&self, i: usize) -> bool {
         const ROUNDING: f64 = 1e-12;
         let size = self.value().unwrap_or_default().abs();
@@ -334,7 +334,7 @@ impl Optimum {
         width(i) > 0.0 && (slope.abs() + bends) * width(i) <= negligible
     }
 
-    /// The names of the parameters varied that the objective does not depend on.
+    /// The names of the varied parameters that do not affect the objective.
     fn idle(&self) -> Vec<&'static str> {
         let vary = self.search.vary.iter().enumerate();
         vary.filter(|(i, _)| self.is_idle(*i))

@@ -18,7 +18,7 @@ pub(crate) enum Content {
     Outcome(Outcome),
     /// The standard uncertainty of a measured outcome.
     Sigma(Outcome),
-    /// Names of stationary parameters: carry is at its maximum in them.
+    /// Names of stationary parameters, in which the carry is at its maximum.
     Stationary,
     /// Standard uncertainty of the optimum's position.
     SigmaStationary,
@@ -514,12 +514,13 @@ impl Column {
     }
 }
 
-/// Club parameters whose sign depends on the golfer's handedness.
+/// Club path, whose sign depends on the golfer's handedness.
 const PATH: &str = "swing.path";
+/// Face angle, whose sign depends on the golfer's handedness.
 const FACE: &str = "swing.face_angle";
 
-/// Launch monitors write numbers above this for a missing value, such as the largest 32-bit float,
-/// 3.4e38.
+/// Smallest number that stands for a missing value. Launch monitors write, for example, the largest
+/// 32-bit float, 3.4e38.
 const MISSING: f64 = 1e38;
 
 /// A cell with escaped control characters, for terminals.

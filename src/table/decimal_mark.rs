@@ -41,7 +41,8 @@ impl DecimalMark {
             .find(|mark| number.contains(mark.sign()) && !number.contains(mark.other().sign()))
     }
 
-    /// Detects the mark of a table from `columns` of some rows; `None` if both or none occur.
+    /// Detects the mark of a table from `columns` of some rows; `None` if both marks or no mark
+    /// occur.
     pub fn detect(
         separator: u8,
         columns: impl Iterator<Item = usize> + Clone,
@@ -88,7 +89,7 @@ impl DecimalMark {
 /// commas, a number such as `2.500` is ambiguous.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct DecimalMarkCheck {
-    /// The first cell with a comma, and with a point.
+    /// The first cell with a comma, and the first cell with a point.
     first: [Option<MarkedCell>; 2],
     /// The first cell whose mark may separate thousands.
     first_ambiguous: [Option<MarkedCell>; 2],
@@ -106,7 +107,7 @@ impl DecimalMarkCheck {
     /// Checks a cell against all cells so far.
     ///
     /// # Errors
-    /// A sentence if this cell, or one before it, is ambiguous.
+    /// A sentence if this cell, or an earlier cell, is ambiguous.
     pub fn check(&mut self, row: u64, column: &Column, text: &str) -> Result<(), String> {
         if !(column.format.has_decimal_comma && column.is_a_number()) {
             return Ok(());

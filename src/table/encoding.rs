@@ -54,8 +54,8 @@ impl Encoding {
     }
 }
 
-/// The characters of Windows-1252 from 0x80 to 0x9f (encoding.spec.whatwg.org); the others have the
-/// numbers of their bytes.
+/// The characters of Windows-1252 from 0x80 to 0x9f (encoding.spec.whatwg.org). All other
+/// characters have the numbers of their bytes.
 const WINDOWS_1252: [char; 32] = [
     '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}',
     '\u{90}', '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',

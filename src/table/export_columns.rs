@@ -67,7 +67,7 @@ pub(crate) enum ClubColumns {
 pub(crate) enum SpinSource {
     /// One choice of columns for the whole table.
     Table,
-    /// A choice in each row among its values:
+    /// A choice in each row among the values of this row:
     /// [`without_redundant_spins`](super::conditions::without_redundant_spins).
     Row,
 }
@@ -189,7 +189,7 @@ fn redundant_spins(has: impl Fn(Outcome) -> bool) -> &'static [Outcome] {
     }
 }
 
-/// Column heads of the columns that satisfy `is`, without empty ones.
+/// Column heads of the columns that satisfy `is`, without empty column heads.
 fn heads_of(columns: &[Column], is: impl Fn(&Column) -> bool) -> Vec<&str> {
     columns
         .iter()

@@ -1,5 +1,5 @@
-//! Tables of people, launch monitors and this program: encoding, records, column heads with units,
-//! sections, and cell values. Shots, calibration and sweeps ask for the columns they need.
+//! Tables written by people, launch monitors and this program: encoding, records, column heads with
+//! units, sections, and cell values. Shots, calibration and sweeps ask for the columns they need.
 //!
 //! [`open_table`] reads the points of a batch ([`Points`](crate::batch::Points)) from CSV, Parquet
 //! and Arrow.

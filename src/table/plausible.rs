@@ -89,7 +89,7 @@ pub(crate) fn implausible(
     outside(of, value).map(|why| format!("{}: {why}", name()))
 }
 
-/// Message without the column head.
+/// Like [`implausible`], but the message omits the column head.
 pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
     let in_si = IN_SI.iter().find(|in_si| in_si.of == of)?;
     if (in_si.low..=in_si.high).contains(&value) {
@@ -108,8 +108,8 @@ pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
     ))
 }
 
-/// Message for values that no landed drive has: a negative value of an outcome that is positive, and
-/// 0 where it must be above 0.
+/// Message for values that no landed drive has: a negative value of an outcome that cannot be
+/// negative, and 0 for an outcome that is above 0.
 pub(crate) fn impossible(of: Outcome, value: f64) -> Option<String> {
     let (is_possible, least) = match of.sign() {
         Sign::Positive => (value > 0.0, "above 0"),

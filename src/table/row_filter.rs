@@ -67,12 +67,12 @@ impl RowFilter {
         })
     }
 
-    /// True without conditions.
+    /// True if there are no conditions.
     pub fn is_empty(&self) -> bool {
         self.columns.is_empty()
     }
 
-    /// True with a condition on this column.
+    /// True if there is a condition on this column.
     pub(crate) fn names(&self, head: &str) -> bool {
         self.columns.iter().any(|column| column.is_named(head))
     }

@@ -408,7 +408,7 @@ impl Quantity {
     }
 
     /// Hint for an unknown unit: different case, a degree without `deg`, or a decimal comma before
-    /// it.
+    /// the unit.
     fn hint(self, unit: &str) -> String {
         if unit
             .strip_prefix(',')

@@ -42,7 +42,7 @@ impl System {
 
     /// The unit of this system for a unit of either system: yards for metres, miles per hour for
     /// metres per second, and vice versa. A quantity in feet, such as an altitude, stays in feet.
-    /// Millimetres, for strikes on the face, belong to both.
+    /// Millimetres, for strikes on the face, belong to both systems.
     pub fn unit(self, unit: &'static str) -> &'static str {
         let mut pairs = Quantity::ALL.iter().flat_map(|known| known.metric_and_us);
         match self {
@@ -57,7 +57,7 @@ impl System {
     }
 }
 
-/// Units of the columns of a CSV table: SI, or those of a system.
+/// Units of the columns of a CSV table: SI units, or the units of a system.
 ///
 /// ```
 /// use longdrive::units::{Quantity, System, TableUnits};
@@ -72,12 +72,12 @@ pub enum TableUnits {
     /// SI units and radians.
     #[default]
     Si,
-    /// The units of a system, as in texts.
+    /// The units of a system, which texts also use.
     Of(System),
 }
 
 impl From<Option<System>> for TableUnits {
-    /// The units of the stated system; SI without one.
+    /// The units of the stated system; SI units if no system is stated.
     fn from(stated: Option<System>) -> Self {
         stated.map_or(Self::Si, Self::Of)
     }

@@ -1,7 +1,7 @@
 use super::ladder::rounding_of;
 use super::{Ladder, Rung};
 
-/// Remainders must exceed the rounding of the function by this factor.
+/// Smallest ratio of a usable remainder to the rounding of the function.
 const ABOVE_ROUNDING: f64 = 100.0;
 
 /// Number of smallest usable steps in a fit: two decades.

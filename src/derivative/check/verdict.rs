@@ -32,19 +32,20 @@ schema_of_names!(Verdict, "Verdict");
 /// ten thousand correct derivatives a few deviate by more than four.
 pub const BAR: f64 = 5.0;
 
-/// A derivative is negligible if a change of the variable by its whole scale changes the function
-/// by less than this fraction.
+/// Threshold for negligible derivatives: a change of the variable by its whole scale changes the
+/// function by a smaller fraction of its size.
 pub const NEXT_TO_NOTHING: f64 = 1e-2;
 
 /// Required accuracy of differences.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Demand {
-    /// Smallest tolerance, relative to the derivative (or to the size below which it is
+    /// Smallest tolerance, relative to the derivative (or to the size below which the derivative is
     /// negligible). Jumps of higher derivatives, for example where the number of steps of a flight
     /// changes, disturb differences more than the comparison of small steps shows.
     pub least_bar: f64,
     /// Relative error that differences must resolve. For a negligible derivative
-    /// ([`NEXT_TO_NOTHING`]) it is relative to the size below which a derivative is negligible.
+    /// ([`NEXT_TO_NOTHING`]) the error is relative to the size below which a derivative is
+    /// negligible.
     pub seen: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Compromises of a front, and the step from one to the next.
+//! Compromises of a front, and the step from one compromise to the next.
 
 use super::context::{Combined, FrontContext, with_limit};
 use super::result::FrontEvent;
@@ -11,7 +11,8 @@ use crate::optimize::sensitivity::{ActiveSet, Response, first_event, response};
 use crate::optimize::solution::Solution;
 use crate::optimize::status::Status;
 
-/// Slopes above this count as infinite, slopes below its inverse as zero: rounding dominates both.
+/// Slope above which a slope counts as infinite. Slopes below the inverse count as zero. Rounding
+/// dominates both.
 const STEEPEST: f64 = 1e8;
 
 /// A compromise, with its derivatives along the front.

@@ -13,16 +13,16 @@ use crate::optimize::solution::{Iteration, Solution};
 use crate::optimize::status::Status;
 use std::cell::Cell;
 
-/// A function counts as minimal if it is within this relative tolerance of its minimum.
+/// Relative tolerance within which the value of a function counts as its minimum.
 pub(super) const SAME: f64 = 1e-9;
-/// Allowed increase of a function above its minimum, relative to its span over the front, while the
-/// minimum of the other function selects one of several minimisers.
+/// Allowed increase of a function above its minimum, relative to the change of the function over
+/// the front, while the other function selects one of several minimisers.
 const UNIQUE_WITHIN: f64 = 1e-7;
-/// A minimum is not isolated if its smallest curvature is below this, relative to the largest.
+/// Smallest ratio of the smallest to the largest curvature at an isolated minimum.
 const FLAT: f64 = 1e-9;
-/// Message of an interrupted front.
+/// Message for an interrupted front.
 pub(super) const PART_MISSING: &str = "interrupted: a part of the front is missing";
-/// A front that deviates less than this from a straight line, relative to its length, has no knee.
+/// Smallest deviation of a front with a knee from a straight line, relative to the line's length.
 pub(super) const STRAIGHT: f64 = 0.01;
 
 /// Problem made of weighted sums of two functions: the objective and the last constraint function

@@ -1,4 +1,5 @@
-//! Pareto front of two functions, by continuation from one function's minimum to the other's.
+//! Pareto front of two functions, by continuation from the minimum of one function to the minimum
+//! of the other function.
 //!
 //! Let a and b be the two functions, scaled to 0 at their own minimum and 1 at the other function's
 //! minimum. The front is followed along s = a − b from −1 to 1: at each s, a + b is minimised

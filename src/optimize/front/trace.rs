@@ -11,10 +11,10 @@ use crate::optimize::solution::Solution;
 /// Tolerance on s of located events.
 const LOCATED: f64 = 1e-9;
 
-/// Reason of a front with a missing part.
+/// Reason for a front with a missing part.
 const NO_COMPROMISE: &str = "no compromise was found in a part of the front";
 
-/// A point is a kink of the front if the slopes on its two sides differ by more than this fraction.
+/// Relative difference of the slopes on the two sides of a point above which the point is a kink.
 const KINK: f64 = 1e-3;
 
 /// A traced path, and the reason if a part of it is missing.
@@ -304,7 +304,7 @@ fn spread_evenly(plane: &Plane<'_>, path: &[Compromise], count: usize) -> Vec<Co
         };
         let part = (length - lengths[after - 1]) / (lengths[after] - lengths[after - 1]);
         let to = before.at + part * (behind.at - before.at);
-        // start from the nearer neighbour, and from both across a jump
+        // start from the nearer neighbour; across a jump, start from both neighbours
         let starts = [(before, part <= 0.5), (behind, part > 0.5)];
         let found = starts
             .into_iter()

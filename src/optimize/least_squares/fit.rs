@@ -13,18 +13,18 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Initial damping τ, relative to scaled Jacobian columns of length 1 (Madsen, Nielsen & Tingleff
-/// 2004, eq. 3.14: between 1e-6 for a good start and 1 for a poor one).
+/// 2004, eq. 3.14: between 1e-6 for a good start and 1 for a poor start).
 const FIRST_DAMPING: f64 = 1e-3;
 /// Relative reduction of F that is within the rounding of the residuals.
 const NOISE: f64 = 1e-15;
-/// Largest damping; beyond it steps are within rounding of zero.
+/// Largest damping; with more damping, steps are within rounding of zero.
 const MOST_DAMPING: f64 = 1e20;
 /// Smallest damping. JᵀJ of the scaled columns is accurate to about 1e-16; with less damping,
 /// rounding would drive steps along directions in which the residuals do not change.
 const LEAST_DAMPING: f64 = 1e-12;
-/// If no step lowers the sum, the fit has converged once an undamped step is shorter than this,
-/// relative to the point and the distance travelled (Moré 1978, MINPACK's `xtol`). The gradient is
-/// no criterion near a sum of 0, where the residuals are rounding errors.
+/// Longest undamped step of a converged fit if no step lowers the sum, relative to the point and
+/// the distance travelled (Moré 1978, MINPACK's `xtol`). The gradient is no criterion near a sum of
+/// 0, where the residuals are rounding errors.
 const SHORTEST: f64 = 1e-8;
 
 /// Name of the convergence measure in messages: 0 at a stationary point.

@@ -68,8 +68,8 @@ pub struct Options {
     /// Convergence tolerance: largest cosine of the angle between the residuals and a column of the
     /// Jacobian whose variable can move (1e-10; Moré 1978, MINPACK's `gtol`).
     pub tolerance: f64,
-    /// Rounding error of the residuals. A fit whose residuals are all at most this has converged
-    /// (0: unknown).
+    /// Rounding error of the residuals. A fit has converged if no residual exceeds this error (0:
+    /// unknown).
     pub rounding: f64,
 }
 

@@ -39,7 +39,8 @@ impl Point {
         if !all.copied().all(f64::is_finite) {
             return Err("a residual or a derivative is not finite".into());
         }
-        /// Residuals and derivatives above this overflow when squared and summed.
+        /// Upper limit of residuals and derivatives: larger numbers overflow when squared and
+        /// summed.
         const TOO_LARGE: f64 = 1e150;
         for (at, (r, row)) in rows.residuals.iter().zip(&rows.jacobian).enumerate() {
             if let Some(entry) = row.iter().chain([r]).find(|entry| entry.abs() > TOO_LARGE) {

@@ -48,7 +48,7 @@ struct ConeRow {
     coefficients: Coefficients,
     limit: f64,
     constraint: ActiveConstraint,
-    /// Factor from Clarabel's multiplier to the program's.
+    /// Factor from Clarabel's multiplier to the program's multiplier.
     multiplier_unit: f64,
 }
 

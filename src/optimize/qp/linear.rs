@@ -3,15 +3,15 @@
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-/// Equations are linearly dependent if a pivot, after equilibration, is below this fraction of the
-/// largest pivot.
+/// Smallest ratio of a pivot to the largest pivot, after equilibration, for which equations count
+/// as linearly independent.
 const DEPENDENT: f64 = 1e-14;
-/// Eigenvalues below this, after equilibration, count as zero.
+/// Threshold for eigenvalues after equilibration. Smaller eigenvalues count as zero.
 const RANK: f64 = 1e-13;
-/// Equilibration ends when all its factors are between 1/4 and 4: the largest entry of each row is
-/// then between 1/16 and 16.
+/// Largest factor, and inverse of the smallest factor, at which equilibration ends. The largest
+/// entry of each row is then between 1/16 and 16.
 const ALIKE: f64 = 4.0;
-/// Largest residual of dependent equations, relative to the largest right-hand side.
+/// Largest residual of consistent dependent equations, relative to the largest right-hand side.
 const INCONSISTENT: f64 = 1e-9;
 
 /// Solves a symmetric system. If its equations are linearly dependent, returns the solution of

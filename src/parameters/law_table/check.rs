@@ -9,7 +9,7 @@ use super::surface::{Cell, Surface};
 const FULL_LIFT: f64 = 0.02;
 
 /// Smallest distance of two lines of the grid, relative to the largest value. Closer lines are
-/// refused: they are one line, rounded differently.
+/// refused: they are different roundings of one line.
 const LEAST_DISTANCE: f64 = 1e-9;
 
 /// Width of the smooth clamp beyond the ends of an axis, as a fraction of the outermost interval.

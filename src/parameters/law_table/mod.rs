@@ -25,8 +25,8 @@ pub const TABLE: &str = "aero.table";
 pub const TABLE_LAW: &str = "table";
 
 /// A table of C_D and C_L over spin and speed, with the splines through it. A setup is copied for
-/// each drive, so it has a static reference to the table; a table that is read again from the same
-/// file is stored once, until the program ends.
+/// each drive, so the setup has a static reference to the table. A table is stored until the
+/// program ends, and only once if its file is read again.
 pub struct LawTable {
     file: String,
     /// Description for messages.

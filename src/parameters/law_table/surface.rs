@@ -26,8 +26,9 @@ struct Knots {
 }
 
 impl Surface {
-    /// The surfaces over the lines `x` and `y`, each in ascending order, through two tables of
-    /// numbers, row by row. They are constant along a direction with a single line.
+    /// Two surfaces through the values of two tables. `x` and `y` are the coordinates of the grid
+    /// lines, in ascending order; `tables` lists the values row by row. If `x` or `y` has a single
+    /// coordinate, the surfaces are constant in that direction.
     pub fn new(x: Vec<f64>, y: Vec<f64>, tables: [&[f64]; 2]) -> Self {
         let mut cells = vec![[0.0; 36]; steps(&x) * steps(&y)];
         let mut work = [(); 4].map(|()| vec![0.0; tables[0].len()]);
@@ -144,7 +145,7 @@ fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells:
         for (place, cell) in cells.iter_mut().enumerate() {
             let (row, column) = (place / steps(x), place % steps(x));
             let ((corner, wide), (low, high)) = (step(x, column), step(y, row));
-            // a single line is both ends
+            // a single grid line is the first and the last line of its cells
             let ends = |first: usize, count: usize| [first, (first + 1).min(count - 1)];
             let part = |slope: f64, width: f64| {
                 if width.is_finite() {
@@ -188,7 +189,7 @@ fn cubic([here, there]: [f64; 2], [slope, end]: [f64; 2]) -> [f64; 4] {
     ]
 }
 
-/// Writes the slopes at the knots of the natural cubic spline through `values` (no curvature at
+/// Writes the slopes at the knots of the natural cubic spline through `values` (zero curvature at
 /// both ends). `place` maps a knot to the index of its value and slope in a table; `diagonal` is
 /// working memory.
 fn slopes(

@@ -226,7 +226,7 @@ pub fn calibrate(
     })
 }
 
-/// Starting points of the searches. All rows can be computed at one of them at least.
+/// Starting points of the searches. All rows can be computed at one or more of these points.
 fn starting_points(
     problem: &mut ShotResiduals<'_>,
     domain: &Domain,
@@ -255,7 +255,7 @@ fn starting_points(
     }
 }
 
-/// Error of a fit without a usable starting point.
+/// Error for a fit without a usable starting point.
 fn no_start(problem: &ShotResiduals<'_>, own: &[f64], observer: &FitObserver) -> Error {
     if observer.is_interrupted() {
         stopped("the fit began")

@@ -146,7 +146,7 @@ impl RowError {
     }
 }
 
-/// Error of a column (`None`: of the row), with its reason.
+/// Error of a column, or of the whole row if the column is `None`, with the reason.
 impl<T: Into<String>> From<(Option<String>, T)> for RowError {
     fn from((column, why): (Option<String>, T)) -> Self {
         Self {
@@ -699,8 +699,8 @@ impl Reading {
     }
 }
 
-/// Remark on the standard uncertainty of an outcome without a column 'sigma': that of the
-/// instrument, or 1 unit as a weight.
+/// Remark on the standard uncertainty of an outcome without a column 'sigma': the uncertainty of
+/// the instrument replaces it, or 1 unit serves as a weight.
 fn assumed_sigma(column: &Column, outcome: Outcome) -> Message {
     let Some((instrument, sigma)) = instrument(outcome) else {
         return format!(
@@ -745,8 +745,7 @@ fn inputs(columns: &[Column]) -> Vec<&'static str> {
 }
 
 /// Removes the columns of the ball's rest position from an export, because the ground of the export
-/// is unknown.
-/// Returns a remark.
+/// is unknown. Returns a remark.
 fn without_totals(head: &mut Head) -> Option<Message> {
     let is_total =
         |column: &Column| matches!(column.content, Content::Outcome(of) if of.needs_run());
@@ -757,7 +756,7 @@ fn without_totals(head: &mut Head) -> Option<Message> {
     remark
 }
 
-/// The first faulty column: its position and the reason.
+/// Position of the first faulty column, with the reason.
 fn check_columns(head: &Head) -> Result<(), (usize, String)> {
     for (at, column) in head.columns.iter().enumerate() {
         column

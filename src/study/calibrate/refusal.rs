@@ -13,8 +13,8 @@ struct Group {
     is_of_the_setup: bool,
 }
 
-/// Error for rows that failed, each with its number and its own error. The error is bad input if at
-/// least one row has bad input, otherwise a missing answer. The message begins with `what`.
+/// Error for failed rows, given as row numbers with errors. The error is bad input if at least one
+/// row has bad input, otherwise a missing answer. The message begins with `what`.
 pub(super) fn no_answer(what: &str, failed: &[(usize, Error)]) -> Error {
     let reason = format!("{what}: {}", refusal(failed));
     let Some((_, first)) = failed.first() else {

@@ -14,7 +14,7 @@ use std::sync::atomic::AtomicBool;
 /// Text that completes "stopped before …".
 const FLOWN: &str = "all shots were flown";
 
-/// Residuals above this overflow when squared.
+/// Upper limit of a residual: the square of a larger residual overflows.
 const TOO_FAR: f64 = 1e150;
 
 fn too_far(measurement: &Measurement, computed: f64) -> Error {

@@ -73,7 +73,7 @@ impl ShotTable {
                 .fold(0.0, f64::max)
     }
 
-    /// True if the shots state this parameter.
+    /// True if at least one shot states this parameter.
     pub fn gives(&self, parameter: &'static Parameter) -> bool {
         self.shots
             .iter()
@@ -106,7 +106,7 @@ pub struct Measurement {
     pub sigma: f64,
 }
 
-/// A parameter in which carry is stationary.
+/// A parameter in which the carry is stationary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stationary {
     /// The parameter.

@@ -8,7 +8,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF, Normal, StudentsT};
 /// Relative threshold of singular values of the Jacobian with unit columns. Smaller singular values
 /// count as 0, because rounding dominates them.
 const SINGULAR: f64 = 1e-8;
-/// Components of a unit direction below this are rounding.
+/// Threshold for the components of a unit direction. Smaller components count as rounding.
 const PART: f64 = 1e-3;
 
 /// Quality of the standard uncertainties of the measured values.
@@ -59,8 +59,8 @@ pub struct Statistics {
     pub reach: f64,
 }
 
-/// A combination of parameters that can vary without changing the residuals, or by more than the
-/// parameters' ranges within one standard error.
+/// A combination of parameters that the data do not determine: the residuals do not change along
+/// it, or one standard error along it exceeds a parameter's range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undetermined {
     /// Index and change (SI) of each parameter.

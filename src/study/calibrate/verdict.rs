@@ -104,13 +104,14 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
     }
 }
 
-/// The row that dominates the fit: all others together have less than 1e-6 of its squared gradient,
-/// so its residual exceeds 1000 standard uncertainties. Huber's loss limits the gradient of each
-/// row.
+/// The row that dominates the fit: all other rows together have less than 1e-6 of its squared
+/// gradient, so its residual exceeds 1000 standard uncertainties. Huber's loss limits the gradient
+/// of each row.
 fn outweighing(remainders: &[Remainder], loss: Loss) -> Option<&Remainder> {
-    /// Largest fraction of the squared gradient that all other rows may have.
+    /// Threshold for the squared gradient of all other rows, as a fraction of the largest row's.
     const PART: f64 = 1e-6;
-    /// Fraction below which rounding hides the other rows, for any loss.
+    /// Threshold for the loss of all other rows, as a fraction of the largest row's, below which
+    /// rounding hides them. It holds for any loss function.
     const ROUNDING: f64 = 1e-15;
     let most = remainders
         .iter()

@@ -13,7 +13,7 @@ const RELATIVE: f64 = 1e-9;
 /// Rounding tolerance, relative to the magnitude of the outcome's terms over the parameter's scale.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// A first derivative over jets compared with num-dual.
+/// A first derivative over jets, compared with the derivative over num-dual.
 #[derive(Clone, Copy, Debug)]
 pub struct Agreement {
     /// The derivative over `num_dual::Dual64`.
@@ -25,7 +25,7 @@ pub struct Agreement {
 }
 
 impl Agreement {
-    /// Compares a derivative over jets with one over num-dual.
+    /// Compares a derivative over jets with the derivative over num-dual.
     pub(super) fn new(jet: f64, num_dual: f64, ladder: &Ladder) -> Self {
         let size = num_dual.abs().max(ladder.next_to_nothing());
         let tolerance = RELATIVE * size + ROUNDING * ladder.rounded / ladder.scale;

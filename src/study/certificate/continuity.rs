@@ -12,7 +12,8 @@ const FARTHEST: f64 = 0.1;
 /// Number of doublings that lead to the end of the search range.
 const DOUBLED: i32 = 9;
 
-/// Samples on each side of the change of the number of steps, to estimate the scatter by rounding.
+/// Number of samples on each side of the change of the number of steps, to estimate the scatter by
+/// rounding.
 const NEIGHBOURS: usize = 8;
 
 /// Distance of the samples in units of the parameter's scale. Adjacent floating-point numbers can
@@ -203,7 +204,7 @@ fn steps(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Optio
     }
 }
 
-/// Adjacent values of the parameter, in ascending order, with different numbers of steps. The
+/// Finds adjacent values of the parameter with different numbers of steps, in ascending order. The
 /// search stops once `goes_on` is false.
 fn change(
     setup: &Setup<f64>,

@@ -7,8 +7,8 @@ use crate::drive::{ComputedFrom, Drive, Outcome};
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 
-/// Step sizes. An outcome evaluated within a single step (the apex) has errors that vary with its
-/// position in the step; neighbouring step sizes average this effect.
+/// Step sizes for a smooth law. The errors of an outcome evaluated within a single step (the apex)
+/// vary with the position of the outcome in the step; neighbouring step sizes average this effect.
 const LEVELS: Levels = Levels {
     coarsest: 16,
     count: 6,
@@ -30,15 +30,16 @@ pub(super) const LEVELS_ACROSS_JOINS: Levels = Levels {
 /// Number of steps of the reference flight.
 const REFERENCE: u32 = 4096;
 
-/// Number of steps of a flight that differs from the reference mainly by rounding. Errors below
-/// `ROUNDING_FACTOR` times this difference are rounding.
+/// Number of steps of a second flight. Its difference from the reference flight is mainly rounding,
+/// so errors of the other flights below `ROUNDING_FACTOR` times this difference count as rounding.
 const BESIDE_THE_REFERENCE: u32 = 2048;
 const ROUNDING_FACTOR: f64 = 10.0;
 
-/// Relative errors of value and gradient below these are rounding.
+/// Thresholds for the relative errors of the value and of the gradient. Smaller errors count as
+/// rounding.
 const ROUNDING: [f64; 2] = [1e-12, 1e-11];
 
-/// Allowed difference between the expected order and the slope of the errors, beyond which a
+/// Allowed amount by which the slope of the errors is below the expected order. Beyond this a
 /// lower-order term is fitted. The next term of the error still matters at these steps; a mistake
 /// in a method costs a whole order.
 const ALLOWED_DEFICIT: f64 = 0.75;
@@ -67,13 +68,15 @@ impl Levels {
 pub struct Convergence {
     /// The outcome.
     pub of: Outcome,
-    /// Step (s) with the errors of value and gradient, relative to the magnitude of their terms.
+    /// Step (s) with the errors of the value and of the gradient, relative to the magnitude of
+    /// their terms.
     pub errors: Vec<(f64, [f64; 2])>,
-    /// Measured orders of value and gradient; `None` if too few errors exceed rounding.
+    /// Measured orders of convergence of the value and of the gradient; `None` if too few errors
+    /// exceed rounding.
     pub orders: [Option<f64>; 2],
-    /// Expected orders of value and gradient.
+    /// Expected orders of convergence of the value and of the gradient.
     pub expected: [u32; 2],
-    /// Number of continuous derivatives of the law, where its joins limit an expected order.
+    /// Number of continuous derivatives of the law, if its joins limit an expected order.
     pub limited_by_law: Option<u32>,
     /// True if the order is lower than expected. A low slope of the errors is not sufficient,
     /// because it also occurs where the first two error terms cancel.
@@ -258,8 +261,8 @@ fn fine_flight_time(setup: &Setup<f64>, about: f64) -> Option<f64> {
     Some(Drive::new(&setup).ok()?.landed().ok()?.flight_time)
 }
 
-/// Expected orders p of value and gradient for a smooth law: the orders of the method, limited by
-/// interpolation.
+/// Expected orders of convergence p of the value and of the gradient for a smooth law: the orders
+/// of the method, limited by interpolation.
 /// - Dense output of degree 7: the error is h⁸ in a position and h⁷ in its derivatives. In a
 ///   velocity, and in a root of a velocity, the order is one less.
 /// - Apex: within a step, the velocity error is h^p times a function of the position in the step.

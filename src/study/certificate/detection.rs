@@ -7,7 +7,7 @@ use crate::drive::{Drive, Outcome};
 use crate::parameters::{Parameter, Setup};
 use serde::{Serialize, Serializer};
 
-/// A wrong derivative injected in place of the right one.
+/// A wrong derivative that is injected in place of the right derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InjectedError {
     /// Sign changed.
@@ -81,7 +81,7 @@ impl LandingTerms {
         })
     }
 
-    /// Landing term of a derivative.
+    /// Landing term of an outcome's derivative.
     fn of(&self, row: &Row) -> Option<f64> {
         let place = AT_LANDING.iter().position(|of| *of == row.of)?;
         let (_, time) = self

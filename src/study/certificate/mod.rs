@@ -71,7 +71,8 @@ pub struct Certificate {
     pub missing: Vec<Missing>,
     /// Non-differentiable points that the drive lies on.
     pub corners: Vec<String>,
-    /// Numbers of finished and of all parameters, if the certificate was interrupted.
+    /// Number of finished parameters and number of all parameters, if the certificate was
+    /// interrupted.
     pub stopped: Option<[usize; 2]>,
 }
 
@@ -189,9 +190,9 @@ fn failed_check(check: &str, failed: &[String]) -> String {
     }
 }
 
-/// Certifies the derivatives of outcomes by parameters. `progress` receives the numbers of finished
-/// and of all parameters. Once it returns false, the work stops between two drives, and the results
-/// so far are returned.
+/// Certifies the derivatives of outcomes by parameters. `progress` receives the number of finished
+/// parameters and the number of all parameters. Once it returns false, the work stops between two
+/// drives, and the results so far are returned.
 ///
 /// # Errors
 /// The errors of [`evaluate`]. Outcomes that the drive does not have are listed as missing. If the
@@ -249,7 +250,8 @@ pub fn certify(
 
 /// The progress of a certificate.
 struct Work<'a> {
-    /// Receives the numbers of finished and of all parameters; false stops the work.
+    /// Receives the number of finished parameters and the number of all parameters; false stops the
+    /// work.
     progress: &'a (dyn Fn(usize, usize) -> bool + Sync),
     /// Number of parameters.
     all: usize,
@@ -281,7 +283,7 @@ impl Work<'_> {
         self.stopped.load(Ordering::Relaxed)
     }
 
-    /// Numbers of finished and of all parameters, if the work was interrupted.
+    /// Number of finished parameters and number of all parameters, if the work was interrupted.
     fn interrupted_at(&self) -> Option<[usize; 2]> {
         let done = self.done.load(Ordering::Relaxed);
         self.is_interrupted().then_some([done, self.all])

@@ -128,7 +128,7 @@ fn has_lower_term(samples: &[&Errors], power: i32) -> bool {
         .filter(|it| it.level == last.level)
         .flat_map(|it| (0..entries).map(move |entry| scaled(it, entry).abs()))
         .fold(0.0, f64::max);
-    // one term fewer with only three levels
+    // omit one term if there are only three levels
     let terms = if samples.iter().any(|it| it.level + MEASURED <= last.level) {
         4
     } else {
@@ -193,8 +193,8 @@ mod tests {
             .falls_short
     }
 
-    /// An error of order 5 whose next terms dominate at coarse steps, and which is rounding at all
-    /// but three levels.
+    /// An error of order 5. At coarse steps its next terms dominate, and at all but three levels it
+    /// is rounding.
     #[test]
     fn higher_order_terms_at_coarse_steps_are_no_lower_order() {
         let e = |h: f64| h.powi(5) * (1.1 - 15.0 * h - 80.0 * h * h);
@@ -246,7 +246,7 @@ mod tests {
                 !falls_short(|h| h.powi(4) * (1.0 - h / zero) * (1.0 - 3.0 * h / zero), 4),
                 "{zero}"
             );
-            // one order lower
+            // an error of an order lower by one
             for size in [1.0, 10.0] {
                 assert!(
                     falls_short(

@@ -155,8 +155,8 @@ impl<'a> Neighbours<'a> {
         })
     }
 
-    /// `number` of each outcome at the value `x` of the parameter; NaN where the drive has not all
-    /// outcomes, and empty once stopped.
+    /// `number` of each outcome at the value `x` of the parameter. NaN if the drive lacks one of
+    /// the outcomes; empty once stopped.
     fn sample(
         &self,
         evaluator: &Evaluator,

@@ -11,8 +11,8 @@ use crate::units::Message;
 /// Step ratio of the comparison flight; order 4 leaves 1/4096 of the error.
 const SHORTER: f64 = 8.0;
 
-/// A derivative counts as 0 if it changes the outcome by less than this fraction over the
-/// parameter's scale.
+/// Smallest relative change of the outcome over the parameter's scale. A derivative with a smaller
+/// change counts as 0.
 const LEAST: f64 = 1e-6;
 
 /// Relative derivative error that triggers a warning.

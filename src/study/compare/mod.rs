@@ -17,7 +17,7 @@ use std::f64::consts::FRAC_PI_2;
 const NAMES: [&str; 2] = ["drive a", "drive b"];
 const BETWEEN: &str = "a drive between a and b";
 
-/// Relative differences of launch conditions below this are rounding.
+/// Threshold for relative differences of launch conditions. Smaller differences count as rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// Two drives, a and b.
@@ -27,7 +27,8 @@ pub struct Comparison {
     pub setups: [Setup<f64>; 2],
     /// The drives.
     pub drives: [Drive<f64>; 2],
-    /// True if the integration settings of one setup were changed to match the other.
+    /// True if the integration settings of one setup were changed to the settings of the other
+    /// setup.
     pub is_refined: bool,
     path: Path,
     /// Path between the launches; `None` if `path` already connects the launches.
@@ -44,7 +45,7 @@ pub struct Difference {
     /// Shares of the differing parameters.
     pub by_parameter: Shares,
     /// For an outcome of the flight: shares of the launch conditions and of the flight's
-    /// parameters. `None` if both launches are given, which makes this equal to `by_parameter`.
+    /// parameters. `None` if both launches are given, because `by_parameter` is then equal.
     pub by_launch: Option<Shares>,
 }
 
@@ -65,7 +66,7 @@ impl Comparison {
     /// let (a, mut b) = (Setup::default(), Setup::default());
     /// b.set("swing.speed", "112 mph").unwrap();
     /// let carry = Comparison::new(&a, &b).unwrap().of(Outcome::Carry).unwrap();
-    /// // all of it is due to the speed
+    /// // the whole difference is due to the speed
     /// assert!((carry.by_parameter.shares[0].amount - carry.amount()).abs() < 1e-10);
     /// ```
     ///
@@ -206,9 +207,9 @@ fn integrated_alike(mut setups: [Setup<f64>; 2]) -> [Setup<f64>; 2] {
     setups
 }
 
-/// Setups that give the launches of two drives. They state spin and spin axis if the axes of the
-/// drives differ by less than a right angle; otherwise backspin and sidespin, which vary linearly
-/// even through zero spin.
+/// Setups that give the launches of two drives. If the spin axes of the drives differ by less than
+/// a right angle, the setups state spin and spin axis; otherwise they state backspin and sidespin,
+/// which vary linearly even through zero spin.
 fn as_launched(drives: [(&Setup<f64>, &Drive<f64>); 2]) -> [Setup<f64>; 2] {
     let [from, to] = drives.map(|(_, drive)| drive.launch.spin_axis());
     let has_axis = (from - to).abs() < FRAC_PI_2;

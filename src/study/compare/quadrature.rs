@@ -9,7 +9,7 @@ const RULE: [(f64, f64); 4] = [
     (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
 ];
 
-/// Relative error that counts as rounding.
+/// Relative error below which an integral counts as exact up to rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// Number of bisections after which a smooth function, or one with a single kink, is integrated to
@@ -43,9 +43,10 @@ struct Part {
     error: f64,
 }
 
-/// Adaptive integrals of several functions over a range; `f` returns all values. Bisects the
-/// interval with the largest error until the sum of errors is rounding, or after many bisections at
-/// most [`ENOUGH`], relative to `size` or the largest integral.
+/// Adaptive integrals of several functions over a range; `f` returns the values of all functions.
+/// Bisects the interval with the largest error until the sum of errors is rounding. After [`USUAL`]
+/// bisections a sum below [`ENOUGH`] is sufficient. Both limits are relative to `size` or to the
+/// largest integral.
 pub(super) fn integrals(
     range: [f64; 2],
     size: f64,
@@ -168,8 +169,8 @@ mod tests {
         assert!(found.error < 1e-11, "{}", found.error);
     }
 
-    /// |x − c|³ at hundreds of places c: its second derivative has kinks, as the derivatives of a
-    /// drive have.
+    /// |x − c|³ at hundreds of places c: its second derivative has kinks, like the derivatives of a
+    /// drive.
     #[test]
     fn exact_integral_with_hundreds_of_corners_is_within_the_error_estimate() {
         let places: Vec<f64> = (0..300)

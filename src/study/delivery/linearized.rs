@@ -24,8 +24,8 @@ pub(super) struct LinearizedLaunches {
     pub(super) covariance: DMatrix<f64>,
 }
 
-/// Values of `unknowns`, SI. `scores` are their distances from the prior means, in prior standard
-/// uncertainties.
+/// Values of `unknowns`, SI. `scores` are the distances of these values from the prior means, in
+/// prior standard uncertainties.
 pub(super) fn values(unknowns: &[Unknown], scores: &DVector<f64>) -> Vec<f64> {
     unknowns
         .iter()

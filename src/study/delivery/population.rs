@@ -61,8 +61,8 @@ pub struct PredictedOutcome {
 
 /// Minimum number of shots for a distribution.
 pub const LEAST_SHOTS: usize = 10;
-/// A direction is identified if its information exceeds this, in units of the prior. A shot then
-/// removes more than half of the prior variance along the direction.
+/// Information above which a direction is identified, in units of the prior. A shot then removes
+/// more than half of the prior variance along the direction.
 const IDENTIFIED: f64 = 1.0;
 /// Factors on the prior deviation of unidentified directions, tried in this order.
 const PRIOR_FACTORS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];

@@ -41,7 +41,7 @@ impl Explained {
     }
 }
 
-/// Largest residual, in standard uncertainties, of a launch that counts as explained.
+/// Largest residual of a launch that counts as explained, in standard uncertainties.
 const EXPLAINED_WITHIN: f64 = 3.0;
 
 /// The most probable delivery for a measured launch.
@@ -80,9 +80,10 @@ impl Delivered {
     }
 }
 
-/// A direction is unidentified if the shot removes less than this fraction of its prior variance.
+/// Threshold for unidentified directions: the shot removes a smaller fraction of the prior variance
+/// along the direction.
 const UNIDENTIFIED_BELOW: f64 = 0.5;
-/// Components of a direction below this are omitted.
+/// Threshold for the components of a direction. Smaller components are omitted.
 const LEAST_COMPONENT: f64 = 0.1;
 
 /// A combined change of parameters that hardly changes the launch.

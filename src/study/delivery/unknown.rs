@@ -152,7 +152,8 @@ fn refuse(reason: String) -> Error {
     Error::Delivery { reason }
 }
 
-/// Prior standard uncertainty of a parameter with its source: given, or the default one.
+/// Prior standard uncertainty of a parameter with its source: the user's uncertainty, or the
+/// default.
 fn prior_sigma(
     parameter: &'static Parameter,
     sigmas: &[Sigma],

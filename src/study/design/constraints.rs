@@ -14,7 +14,7 @@ pub struct DesignConstraint {
     pub name: String,
     /// Expression: `head_moi <= 5900 g cm^2 + 100 g cm^2`.
     pub expression: String,
-    /// The rule of golf, if the constraint is one.
+    /// The rule of golf; `None` for other constraints.
     pub rule: Option<&'static Rule>,
     /// Method by which the search enforces the constraint.
     pub by: Enforcement,

@@ -64,8 +64,8 @@ fn cut(mean: f64, deviation: f64) -> Distribution {
             high,
         }
     };
-    // the truncated deviation increases with the untruncated one, up to WITHIN/√3 of a uniform
-    // distribution
+    // the truncated deviation increases with the deviation before truncation, up to WITHIN/√3 of a
+    // uniform distribution
     let (mut narrow, mut wide) = (1.0, 4.0);
     for _ in 0..f64::MANTISSA_DIGITS {
         let middle = 0.5 * (narrow + wide);

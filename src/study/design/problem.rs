@@ -393,7 +393,8 @@ impl Design {
         });
     }
 
-    /// Limits the mass to the initial one if the mass varies and no limit of the user mentions it.
+    /// Limits the mass to its initial value if the mass varies and the user gave no limit on a
+    /// mass.
     fn budget(&mut self, setup: &Setup<f64>) {
         let is_mass =
             |row: &Parameter| row.name.starts_with("club.") && row.quantity == Quantity::MASS;

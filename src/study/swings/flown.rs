@@ -15,8 +15,8 @@ const BLOCK: usize = 512;
 /// Outcomes of a setup for each swing: a column of values for each outcome.
 ///
 /// # Errors
-/// [`Error::NoFlight`], which names the first swing that does not fly; [`Error::NotConverged`] once
-/// `stop` is true.
+/// [`Error::NoFlight`], which names the first swing in which the ball does not fly;
+/// [`Error::NotConverged`] once `stop` is true.
 pub(in crate::study) fn columns(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -51,7 +51,7 @@ pub(in crate::study) fn columns(
 /// The outcomes of one swing.
 ///
 /// # Errors
-/// [`Error::NoFlight`].
+/// [`Error::NoFlight`] if the ball does not fly.
 fn of_swing(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -66,7 +66,8 @@ fn of_swing(
     Ok(found.into_iter().map(|outcome| outcome.value).collect())
 }
 
-/// Error for a scenario that does not fly, with the parameter values of the scenario if it has any.
+/// Error for a scenario in which the ball does not fly, with the scenario's parameter values, if
+/// any.
 pub(in crate::study) fn no_flight(scenarios: &Scenarios, point: &[f64], error: &Error) -> String {
     if scenarios.is_one_drive() {
         return error.to_string();

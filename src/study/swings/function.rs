@@ -36,9 +36,9 @@ pub struct GoalFunction {
 }
 
 impl StepChoice {
-    /// Method and step for a goal over swings as a function of parameters; as
-    /// [`for_function`](Self::for_function), in the ranges of the swings. Interrupted once `stop` is
-    /// true.
+    /// Selects method and step for a goal over swings as a function of parameters. Like
+    /// [`for_function`](Self::for_function), but within the ranges of the swings. Interrupted once
+    /// `stop` is true.
     ///
     /// # Errors
     /// The errors of [`for_function`](Self::for_function); [`Error::Stopped`] after an interrupt.
@@ -103,7 +103,7 @@ impl GoalFunction {
         Ok(Self { problem })
     }
 
-    /// The function with a limit of the defect of its drives, m, beyond which they are repeated
+    /// The function with a limit of the drives' defect, m. Drives with a larger defect are repeated
     /// with shorter steps.
     fn with_largest_defect(self, largest_defect: f64) -> Self {
         Self {
@@ -116,11 +116,11 @@ impl GoalFunction {
         &self.problem.vary
     }
 
-    /// The goal at these values of the parameters, SI, with derivatives up to an order.
+    /// The goal at these values of the parameters, SI, with derivatives up to `order`.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a value outside the allowed range; [`Error::NoFlight`] if a swing
-    /// does not fly, with the first such swing.
+    /// [`Error::OutOfRange`] for a value outside the allowed range; [`Error::NoFlight`], which
+    /// names the first swing in which the ball does not fly.
     ///
     /// # Panics
     /// If the numbers of values and parameters differ.

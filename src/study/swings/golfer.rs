@@ -221,7 +221,8 @@ impl Swings {
 /// Cholesky factor: the lower triangular L with A = L Lᵀ, for a positive semidefinite A with unit
 /// diagonal. If A is not positive semidefinite, the index of the row that fails.
 fn factored(a: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, usize> {
-    /// Correlations are given with few digits: a negative pivot closer to 0 than this is rounding.
+    /// Tolerance of a negative pivot: a pivot above −`ROUNDING` counts as 0, because correlations
+    /// are given with few digits.
     const ROUNDING: f64 = 1e-12;
     let n = a.len();
     let mut l = vec![vec![0.0; n]; n];

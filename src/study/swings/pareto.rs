@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct ParetoSearch {
     /// The two goals, each with its direction.
     pub goals: [(Goal, Sense); 2],
-    /// The parameters varied, with their ranges.
+    /// The varied parameters, with their ranges.
     pub vary: Vec<Vary>,
     /// The constraints.
     pub subject_to: Vec<Constraint>,
@@ -40,7 +40,8 @@ pub struct Pareto {
     /// The largest distance of the front from the straight line between its ends, divided by the
     /// length of the line, with both goals scaled from one end to the other.
     pub bend: f64,
-    /// Goals with the setup's own design; `None` if a swing does not fly.
+    /// Values of the goals at the setup's own design; `None` if the ball does not fly in one of the
+    /// swings.
     pub as_set_up: Option<[f64; 2]>,
     /// The number of dominated points, which `points` does not contain.
     pub dominated: usize,

@@ -3,7 +3,7 @@
 use super::scenarios::{Rule, Scenarios};
 use nalgebra::{DMatrix, DVector};
 
-/// The subset contains one scenario in this many.
+/// Number of scenarios per scenario of the subset.
 const ONE_IN: usize = 16;
 /// Minimum number of scenarios in the subset.
 const LEAST: usize = 128;

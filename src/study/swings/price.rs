@@ -17,8 +17,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct Price {
     /// The best design for the mean swing, or the reason why it was not found.
     pub nominal: std::result::Result<Nominal, String>,
-    /// The error of each goal at the best design (the objective, then the limited goals), estimated
-    /// by other scenarios of the same swings. Empty if there are no others.
+    /// The error of each goal at the best design (first the objective, then the limited goals),
+    /// estimated by other scenarios of the same swings. Empty without other scenarios.
     pub errors: Vec<GoalError>,
 }
 
@@ -34,9 +34,10 @@ impl Price {
 pub struct Nominal {
     /// The design.
     pub design: Vec<f64>,
-    /// The goals with this design and the mean swing.
+    /// The values of the goals at this design for the mean swing.
     pub promised: Vec<f64>,
-    /// The goals with this design over all swings; `None` if one of them does not fly.
+    /// The values of the goals at this design over all swings; `None` if the ball does not fly in
+    /// one of the swings.
     pub kept: Option<Vec<f64>>,
 }
 
@@ -45,10 +46,11 @@ pub struct Nominal {
 pub enum GoalError {
     /// The error of the quadrature: twice the change of the goal with 1.5 times as many nodes.
     Quadrature(f64),
-    /// The 99 % interval of the goal over all swings by its scatter over independent sequences of
-    /// swings, with the number of sequences. It contains the reported value.
+    /// The 99 % interval of the goal over all swings, and the number of independent sequences of
+    /// swings whose scatter gives the interval. It contains the reported value.
     Sampling(Interval, usize),
-    /// Unknown, because one of the other scenarios does not fly: the swing, and the reason.
+    /// Unknown, because the ball does not fly in one of the other scenarios: the swing, and the
+    /// reason.
     Unknown(String),
 }
 
@@ -157,7 +159,7 @@ fn errors_of(
         false => vec![],
     };
     let error = |(k, (goal, value)): (usize, (&&Goal, &f64))| match &finer {
-        // the error of the finer rule is negligible
+        // neglect the error of the finer rule
         Some(finer) if !goal.has_edge() => GoalError::Quadrature(2.0 * (finer[k] - value).abs()),
         _ => {
             let others: Vec<f64> = replications.iter().map(|values| values[k]).collect();
@@ -170,8 +172,8 @@ fn errors_of(
     Ok(of.iter().zip(goals).enumerate().map(error).collect())
 }
 
-/// The 99 % interval of a goal by independent estimates: Student's interval about their mean,
-/// extended to the reported value.
+/// The 99 % interval of a goal from independent estimates: Student's interval about the mean of the
+/// estimates, extended to the reported value.
 fn interval(goal: &Goal, value: f64, others: &[f64]) -> Interval {
     let n = others.len() as f64;
     let moments = Moments::of(others.iter().copied());

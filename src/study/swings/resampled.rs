@@ -34,7 +34,7 @@ pub struct Significance {
     pub swings: Option<u64>,
 }
 
-/// z₀.₉₇₅ + z₀.₈.
+/// z₀.₉₇₅ + z₀.₈, normal quantiles for a confidence of 95 % and a power of 80 %.
 const POWER: f64 = 1.959_963_985 + 0.841_621_234;
 
 /// The optima of resamples of recorded swings. `None` if fewer than half of the searches converged,
@@ -111,7 +111,8 @@ fn resample(n: usize, seed: u64, stream: u64) -> Vec<f64> {
 /// The optimum of a resample.
 struct Round {
     x: Vec<f64>,
-    /// Objective at this optimum over the resample; `None` if a swing does not fly.
+    /// Value of the objective at this optimum over the resample; `None` if the ball does not fly in
+    /// one of the swings.
     value: Option<f64>,
     /// The gain of the best design over the setup's own, over the resample.
     gain: Option<f64>,

@@ -53,7 +53,8 @@ impl Model {
     /// Reads changes: `NAME=VALUE,NAME=VALUE`.
     ///
     /// # Errors
-    /// [`Error::Unreadable`]; the errors of [`Setup::set_all`] and [`Setup::validate`].
+    /// [`Error::Unreadable`] for a text that is not such a list, and for a change of the club if
+    /// the launch is given; the errors of [`Setup::set_all`] and [`Setup::validate`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let pair = |part: &'_ str| {
             part.split_once('=')
@@ -130,8 +131,9 @@ pub struct Robust {
     pub search: Search,
     /// The models, each with its own best design.
     pub models: Vec<(Model, Optimum)>,
-    /// Loss of each model (row) with the best design of each model (column), relative to the row's
-    /// own best design; `None` if a constraint is violated or a swing does not fly.
+    /// Loss of each model (row) with the best design of each model (column), relative to the best
+    /// design of the row's model; `None` if a constraint is violated or the ball does not fly in
+    /// one of the swings.
     pub matrix: Vec<Vec<Option<f64>>>,
     /// Result of the search for the minimax design. Its variables are the design parameters and the
     /// greatest loss t.
@@ -140,17 +142,18 @@ pub struct Robust {
     pub design: Vec<f64>,
     /// The first model's setup with this design.
     pub setup: Setup<f64>,
-    /// The goals of each model with this design: the objective, then the limited goals.
+    /// The values of each model's goals at this design: first the objective, then the limited
+    /// goals.
     pub goals: Vec<Vec<f64>>,
     /// The loss of each model with this design.
     pub losses: Vec<f64>,
     /// Multiplier of each model's loss. The multipliers sum to 1, and are 0 for models that lose
     /// less than the greatest loss.
     pub shares: Vec<f64>,
-    /// The loss of each model with the design as set up; `None` if a constraint is violated or a
-    /// swing does not fly.
+    /// The loss of each model with the design as set up; `None` if a constraint is violated or the
+    /// ball does not fly in one of the swings.
     pub as_set_up: Vec<Option<f64>>,
-    /// The number of searches for the smallest greatest loss.
+    /// The number of searches for the minimax design.
     pub searches: usize,
     /// Number of interrupted searches.
     pub stopped: usize,
@@ -187,9 +190,9 @@ impl Robust {
         })
     }
 
-    /// Decrease of the greatest loss per unit by which the lower bound of a variable is lowered,
-    /// and per unit by which its upper bound is raised: the multiplier minus the gains of the
-    /// models' own best designs, weighted by [`shares`](Self::shares).
+    /// Decrease of the greatest loss per unit by which a bound of a variable is widened (lower
+    /// bound, upper bound). It is the multiplier of the bound minus the gains of the models' own
+    /// best designs, weighted by [`shares`](Self::shares).
     pub fn bound_prices(&self, variable: usize) -> [f64; 2] {
         let price = |multipliers: fn(&Solution) -> &[f64]| {
             let of_bests = self.shares.iter().zip(&self.models);
@@ -203,8 +206,9 @@ impl Robust {
         ]
     }
 
-    /// Decrease of the greatest loss per unit by which a limit of a model is relaxed (for an
-    /// equality constraint, raised). The limit is numbered as in [`limits`](Self::limits).
+    /// Decrease of the greatest loss per unit by which a limit of a model is relaxed. The limit of
+    /// an equality constraint is raised. `limit` is the number of the constraint in
+    /// [`limits`](Self::limits).
     pub fn limit_price(&self, model: usize, limit: usize, at: &ConstraintValue) -> f64 {
         let is_equation = self.search.subject_to[limit].low == self.search.subject_to[limit].high;
         let of_best = self.models[model]
@@ -229,7 +233,7 @@ impl Robust {
             .fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// True if no search was interrupted and the best one converged.
+    /// True if no search was interrupted and the best search converged.
     pub fn is_found(&self) -> bool {
         self.solution.status == Status::Converged && self.stopped == 0
     }
@@ -251,11 +255,11 @@ impl Robust {
     }
 }
 
-/// The design with the smallest greatest loss against the best design of each model: min t subject
-/// to f*ₖ − fₖ(x) ≤ t for every model k, a smooth problem with exact derivatives. The constraints
-/// hold for all models. Each search has `count` starts: the setup's own design and others spread
-/// evenly over the ranges; the search for t also starts at the best design of each model and at
-/// their mean.
+/// The minimax design: its greatest loss, relative to the best design of each model, is smallest.
+/// The search solves min t subject to f*ₖ − fₖ(x) ≤ t for every model k, a smooth problem with
+/// exact derivatives. The constraints hold for all models. Each search has `count` starts: the
+/// setup's own design and others spread evenly over the ranges; the search for t also starts at the
+/// best design of each model and at their mean.
 ///
 /// # Errors
 /// [`Error::Unreadable`] for fewer than two models; [`Error::NotConverged`] if the best design of a
@@ -346,8 +350,8 @@ fn best_of_each(
     models.into_iter().map(best).collect()
 }
 
-/// The multiplier of each model's loss. Of the 1 + `limits` constraints of a model, the first is
-/// its loss less t.
+/// The multiplier of each model's loss. The first of the 1 + `limits` constraints of a model limits
+/// its loss.
 fn shares(solution: &Solution, limits: usize) -> Vec<f64> {
     let losses = solution.constraints.iter().step_by(1 + limits);
     losses.map(|at| at.multiplier.max(0.0)).collect()
@@ -443,7 +447,7 @@ impl<'a> Losses<'a> {
         Ok(all.filter_map(start).collect())
     }
 
-    /// The goals of each model with a design, also after an interrupt.
+    /// The values of each model's goals at a design, also after an interrupt.
     fn goals(&self, design: &[f64]) -> Result<Vec<Vec<f64>>> {
         let never = AtomicBool::new(false);
         let problems = self.problems.iter();
@@ -459,7 +463,7 @@ impl<'a> Losses<'a> {
     }
 }
 
-/// The smallest greatest loss.
+/// Result of the search for the minimax design.
 struct LeastLoss {
     solution: Solution,
     /// Number of interrupted searches.
@@ -467,7 +471,7 @@ struct LeastLoss {
 }
 
 impl Losses<'_> {
-    /// Searches for the smallest greatest loss from each start (x, t).
+    /// Searches for the minimax design from each start (x, t).
     ///
     /// # Errors
     /// [`Error::NotConverged`] if no point of the search has a value; the errors of

@@ -242,8 +242,8 @@ impl Scenarios {
             .collect()
     }
 
-    /// The scenarios, then all combinations of the bounds of these parameters' distributions, with
-    /// the other parameters of each scenario.
+    /// The scenarios, then scenarios with the parameters `of` at all combinations of the bounds of
+    /// their distributions. The other parameters keep their values in each scenario.
     pub(crate) fn and_ends<'a>(&'a self, of: &[usize]) -> impl Iterator<Item = Vec<f64>> + 'a {
         let ends = |k: &usize| Some((*k, self.ends.get(*k).copied().flatten()?));
         let (bounded, endless): (Vec<_>, Vec<_>) = of
@@ -274,7 +274,8 @@ impl Scenarios {
         self.points.iter().cloned().chain(cornered)
     }
 
-    /// True if a parameter's distribution is infinite, so that it has values beyond the scenarios.
+    /// True if the distribution of a parameter has an infinite bound: the parameter then has values
+    /// beyond the scenarios.
     pub(crate) fn is_endless(&self, of: usize) -> bool {
         self.ends
             .get(of)

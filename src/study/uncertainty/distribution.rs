@@ -48,8 +48,8 @@ pub enum Distribution {
 const FIRST_ZERO_OF_J0: f64 = 2.404_825_557_695_773;
 
 impl Distribution {
-    /// The distribution with a name and its numbers; `None` for another name, or another number of
-    /// numbers.
+    /// The distribution with this name and these numbers. `None` if the name is unknown, or has
+    /// another count of numbers.
     fn named(name: &str, numbers: &[f64]) -> Option<Self> {
         Some(match (name, numbers) {
             ("normal", &[mean, deviation]) => Self::Normal { mean, deviation },
@@ -334,7 +334,8 @@ impl Uncertain {
         if let Some((_, next)) = rest.split_once(')').filter(|(_, next)| next.contains('=')) {
             let next = next.trim_matches([',', ';', ' ']);
             return Err(unreadable(
-                format!("it has a second distribution, {next}; give each by itself").into(),
+                format!("it has a second distribution, {next}; give each distribution separately")
+                    .into(),
             ));
         }
         let inside = rest

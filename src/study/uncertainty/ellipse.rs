@@ -1,9 +1,10 @@
 use statrs::distribution::{ContinuousCDF, Normal};
 
-/// Variance ratio below which an ellipse is a line, up to rounding.
+/// Smallest ratio of the variances of an ellipse. With a smaller ratio it is a line, up to
+/// rounding.
 const FLAT: f64 = 1e-14;
 
-/// An ellipse that contains a share of the landings.
+/// An ellipse that contains a given share of the landings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LandingEllipse {
     /// Share for normally distributed landings.

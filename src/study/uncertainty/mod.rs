@@ -26,7 +26,7 @@ use crate::units::{Message, counted, significant};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Shares of the landings with an ellipse.
+/// Fractions of the landings for which ellipses are computed.
 pub const SHARES: [f64; 2] = [0.5, 0.95];
 
 /// Uncertainty of a drive.
@@ -45,7 +45,7 @@ pub struct Uncertainty {
 }
 
 impl Uncertainty {
-    /// Share of drives with allowed values that do not land.
+    /// Fraction of the drives with allowed values that do not land.
     pub fn part_without_landing(&self) -> f64 {
         self.part_of(|status| !matches!(status, Status::Landed | Status::OutOfRange))
     }
@@ -53,7 +53,8 @@ impl Uncertainty {
     /// Warnings if many sampled values are not allowed or many drives do not land: the remaining
     /// drives are not a sample of the distributions.
     pub fn warnings(&self) -> Vec<Message> {
-        /// Share outside ±2 standard deviations of a normal distribution, rounded.
+        /// Largest fraction without a warning. Beyond 2 standard deviations on one side of a normal
+        /// distribution lies 2.3 %.
         const MANY: f64 = 0.02;
         let percent = |part: f64| significant(100.0 * part, 2);
         let outside = self.part_of(|status| status == Status::OutOfRange);
@@ -178,8 +179,8 @@ impl OutcomeUncertainty {
     }
 }
 
-/// Uncertainty of outcomes for independent uncertain parameters; `progress` receives the number of
-/// finished and of all drives.
+/// Uncertainty of outcomes for independent uncertain parameters. `progress` receives the number of
+/// finished drives and the number of all drives.
 ///
 /// # Errors
 /// [`Error::Nothing`] without outcomes or uncertain parameters; [`Error::SearchRange`] for a
@@ -336,8 +337,8 @@ fn existing((first, second): (Moments, Option<Moments>)) -> Option<(Moments, Opt
     exists(&first).then(|| (first, second.filter(exists)))
 }
 
-/// Each outcome with gradient and Hessian at the means of all uncertain parameters; `None` if it
-/// does not exist.
+/// Each outcome with its gradient and Hessian at the means of all uncertain parameters; `None` if
+/// the outcome or its gradient does not exist.
 fn at_means(setup: &Setup<f64>, of: &[Outcome], inputs: &[Uncertain]) -> Vec<Option<Taylor>> {
     let mut at = *setup;
     let is_set = inputs.iter().all(|input| {
@@ -347,7 +348,7 @@ fn at_means(setup: &Setup<f64>, of: &[Outcome], inputs: &[Uncertain]) -> Vec<Opt
     let parameters: Vec<_> = inputs.iter().map(|input| input.parameter).collect();
     let taylor = |of: &Outcome| {
         let of_order = |order| evaluate(&at, &[*of], &parameters, order).ok()?.pop();
-        // a gradient may exist where a Hessian does not
+        // the gradient may exist even if the Hessian does not
         is_set
             .then(|| of_order(Order::Second).or_else(|| of_order(Order::First)))
             .flatten()

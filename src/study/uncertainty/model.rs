@@ -18,7 +18,7 @@ pub struct SamplePlan {
     pub seed: u64,
 }
 
-/// Bootstrap resamples for confidence intervals.
+/// Number of bootstrap resamples for a confidence interval.
 const RESAMPLES: usize = 400;
 
 /// A number with its confidence interval: 95 % unless stated otherwise.
@@ -298,7 +298,8 @@ fn index(random: &mut Xoshiro256PlusPlus, below: usize) -> usize {
     ((u128::from(random.next_u64()) * below as u128) >> 64) as usize
 }
 
-/// Values that differ by less than this, relative to the largest, are equal up to rounding.
+/// Relative tolerance of equality: values whose difference from each other is smaller, relative to
+/// the largest value, are equal up to rounding.
 const SAME: f64 = 64.0 * f64::EPSILON;
 
 /// Reports whether values differ by more than rounding.

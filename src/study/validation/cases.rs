@@ -28,7 +28,7 @@ pub struct Case {
     pub spin: Option<f64>,
     /// Air density, kg/m³.
     pub density: Option<f64>,
-    /// Published values, in the order of [`Compared::ALL`].
+    /// Published values of the quantities, in the order of [`Compared::ALL`].
     published: [Option<f64>; Compared::ALL.len()],
 }
 

@@ -31,7 +31,7 @@ impl Compared {
         Self::Spin,
     ];
 
-    /// Name, also of the data column.
+    /// Name of the quantity, which is also the head of its data column.
     pub fn name(self) -> &'static str {
         match self {
             Self::Carry => "carry",
@@ -44,7 +44,7 @@ impl Compared {
         }
     }
 
-    /// Name in words.
+    /// Name of the quantity in words.
     pub fn words(self) -> &'static str {
         match self {
             Self::LaunchAngle => "launch angle",

@@ -36,7 +36,7 @@ impl Residual {
     }
 }
 
-/// Errors of a law in one quantity of a set.
+/// Errors of an aerodynamic law in one quantity (such as carry) on a set of published drives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Score {
     /// The quantity.
@@ -62,7 +62,7 @@ impl Score {
     }
 }
 
-/// Errors of a law on a set.
+/// Errors of an aerodynamic law in all quantities of a set of published drives.
 #[derive(Clone, Debug)]
 pub struct LawScores {
     /// The law.
@@ -121,7 +121,8 @@ fn scores(set: &'static Set, own: Option<Law<f64>>) -> Result<SetScores> {
 }
 
 impl SetScores {
-    /// The errors of a law; `base` is the case with which the other cases are compared.
+    /// The errors of an aerodynamic law; `base` is the case with which the other cases are
+    /// compared.
     fn law_scores(&self, base: Option<&Case>, law: Law<f64>) -> Result<LawScores> {
         let scores = self.scores(base, law, None)?;
         let averaged = if self.set.is_averaged {
@@ -144,7 +145,7 @@ impl SetScores {
         })
     }
 
-    /// The errors of a law in each published quantity, in air of this temperature.
+    /// The errors of an aerodynamic law in each published quantity, in air of this temperature.
     fn scores(
         &self,
         base: Option<&Case>,
@@ -175,7 +176,8 @@ impl SetScores {
             .collect())
     }
 
-    /// Bias of the first quantity for the mean of scattered drives; `None` if a case has none.
+    /// Bias of the first quantity for the mean of scattered drives; `None` if a case has no such
+    /// mean.
     fn bias_of_scattered(&self, law: Law<f64>, scores: &[Score]) -> Option<f64> {
         let bias = scores.first().and_then(Score::bias)?;
         let less = self

@@ -9,9 +9,9 @@ use crate::parameters::{Law, Method, Setup, Vary};
 use crate::study::{Search, optimum};
 use std::collections::HashMap;
 
-/// Values of a case by their quantities, SI, computed with a law in the stated air, or else at sea
-/// level at `temperature` (25 °C by default). A quantity is missing if nothing flies or no optimum
-/// was found.
+/// Values of the quantities of a case, SI, computed with a law in the stated air, or else at sea
+/// level at `temperature` (25 °C by default). A quantity is missing if the ball does not fly or no
+/// optimum was found.
 pub(super) fn predicted(
     set: &Set,
     case: &Case,
@@ -23,7 +23,7 @@ pub(super) fn predicted(
         Some(preset) => Setup::preset(preset)?,
         None => Setup::default(),
     };
-    // the published coefficients, even if the preset has others
+    // use the published coefficients, even if the preset has others
     setup.law = law;
     // carry error at this step: 1 µm; for the piecewise laws `usga-itr` and `nathan` 4 and 40 µm
     (setup.method, setup.flight.step) = (Method::DormandPrince8, 0.1);

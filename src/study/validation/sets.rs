@@ -163,7 +163,7 @@ pub static SETS: [Set; 14] = [
         title: "Gain of carry on high courses",
         about: "Seven events of the PGA TOUR, the same players there and elsewhere; the launch is \
                 that of each event.",
-        air: "stated, as a part of the density at 25 °C and sea level",
+        air: "stated, as a fraction of the density at 25 °C and sea level",
         misses: "The launch at sea level is taken as the season's average. At altitude players \
                  launch up to 3° higher, and with that launch laws gain \
                  more than is measured.",
@@ -176,7 +176,7 @@ pub static SETS: [Set; 14] = [
         name: "altitude-alone",
         title: "Gain of carry on high courses, by the air alone",
         about: "The same events with the launch of sea level.",
-        air: "stated, as a part of the density at 25 °C and sea level",
+        air: "stated, as a fraction of the density at 25 °C and sea level",
         misses: "The measured gain contains that of the higher launch.",
         computation: Computation::AltitudeAlone,
         is_averaged: false,

@@ -103,7 +103,7 @@ impl Columns {
     }
 }
 
-/// Remark on ignored columns, except those in the remarks of `head`.
+/// Remark on ignored columns, except the columns in the remarks of `head`.
 fn not_read(head: &Head, read: &[usize]) -> Option<Message> {
     let is_read = |column: &Column| {
         read.iter()
