@@ -9,7 +9,7 @@ use std::time::Duration;
 pub const PATIENCE: Duration = Duration::from_millis(200);
 /// Timeout of one write.
 const WRITE_PATIENCE: Duration = Duration::from_secs(2);
-/// Interval of checks for a new connection.
+/// Interval between checks for a new connection.
 const PAUSE: Duration = Duration::from_millis(20);
 /// Maximum number of simultaneous connections.
 const MOST: u64 = 64;

@@ -125,7 +125,8 @@ fn explorer_link(request: &Request, setup: &Setup<f64>) -> Option<ExplorerLink> 
 struct Inputs {
     /// The setup of the request.
     stated: Setup<f64>,
-    /// The setup with the method and the step for the accuracy of the flight.
+    /// The setup of the request, with the integration method and step that keep the error of the
+    /// flights within the tolerance.
     setup: Setup<f64>,
     /// The outcome that the report is about.
     of: Outcome,
@@ -324,7 +325,7 @@ fn add_map(
     Ok(())
 }
 
-/// The optimum along a parameter; `None` if the search varies that parameter.
+/// The chart of the optimum along a parameter; `None` if the search itself varies that parameter.
 fn chart_of(
     setup: &Setup<f64>,
     search: &Search,

@@ -26,9 +26,9 @@ pub(crate) struct Step<'n, T> {
     /// of a drive with rk4 (`src/number/mod.rs`, "Pipelines").
     pub from: &'n mut Node<T>,
     pub to: &'n mut Node<T>,
-    /// Position increment x₁ − x₀ − h v₀, before it is rounded in the sum.
+    /// Position increment x₁ − x₀ − h v₀, before its addition to the position rounds it.
     pub position_increment: Vector<T>,
-    /// Velocity increment v₁ − v₀, before it is rounded in the sum.
+    /// Velocity increment v₁ − v₀, before its addition to the velocity rounds it.
     pub velocity_increment: Vector<T>,
 }
 

@@ -169,8 +169,8 @@ impl Parameter {
         }
     }
 
-    /// Suggestion for a bare number out of range, which is SI: "10" for a loft is 10 rad, and most
-    /// likely means 10 deg; "50" for a share means 50 %.
+    /// Suggestion for a number that is out of range and has no unit, so that it is read as SI: "10"
+    /// for a loft is 10 rad, and most likely means 10 deg; "50" for a share means 50 %.
     fn unit_suggestion(&self, text: &str) -> Option<String> {
         let (number, unit) = self.quantity.split(text).ok()?;
         if self.range == Range::from_to(0.0, 1.0)

@@ -20,7 +20,8 @@ pub enum FaultKind {
     OtherQuestion,
     /// A part of this sweep by another version of longdrive.
     OtherVersion,
-    /// A part of this sweep with another instruction set of the processor, or another C library.
+    /// A part of this sweep that a processor with another instruction set computed, or another C
+    /// library.
     OtherInstructions,
     /// A second copy of a part.
     Doubled,
@@ -102,7 +103,7 @@ pub fn check(folder: &Path, wanted: Option<&SweepDefinition>, contents: bool) ->
     let Some(question) = question(&found, wanted) else {
         let reason = match faults.first() {
             Some(fault) => format!(
-                "no part of a sweep in it can be read; {}: {}",
+                "none of the files in it can be read as a part of a sweep; {}: {}",
                 fault.file, fault.reason
             ),
             None => {
@@ -318,7 +319,10 @@ fn fault(question: &SweepDefinition, hash: &str, footer: &Footer) -> Option<(Fau
     expected.is_none_or(is_off).then(|| {
         (
             FaultKind::Damaged,
-            format!("it has other rows than part {part} of {}", question.parts),
+            format!(
+                "its rows are not those of part {part} of {}, which its footer claims",
+                question.parts
+            ),
         )
     })
 }

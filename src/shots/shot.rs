@@ -166,7 +166,7 @@ impl Shot {
         self.point.as_ref().ok().map(|point| &point[..LAUNCH.len()])
     }
 
-    /// Values of the further parameters, SI.
+    /// Values of the parameters after the launch, SI.
     pub fn further(&self) -> &[f64] {
         self.point
             .as_ref()

@@ -441,7 +441,7 @@ impl SearchProblem {
         self.vary.iter().map(own).collect()
     }
 
-    /// Exact goals, as they are reported.
+    /// Values of the goals for the report, without smoothing.
     fn reported(&self, setup: &Setup<f64>, design: &[f64], stop: &AtomicBool) -> Result<Vec<f64>> {
         let flown = columns(setup, &self.of, &self.scenarios, stop)?;
         let mut values = self.exact(design, &flown, &self.scenarios.weights);

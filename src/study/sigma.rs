@@ -168,9 +168,9 @@ const MONITOR: &str =
 const BALL: &str = "assumed: what launch monitors state of a ball, as for `calibrate` without \
                     stated uncertainties";
 const STRIKE: &str = "assumed: a mark on the face, read to a millimetre";
-const STRIKE_HIGH: &str = "assumed: a mark on the face, read to a millimetre; from the sweet spot, \
-                           its height within 3 mm too (docs/sources.md)";
-const SPOT: &str = "docs/sources.md: the sweet spot within 3 mm";
+const STRIKE_HIGH: &str = "assumed: a mark on the face, read to a millimetre; the height of the \
+                           sweet spot, from which it counts, is known within 3 mm (docs/sources.md)";
+const SPOT: &str = "docs/sources.md: the sweet spot is known within 3 mm";
 const LAW_DRAG: &str = "docs/sources.md: credible laws differ by 0.015 in C_D";
 const LAW_LIFT: &str = "docs/sources.md: credible laws differ by 0.02 in C_L, a tenth of it";
 const AIR: &str = "assumed: temperature within 1.5 °C";

@@ -869,7 +869,7 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
     let told = warning_of(&found, says);
     assert!(
         told.contains(
-            " points of the front, with 1 % of the swings or more: with more than 0.3 yd"
+            " points of the front, for at least 1 % of their swings: with more than 0.3 yd"
         ),
         "{told}"
     );

@@ -350,7 +350,8 @@ impl Report for CalibrationReport<'_> {
         Status::ALL.map(Status::name).to_vec()
     }
 
-    /// The status and message of the fit, unless a fit of the cross-validation was interrupted.
+    /// The status and message of the fit; if a fit of the cross-validation was interrupted, the
+    /// status `interrupted` and a message about it.
     fn ending(&self) -> Ending {
         Ending {
             status: self.status().name(),

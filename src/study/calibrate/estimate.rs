@@ -351,7 +351,7 @@ impl Searches {
 }
 
 /// First words of the error of a fit without a usable starting point.
-const NO_START: &str = "no start was found at which every row has an answer";
+const NO_START: &str = "no starting point was found from which every row can be computed";
 
 /// The error that lists the rows that cannot be computed at `at`.
 fn missing(what: &str, problem: &ShotResiduals<'_>, at: &[f64]) -> Error {

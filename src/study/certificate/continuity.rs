@@ -60,9 +60,9 @@ impl Continuity {
     }
 }
 
-/// Finds the nearest change of the number of steps along `wrt[0]` and measures the jumps of
-/// outcomes and derivatives by all of `wrt`. Empty if there is no change nearby, or once `goes_on`
-/// is false.
+/// Varies `wrt[0]` until the number of time steps changes, and measures there the jumps of the
+/// outcomes and of their derivatives by `wrt`. Empty if the number does not change nearby, or if
+/// `goes_on` returns false.
 ///
 /// # Errors
 /// The errors of [`evaluate`].

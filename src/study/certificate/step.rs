@@ -11,8 +11,8 @@ use crate::units::Message;
 /// Step ratio of the comparison flight; order 4 leaves 1/4096 of the error.
 const SHORTER: f64 = 8.0;
 
-/// Smallest relative change of the outcome over the parameter's scale. A derivative with a smaller
-/// change counts as 0.
+/// Lower bound of the divisor of a derivative's relative error. The divisor is the change of the
+/// outcome over the parameter's scale, relative to the outcome's size.
 const LEAST: f64 = 1e-6;
 
 /// Relative derivative error that triggers a warning.

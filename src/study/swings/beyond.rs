@@ -133,8 +133,8 @@ impl Pareto {
         let what = match self.scenarios.is_one_drive() {
             true => ["point of the front", "points of the front"],
             false => [
-                "point of the front, with 1 % of the swings or more",
-                "points of the front, with 1 % of the swings or more",
+                "point of the front, for at least 1 % of its swings",
+                "points of the front, for at least 1 % of their swings",
             ],
         };
         count.warnings(&first.setup.law, what, CheckScope::Flight)
