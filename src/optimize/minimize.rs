@@ -1,11 +1,12 @@
 //! Runs one search with its observer, through argmin's `Executor`.
 
 use super::domain::Domain;
+use super::iteration::Iteration;
 use super::kink::Kink;
 use super::observer::{Observer, SaveSnapshot, Snapshot};
 use super::options::Options;
 use super::problem::Problem;
-use super::solution::{Iteration, Solution};
+use super::solution::Solution;
 use super::sqp::{Progress, Sqp, SqpState};
 use super::status::Status;
 use crate::error::{Error, Result};

@@ -16,14 +16,15 @@
 //!
 //! ```
 //! use longdrive::number::Number;
-//! use longdrive::optimize::{Domain, Exact, Functions, Options, Status, Values, minimize};
+//! use longdrive::optimize::{Domain, Evaluation, Exact, Functions, Options, Status, minimize};
 //!
 //! /// f = (x − 3)² + (x − y)²
 //! struct Valley;
 //!
 //! impl Functions for Valley {
-//!     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Values<T>, String> {
-//!         Ok(Values { objective: (x[0] - 3.0).powi(2) + (x[0] - x[1]).powi(2), constraints: vec![] })
+//!     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
+//!         let objective = (x[0] - 3.0).powi(2) + (x[0] - x[1]).powi(2);
+//!         Ok(Evaluation { objective, constraints: vec![] })
 //!     }
 //! }
 //!
@@ -42,6 +43,7 @@ mod convex;
 mod domain;
 pub mod front;
 mod functions;
+mod iteration;
 mod kink;
 pub mod least_squares;
 mod minimize;
@@ -72,6 +74,7 @@ pub use crate::number::Taylor;
 pub use checkpoint::{Checkpoint, Run};
 pub use domain::{Bounds, Domain};
 pub use functions::{Exact, Functions, Gradients};
+pub use iteration::Iteration;
 pub use kink::Kink;
 pub use minimize::{minimize, minimize_observed};
 pub use multistart::{Callback, LocalMinimum, Observers, minimize_from, starts};
@@ -80,6 +83,6 @@ pub use options::Options;
 pub use problem::{Evaluation, Problem};
 pub use quadratic_model::QuadraticModel;
 pub use scaling::Residual;
-pub use solution::{ConstraintValue, Iteration, Solution};
+pub use solution::{ConstraintValue, Solution};
 pub use state::Effort;
 pub use status::Status;

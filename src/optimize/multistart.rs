@@ -2,12 +2,13 @@
 
 use super::checkpoint::{Checkpoint, Run};
 use super::domain::Domain;
+use super::iteration::Iteration;
 use super::minimize::{minimize_observed, other_problem};
 use super::observer::Observer;
 use super::options::Options;
 use super::problem::Problem;
 use super::sobol;
-use super::solution::{Iteration, Solution};
+use super::solution::Solution;
 use super::status::Status;
 use crate::error::{Error, Result};
 use crate::units::counted;

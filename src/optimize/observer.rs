@@ -1,7 +1,7 @@
 //! Observer of a search: receives its iterations and snapshots, and can interrupt it.
 
 use super::domain::Domain;
-use super::solution::Iteration;
+use super::iteration::Iteration;
 use super::sqp::Progress;
 use crate::error::Result;
 use serde::{Deserialize, Serialize};

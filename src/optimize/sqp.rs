@@ -1,12 +1,12 @@
 //! The SQP loop: sequential quadratic programming with a trust region, as an argmin `Solver`.
 
 use super::domain::Domain;
+use super::iteration::Iteration;
 use super::kink::Kink;
 use super::options::Options;
 use super::problem::{Evaluation, Problem};
 use super::quadratic_model::QuadraticModel;
 use super::scaling::Scaling;
-use super::solution::Iteration;
 use super::start::first_point;
 use super::state::{Evaluate, State};
 use super::status::{Status, Verdict};
@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// argmin's state for this solver: the point, the objective, and the iteration for observers.
+/// argmin's state for this solver: the start, the objective, and the iteration for observers.
 pub type SqpState = IterState<Vec<f64>, (), (), (), Iteration, f64>;
 
 /// The SQP solver. [`minimize`](super::minimize()) builds and runs it.
@@ -247,12 +247,9 @@ impl<'a> Solver<&'a dyn Problem, SqpState> for Sqp {
     }
 }
 
-/// Writes an iteration to argmin's state.
-fn with_iteration(mut info: SqpState, iteration: Iteration) -> SqpState {
-    // reuse the allocation of the previous point
-    let mut x = info.take_param().unwrap_or_default();
-    x.clone_from(&iteration.x);
-    info.param(x).cost(iteration.value).residuals(iteration)
+/// Writes an iteration to argmin's state. The iteration has the point, which argmin would copy.
+fn with_iteration(info: SqpState, iteration: Iteration) -> SqpState {
+    info.cost(iteration.value).residuals(iteration)
 }
 
 /// Evaluates the functions at x. The inner error means that they are undefined there (a wrong shape

@@ -3,13 +3,14 @@ use crate::error::{Error, Result};
 use crate::number::Taylor;
 use crate::optimize::continuation::{RADIUS, relative_distance};
 use crate::optimize::domain::{Bounds, Domain};
+use crate::optimize::iteration::Iteration;
 use crate::optimize::minimize::minimize_observed;
 use crate::optimize::multistart::Observers;
 use crate::optimize::observer::Observer;
 use crate::optimize::options::Options;
 use crate::optimize::problem::{Evaluation, Problem};
 use crate::optimize::sensitivity::{ActiveSet, reduced_hessian};
-use crate::optimize::solution::{Iteration, Solution};
+use crate::optimize::solution::Solution;
 use crate::optimize::status::Status;
 use std::cell::Cell;
 

@@ -1,0 +1,28 @@
+use super::quadratic_model::QuadraticModel;
+
+/// One iteration, as observers receive it.
+#[derive(Clone, Debug, Default)]
+pub struct Iteration {
+    /// Iteration number; 0 is the start.
+    pub number: u64,
+    /// Objective f.
+    pub value: f64,
+    /// Iterate.
+    pub x: Vec<f64>,
+    /// Relative KKT residual.
+    pub kkt_residual: f64,
+    /// Largest relative violation of a constraint.
+    pub violation: f64,
+    /// Trust-region radius Δ for the next step, in units of the variables' scale.
+    pub radius: f64,
+    /// True if the step was accepted.
+    pub accepted: bool,
+    /// Reduction of the merit function (of f if there are no constraints) that the model predicted
+    /// for the step; 0 at the start.
+    pub predicted_reduction: f64,
+    /// Actual reduction of the merit function by the step: −∞ where the functions are undefined; 0
+    /// at the start.
+    pub actual_reduction: f64,
+    /// The model at the iterate, for an observer with [`models`](super::Observer::models).
+    pub model: Option<QuadraticModel>,
+}
