@@ -1,8 +1,9 @@
 //! Reads the rows of an export as shots.
 
-use super::flown::REFUSED;
 use super::head::{Export, Read};
-use super::shot::{Club, Origin, Shot, StatedOfClub as Stated, Value, of_conditions, within};
+use super::shot::{
+    Club, Origin, REFUSED, Shot, StatedOfClub as Stated, Value, of_conditions, within,
+};
 use crate::drive::Outcome;
 use crate::table::{
     CONDITIONS, DecimalMark, NonShot, Record, Refusal, Stated as Conditions, cells, conditions,

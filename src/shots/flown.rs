@@ -1,12 +1,9 @@
 //! Shots with the results of their flights.
 
-use super::shot::Shot;
+use super::shot::{REFUSED, Shot};
 use super::source::Section;
 use crate::batch::{Block, Status};
 use crate::drive::{ExceededLimits, Outcome};
-
-/// Flight status of a row that was not flown.
-pub(super) const REFUSED: &str = "refused";
 
 /// A chunk of shots with their flights.
 #[derive(Clone, Debug)]

@@ -1,8 +1,7 @@
 //! Reads messages of GSPro Open Connect as shots.
 
 use super::export::{OF_SPIN, add_notes, launch};
-use super::flown::REFUSED;
-use super::shot::{Club, Origin, Shot, StatedOfClub, Value, of_conditions};
+use super::shot::{Club, Origin, REFUSED, Shot, StatedOfClub, Value, of_conditions};
 use super::sizes::size;
 use super::written;
 use crate::drive::Outcome;

@@ -4,6 +4,9 @@ use crate::drive::Outcome;
 use crate::parameters::Parameter;
 use crate::table::{CONDITIONS, Refusal, Stated, implausible_club};
 
+/// Flight status of a row that was not flown.
+pub(super) const REFUSED: &str = "refused";
+
 /// Origin of a value, if the export states it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {

@@ -1,9 +1,8 @@
 //! Reads shots back from JSON lines that `fly` wrote.
 
 use super::export::launch;
-use super::flown::REFUSED;
 use super::objects::Objects;
-use super::shot::{Club, Origin, Shot, Value, of_conditions, within};
+use super::shot::{Club, Origin, REFUSED, Shot, Value, of_conditions, within};
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{Refusal, is_straight_by_assumption};
