@@ -111,6 +111,7 @@ impl Batch {
     /// Scalar evaluation of a drive. The step is halved until the defect of the integration is
     /// accepted.
     ///
+    /// # Errors
     /// [`Error::Stopped`]; the error of a drive that has no impact or a diverged flight. The status
     /// of this drive is already in the block.
     fn evaluate_scalar(

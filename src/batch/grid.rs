@@ -20,6 +20,7 @@ impl Axis {
     /// assert_eq!((axis.value(0), axis.value(1), axis.value(5)), (40.0, 42.0, 50.0));
     /// ```
     ///
+    /// # Errors
     /// [`Error::SearchRange`] if the count in `text` is missing or zero; errors of [`Vary::read`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let refuse = |reason: String| Error::SearchRange {
