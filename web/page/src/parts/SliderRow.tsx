@@ -129,7 +129,7 @@ function PriceLine({ name, id, row }: { name: string; id: string; row: Row }) {
   return (
     <p class="price" id={`price-${id}`}>
       <b>{priceOf(name, slope, unit, units).text}</b>
-      <span title={`values that cost at most ${loss}`}>{isUnset ? ' · not stated' : ` · at most ${loss} lost: ${band}`}</span>
+      <span title={`values that cost at most ${loss}`}>{isUnset ? ' · not stated' : ` · ≤ ${loss} lost: ${band}`}</span>
     </p>
   );
 }
