@@ -617,6 +617,15 @@ test('a long command shows that it runs, and can be ended', async () => {
   });
 });
 
+test('without the file of the core the page says so', async () => {
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  await page.route('**/longdrive_core.bin', route => route.fulfill({ status: 404 }));
+  await page.goto(server.address);
+  await page.getByText(/cannot compute here: .*longdrive_core\.bin: 404/).waitFor();
+  await context.close();
+});
+
 test('without WebAssembly the page says so', async () => {
   const context = await browser.newContext();
   const page = await context.newPage();

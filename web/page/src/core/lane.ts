@@ -147,8 +147,10 @@ export class Lane {
 
   #trap(message: string) {
     this.#traps += 1;
-    this.onTrap(message);
-    if (this.#traps < MOST_TRAPS) {
+    // a core that no worker has compiled is not tried again: it is missing, or the browser cannot run it
+    const hasCore = this.#core instanceof WebAssembly.Module;
+    if (hasCore) this.onTrap(message);
+    if (hasCore && this.#traps < MOST_TRAPS) {
       this.#restart();
       return;
     }

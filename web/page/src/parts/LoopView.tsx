@@ -104,10 +104,10 @@ function Pictures({ explorer, loop }: { explorer: Explorer; loop: Loop }) {
   const perUnit = `${length} per ${symbol === '°' ? 'degree' : symbol || '1'}`;
   return (
     <>
-      <Chart name="teeth" title={`Carry over ${labelOf(loop.name)}`}
+      <Chart name="teeth" title={`Carry over ${labelOf(loop.name)}, ${length}`}
         legend={['loop of time steps', 'exact']} at={at} curves={carries} unit={length} across={unit}
         sentence={`The loop is up to ${digits(worst, 2)} ${length} from the exact carry, and jumps where its number of time steps changes.`} />
-      <Chart name="slopes" title={`Slope of the carry over ${labelOf(loop.name)}`}
+      <Chart name="slopes" title={`Slope of the carry over ${labelOf(loop.name)}, ${perUnit}`}
         legend={['differences of the loop', 'exact']} at={at} curves={slopes} unit={perUnit} across={unit}
         sentence={`Differences of the loop reach ${digits(steepest, 1)} ${perUnit}; the exact slope is ${digits(middle, 2)} ${perUnit}.`} />
     </>
@@ -151,7 +151,6 @@ function Chart({ name, title, legend, at, curves, unit, across, sentence }: Char
           up={{ ticks: ticks(low, high, 3), place: y, text: (tick) => String(Number(tick.toPrecision(4))) }} />
         <polyline class="ghost teeth-line" points={points(curves[0]!)} />
         <polyline class="yours" points={points(curves[1]!)} />
-        <text class="tick" x={MARGIN.left + 4} y={10}>{unit}</text>
         {legend.map((text, k) => (
           <g key={text}>
             <polyline class={k === 0 ? 'ghost teeth-line' : 'yours'} points={`${legendAt(k)},6 ${legendAt(k) + 24},6`} />
