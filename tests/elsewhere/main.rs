@@ -3,7 +3,7 @@
 //! processor.
 
 #[path = "../checks/common.rs"]
-#[allow(dead_code, reason = "other checks use the rest of it")]
+#[expect(dead_code, reason = "other checks use the rest of it")]
 mod common;
 #[path = "../checks/fast_paths.rs"]
 mod fast_paths;

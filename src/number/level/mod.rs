@@ -107,9 +107,12 @@ impl Level {
     /// Runs a task of one drive at this level, or at the widest lower level of this processor, at
     /// most AVX2; with plain numbers if the level belongs to another architecture.
     #[inline]
-    #[allow(
-        unsafe_code,
-        reason = "code for a level runs only on processors with its features"
+    #[cfg_attr(
+        target_arch = "x86_64",
+        expect(
+            unsafe_code,
+            reason = "code for a level runs only on processors with its features"
+        )
     )]
     pub(crate) fn run_one_drive<W: Task>(self, mut task: W) -> W::Output {
         match self.of_one_drive().min(Self::here()) {
@@ -132,9 +135,12 @@ impl Level {
     /// Runs a task of many drives: like [`run_one_drive`](Self::run_one_drive), but also with
     /// AVX-512.
     #[inline]
-    #[allow(
-        unsafe_code,
-        reason = "code for a level runs only on processors with its features"
+    #[cfg_attr(
+        target_arch = "x86_64",
+        expect(
+            unsafe_code,
+            reason = "code for a level runs only on processors with its features"
+        )
     )]
     pub(crate) fn run_sweep<W: Task>(self, task: W) -> W::Output {
         #[cfg(target_arch = "x86_64")]
