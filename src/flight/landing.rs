@@ -95,9 +95,12 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
                     to: &mut *step.to,
                     ..step
                 };
+                // copies: the loop's own lanes and events stay in registers
+                let lanes_before = lanes;
+                let events = events;
                 lanes = T::not_inlined(inlined!(|| self.locate_events(
                     &step,
-                    lanes,
+                    lanes_before,
                     events,
                     &mut result
                 )));

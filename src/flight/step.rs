@@ -100,7 +100,16 @@ impl<'a, T: Numbers, L: AerodynamicLaw<T>> Stepper<'a, T, L> {
         let mut stage_spin = spin;
         // the end of the step is one more stage
         for i in 1..=end {
-            let v_r = v - inputs.wind.at(self.stage_height(start, &x, &v, i));
+            // in place: as a function of its own it costs a value 3 % more instructions
+            let mut height = v.x.scale_add(h * tableau.times[i], x.x);
+            // only a wind profile depends on it
+            if inputs.wind.depends_on_height() {
+                for &(stage, weight) in &tableau.position_weights[i][..i - 1] {
+                    let acceleration = self.stage_rate(start, stage).acceleration.x;
+                    height = acceleration.scale_add(h * h * weight, height);
+                }
+            }
+            let v_r = v - inputs.wind.at(height);
             let v_r = self.add_accelerations(v_r, start, tableau.velocity_weights[i], h);
             stage_spin = self.stage_spin(start, spin, i);
             let rate = if i == end {
@@ -116,25 +125,13 @@ impl<'a, T: Numbers, L: AerodynamicLaw<T>> Stepper<'a, T, L> {
             tableau.velocity_weights[end],
             &tableau.position_weights[end][..end - 1],
         );
-        step.velocity_increment = self.add_accelerations(zero, start, b, h);
-        step.position_increment = self.add_accelerations(zero, start, ba, h * h);
-        step.to.position = v.scale_add(h, x + step.position_increment);
-        step.to.velocity = v + step.velocity_increment;
+        let velocity_increment = self.add_accelerations(zero, start, b, h);
+        let position_increment = self.add_accelerations(zero, start, ba, h * h);
+        step.to.position = v.scale_add(h, x + position_increment);
+        step.to.velocity = v + velocity_increment;
         step.to.spin = stage_spin;
-    }
-
-    /// Height at stage i; only a wind profile depends on it.
-    #[inline(always)]
-    fn stage_height(&self, start: &Rate<T>, x: &Vector<T>, v: &Vector<T>, i: usize) -> T {
-        let (tableau, h) = (self.tableau, self.h);
-        let mut height = v.x.scale_add(h * tableau.times[i], x.x);
-        if self.inputs.wind.depends_on_height() {
-            for &(stage, weight) in &tableau.position_weights[i][..i - 1] {
-                let acceleration = self.stage_rate(start, stage).acceleration.x;
-                height = acceleration.scale_add(h * h * weight, height);
-            }
-        }
-        height
+        step.velocity_increment = velocity_increment;
+        step.position_increment = position_increment;
     }
 
     /// Spin at stage i from the spin at the start of the step: ω exp(−δ t − κ ℓ/R), with the time t
