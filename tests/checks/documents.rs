@@ -7,7 +7,6 @@ use longdrive::reproduce::{Landing, Method};
 use longdrive::study::calibrate::instrument;
 use longdrive::units::typeset;
 use longdrive::{Drive, Outcome, Setup};
-use std::collections::BTreeMap;
 
 fn document(name: &str) -> String {
     std::fs::read_to_string(format!("{}/../{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
@@ -262,58 +261,21 @@ fn questions_md_has_every_command() {
 }
 
 #[test]
-fn questions_md_names_every_outcome_of_a_drive() {
-    let names: Vec<String> = Outcome::ALL
-        .iter()
-        .map(|outcome| format!("`{}`", outcome.name()))
-        .collect();
-    let said = format!("The outcomes are {}.", names.join(", "));
-    assert!(
-        document("docs/questions.md").contains(&said),
-        "docs/questions.md should say: {said}"
-    );
-}
-
-#[test]
-fn model_md_defines_every_outcome_of_a_drive() {
+fn model_md_has_every_outcome_of_a_drive_with_its_uncertainty() {
     let text = document("docs/model.md");
-    let section = text.split("\n## Outcomes\n").nth(1).unwrap();
-    let section = section.split("\n## ").next().unwrap();
-    for outcome in Outcome::ALL {
-        let (name, symbol) = (outcome.name(), outcome.symbol());
-        assert!(
-            section.contains(&format!("`{name}`")),
-            "docs/model.md should say in Outcomes how `{name}`, {symbol}, is computed"
-        );
-    }
-}
-
-/// docs/calibration.md: a row names outcomes and states an uncertainty for each of them, or one for
-/// all.
-#[test]
-fn calibration_md_has_the_uncertainty_of_every_outcome() {
-    let text = document("docs/calibration.md");
-    let mut stated = BTreeMap::new();
-    for row in table(&text, "| measured | standard uncertainty |") {
-        let names: Vec<&str> = row[0].split(", ").collect();
-        let sigmas: Vec<&str> = row[1].split(", ").collect();
-        assert!([1, names.len()].contains(&sigmas.len()), "{row:?}");
-        stated.extend(
-            names
-                .into_iter()
-                .zip(sigmas.into_iter().cycle())
-                .map(|(name, sigma)| (name.trim_matches('`').to_owned(), sigma.to_owned())),
-        );
-    }
-    for outcome in Outcome::ALL {
-        let sigma = typeset(instrument(*outcome).unwrap().0.sigma);
-        assert_eq!(
-            stated.remove(outcome.name()).as_ref(),
-            Some(&sigma),
-            "docs/calibration.md should have a row of `{outcome}` with {sigma}"
-        );
-    }
-    assert!(stated.is_empty(), "no outcomes: {stated:?}");
+    let rows = table(&text, "| outcome | definition | σ |");
+    let printed: Vec<[&str; 2]> = rows.iter().map(|row| [&*row[0], &*row[2]]).collect();
+    let declared: Vec<[String; 2]> = Outcome::ALL
+        .iter()
+        .map(|outcome| {
+            let sigma = typeset(instrument(*outcome).unwrap().0.sigma);
+            [format!("`{outcome}`"), sigma]
+        })
+        .collect();
+    assert_eq!(
+        printed, declared,
+        "docs/model.md should have a row for each of them in Outcomes"
+    );
 }
 
 /// The commands of README and docs that read a sample of `examples/`.
