@@ -389,28 +389,18 @@ impl SearchProblem {
         self.reported(&self.set_up, &self.own(), &self.stop)
     }
 
-    /// Exact values of the goals at `x`, with `weights` for the scenarios.
+    /// Exact values of the goals of a setup with the design `x`, with `weights` for the scenarios.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
-    pub fn weighted_values(&self, x: &[f64], weights: &[f64]) -> Result<Vec<f64>> {
-        Ok(self.exact(
-            x,
-            &columns(&self.moved(x)?, &self.of, &self.scenarios, &self.stop)?,
-            weights,
-        ))
-    }
-
-    /// Values of the goals at the setup's own design, over the scenarios with other weights.
-    ///
-    /// # Errors
-    /// The errors of [`values`](Self::values).
-    pub fn weighted_as_set_up(&self, weights: &[f64]) -> Result<Vec<f64>> {
-        Ok(self.exact(
-            &self.own(),
-            &columns(&self.set_up, &self.of, &self.scenarios, &self.stop)?,
-            weights,
-        ))
+    pub fn weighted_values(
+        &self,
+        setup: &Setup<f64>,
+        x: &[f64],
+        weights: &[f64],
+    ) -> Result<Vec<f64>> {
+        let flown = columns(setup, &self.of, &self.scenarios, &self.stop)?;
+        Ok(self.exact(x, &flown, weights))
     }
 
     /// Values of the goals at `x`, over each of the [`sequences`](Scenarios::sequences).
@@ -431,7 +421,7 @@ impl SearchProblem {
     }
 
     /// Values of the varied parameters in the setup as given.
-    fn own(&self) -> Vec<f64> {
+    pub fn own(&self) -> Vec<f64> {
         let own = |parameter: &&'static Parameter| {
             self.set_up
                 .value(parameter)

@@ -380,7 +380,10 @@ impl Reading {
                         Err(why) => row.no_air = Some(why),
                     }
                 }
-                Content::Input(parameter) if self.is_of_the_club(column) => {
+                // a row may lack a club value of a delivery
+                Content::Input(parameter)
+                    if self.club == ClubColumns::Read && column.is_of_the_strike() =>
+                {
                     let stated = self.cell(record, column.content);
                     let stated = if is_still { Ok(None) } else { stated };
                     match self.usable(column, parameter, stated) {
@@ -484,11 +487,6 @@ impl Reading {
             row.shot.inputs.push((parameter, value));
         }
         Ok(())
-    }
-
-    /// True for a club column of a delivery; rows may lack a value in such a column.
-    fn is_of_the_club(&self, column: &Column) -> bool {
-        self.club == ClubColumns::Read && column.is_of_the_strike()
     }
 
     /// True if the row states the club speed and all its club values are 0: the club was not
