@@ -53,6 +53,18 @@ pub fn number<T: Copy + Into<Number>, S: Serializer>(
     (*value).into().serialize(serializer)
 }
 
+/// Serializes values by name, in order, as an object of [`Number`]s.
+pub fn numbers_by_name<N: Serialize, S: Serializer>(
+    values: &[(N, f64)],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(
+        values
+            .iter()
+            .map(|(name, value)| (name, Number(Some(*value)))),
+    )
+}
+
 /// Serializes values by name, in order, as an object.
 pub fn by_name<N: Serialize, V: Serialize, S: Serializer>(
     values: &[(N, V)],

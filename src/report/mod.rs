@@ -80,7 +80,7 @@ pub use presets::{Change, PresetReport, PresetsReport, changes};
 pub use reply::{Empty, Ending, Reply, Report};
 pub use robust::{ModelReport, RobustReport, robust_toml};
 pub use sensitivity::{
-    Analysis, DirectionReport, PredictedOptimum, ResolvedOptimum, SensitivityOf, SensitivityReport,
+    Analysis, PredictedOptimum, ResolvedOptimum, SensitivityOf, SensitivityReport,
     StatedChangeReport,
 };
 #[cfg(feature = "commands")]

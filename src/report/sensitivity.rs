@@ -37,7 +37,7 @@ pub struct SensitivityReport {
     /// The derivatives of the optimum by each parameter.
     pub sensitivity: Option<ByName<SensitivityOf>>,
     /// The directions of the free parameters, the flattest first.
-    pub directions: Option<Vec<DirectionReport>>,
+    pub directions: Option<Vec<Direction>>,
     /// The ellipses of pairs of free parameters, from the quadratic model without bounds; empty if
     /// a constraint is active.
     pub ellipses: Option<Vec<Ellipse>>,
@@ -57,18 +57,6 @@ pub struct SensitivityOf {
     pub curvature: Number,
     /// The reason why the derivatives do not exist.
     pub message: Option<String>,
-}
-
-/// A direction in the space of the free parameters.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct DirectionReport {
-    /// The components of the direction, by parameter.
-    pub along: ByName<Number>,
-    /// The multiple of the direction at which the quadratic model has the stated loss.
-    pub reach: Number,
-    /// The losses of drives computed at this multiple, in both directions, SI.
-    pub losses: [Option<f64>; 2],
 }
 
 /// The effect of a stated change.
@@ -172,22 +160,16 @@ impl SensitivityReport {
             flatness,
             changes,
         } = analysis;
-        let vary = &best.search.vary;
         let sensitivity = sensitivities
             .iter()
             .map(|(parameter, found)| (parameter.name, SensitivityOf::new(best, found)));
-        let directions = flatness.directions.iter().map(|direction| DirectionReport {
-            along: ByName::of_varied(vary, &direction.along),
-            reach: direction.reach.into(),
-            losses: direction.losses,
-        });
         let changes = changes
             .iter()
             .map(|changed| StatedChangeReport::new(best, changed));
         Self {
             optimum,
             sensitivity: Some(sensitivity.collect()),
-            directions: Some(directions.collect()),
+            directions: Some(flatness.directions.clone()),
             ellipses: Some(flatness.ellipses.clone()),
             changes: Some(changes.collect()),
         }
@@ -405,19 +387,11 @@ fn ellipse_line(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -
 /// A direction in words, such as "together club.loft +1.20 deg, swing.attack_angle -0.90 deg, or
 /// the opposite: …".
 fn direction_line(best: &Optimum, direction: &Direction, loss: &str, system: System) -> String {
-    let moves = best
-        .search
-        .vary
-        .iter()
-        .zip(&direction.along)
-        .filter(|(_, along)| **along != 0.0);
+    let moves = direction.along.iter().filter(|(_, along)| *along != 0.0);
     let moves: Vec<_> = moves
-        .map(|(vary, along)| {
-            format!(
-                "{} {}",
-                vary.parameter.name,
-                step(vary.parameter, along * direction.reach, system)
-            )
+        .map(|(parameter, along)| {
+            let step = step(parameter, along * direction.reach, system);
+            format!("{} {step}", parameter.name)
         })
         .collect();
     let of = best.search.outcome();

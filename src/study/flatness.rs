@@ -5,6 +5,7 @@ use super::problem::SearchProblem;
 use crate::derivative::Evaluator;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
+use crate::json::{number, numbers_by_name};
 use crate::optimize::sensitivity::{ActiveSet, reduced_hessian};
 use crate::optimize::{Domain, Status};
 use crate::parameters::Parameter;
@@ -56,17 +57,25 @@ pub enum WindowLimit {
     NoFlight,
 }
 
-/// A direction in which the free parameters move together, an eigenvector of the reduced Hessian in
-/// units of their ranges.
-#[derive(Clone, Debug, PartialEq)]
+/// A direction in the space of the free parameters.
+// an eigenvector of the reduced Hessian in units of the ranges, in which its length is 1
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "DirectionReport"))]
 pub struct Direction {
-    /// Component along each varied parameter, SI. The length is 1 in units of the ranges.
-    pub along: Vec<f64>,
-    /// Distance along the direction at which the loss reaches the allowed loss to second order, in
-    /// multiples of `along`.
+    /// The components of the direction, by parameter.
+    #[serde(serialize_with = "numbers_by_name")]
+    #[cfg_attr(
+        test,
+        schemars(with = "std::collections::BTreeMap<String, crate::json::Number>")
+    )]
+    pub along: Vec<(&'static Parameter, f64)>,
+    /// The multiple of the direction at which the quadratic model has the stated loss.
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub reach: f64,
-    /// Losses of the drives at this distance in both directions; `None` outside of the ranges, and
-    /// for a drive that does not fly.
+    /// The losses of drives computed at this multiple, in both directions, SI.
+    // `None` outside of the ranges, and for a drive that does not fly
     pub losses: [Option<f64>; 2],
 }
 
@@ -312,8 +321,9 @@ impl<'a> Top<'a> {
                     .collect();
                 self.lost_within(&x)
             });
+            let varied = self.best.search.vary.iter().map(|vary| vary.parameter);
             Direction {
-                along,
+                along: varied.zip(along).collect(),
                 reach,
                 losses,
             }

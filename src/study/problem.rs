@@ -369,15 +369,15 @@ impl SearchProblem {
     /// [`Error::NoFlight`] if the ball does not fly in one of the scenarios;
     /// [`Error::NotConverged`] once stopped.
     pub fn values(&self, x: &[f64]) -> Result<Vec<f64>> {
-        self.values_until(x, &self.stop)
+        self.reported(&self.moved(x)?, x, &self.stop)
     }
 
-    /// Like [`values`](Self::values); ends with an error once `stop` is true.
+    /// Like [`values`](Self::values), also after an interrupt.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
-    pub fn values_until(&self, x: &[f64], stop: &AtomicBool) -> Result<Vec<f64>> {
-        self.reported(&self.moved(x)?, x, stop)
+    pub fn values_uninterrupted(&self, x: &[f64]) -> Result<Vec<f64>> {
+        self.reported(&self.moved(x)?, x, &AtomicBool::new(false))
     }
 
     /// Values of the goals at the setup's own design. If the setup has no value for a varied

@@ -10,7 +10,6 @@
 //! ```
 
 mod beyond;
-mod chained;
 mod file;
 pub(super) mod flown;
 mod function;

@@ -233,7 +233,7 @@ pub fn uncertainty(
         .iter()
         .flatten()
         .for_each(|block| status_counts.add(block));
-    let sample = Sample {
+    let sample = SampledDrives {
         of,
         inputs,
         distributions,
@@ -269,7 +269,7 @@ fn check(inputs: &[Uncertain], plan: SamplePlan) -> Result<()> {
 }
 
 /// The results of the drives at the points of a [`Design`].
-struct Sample<'a> {
+struct SampledDrives<'a> {
     of: &'a [Outcome],
     inputs: &'a [Uncertain],
     distributions: Vec<Distribution>,
@@ -279,7 +279,7 @@ struct Sample<'a> {
     blocks: Vec<Vec<Block>>,
 }
 
-impl Sample<'_> {
+impl SampledDrives<'_> {
     /// A column of results of a set: outcomes come first, then derivatives.
     fn column(&self, set: usize, column: usize) -> Vec<Option<f64>> {
         self.blocks[set]
