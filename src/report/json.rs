@@ -3,6 +3,7 @@
 pub use crate::json::Number;
 
 use crate::atmosphere::in_effect;
+use crate::json::by_name;
 use crate::number::Vector;
 use crate::parameters::{GOLFER, LAW, METHOD, SPEED_OF, Setup, TABLE, Vary};
 use crate::study::{Active, BoundSide};
@@ -76,7 +77,7 @@ impl<V, N: Into<Cow<'static, str>>, U: Into<V>> FromIterator<(N, U)> for ByName<
 
 impl<V: Serialize> Serialize for ByName<V> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+        by_name(&self.0, serializer)
     }
 }
 
