@@ -166,10 +166,10 @@ fn smoothness(certificates: &[(&str, Certificate)]) {
                 .fold(f64::INFINITY, f64::min);
             format!("{lowest:.2}")
         });
-        let value = largest(&mut certificate.step.iter().map(|found| found.value));
+        let value = largest(&mut certificate.step.iter().map(|found| found.value_error));
         let derivatives = certificate.step.iter();
         let derivative =
-            largest(&mut derivatives.map(|found| found.derivative.map_or(0.0, |(_, error)| error)));
+            largest(&mut derivatives.map(|found| found.derivative_error.unwrap_or(0.0)));
         println!(
             "| `{name}` | {} | {} | {value:.0e}, {derivative:.0e} |",
             jumps.join(", "),

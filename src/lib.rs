@@ -77,6 +77,7 @@ pub mod ground;
 pub mod impact;
 mod input_file;
 pub mod integration;
+mod json;
 pub mod launch;
 pub mod number;
 pub mod optimize;

@@ -4,7 +4,7 @@ use crate::command::output::{Answer, bar, show, system, tell_detail, warn};
 use crate::command::request::Request;
 use crate::report::{UncertaintyReport, parameter_difference_text};
 use crate::study::uncertainty::{SamplePlan, Uncertain, uncertainty};
-use crate::study::{given_twice, with_defaults};
+use crate::study::{refuse_given_twice, with_defaults};
 use crate::{Drive, Outcome, Result, Setup};
 
 #[derive(clap::Args)]
@@ -130,13 +130,6 @@ fn inputs(
         .map(|sigma| Uncertain::normal(setup, sigma))
         .chain(distributions)
         .collect();
-    for (i, input) in inputs.iter().enumerate() {
-        if inputs[..i]
-            .iter()
-            .any(|other| other.parameter == input.parameter)
-        {
-            return Err(given_twice(input.parameter));
-        }
-    }
+    refuse_given_twice(inputs.iter().map(|input| input.parameter))?;
     Ok(inputs)
 }

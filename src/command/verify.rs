@@ -37,7 +37,7 @@ pub fn tell_left_out(certificate: &Certificate) {
     let missing = certificate
         .missing
         .iter()
-        .map(|(of, why)| (of.name(), why.in_units(system())));
+        .map(|missing| (missing.of.name(), missing.reason.in_units(system())));
     for line in by_reason(missing) {
         tell(&format!("left out: {line}"));
     }

@@ -211,6 +211,11 @@ impl Outcome {
         }
     }
 
+    /// The change from one value to another. A direction changes by less than half a turn.
+    pub fn change(self, from: f64, to: f64) -> f64 {
+        self.unwrap_angle(to, from) - from
+    }
+
     /// The value as text, in the display unit.
     pub fn show(self, value: f64) -> String {
         self.quantity().show(value, self.unit())

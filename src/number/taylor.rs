@@ -91,4 +91,18 @@ impl Taylor {
         }
         all.unwrap_or_default()
     }
+
+    /// Chain rule: g(f) from g, g′ and g″ at f.
+    pub(crate) fn chained(&self, [value, slope, bend]: [f64; 3]) -> Self {
+        let d = &self.gradient;
+        let row = |(i, row): (usize, &Vec<f64>)| {
+            let entry = |(j, second): (usize, &f64)| slope * second + bend * d[i] * d[j];
+            row.iter().enumerate().map(entry).collect()
+        };
+        Self {
+            value,
+            gradient: d.iter().map(|d| slope * d).collect(),
+            hessian: self.hessian.iter().enumerate().map(row).collect(),
+        }
+    }
 }

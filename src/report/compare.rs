@@ -274,7 +274,7 @@ fn outcomes(comparison: &Comparison, system: System) -> Table {
         let change = match values {
             [None, None] => return None,
             [Some(a), Some(b)] => {
-                let change = of.unwrap_angle(b, a) - a;
+                let change = of.change(a, b);
                 let is_rounding = shown::is_rounding(*of, a, change);
                 shown::change(*of, if is_rounding { 0.0 } else { change }, system)
             }

@@ -140,8 +140,11 @@ impl Report for EffectsReport<'_> {
                 .collect();
             if !bars.is_empty() {
                 document.add(uncertainties(effects, &bars, system));
+                let source =
+                    |bar: &Bar| Some((bar.sigma.parameter.name, bar.sigma.source?.to_owned()));
+                let sources = by_reason(bars.iter().filter_map(source)).into_iter();
                 let mut defaults = Document::default();
-                defaults.list(default_lines(&bars));
+                defaults.list(sources.map(|line| Line::item(format!("default of {line}"))));
                 document.append_detail(defaults, Detail::Rest);
             }
             document.add(slopes(effects, totals_of(of, self.totals), system));
@@ -205,14 +208,6 @@ fn uncertainties(effects: &Effects, bars: &[Bar], system: System) -> Table {
         ));
     }
     table
-}
-
-/// The sources of default uncertainties.
-fn default_lines(bars: &[Bar]) -> impl Iterator<Item = Line> {
-    let source = |bar: &Bar| Some((bar.sigma.parameter.name, bar.sigma.source?.to_owned()));
-    by_reason(bars.iter().filter_map(source))
-        .into_iter()
-        .map(|line| Line::item(format!("default of {line}")))
 }
 
 /// The derivatives of an outcome by all parameters.

@@ -1,54 +1,14 @@
-//! Values in the JSON of a report: numbers with infinities, vectors, and values by name.
+//! Values in the JSON of a report: ranges, vectors, matrices, and values by name.
+
+pub use crate::json::Number;
 
 use crate::atmosphere::in_effect;
+use crate::json::by_name;
 use crate::number::Vector;
 use crate::parameters::{GOLFER, LAW, METHOD, SPEED_OF, Setup, TABLE, Vary};
 use crate::study::{Active, BoundSide};
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;
-
-/// A number or `null`. JSON has no infinity: the radius of a flat face is `"inf"`, as in setup
-/// files, and a range without a lower end has the low value `"-inf"`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Number(pub Option<f64>);
-
-impl From<f64> for Number {
-    fn from(value: f64) -> Self {
-        Self(Some(value))
-    }
-}
-
-impl From<Option<f64>> for Number {
-    fn from(value: Option<f64>) -> Self {
-        Self(value)
-    }
-}
-
-impl Serialize for Number {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0 {
-            Some(f64::INFINITY) => serializer.serialize_str("inf"),
-            Some(f64::NEG_INFINITY) => serializer.serialize_str("-inf"),
-            // the sum turns -0 into 0
-            Some(value) if value.is_finite() => serializer.serialize_f64(value + 0.0),
-            _ => serializer.serialize_none(),
-        }
-    }
-}
-
-#[cfg(test)]
-impl schemars::JsonSchema for Number {
-    fn schema_name() -> Cow<'static, str> {
-        "Number".into()
-    }
-
-    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        schemars::json_schema!({
-            "description": "A number in SI units and radians; null if it does not exist.",
-            "anyOf": [{ "type": ["number", "null"] }, { "enum": ["inf", "-inf"] }]
-        })
-    }
-}
 
 /// The components of a vector: up, right, downrange.
 pub(super) fn components(vector: Vector<f64>) -> [Number; 3] {
@@ -117,7 +77,7 @@ impl<V, N: Into<Cow<'static, str>>, U: Into<V>> FromIterator<(N, U)> for ByName<
 
 impl<V: Serialize> Serialize for ByName<V> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+        by_name(&self.0, serializer)
     }
 }
 

@@ -45,21 +45,14 @@ mod uncertainty;
 mod validation;
 mod winfield_tan;
 
-pub use calibration::{
-    CalibrationReport, DataReport, EstimateReport, HeldOutReport, RefusedReport, StartsReport,
-};
-pub use certificate::{
-    AgreementReport, CertificateReport, CertificateRow, CheckReport, ContinuityCheck,
-    ConvergenceCheck, Curve, LandingCheck, LoopCheck, MissingOutcome, NegativeControl,
-    StepErrorReport,
-};
+pub use calibration::{CalibrationReport, DataReport, HeldOutReport, RefusedReport, StartsReport};
+pub use certificate::{CertificateReport, CertificateRow, Curve, LoopCheck, NegativeControl};
 pub use chart::{ChartPointReport, ChartReport};
 pub use compare::{
     CauseValue, ComparedDrive, ComparisonReport, DifferenceReport, ShareReport, SharesReport,
 };
 pub use delivery::{
-    DeliveryOptions, DeliveryReport, DeliveryRow, ExplainedReport, KnownReport, LaunchMoments,
-    MeanAndDeviation, PopulationReport, UnidentifiedReport, bound_warnings, delivery_toml,
+    DeliveryOptions, DeliveryReport, DeliveryRow, KnownReport, bound_warnings, delivery_toml,
     population_warnings, recovered_csv, recovered_toml,
 };
 pub use design::Designed;
@@ -87,8 +80,8 @@ pub use presets::{Change, PresetReport, PresetsReport, changes};
 pub use reply::{Empty, Ending, Reply, Report};
 pub use robust::{ModelReport, RobustReport, robust_toml};
 pub use sensitivity::{
-    Analysis, DirectionReport, EventReport, FlatEllipseReport, PredictedOptimum, ResolvedOptimum,
-    SensitivityOf, SensitivityReport, StatedChangeReport,
+    Analysis, PredictedOptimum, ResolvedOptimum, SensitivityOf, SensitivityReport,
+    StatedChangeReport,
 };
 #[cfg(feature = "commands")]
 pub(crate) use setup_file::with_step_of;
@@ -111,15 +104,11 @@ pub use sweep::SweepParquet;
 pub(crate) use sweep::SweepRow;
 pub use sweep::{SweepCsv, SweepJsonLines, summary_document};
 pub use swings::{
-    NominalReport, OverSwings, ResampledReport, SamplingReport, ScenarioRule, ScenariosReport,
-    StudiesReport,
+    NominalReport, OverSwings, SamplingReport, ScenarioRule, ScenariosReport, StudiesReport,
 };
 pub use uncertainty::{
     DistributionName, EllipseReport, EllipseSource, IndicesReport, InputReport, LandingPoint,
-    MeasureFirst, OutcomeUncertaintyReport, SampledReport, UncertaintyReport,
+    OutcomeUncertaintyReport, UncertaintyReport,
 };
-pub use validation::{
-    BiasInOtherAir, CaseReport, LawScoresReport, ResidualReport, ScoreReport, SetReport,
-    ValidationReport,
-};
+pub use validation::ValidationReport;
 pub use winfield_tan::WinfieldTanReport;

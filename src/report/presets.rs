@@ -35,31 +35,20 @@ impl SourcedValue {
     }
 }
 
-/// The choices of a setup that are not numbers.
-struct Choices {
-    golfer: SourcedValue,
-    speed_of: SourcedValue,
-    method: SourcedValue,
-    law: SourcedValue,
-    /// The user's table of drag and lift.
-    table: Option<SourcedValue>,
-}
-
-impl Choices {
-    /// Inserts the choices next to the numbers that they concern: the golfer first, then the point
-    /// of the club speed, the method before the step, the law before its coefficients.
-    fn insert_into(self, rows: &mut Vec<SourcedValue>) {
-        let place = |rows: &[SourcedValue], is: &dyn Fn(&str) -> bool| {
-            let place = rows.iter().position(|row| is(row.name));
-            place.unwrap_or(rows.len())
+/// Inserts the choices of a setup next to the numbers that they concern: the golfer first, then the
+/// point of the club speed, the method before the step, law and table before the coefficients.
+fn insert_choices(rows: &mut Vec<SourcedValue>, choices: impl IntoIterator<Item = SourcedValue>) {
+    for choice in choices {
+        let place = match choice.name {
+            GOLFER => Some(0),
+            SPEED_OF => {
+                let speed = rows.iter().position(|row| row.name == "swing.speed");
+                Some(speed.map_or(0, |at| at + 1))
+            }
+            METHOD => rows.iter().position(|row| row.name == "flight.step"),
+            _ => rows.iter().position(|row| row.name.starts_with("aero.")),
         };
-        let law_at = place(rows, &|name| name.starts_with("aero."));
-        rows.splice(law_at..law_at, [self.law].into_iter().chain(self.table));
-        let method_at = place(rows, &|name| name == "flight.step");
-        rows.insert(method_at, self.method);
-        let speed = rows.iter().position(|row| row.name == "swing.speed");
-        rows.insert(speed.map_or(0, |at| at + 1), self.speed_of);
-        rows.insert(0, self.golfer);
+        rows.insert(place.unwrap_or(rows.len()), choice);
     }
 }
 
@@ -82,22 +71,21 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> 
     let method = entry(METHOD).map_or("the classical method, which the sources use", |entry| {
         entry.source
     });
-    let choices = Choices {
-        golfer: SourcedValue::new(
-            GOLFER,
-            setup.golfer.name(),
-            "right-handed, as the golfers of the sources",
-        ),
-        speed_of: SourcedValue::new(
+    let choices = [
+        SourcedValue::new(LAW, setup.law.name(), law),
+        SourcedValue::new(METHOD, setup.method.name(), method),
+        SourcedValue::new(
             SPEED_OF,
             setup.speed_of.name(),
             "as radars state it, within millimetres",
         ),
-        method: SourcedValue::new(METHOD, setup.method.name(), method),
-        law: SourcedValue::new(LAW, setup.law.name(), law),
-        table: None,
-    };
-    choices.insert_into(&mut rows);
+        SourcedValue::new(
+            GOLFER,
+            setup.golfer.name(),
+            "right-handed, as the golfers of the sources",
+        ),
+    ];
+    insert_choices(&mut rows, choices);
     rows
 }
 
@@ -154,14 +142,14 @@ pub(super) fn sources(
         .map(number)
         .collect();
     let table = setup.law.table();
-    let choices = Choices {
-        golfer: choice(GOLFER, setup.golfer.name(), base.golfer.name()),
-        speed_of: choice(SPEED_OF, setup.speed_of.name(), base.speed_of.name()),
-        method: choice(METHOD, setup.method.name(), base.method.name()),
-        law: choice(LAW, setup.law.name(), base.law.name()),
-        table: table.map(|table| SourcedValue::new(TABLE, table.file(), source(TABLE, false))),
-    };
-    choices.insert_into(&mut rows);
+    let table = table.map(|table| SourcedValue::new(TABLE, table.file(), source(TABLE, false)));
+    let choices = [
+        choice(LAW, setup.law.name(), base.law.name()),
+        choice(METHOD, setup.method.name(), base.method.name()),
+        choice(SPEED_OF, setup.speed_of.name(), base.speed_of.name()),
+        choice(GOLFER, setup.golfer.name(), base.golfer.name()),
+    ];
+    insert_choices(&mut rows, table.into_iter().chain(choices));
     Ok(rows)
 }
 

@@ -9,7 +9,9 @@ use super::shown;
 use super::swings::OverSwings;
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
-use crate::study::{Changed, Direction, Ellipse, Flatness, Optima, Optimum, Sensitivity, Vary};
+use crate::study::{
+    Changed, Direction, Ellipse, Flatness, Optima, Optimum, PredictedEvent, Sensitivity, Vary,
+};
 use crate::units::{Message, Quantity, System, printed, significant, with_unit};
 use serde::Serialize;
 
@@ -35,10 +37,10 @@ pub struct SensitivityReport {
     /// The derivatives of the optimum by each parameter.
     pub sensitivity: Option<ByName<SensitivityOf>>,
     /// The directions of the free parameters, the flattest first.
-    pub directions: Option<Vec<DirectionReport>>,
+    pub directions: Option<Vec<Direction>>,
     /// The ellipses of pairs of free parameters, from the quadratic model without bounds; empty if
     /// a constraint is active.
-    pub ellipses: Option<Vec<FlatEllipseReport>>,
+    pub ellipses: Option<Vec<Ellipse>>,
     /// The effects of stated changes: predicted, and from a new search.
     pub changes: Option<Vec<StatedChangeReport>>,
 }
@@ -57,30 +59,6 @@ pub struct SensitivityOf {
     pub message: Option<String>,
 }
 
-/// A direction in the space of the free parameters.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct DirectionReport {
-    /// The components of the direction, by parameter.
-    pub along: ByName<Number>,
-    /// The multiple of the direction at which the quadratic model has the stated loss.
-    pub reach: Number,
-    /// The losses of drives computed at this multiple, in both directions, SI.
-    pub losses: [Option<f64>; 2],
-}
-
-/// The ellipse in two parameters on which the quadratic model has the stated loss.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct FlatEllipseReport {
-    /// The parameters.
-    pub parameters: [&'static str; 2],
-    /// The half-axes as components of the parameters, SI, the longer one first.
-    pub half_axes: [[f64; 2]; 2],
-    /// The smallest and the largest loss of drives computed on the ellipse, SI.
-    pub losses: Option<(f64, f64)>,
-}
-
 /// The effect of a stated change.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -94,7 +72,7 @@ pub struct StatedChangeReport {
     /// The optimum of a new search.
     pub resolved: ResolvedOptimum,
     /// The first predicted change of the active bounds and constraints.
-    pub event: Option<EventReport>,
+    pub event: Option<PredictedEvent>,
     /// The actual changes of the active bounds and constraints, or the reason why no optimum was
     /// found.
     pub differences: Vec<Message>,
@@ -123,16 +101,6 @@ pub struct ResolvedOptimum {
     /// The varied parameters at the optimum, SI.
     pub optimum: Option<ByName<Number>>,
     /// The status in a sentence.
-    pub message: Message,
-}
-
-/// A change of the active bounds and constraints.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct EventReport {
-    /// The fraction of the change at which the event occurs, 0 to 1.
-    pub after: f64,
-    /// The event.
     pub message: Message,
 }
 
@@ -192,28 +160,17 @@ impl SensitivityReport {
             flatness,
             changes,
         } = analysis;
-        let vary = &best.search.vary;
         let sensitivity = sensitivities
             .iter()
             .map(|(parameter, found)| (parameter.name, SensitivityOf::new(best, found)));
-        let directions = flatness.directions.iter().map(|direction| DirectionReport {
-            along: ByName::of_varied(vary, &direction.along),
-            reach: direction.reach.into(),
-            losses: direction.losses,
-        });
-        let ellipses = flatness.ellipses.iter().map(|ellipse| FlatEllipseReport {
-            parameters: ellipse.pair.map(|i| vary[i].parameter.name),
-            half_axes: ellipse.half_axes,
-            losses: ellipse.losses,
-        });
         let changes = changes
             .iter()
             .map(|changed| StatedChangeReport::new(best, changed));
         Self {
             optimum,
             sensitivity: Some(sensitivity.collect()),
-            directions: Some(directions.collect()),
-            ellipses: Some(ellipses.collect()),
+            directions: Some(flatness.directions.clone()),
+            ellipses: Some(flatness.ellipses.clone()),
             changes: Some(changes.collect()),
         }
     }
@@ -256,10 +213,7 @@ impl StatedChangeReport {
                 optimum: value.map(|_| ByName::of_varied(vary, &resolved.solution.x)),
                 message: resolved.message(),
             },
-            event: changed.event.as_ref().map(|(after, message)| EventReport {
-                after: *after,
-                message: message.clone(),
-            }),
+            event: changed.event.clone(),
             differences: changed.differences.clone(),
         }
     }
@@ -409,9 +363,9 @@ fn step(parameter: &Parameter, amount: f64, system: System) -> String {
 /// An ellipse in words, such as "ellipse of club.loft and swing.attack_angle for a loss of 1.00 yd:
 /// half-axes (+1.20 deg, -3.40 deg) and (…); drives around it lose 0.90 yd to 1.10 yd".
 fn ellipse_line(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -> String {
-    let pair = ellipse.pair.map(|i| best.search.vary[i].parameter);
+    let parameters = ellipse.parameters;
     let axis = |components: [f64; 2]| {
-        let [first, second] = [0, 1].map(|row| step(pair[row], components[row], system));
+        let [first, second] = [0, 1].map(|row| step(parameters[row], components[row], system));
         format!("({first}, {second})")
     };
     let of = best.search.outcome();
@@ -422,7 +376,7 @@ fn ellipse_line(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -
             format!("drives around it lose {least} to {most}")
         });
     let [long, short] = ellipse.half_axes.map(axis);
-    let [first, second] = pair.map(|parameter| parameter.name);
+    let [first, second] = parameters.map(|parameter| parameter.name);
     format!(
         "ellipse of {first} and {second} for a loss of {loss}, by the quadratic model, without \
          bounds and constraints: half-axes {long} and {short}; \
@@ -433,19 +387,11 @@ fn ellipse_line(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -
 /// A direction in words, such as "together club.loft +1.20 deg, swing.attack_angle -0.90 deg, or
 /// the opposite: …".
 fn direction_line(best: &Optimum, direction: &Direction, loss: &str, system: System) -> String {
-    let moves = best
-        .search
-        .vary
-        .iter()
-        .zip(&direction.along)
-        .filter(|(_, along)| **along != 0.0);
+    let moves = direction.along.iter().filter(|(_, along)| *along != 0.0);
     let moves: Vec<_> = moves
-        .map(|(vary, along)| {
-            format!(
-                "{} {}",
-                vary.parameter.name,
-                step(vary.parameter, along * direction.reach, system)
-            )
+        .map(|(parameter, along)| {
+            let step = step(parameter, along * direction.reach, system);
+            format!("{} {step}", parameter.name)
         })
         .collect();
     let of = best.search.outcome();
@@ -509,11 +455,11 @@ fn change(best: &Optimum, changed: &Changed, system: System) -> Table {
     ];
     let columns = head.len();
     let mut table = Table::new(head, rows).right(1..columns);
-    if let Some((part, words)) = &changed.event {
+    if let Some(PredictedEvent { after, message }) = &changed.event {
         table.remark(format!(
             "predicted: {} after {} % of the change",
-            words.in_units(system),
-            significant(100.0 * part, 3)
+            message.in_units(system),
+            significant(100.0 * after, 3)
         ));
     }
     for difference in &changed.differences {

@@ -90,7 +90,7 @@ pub struct StudiesReport {
     pub beyond_strokes: Option<f64>,
     /// The optima of resamples of recorded swings, and the number of swings needed to distinguish
     /// the best design from the design before the search.
-    pub resampled: Option<ResampledReport>,
+    pub resampled: Option<Resampled>,
 }
 
 /// The best design for the mean swing.
@@ -114,23 +114,6 @@ pub struct SamplingReport {
     pub interval: Interval,
     /// The number of sequences.
     pub sequences: usize,
-}
-
-/// The optima of resamples of recorded swings.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ResampledReport {
-    /// The 95 % interval of each varied parameter.
-    pub optimum: ByName<Interval>,
-    /// The 95 % interval of the objective.
-    pub value: Interval,
-    /// The number of resamples whose search converged.
-    pub rounds: usize,
-    /// The 95 % interval of the gain over the design before the search.
-    pub better_than_set_up: Option<Interval>,
-    /// The number of swings needed to distinguish the best design from the design before the
-    /// search.
-    pub swings_to_tell: Option<u64>,
 }
 
 impl StudiesReport {
@@ -166,35 +149,14 @@ impl StudiesReport {
                 _ => None,
             },
             beyond_strokes: best.beyond_strokes,
-            resampled: over
-                .resampled
-                .as_ref()
-                .map(|found| resampled_report(best, found)),
+            resampled: over.resampled.clone(),
         })
     }
 }
 
-fn resampled_report(best: &Optimum, found: &Resampled) -> ResampledReport {
-    let vary = best.search.vary.iter();
-    let optimum = vary
-        .zip(&found.design)
-        .map(|(vary, design)| (vary.parameter.name, *design));
-    ResampledReport {
-        optimum: optimum.collect(),
-        value: found.goal,
-        rounds: found.rounds,
-        better_than_set_up: found.significance.map(|gain| gain.better),
-        swings_to_tell: found.significance.and_then(|gain| gain.swings),
-    }
-}
-
-fn nominal(price: Option<&Price>) -> Option<&Nominal> {
-    price?.nominal.as_ref().ok()
-}
-
 /// The best design for the mean swing.
-pub(super) fn nominal_design(price: Option<&Price>) -> Option<&[f64]> {
-    Some(&nominal(price)?.design)
+pub(super) fn nominal(price: Option<&Price>) -> Option<&Nominal> {
+    price?.nominal.as_ref().ok()
 }
 
 /// Sentences about results that could not be computed.
@@ -373,31 +335,31 @@ fn sampling(best: &Optimum, price: Option<&Price>, system: System) -> String {
 /// The intervals of the best design from resamples of recorded swings.
 fn resampled(best: &Optimum, found: &Resampled, system: System) -> Vec<String> {
     let goal = &best.search.of;
-    let vary = best.search.vary.iter().zip(&found.design);
-    let mut notes: Vec<String> = vary
-        .map(|(vary, design)| {
-            let show = |value: f64| shown::parameter(vary.parameter, value, system);
+    let design = found.design.iter();
+    let mut notes: Vec<String> = design
+        .map(|(parameter, design)| {
+            let show = |value: f64| shown::parameter(parameter, value, system);
             format!(
                 "from these swings the best {} lies between {} and {} (95 %, {} resamples)",
-                vary.parameter.name,
+                parameter.name,
                 show(design.low),
                 show(design.high),
                 found.rounds
             )
         })
         .collect();
-    let Some(gain) = &found.significance else {
+    let Some(gain) = &found.gain else {
         return notes;
     };
     let show = |value: f64| shown::goal_difference(goal, value, system);
     let better = format!(
         "the best design is better than the one set up by {} (95 %: {} to {})",
-        show(gain.better.value),
-        show(gain.better.low),
-        show(gain.better.high)
+        show(gain.value),
+        show(gain.low),
+        show(gain.high)
     );
     let recorded = best.search.scenarios.points.len() as u64;
-    notes.push(match gain.swings {
+    notes.push(match found.swings_needed {
         Some(needed) if needed <= recorded => format!(
             "{better}: these swings suffice to show the \
                                                        difference"

@@ -4,7 +4,8 @@ use super::reply::{Ending, Report, share};
 use super::shown;
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::study::uncertainty::{
-    Distribution, Interval, Moments, OutcomeUncertainty, Statistics, Uncertain, Uncertainty,
+    Distribution, Interval, MeasureFirst, Moments, OutcomeUncertainty, Statistics, Uncertain,
+    Uncertainty,
 };
 use crate::units::{Quantity, System, counted, counted_of};
 use serde::Serialize;
@@ -81,25 +82,11 @@ pub struct OutcomeUncertaintyReport {
     /// The moments from gradient and Hessian at the means.
     pub second_order: Option<Moments>,
     /// The statistics of the sample; `null` if no drive of the sample has the outcome.
-    pub monte_carlo: Option<SampledReport>,
+    pub monte_carlo: Option<Statistics>,
     /// The Sobol' indices: the share of each uncertain parameter in the variance.
     pub indices: Vec<IndicesReport>,
     /// The parameter whose exact knowledge reduces the uncertainty most.
     pub measure_first: Option<MeasureFirst>,
-}
-
-/// The statistics of an outcome over the sample.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct SampledReport {
-    /// The mean, SI.
-    pub mean: Interval,
-    /// The standard deviation, SI.
-    pub standard_uncertainty: Interval,
-    /// The quantiles at 2.5, 50 and 97.5 %, SI.
-    pub quantiles: ByName<f64>,
-    /// Number of omitted points with a drive that does not have the outcome.
-    pub rows_left_out: usize,
 }
 
 /// The contribution of an uncertain parameter to the variance of an outcome.
@@ -116,16 +103,6 @@ pub struct IndicesReport {
     pub mean_square_slope: Number,
     /// The upper bound of the total index, from the derivatives.
     pub bound: Option<Interval>,
-}
-
-/// The parameter whose exact knowledge reduces the uncertainty of an outcome most.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct MeasureFirst {
-    /// The parameter.
-    pub parameter: &'static str,
-    /// The standard uncertainty of the outcome once the parameter is known exactly, SI.
-    pub standard_uncertainty: f64,
 }
 
 /// An ellipse of the landings.
@@ -223,26 +200,14 @@ impl OutcomeUncertaintyReport {
                 bound: slopes.map(|slopes| slopes.bound),
             }
         });
-        let measure_first = outcome.measure_first(inputs);
         Self {
             of: outcome.of,
             varies: outcome.varies(),
             delta: outcome.delta.map(|(first, _)| first),
             second_order: outcome.delta.and_then(|(_, second)| second),
-            monte_carlo: sampled.map(|sampled| {
-                let levels = ["2.5 %", "50 %", "97.5 %"];
-                SampledReport {
-                    mean: sampled.mean,
-                    standard_uncertainty: sampled.deviation,
-                    quantiles: levels.into_iter().zip(sampled.quantiles).collect(),
-                    rows_left_out: sampled.left_out,
-                }
-            }),
+            monte_carlo: outcome.sampled.clone(),
             indices: indices.collect(),
-            measure_first: measure_first.map(|(parameter, deviation)| MeasureFirst {
-                parameter: parameter.name,
-                standard_uncertainty: deviation,
-            }),
+            measure_first: outcome.measure_first(inputs),
         }
     }
 }
@@ -488,11 +453,11 @@ fn shares_lines(
         format!("shares of the variance of {of}: {}", shares.join(", "))
     });
     let first = outcome.measure_first(&found.inputs);
-    let first = first.map(|(parameter, deviation)| {
+    let first = first.map(|first| {
         format!(
             "measure {} first: once it is known exactly, the standard deviation falls to {}",
-            parameter.name,
-            shown::spread(outcome.of, deviation, system)
+            first.parameter.name,
+            shown::spread(outcome.of, first.deviation, system)
         )
     });
     shares.into_iter().chain(first).map(Line::item).collect()

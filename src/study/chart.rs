@@ -195,9 +195,6 @@ pub fn chart(
     )
 }
 
-/// Callback for an iteration.
-type Show = Rc<dyn Fn(&Iteration)>;
-
 /// Callbacks and cancellation flag of a chart.
 #[derive(Clone, Default)]
 pub struct ChartObserver {
@@ -207,7 +204,7 @@ pub struct ChartObserver {
     /// and further values if there is no optimum at the low end.
     pub beginning: Option<Rc<dyn Fn(f64)>>,
     /// Receives every iteration of every search.
-    pub iteration: Option<Show>,
+    pub iteration: Option<Rc<dyn Fn(&Iteration)>>,
 }
 
 impl ChartObserver {
@@ -461,9 +458,8 @@ impl Follower<'_> {
         let predicted = predicted(&here.best.solution.x, &rates, to - here.at, &bounds);
         let mut setup = here.best.setup;
         setup.set_value(self.along.parameter, Some(to))?;
-        for (vary, x) in self.search.vary.iter().zip(&predicted) {
-            setup.set_value(vary.parameter, Some(*x))?;
-        }
+        let varied: Vec<_> = self.search.vary.iter().map(|vary| vary.parameter).collect();
+        let setup = setup.with_values(&varied, &predicted)?;
         let options = Options {
             initial_radius: RADIUS,
             ..self.search.options.clone()

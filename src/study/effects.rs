@@ -122,7 +122,7 @@ pub fn effects(
                 flown: flown.each_ref().map(|values| {
                     values
                         .as_ref()
-                        .map(|values| change(of[i], taylors[i].value, values[i]))
+                        .map(|values| of[i].change(taylors[i].value, values[i]))
                 }),
             });
         }
@@ -169,11 +169,6 @@ fn ranked(
             .unwrap_or(std::cmp::Ordering::Equal)
     });
     Effects { of, value, effects }
-}
-
-/// Difference between two values of an outcome.
-fn change(of: Outcome, from: f64, to: f64) -> f64 {
-    of.unwrap_angle(to, from) - from
 }
 
 /// Sort key of an effect: effects with an uncertainty first, then by magnitude.

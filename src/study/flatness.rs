@@ -5,12 +5,15 @@ use super::problem::SearchProblem;
 use crate::derivative::Evaluator;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
+use crate::json::{number, numbers_by_name};
 use crate::optimize::sensitivity::{ActiveSet, reduced_hessian};
 use crate::optimize::{Domain, Status};
+use crate::parameters::Parameter;
 use crate::units::Quantity;
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::brent::BrentRoot;
 use nalgebra::DMatrix;
+use serde::Serialize;
 
 /// The surroundings of an optimum within a stated loss.
 #[derive(Clone, Debug)]
@@ -34,16 +37,16 @@ pub struct Window {
     /// The lower end, SI.
     pub low: f64,
     /// The reason for the lower end.
-    pub low_limit: Limit,
+    pub low_limit: WindowLimit,
     /// The upper end, SI.
     pub high: f64,
     /// The reason for the upper end.
-    pub high_limit: Limit,
+    pub high_limit: WindowLimit,
 }
 
 /// The reason for the end of a window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Limit {
+pub enum WindowLimit {
     /// The allowed loss.
     Loss,
     /// A bound of the search.
@@ -54,30 +57,40 @@ pub enum Limit {
     NoFlight,
 }
 
-/// A direction in which the free parameters move together, an eigenvector of the reduced Hessian in
-/// units of their ranges.
-#[derive(Clone, Debug, PartialEq)]
+/// A direction in the space of the free parameters.
+// an eigenvector of the reduced Hessian in units of the ranges, in which its length is 1
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "DirectionReport"))]
 pub struct Direction {
-    /// Component along each varied parameter, SI. The length is 1 in units of the ranges.
-    pub along: Vec<f64>,
-    /// Distance along the direction at which the loss reaches the allowed loss to second order, in
-    /// multiples of `along`.
+    /// The components of the direction, by parameter.
+    #[serde(serialize_with = "numbers_by_name")]
+    #[cfg_attr(
+        test,
+        schemars(with = "std::collections::BTreeMap<String, crate::json::Number>")
+    )]
+    pub along: Vec<(&'static Parameter, f64)>,
+    /// The multiple of the direction at which the quadratic model has the stated loss.
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub reach: f64,
-    /// Losses of the drives at this distance in both directions; `None` outside of the ranges, and
-    /// for a drive that does not fly.
+    /// The losses of drives computed at this multiple, in both directions, SI.
+    // `None` outside of the ranges, and for a drive that does not fly
     pub losses: [Option<f64>; 2],
 }
 
-/// An ellipse around the optimum in the plane of two parameters, with all other parameters fixed.
-#[derive(Clone, Debug, PartialEq)]
+/// The ellipse in two parameters on which the quadratic model has the stated loss.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "FlatEllipseReport"))]
 pub struct Ellipse {
-    /// The indices of the two parameters in the search.
-    pub pair: [usize; 2],
-    /// The two half-axes as components along the two parameters, SI. The half-axis that is longer
-    /// in units of the ranges comes first.
+    /// The parameters.
+    pub parameters: [&'static Parameter; 2],
+    /// The half-axes as components of the parameters, SI, the longer one first.
+    // the one that is longer in units of the ranges
     pub half_axes: [[f64; 2]; 2],
-    /// Smallest and largest loss of the drives on the ellipse that meet the ranges and constraints;
-    /// `None` if no drive meets them.
+    /// The smallest and the largest loss of drives computed on the ellipse, SI.
+    // of the drives that meet the ranges and constraints
     pub losses: Option<(f64, f64)>,
 }
 
@@ -223,16 +236,16 @@ impl<'a> Top<'a> {
     }
 
     /// The end of the window of variable i towards a bound.
-    fn end(&self, i: usize, bound: f64) -> Result<(f64, Limit)> {
+    fn end(&self, i: usize, bound: f64) -> Result<(f64, WindowLimit)> {
         let from = self.best.solution.x[i];
         let width = bound - from;
         if width == 0.0 {
-            return Ok((from, Limit::Bound));
+            return Ok((from, WindowLimit::Bound));
         }
         let is_within = |part: f64| match self.lost_at(&self.moved(i, from + part * width)) {
-            None => Err(Limit::NoFlight),
-            Some(Err(j)) => Err(Limit::Constraint(j)),
-            Some(Ok(lost)) if lost > self.loss => Err(Limit::Loss),
+            None => Err(WindowLimit::NoFlight),
+            Some(Err(j)) => Err(WindowLimit::Constraint(j)),
+            Some(Ok(lost)) if lost > self.loss => Err(WindowLimit::Loss),
             Some(Ok(_)) => Ok(()),
         };
         // search outward from a small step, to find the end next to the optimum
@@ -241,25 +254,25 @@ impl<'a> Top<'a> {
         let (mut outside, mut limit) = loop {
             match is_within(part) {
                 Err(limit) => break (part, limit),
-                Ok(()) if part >= 1.0 => return Ok((bound, Limit::Bound)),
+                Ok(()) if part >= 1.0 => return Ok((bound, WindowLimit::Bound)),
                 Ok(()) => inside = part,
             }
             part = (part * 1.25).min(1.0);
         };
         // bisection: the end at a constraint, or where the ball no longer flies, is not a root of a
         // smooth function
-        while limit != Limit::Loss && outside - inside > 1e-12 {
+        while limit != WindowLimit::Loss && outside - inside > 1e-12 {
             let middle = 0.5 * (inside + outside);
             match is_within(middle) {
                 Ok(()) => inside = middle,
                 Err(other) => (outside, limit) = (middle, other),
             }
         }
-        if limit != Limit::Loss {
+        if limit != WindowLimit::Loss {
             return Ok((from + inside * width, limit));
         }
         let part = self.crossing(i, from, width, inside, outside)?;
-        Ok((from + part * width, Limit::Loss))
+        Ok((from + part * width, WindowLimit::Loss))
     }
 
     /// Fraction of the distance to a bound at which the loss equals the allowed loss.
@@ -308,8 +321,9 @@ impl<'a> Top<'a> {
                     .collect();
                 self.lost_within(&x)
             });
+            let varied = self.best.search.vary.iter().map(|vary| vary.parameter);
             Direction {
-                along,
+                along: varied.zip(along).collect(),
                 reach,
                 losses,
             }
@@ -379,7 +393,7 @@ impl<'a> Top<'a> {
             }))
         });
         Some(Ellipse {
-            pair,
+            parameters: pair.map(|i| self.best.search.vary[i].parameter),
             half_axes,
             losses,
         })

@@ -31,20 +31,17 @@ pub struct ClubAlone {
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum).
 pub fn club_alone(best: &Optimum) -> Result<Option<ClubAlone>> {
-    let (club, swing): (Vec<_>, Vec<_>) = best
-        .search
-        .vary
-        .iter()
-        .copied()
-        .partition(|vary| is_bought(vary.parameter));
-    let is_of_swing = |parameter: &Parameter| {
-        ["swing.", "strike."]
-            .iter()
-            .any(|group| parameter.name.starts_with(group))
+    let is_of = |groups: [&str; 2], parameter: &Parameter| {
+        groups.iter().any(|group| parameter.name.starts_with(group))
     };
+    let vary = best.search.vary.iter().copied();
+    let (club, swing): (Vec<_>, Vec<_>) =
+        vary.partition(|vary| is_of(["club.", "ball."], vary.parameter));
     if club.is_empty()
         || swing.is_empty()
-        || !swing.iter().all(|vary| is_of_swing(vary.parameter))
+        || !swing
+            .iter()
+            .all(|vary| is_of(["swing.", "strike."], vary.parameter))
         || !best.search.scenarios.is_one_drive()
     {
         return Ok(None);
@@ -68,11 +65,4 @@ pub fn club_alone(best: &Optimum) -> Result<Option<ClubAlone>> {
         value,
         rest: best - value,
     }))
-}
-
-/// True for parameters of the club and the ball.
-fn is_bought(parameter: &Parameter) -> bool {
-    ["club.", "ball."]
-        .iter()
-        .any(|group| parameter.name.starts_with(group))
 }

@@ -38,7 +38,7 @@ pub use compare::{Cause, Comparison, Difference, Share, Shares, causes};
 pub use effects::{Bar, Effect, Effects, effects, flown_off};
 pub use face::Face;
 pub use flatness::{
-    Direction, Ellipse, Flatness, Limit, Window, flatness, short_drive, usual_loss, windows,
+    Direction, Ellipse, Flatness, Window, WindowLimit, flatness, short_drive, usual_loss, windows,
 };
 pub use gain::{ClubAlone, club_alone};
 pub use goal::{Constraint, Goal};
@@ -53,7 +53,7 @@ pub use region::Region;
 pub use sample::Sample;
 pub use search::{Search, Sense};
 pub use sensitivity::{
-    Change, Changed, Sensitivity, change, refuse_varied, sensitivities, sensitivity,
+    Change, Changed, PredictedEvent, Sensitivity, change, refuse_varied, sensitivities, sensitivity,
 };
-pub use sigma::{Sigma, given_twice, with_defaults};
+pub use sigma::{Sigma, refuse_given_twice, with_defaults};
 pub use verdict::{Active, BoundSide};

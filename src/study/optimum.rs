@@ -9,7 +9,7 @@
 use super::cancellable::stopped;
 use super::goal::{Constraint, Goal};
 use super::problem::SearchProblem;
-use super::sample::{Resampled, Sample, resample};
+use super::sample::{Sample, SampleSearch, resample};
 use super::search::Search;
 use super::swings::Scenarios;
 use crate::drive::{Drive, Outcome};
@@ -364,7 +364,7 @@ impl Study {
         &self,
         end: &Solution,
         observer: impl Fn() -> Observer,
-    ) -> Result<Option<Resampled>> {
+    ) -> Result<Option<SampleSearch>> {
         if !self.search.scenarios.is_one_drive() || end.status == Status::Interrupted {
             return Ok(None);
         }
@@ -423,8 +423,7 @@ impl Study {
             let objective = self.search.sense.sign() * value;
             return Some(std::iter::once(objective).chain(limited).collect());
         }
-        let never = AtomicBool::new(false);
-        self.problem.values_until(&solution.x, &never).ok()
+        self.problem.values_uninterrupted(&solution.x).ok()
     }
 
     fn optimum(

@@ -369,15 +369,15 @@ impl SearchProblem {
     /// [`Error::NoFlight`] if the ball does not fly in one of the scenarios;
     /// [`Error::NotConverged`] once stopped.
     pub fn values(&self, x: &[f64]) -> Result<Vec<f64>> {
-        self.values_until(x, &self.stop)
+        self.reported(&self.moved(x)?, x, &self.stop)
     }
 
-    /// Like [`values`](Self::values); ends with an error once `stop` is true.
+    /// Like [`values`](Self::values), also after an interrupt.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
-    pub fn values_until(&self, x: &[f64], stop: &AtomicBool) -> Result<Vec<f64>> {
-        self.reported(&self.moved(x)?, x, stop)
+    pub fn values_uninterrupted(&self, x: &[f64]) -> Result<Vec<f64>> {
+        self.reported(&self.moved(x)?, x, &AtomicBool::new(false))
     }
 
     /// Values of the goals at the setup's own design. If the setup has no value for a varied
@@ -389,28 +389,18 @@ impl SearchProblem {
         self.reported(&self.set_up, &self.own(), &self.stop)
     }
 
-    /// Exact values of the goals at `x`, with `weights` for the scenarios.
+    /// Exact values of the goals of a setup with the design `x`, with `weights` for the scenarios.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
-    pub fn weighted_values(&self, x: &[f64], weights: &[f64]) -> Result<Vec<f64>> {
-        Ok(self.exact(
-            x,
-            &columns(&self.moved(x)?, &self.of, &self.scenarios, &self.stop)?,
-            weights,
-        ))
-    }
-
-    /// Values of the goals at the setup's own design, over the scenarios with other weights.
-    ///
-    /// # Errors
-    /// The errors of [`values`](Self::values).
-    pub fn weighted_as_set_up(&self, weights: &[f64]) -> Result<Vec<f64>> {
-        Ok(self.exact(
-            &self.own(),
-            &columns(&self.set_up, &self.of, &self.scenarios, &self.stop)?,
-            weights,
-        ))
+    pub fn weighted_values(
+        &self,
+        setup: &Setup<f64>,
+        x: &[f64],
+        weights: &[f64],
+    ) -> Result<Vec<f64>> {
+        let flown = columns(setup, &self.of, &self.scenarios, &self.stop)?;
+        Ok(self.exact(x, &flown, weights))
     }
 
     /// Values of the goals at `x`, over each of the [`sequences`](Scenarios::sequences).
@@ -431,7 +421,7 @@ impl SearchProblem {
     }
 
     /// Values of the varied parameters in the setup as given.
-    fn own(&self) -> Vec<f64> {
+    pub fn own(&self) -> Vec<f64> {
         let own = |parameter: &&'static Parameter| {
             self.set_up
                 .value(parameter)

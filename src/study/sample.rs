@@ -23,7 +23,7 @@ pub struct Sample {
 }
 
 /// A sample, with the better end of a search from one of its points.
-pub(super) struct Resampled {
+pub(super) struct SampleSearch {
     pub sample: Sample,
     /// The better solution; `None` if no search from a point of the sample ended better.
     pub solution: Option<Solution>,
@@ -50,7 +50,7 @@ pub(super) fn resample(
     end: &Solution,
     interrupt: &AtomicBool,
     mut search: impl FnMut(&[f64]) -> Result<Solution>,
-) -> Result<Option<Resampled>> {
+) -> Result<Option<SampleSearch>> {
     let Some(points) = fly(problem, interrupt)? else {
         return Ok(None);
     };
@@ -88,7 +88,7 @@ pub(super) fn resample(
         better,
         improved: solution.is_some(),
     };
-    Ok(Some(Resampled { sample, solution }))
+    Ok(Some(SampleSearch { sample, solution }))
 }
 
 /// A point of a sample whose drive has every outcome.

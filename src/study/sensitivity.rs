@@ -8,6 +8,7 @@ use crate::optimize::sensitivity::{Event, first_event, response};
 use crate::optimize::{Observer, Status};
 use crate::parameters::{Parameter, Setup};
 use crate::units::{Message, Quantity};
+use serde::Serialize;
 
 /// Sensitivity of an optimum to a parameter that is not varied.
 #[derive(Clone, Debug)]
@@ -143,6 +144,17 @@ impl Change {
     }
 }
 
+/// A change of the active bounds and constraints.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "EventReport"))]
+pub struct PredictedEvent {
+    /// The fraction of the change at which the event occurs, 0 to 1.
+    pub after: f64,
+    /// The event.
+    pub message: Message,
+}
+
 /// Effect of a change on an optimum: predicted from the sensitivity, and found by a new search.
 #[derive(Clone, Debug)]
 pub struct Changed {
@@ -156,9 +168,8 @@ pub struct Changed {
     pub predicted: Vec<f64>,
     /// Optimum of the new search.
     pub resolved: Optimum,
-    /// First predicted change of the active set, with the fraction of the parameter change at which
-    /// it happens (first order).
-    pub event: Option<(f64, Message)>,
+    /// First predicted change of the active set (first order).
+    pub event: Option<PredictedEvent>,
     /// Actual changes of the active set.
     pub differences: Vec<Message>,
 }
@@ -202,7 +213,10 @@ pub fn change(
             .zip(&response.x)
             .map(|(x, rate)| x + rate * delta)
             .collect(),
-        event: event.map(|(part, event)| (part, in_words(&best.search, event))),
+        event: event.map(|(after, event)| PredictedEvent {
+            after,
+            message: in_words(&best.search, event),
+        }),
         differences: differences(best, &resolved),
         resolved,
     })

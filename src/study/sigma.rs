@@ -92,13 +92,22 @@ impl Sigma {
     }
 }
 
-/// The error for a parameter with two uncertainties.
-pub fn given_twice(parameter: &Parameter) -> Error {
-    let source = "it is given twice; keep one".into();
-    Error::Unreadable {
-        name: format!("the uncertainty of {}", parameter.name),
-        source,
+/// Refuses two uncertainties of a parameter.
+///
+/// # Errors
+/// [`Error::Unreadable`] for a parameter that is given twice.
+pub fn refuse_given_twice(parameters: impl IntoIterator<Item = &'static Parameter>) -> Result<()> {
+    let mut before: Vec<&Parameter> = vec![];
+    for parameter in parameters {
+        if before.contains(&parameter) {
+            return Err(Error::Unreadable {
+                name: format!("the uncertainty of {}", parameter.name),
+                source: "it is given twice; keep one".into(),
+            });
+        }
+        before.push(parameter);
     }
+    Ok(())
 }
 
 /// Parses an amount of a parameter to SI: with a unit (`read` parses it as a value or as a
@@ -236,14 +245,7 @@ const DEFAULTS: &[(&str, Amount, &str)] = &[
 /// # Errors
 /// [`Error::Unreadable`] for a parameter that is given twice.
 pub fn with_defaults(setup: &Setup<f64>, given: &[Sigma], of: &[Outcome]) -> Result<Vec<Sigma>> {
-    for (i, sigma) in given.iter().enumerate() {
-        if given[..i]
-            .iter()
-            .any(|other| other.parameter == sigma.parameter)
-        {
-            return Err(given_twice(sigma.parameter));
-        }
-    }
+    refuse_given_twice(given.iter().map(|sigma| sigma.parameter))?;
     let mut all = given.to_vec();
     let runs = of.iter().any(|of| of.needs_run());
     for (name, amount, source) in DEFAULTS {

@@ -387,10 +387,10 @@ fn exact_loss_at_the_ends_of_windows() {
                 (window.high, window.high_limit),
             ] {
                 match limit {
-                    longdrive::study::Limit::Loss => {
+                    longdrive::study::WindowLimit::Loss => {
                         close(lost(i, end), 0.9144, 1.0, 1e-9, "loss at the window's end")
                     }
-                    other => assert_eq!(other, longdrive::study::Limit::Bound),
+                    other => assert_eq!(other, longdrive::study::WindowLimit::Bound),
                 }
                 for part in 1..20 {
                     assert!(lost(i, x + f64::from(part) / 20.0 * (end - x)) <= 0.9144 + 1e-9);
@@ -455,10 +455,12 @@ fn a_change_of_the_active_set_is_predicted_and_confirmed() {
         &Ok,
     )
     .unwrap();
-    let (part, words) = changed.event.unwrap();
+    let event = changed.event.unwrap();
     assert!(
-        part > 0.0 && part < 1.0 && words.to_string() == "apex_height <= 39 yd becomes active",
-        "{words}"
+        event.after > 0.0
+            && event.after < 1.0
+            && event.message.to_string() == "apex_height <= 39 yd becomes active",
+        "{event:?}"
     );
     assert!(
         changed

@@ -79,7 +79,7 @@ fn exact_delivery_recovered_from_its_own_prior() {
         found
             .explained
             .iter()
-            .all(|explained| explained.residual().abs() < 1e-9),
+            .all(|explained| explained.residual.abs() < 1e-9),
         "{found:?}"
     );
     // five numbers identify at most five parameters

@@ -304,14 +304,14 @@ fn sampled_interval_of_the_best_loft_from_recorded_swings() {
         let found = resampled(&setup, &best, 40, 0, &Arc::default())
             .unwrap()
             .unwrap();
-        let design = found.design[0];
+        let (_, design) = found.design[0];
         assert!(design.low < best.solution.x[0] && best.solution.x[0] < design.high);
         assert!(
             design.contains(truth.solution.x[0]),
             "{count}: {design:?} {}",
             truth.solution.x[0]
         );
-        assert!(found.rounds == 40 && found.significance.is_some_and(|gain| gain.better.low > 0.0));
+        assert!(found.rounds == 40 && found.gain.is_some_and(|gain| gain.low > 0.0));
         design.high - design.low
     });
     assert!((widths[0] / widths[1] - 3.0).abs() < 1.5, "{widths:?}");

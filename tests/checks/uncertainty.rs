@@ -273,8 +273,8 @@ fn exact_share_of_a_single_uncertain_parameter_is_one() {
         &|_, _| (),
     )
     .unwrap();
-    let (parameter, left) = found.outcomes[0].measure_first(&inputs).unwrap();
-    assert_eq!((parameter.name, left), ("club.loft", 0.0));
+    let first = found.outcomes[0].measure_first(&inputs).unwrap();
+    assert_eq!((first.parameter.name, first.deviation), ("club.loft", 0.0));
 }
 
 #[test]
@@ -415,9 +415,12 @@ fn sampled_drives_agree_with_gradients_where_nearly_linear() {
     let [carry, lateral] = found.outcomes.as_slice() else {
         panic!()
     };
-    assert_eq!(carry.measure_first(&inputs).unwrap().0.name, "swing.speed");
     assert_eq!(
-        lateral.measure_first(&inputs).unwrap().0.name,
+        carry.measure_first(&inputs).unwrap().parameter.name,
+        "swing.speed"
+    );
+    assert_eq!(
+        lateral.measure_first(&inputs).unwrap().parameter.name,
         "swing.face_angle"
     );
     assert_eq!(found.ellipses.len(), 4);
@@ -667,7 +670,10 @@ fn an_outcome_without_uncertain_parameters_says_so() {
         assert_eq!(outcome.measure_first(&found.inputs), None);
     }
     let carry = &found.outcomes[2];
-    assert!(carry.varies() && carry.measure_first(&found.inputs).unwrap().0.name == "air.density");
+    assert!(
+        carry.varies()
+            && carry.measure_first(&found.inputs).unwrap().parameter.name == "air.density"
+    );
     let report = UncertaintyReport::new(&found);
     let text = report.document(longdrive::units::System::Us).text(&WHOLE);
     assert!(
@@ -752,9 +758,9 @@ fn independent_remaining_deviation_where_one_parameter_dominates() {
     let node = 2.0 * 3.0_f64.sqrt();
     let exact = (at(0.0) * 2.0 / 3.0 + (at(node) + at(-node)) / 6.0).sqrt();
     for seed in 0..4 {
-        let (parameter, left) = run(&setup, &all, seed).measure_first(&all).unwrap();
-        assert_eq!(parameter.name, "swing.face_angle");
-        close(left, exact, exact, 0.1, "what is left");
+        let first = run(&setup, &all, seed).measure_first(&all).unwrap();
+        assert_eq!(first.parameter.name, "swing.face_angle");
+        close(first.deviation, exact, exact, 0.1, "what is left");
     }
 }
 

@@ -31,7 +31,7 @@ fn differences(of: &SetScores, law: &str, compared: Compared) -> Vec<f64> {
     score
         .residuals
         .iter()
-        .map(longdrive::study::validation::Residual::difference)
+        .map(|residual| residual.difference)
         .collect()
 }
 
@@ -213,7 +213,7 @@ fn same_mean_of_scattered_drives_and_of_uncertainty() {
         .find(|law| law.law == "launch-monitor")
         .unwrap();
     close(
-        law.averaged.unwrap() - law.scores[0].bias().unwrap(),
+        law.averaged.unwrap() - law.scores[0].bias.unwrap(),
         less,
         1.0,
         1e-4,
@@ -233,7 +233,7 @@ fn published_optima_of_trackmans_chart_are_met_by_an_impact_like_the_charts() {
         .sum::<f64>()
         / 30.0;
     let law = of.laws.iter().find(|law| law.law == "ferguson").unwrap();
-    let [carry, launch, spin] = [0, 1, 2].map(|at| law.scores[at].mean_absolute().unwrap());
+    let [carry, launch, spin] = [0, 1, 2].map(|at| law.scores[at].mean_absolute_error.unwrap());
     let (launch, spin) = (launch.to_degrees(), spin * 60.0 / std::f64::consts::TAU);
     assert!(
         carry < 0.02 * carries && launch < 1.0 && spin < 250.0,
@@ -266,7 +266,7 @@ fn misses_of_the_other_clubs_in_the_text_are_those_of_the_table() {
                     .iter()
                     .find(|score| score.of == of)
                     .unwrap()
-                    .bias()
+                    .bias
                     .unwrap()
             };
             let (carry, descent) = (

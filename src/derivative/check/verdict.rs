@@ -1,8 +1,11 @@
 use super::ladder::{LEAST_STEP, rounding_of};
 use super::{Estimate, Ladder, Side};
+use crate::json::Number;
+use serde::Serialize;
 
 /// Result of comparing an exact derivative with differences.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Verdict {
     /// Differences contradict the derivative, or cannot decide.
     Fail,
@@ -15,6 +18,11 @@ pub enum Verdict {
 impl Verdict {
     /// Every verdict.
     pub const ALL: [Self; 3] = [Self::Fail, Self::Corner, Self::Pass];
+
+    /// `Pass` for a check that passed, otherwise `Fail`.
+    pub fn of(passed: bool) -> Self {
+        if passed { Self::Pass } else { Self::Fail }
+    }
 
     /// Name in JSON: `pass`.
     pub fn name(self) -> &'static str {
@@ -77,25 +85,43 @@ pub struct Point {
     pub error: f64,
 }
 
-/// An exact derivative, compared with differences.
-#[derive(Clone, Debug)]
+/// A derivative compared with its numerical value.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "CheckReport"))]
 pub struct Check {
-    /// Exact derivative.
-    pub exact: f64,
-    /// Best estimate from differences; `None` if there are too few values on both sides.
-    pub best: Option<Estimate>,
-    /// One-sided derivatives below and above the point, if they differ; `None` for a side without
-    /// values.
-    pub sides: Option<[Option<f64>; 2]>,
-    /// |exact − best|.
-    pub error: f64,
-    /// Tolerance: [`BAR`] times the error estimate of the differences, at least
-    /// [`Demand::least_bar`].
-    pub bar: f64,
-    /// Verdict.
+    /// `pass`, `fail` or `corner`.
     pub verdict: Verdict,
+    /// The exact derivative, SI.
+    #[serde(serialize_with = "crate::json::number")]
+    #[cfg_attr(test, schemars(with = "Number"))]
+    pub exact: f64,
+    /// The best numerical derivative, SI.
+    // `None` if there are too few values on both sides
+    #[serde(rename = "best_difference", serialize_with = "crate::json::number")]
+    #[cfg_attr(test, schemars(with = "Number"))]
+    pub best: Option<Estimate>,
+    /// The difference between the two, SI.
+    #[serde(serialize_with = "crate::json::number")]
+    #[cfg_attr(test, schemars(with = "Number"))]
+    pub error: f64,
+    /// The largest allowed difference, SI.
+    // [`BAR`] times the error estimate of the differences, at least [`Demand::least_bar`]
+    #[serde(rename = "tolerance", serialize_with = "crate::json::number")]
+    #[cfg_attr(test, schemars(with = "Number"))]
+    pub bar: f64,
+    /// The one-sided derivatives below and above a corner, SI; `null` on a side outside of the
+    /// parameter's range.
+    pub sides: Option<[Option<f64>; 2]>,
     /// V-curve of central differences, the largest step first.
+    #[serde(skip)]
     pub curve: Vec<Point>,
+}
+
+impl From<Option<Estimate>> for Number {
+    fn from(estimate: Option<Estimate>) -> Self {
+        Self(estimate.map(|estimate| estimate.value))
+    }
 }
 
 impl Check {

@@ -31,7 +31,7 @@ pub struct CalibrationReport<'a> {
     /// The data.
     pub data: DataReport,
     /// The estimate of each fitted parameter.
-    pub estimates: ByName<EstimateReport>,
+    pub estimates: ByName<Estimate>,
     /// The covariance of the estimates, in the product of the SI units of row and column.
     pub covariance: Matrix,
     /// The correlations of the estimates, −1 to 1.
@@ -95,22 +95,6 @@ impl DataReport {
             remarks: table.remarks.clone(),
         }
     }
-}
-
-/// The estimate of a parameter.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct EstimateReport {
-    /// The estimate, SI.
-    pub value: Number,
-    /// The standard uncertainty, SI; `null` if the data do not determine it.
-    pub standard_uncertainty: Number,
-    /// The 95 % interval, SI.
-    pub interval_95: Option<[f64; 2]>,
-    /// True if the estimate is at a bound of the range.
-    pub at_bound: bool,
-    /// True if the data determine the parameter; otherwise many values fit as well.
-    pub determined: bool,
 }
 
 /// Trial points that a fit rejected, because the residuals are undefined there.
@@ -178,10 +162,8 @@ impl<'a> CalibrationReport<'a> {
             .iter()
             .map(|estimate| estimate.parameter.name)
             .collect();
-        let estimates = found.estimates.iter().map(|estimate| {
-            let report = EstimateReport::new(estimate, statistics.reach);
-            (estimate.parameter.name, report)
-        });
+        let estimates = found.estimates.iter();
+        let estimates = estimates.map(|estimate| (estimate.parameter.name, *estimate));
         let undetermined = statistics.undetermined.iter().map(|direction| {
             let parts = direction.parts.iter();
             parts.map(|(at, part)| (names[*at], *part)).collect()
@@ -190,7 +172,8 @@ impl<'a> CalibrationReport<'a> {
             table,
             found,
             held: held_out,
-            interrupted: is_interrupted(found, held_out),
+            interrupted: found.fit.status == Status::Interrupted
+                || held_out.iter().any(|(_, held)| held.is_interrupted()),
             data: DataReport::new(table),
             estimates: estimates.collect(),
             covariance: Matrix::new(names.clone(), |a, b| statistics.covariance[a][b]),
@@ -218,14 +201,9 @@ impl<'a> CalibrationReport<'a> {
         }
     }
 
-    /// True if the fit, or a fit of the cross-validation, was interrupted.
-    pub fn is_interrupted(&self) -> bool {
-        self.interrupted
-    }
-
     /// The status of the fit; `interrupted` if a fit of the cross-validation was interrupted.
     pub fn status(&self) -> Status {
-        if self.is_interrupted() {
+        if self.interrupted {
             Status::Interrupted
         } else {
             self.found.fit.status
@@ -257,7 +235,7 @@ impl<'a> CalibrationReport<'a> {
 
     /// True if the fit converged and nothing was interrupted.
     pub fn is_found(&self) -> bool {
-        self.found.fit.status == Status::Converged && !self.is_interrupted()
+        self.found.fit.status == Status::Converged && !self.interrupted
     }
 
     /// The fitted setup as a setup file in TOML, with full precision. The fitted parameters have
@@ -291,30 +269,6 @@ impl<'a> CalibrationReport<'a> {
             (parameter, format!("fitted to {data}: {value}"))
         });
         setup_toml(&found.setup, preset, &about, &remarks.collect::<Vec<_>>())
-    }
-}
-
-/// True if the fit, or a fit of the cross-validation, was interrupted.
-fn is_interrupted(found: &Calibration, held_out: &[(String, HeldOut)]) -> bool {
-    found.fit.status == Status::Interrupted
-        || held_out.iter().any(|(_, held)| held.is_interrupted())
-}
-
-impl EstimateReport {
-    fn new(estimate: &Estimate, reach: f64) -> Self {
-        let interval = |error: f64| {
-            [
-                estimate.value - reach * error,
-                estimate.value + reach * error,
-            ]
-        };
-        Self {
-            value: estimate.value.into(),
-            standard_uncertainty: estimate.standard_error.into(),
-            interval_95: estimate.standard_error.map(interval),
-            at_bound: estimate.is_at_bound,
-            determined: estimate.is_determined,
-        }
     }
 }
 

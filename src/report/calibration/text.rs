@@ -104,7 +104,7 @@ pub(super) fn estimates(
         found
             .estimates
             .iter()
-            .map(|estimate| estimated(estimate, statistics.reach, system)),
+            .map(|estimate| estimated(estimate, system)),
     );
     document.paragraph(chi_square(statistics, table.uncertainties));
     for undetermined in &statistics.undetermined {
@@ -163,26 +163,20 @@ pub(super) fn to_its_error(
 
 /// The cells of an estimate with its 95 % interval, rounded to the second significant digit of the
 /// standard error.
-fn estimated(estimate: &Estimate, reach: f64, system: System) -> Vec<String> {
+fn estimated(estimate: &Estimate, system: System) -> Vec<String> {
     let Estimate {
         parameter,
         value,
         standard_error,
+        interval_95,
         is_at_bound,
         is_determined,
     } = estimate;
     let (quantity, unit) = (parameter.quantity, system.unit(parameter.unit));
     let size = quantity.size_of(unit).unwrap_or(1.0);
     let show = |value: f64| with_unit(&to_its_error(quantity, unit, value, *standard_error), unit);
-    let (error, interval) = match standard_error {
-        Some(error) => (
-            significant(error / size, 2),
-            format!(
-                "{} .. {}",
-                show(value - reach * error),
-                show(value + reach * error)
-            ),
-        ),
+    let (error, interval) = match standard_error.zip(*interval_95) {
+        Some((error, ends)) => (significant(error / size, 2), ends.map(&show).join(" .. ")),
         None if !is_determined => ("–".into(), "not determined by the data".into()),
         None if *is_at_bound => ("–".into(), "on the bound of its range".into()),
         None => ("–".into(), "not known: no degrees of freedom".into()),

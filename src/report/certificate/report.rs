@@ -1,6 +1,6 @@
+use super::stopped;
 use super::text::{ending, lines, rows_table};
-use super::{stopped, verdict_of};
-use crate::derivative::check::{Check, Point};
+use crate::derivative::check::{Check, Point, Verdict};
 use crate::drive::Outcome;
 use crate::report::document::{Document, Line};
 use crate::report::json::Number;
@@ -8,10 +8,10 @@ use crate::report::lines::by_reason;
 use crate::report::reply::{Ending, Report};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{
-    Agreement, AtLanding, Certificate, Continuity, Convergence, DetectionTest, NotExamined, Row,
-    StepError,
+    Agreement, AtLanding, Certificate, Continuity, Convergence, DetectionTest, Missing,
+    NotExamined, Row, StepError,
 };
-use crate::units::{Message, System};
+use crate::units::System;
 use serde::Serialize;
 
 /// A certificate of derivatives, SI and radians.
@@ -26,37 +26,36 @@ pub struct CertificateReport<'a> {
     /// interrupted.
     pub passed: bool,
     /// The derivative of each outcome by each parameter, the largest error first.
-    pub rows: Vec<CertificateRow>,
+    pub rows: Vec<CertificateRow<'a>>,
     /// The detection of injected errors.
     pub negative_control: NegativeControl,
     /// Derivatives at the landing, compared with differences at a fixed time.
-    pub landing: Vec<LandingCheck>,
+    pub landing: &'a [AtLanding],
     /// The outcomes at parameter values where the number of steps changes.
-    pub continuity: Vec<ContinuityCheck>,
+    pub continuity: &'a [Continuity],
     /// The convergence of the outcomes with the time step.
-    pub convergence: Vec<ConvergenceCheck>,
+    pub convergence: &'a [Convergence],
     /// The error of the time step in outcomes and derivatives. It has no verdict.
-    pub step_errors: Vec<StepErrorReport>,
+    pub step_errors: &'a [StepError],
     /// Omitted checks, with the reasons.
-    pub not_examined: Vec<NotExamined>,
+    pub not_examined: &'a [NotExamined],
     /// The finite differences of carry in the while-loop of the MAE 494 report, for each parameter
     /// by which the derivative of carry is certified.
-    pub while_loop: Vec<LoopCheck>,
+    pub while_loop: Vec<LoopCheck<'a>>,
     /// Outcomes without derivatives at this drive, with the reasons.
-    pub missing: Vec<MissingOutcome>,
+    pub missing: &'a [Missing],
 }
 
 /// A derivative compared with finite differences.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct CertificateRow {
+pub struct CertificateRow<'a> {
     /// The outcome.
     pub of: Outcome,
     /// The parameter.
     pub parameter: &'static str,
     /// `pass`, `fail` or `corner`.
-    #[cfg_attr(test, schemars(with = "crate::derivative::check::Verdict"))]
-    pub verdict: &'static str,
+    pub verdict: Verdict,
     /// The exact derivative, SI.
     pub exact: Number,
     /// The best numerical derivative, SI.
@@ -66,7 +65,7 @@ pub struct CertificateRow {
     /// The largest allowed difference, SI.
     pub tolerance: Number,
     /// The derivative from `num_dual::Dual64`.
-    pub num_dual: AgreementReport,
+    pub num_dual: Agreement,
     /// The one-sided derivatives below and above a corner, SI; `null` on a side outside of the
     /// parameter's range.
     pub sides: Option<[Option<f64>; 2]>,
@@ -78,44 +77,9 @@ pub struct CertificateRow {
     /// remainder is dominated by rounding.
     pub taylor_slopes: [Number; 3],
     /// The second derivative by the parameter.
-    pub second: Option<CheckReport>,
+    pub second: Option<&'a Check>,
     /// The V-curve: the error of plain central differences over the step.
     pub curve: Curve,
-}
-
-/// A derivative compared with its numerical value.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct CheckReport {
-    /// `pass`, `fail` or `corner`.
-    #[cfg_attr(test, schemars(with = "crate::derivative::check::Verdict"))]
-    pub verdict: &'static str,
-    /// The exact derivative, SI.
-    pub exact: Number,
-    /// The best numerical derivative, SI.
-    pub best_difference: Number,
-    /// The difference between the two, SI.
-    pub error: Number,
-    /// The largest allowed difference, SI.
-    pub tolerance: Number,
-    /// The one-sided derivatives below and above a corner, SI; `null` on a side outside of the
-    /// parameter's range.
-    pub sides: Option<[Option<f64>; 2]>,
-}
-
-/// A derivative compared with the derivative from `num_dual::Dual64`.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct AgreementReport {
-    /// `pass` or `fail`.
-    #[cfg_attr(test, schemars(with = "crate::derivative::check::Verdict"))]
-    pub verdict: &'static str,
-    /// The derivative from `num_dual::Dual64`, SI.
-    pub derivative: Number,
-    /// The difference from the exact derivative, SI.
-    pub difference: Number,
-    /// The largest allowed difference, SI.
-    pub tolerance: Number,
 }
 
 /// The errors of central differences over the step.
@@ -138,83 +102,13 @@ pub struct NegativeControl {
     pub planted: Vec<DetectionTest>,
 }
 
-/// A derivative at the landing compared with finite differences at a fixed time.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct LandingCheck {
-    /// The comparison.
-    #[serde(flatten)]
-    pub check: CheckReport,
-    /// The outcome.
-    pub of: Outcome,
-    /// The parameter.
-    pub parameter: &'static str,
-    /// The contribution of the landing time to the derivative, SI.
-    pub landing_term: Number,
-}
-
-/// An outcome at a parameter value where the number of steps changes.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ContinuityCheck {
-    /// The jumps of the outcome.
-    #[serde(flatten)]
-    pub found: Continuity,
-    /// `pass` or `fail`.
-    #[cfg_attr(test, schemars(with = "crate::derivative::check::Verdict"))]
-    pub verdict: &'static str,
-}
-
-/// The convergence of an outcome with the time step.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ConvergenceCheck {
-    /// The outcome.
-    pub of: Outcome,
-    /// The steps, s.
-    pub steps: Vec<f64>,
-    /// The relative error of the value at each step.
-    pub value_errors: Vec<f64>,
-    /// The relative error of the gradient at each step.
-    pub gradient_errors: Vec<f64>,
-    /// The measured orders for value and gradient; `null` if the errors are dominated by rounding.
-    pub orders: [Option<f64>; 2],
-    /// The expected orders.
-    pub expected: [u32; 2],
-    /// The number of continuous derivatives of drag and lift, if joins of the law limit an expected
-    /// order; otherwise `null`.
-    pub limited_by_law: Option<u32>,
-    /// `pass` or `fail`.
-    #[cfg_attr(test, schemars(with = "crate::derivative::check::Verdict"))]
-    pub verdict: &'static str,
-}
-
-/// The error of the time step in an outcome.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct StepErrorReport {
-    /// The outcome.
-    pub of: Outcome,
-    /// The time step and the shorter step for comparison, s.
-    pub steps: [f64; 2],
-    /// The error of the value, relative to the numbers from which the outcome is computed.
-    pub value_error: Number,
-    /// The parameter whose derivative has the largest error.
-    pub parameter: Option<&'static str>,
-    /// The relative error of that derivative.
-    pub derivative_error: Number,
-    /// The error of the derivative relative to the outcome, for a change of the parameter by its
-    /// typical size.
-    pub derivative_error_of_outcome: Number,
-}
-
 /// A finite difference of the while-loop's carry.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct LoopCheck {
+pub struct LoopCheck<'a> {
     /// The comparison with the exact derivative.
     #[serde(flatten)]
-    pub check: CheckReport,
+    pub check: &'a Check,
     /// The parameter.
     pub parameter: &'static str,
     /// The finite difference with a step of 1e-8, SI.
@@ -225,23 +119,9 @@ pub struct LoopCheck {
     pub curve: Curve,
 }
 
-/// An outcome without derivatives.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct MissingOutcome {
-    /// The outcome.
-    pub of: Outcome,
-    /// The reason.
-    pub message: Message,
-}
-
 impl<'a> CertificateReport<'a> {
     /// The report of a certificate, with the while-loop for comparison.
     pub fn new(certificate: &'a Certificate, loops: &'a [LoopRow]) -> Self {
-        let missing = certificate.missing.iter().map(|(of, why)| MissingOutcome {
-            of: *of,
-            message: why.clone(),
-        });
         Self {
             certificate,
             loops,
@@ -251,21 +131,13 @@ impl<'a> CertificateReport<'a> {
                 caught: certificate.caught(),
                 planted: certificate.planted.to_vec(),
             },
-            landing: certificate.landing.iter().map(LandingCheck::new).collect(),
-            continuity: certificate
-                .continuity
-                .iter()
-                .map(ContinuityCheck::new)
-                .collect(),
-            convergence: certificate
-                .convergence
-                .iter()
-                .map(ConvergenceCheck::new)
-                .collect(),
-            step_errors: certificate.step.iter().map(StepErrorReport::new).collect(),
-            not_examined: certificate.not_examined.clone(),
+            landing: &certificate.landing,
+            continuity: &certificate.continuity,
+            convergence: &certificate.convergence,
+            step_errors: &certificate.step,
+            not_examined: &certificate.not_examined,
             while_loop: loops.iter().map(LoopCheck::new).collect(),
-            missing: missing.collect(),
+            missing: &certificate.missing,
         }
     }
 }
@@ -285,7 +157,7 @@ impl Report for CertificateReport<'_> {
             certificate
                 .missing
                 .iter()
-                .map(|(of, why)| (of.name(), why.to_string())),
+                .map(|missing| (missing.of.name(), missing.reason.to_string())),
         );
         let missing = missing.iter().map(|line| format!("left out: {line}"));
         let failures = certificate.failures();
@@ -323,49 +195,25 @@ impl Report for CertificateReport<'_> {
     }
 }
 
-impl CertificateRow {
-    fn new(row: &Row) -> Self {
+impl<'a> CertificateRow<'a> {
+    fn new(row: &'a Row) -> Self {
         let check = &row.first;
         let best = check.best_step();
         Self {
             of: row.of,
             parameter: row.parameter.name,
-            verdict: row.verdict().name(),
+            verdict: row.verdict(),
             exact: check.exact.into(),
             best_difference: check.best.map(|best| best.value).into(),
             error: check.error.into(),
             tolerance: check.bar.into(),
-            num_dual: AgreementReport::new(&row.num_dual),
+            num_dual: row.num_dual,
             sides: check.sides,
             best_step: best.map(|best| best.step).into(),
             best_step_error: best.map(|best| best.error).into(),
             taylor_slopes: row.slopes.map(Number::from),
-            second: row.second.as_ref().map(CheckReport::new),
+            second: row.second.as_ref(),
             curve: Curve::new(&check.curve),
-        }
-    }
-}
-
-impl CheckReport {
-    fn new(check: &Check) -> Self {
-        Self {
-            verdict: check.verdict.name(),
-            exact: check.exact.into(),
-            best_difference: check.best.map(|best| best.value).into(),
-            error: check.error.into(),
-            tolerance: check.bar.into(),
-            sides: check.sides,
-        }
-    }
-}
-
-impl AgreementReport {
-    fn new(agreement: &Agreement) -> Self {
-        Self {
-            verdict: verdict_of(agreement.holds()),
-            derivative: agreement.num_dual.into(),
-            difference: agreement.difference.into(),
-            tolerance: agreement.tolerance.into(),
         }
     }
 }
@@ -379,59 +227,10 @@ impl Curve {
     }
 }
 
-impl LandingCheck {
-    fn new(row: &AtLanding) -> Self {
+impl<'a> LoopCheck<'a> {
+    fn new(row: &'a LoopRow) -> Self {
         Self {
-            check: CheckReport::new(&row.check),
-            of: row.of,
-            parameter: row.parameter.name,
-            landing_term: row.landing_term.into(),
-        }
-    }
-}
-
-impl ContinuityCheck {
-    fn new(found: &Continuity) -> Self {
-        Self {
-            found: found.clone(),
-            verdict: verdict_of(found.passed()),
-        }
-    }
-}
-
-impl ConvergenceCheck {
-    fn new(found: &Convergence) -> Self {
-        let errors = |which: usize| found.errors.iter().map(|(_, pair)| pair[which]).collect();
-        Self {
-            of: found.of,
-            steps: found.errors.iter().map(|(step, _)| *step).collect(),
-            value_errors: errors(0),
-            gradient_errors: errors(1),
-            orders: found.orders,
-            expected: found.expected,
-            limited_by_law: found.limited_by_law,
-            verdict: verdict_of(found.passed()),
-        }
-    }
-}
-
-impl StepErrorReport {
-    fn new(found: &StepError) -> Self {
-        Self {
-            of: found.of,
-            steps: found.steps,
-            value_error: found.value.into(),
-            parameter: found.derivative.map(|(parameter, _)| parameter.name),
-            derivative_error: found.derivative.map(|(_, error)| error).into(),
-            derivative_error_of_outcome: found.of_outcome.into(),
-        }
-    }
-}
-
-impl LoopCheck {
-    fn new(row: &LoopRow) -> Self {
-        Self {
-            check: CheckReport::new(&row.check),
+            check: &row.check,
             parameter: row.parameter.name,
             difference: row.small_difference().into(),
             sign_is_wrong: row.has_wrong_sign(),

@@ -1,4 +1,4 @@
-use super::{stopped, verdict_of};
+use super::stopped;
 use crate::derivative::check::Verdict;
 use crate::drive::Outcome;
 use crate::report::document::Table;
@@ -44,7 +44,7 @@ pub(super) fn lines(certificate: &Certificate, loops: &[LoopRow], system: System
     let missing = certificate
         .missing
         .iter()
-        .map(|(of, why)| (of.name(), why.in_units(system)));
+        .map(|missing| (missing.of.name(), missing.reason.in_units(system)));
     let missing = by_reason(missing);
     lines.extend(missing.iter().map(|line| format!("left out: {line}")));
     lines
@@ -75,7 +75,7 @@ fn continuity(found: &Continuity, system: System) -> String {
     format!(
         "{}: at {} = {}, where the number of steps changes from {} to {}, {}, its gradient and its \
          Hessian jump by {} (allowed: {})",
-        verdict_of(found.passed()),
+        found.verdict.name(),
         found.parameter.name,
         found.parameter.quantity.show(found.at, unit),
         found.steps[0],
@@ -100,7 +100,7 @@ fn planted(planted: &DetectionTest) -> String {
     };
     format!(
         "{}: the planted error \"{name}\" is found in {} by differences, in {} by num-dual",
-        verdict_of(planted.is_caught()),
+        Verdict::of(planted.is_caught()).name(),
         of_rows(planted.caught),
         of_rows(planted.caught_by_num_dual)
     )
@@ -177,7 +177,7 @@ fn agreement(rows: &[Row]) -> Option<String> {
     Some(format!(
         "{}: {} of {} first derivatives agree with those over num_dual::Dual64; the largest \
          difference, of d {}/d {}, is {:.0e} (allowed: {:.0e})",
-        verdict_of(agree == rows.len()),
+        Verdict::of(agree == rows.len()).name(),
         agree,
         rows.len(),
         worst.of.name(),
@@ -273,7 +273,7 @@ fn landing(certificate: &Certificate) -> Option<String> {
         "{}: {} of {} derivatives at the landing agree with differences at a fixed time, moved \
          to the ground{corners}; the largest error, of \
          d {}/d {}, is {:.0e} (allowed: {:.0e})",
-        verdict_of(count(Verdict::Fail) == 0),
+        Verdict::of(count(Verdict::Fail) == 0).name(),
         count(Verdict::Pass),
         landing.len(),
         worst.of.name(),
@@ -329,7 +329,7 @@ fn convergence(found: &Convergence) -> String {
     format!(
         "{}: {} converges with the step to order {}, its gradient to order {} (expected: {} and \
          {}{})",
-        verdict_of(found.passed()),
+        found.verdict.name(),
         found.of.name(),
         order(0),
         order(1),
@@ -343,21 +343,24 @@ fn convergence(found: &Convergence) -> String {
 
 /// The error of the time step: the outcome and the derivative with the largest error.
 fn step_error(errors: &[StepError]) -> Option<String> {
-    let value = errors.iter().max_by(|a, b| a.value.total_cmp(&b.value))?;
+    let value = errors
+        .iter()
+        .max_by(|a, b| a.value_error.total_cmp(&b.value_error))?;
     let mut text = format!(
         "compared with a flight in time steps of {} ms instead of {} ms, {} differs by {:.0e} \
          (relative)",
         1e3 * value.steps[1],
         1e3 * value.steps[0],
         value.of.name(),
-        value.value
+        value.value_error
     );
     let worst = errors
         .iter()
-        .filter_map(|it| Some((it, it.derivative?)))
-        .max_by(|a, b| a.1.1.total_cmp(&b.1.1));
-    if let Some((found, (parameter, error))) = worst {
-        let (of, by, of_outcome) = (found.of.name(), parameter.name, found.of_outcome);
+        .filter_map(|it| Some((it, it.parameter?, it.derivative_error?)))
+        .max_by(|a, b| a.2.total_cmp(&b.2));
+    if let Some((found, parameter, error)) = worst {
+        let (of, by) = (found.of.name(), parameter.name);
+        let of_outcome = found.derivative_error_of_outcome;
         text += &format!(
             ", and d {of}/d {by} by {error:.0e} ({of_outcome:.0e} of {of} per size of the \
              parameter); all others differ by less, and no verdict depends on it"

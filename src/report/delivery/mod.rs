@@ -6,16 +6,14 @@ mod text;
 pub use recovered::{population_warnings, recovered_csv, recovered_toml};
 
 use super::document::Document;
-use super::json::{ByName, Range};
+use super::json::Range;
 use super::reply::{Ending, Report, share};
 use super::setup_file::setup_toml;
 use super::shown;
-use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Preset, Setup};
 use crate::study::delivery::{
-    Delivery, Explained, Population, Posterior, PredictedOutcome, Recovered, Spread, Unidentified,
-    Unknown,
+    Delivery, Explained, Population, Posterior, Spread, Unidentified, Unknown,
 };
 use crate::units::{Message, System, counted, counted_of};
 use serde::Serialize;
@@ -28,8 +26,6 @@ pub struct DeliveryReport<'a> {
     #[serde(skip)]
     deliveries: &'a [Delivery],
     #[serde(skip)]
-    recovered: Option<&'a Population>,
-    #[serde(skip)]
     options: DeliveryOptions,
     /// The delivery of each shot; one entry for a single shot.
     pub rows: Vec<DeliveryRow>,
@@ -37,7 +33,7 @@ pub struct DeliveryReport<'a> {
     pub spread: Vec<Spread>,
     /// The normal distribution of the swings behind the shots, without the measurement errors of
     /// the launch monitor; `null` for fewer than 10 shots with a delivery.
-    pub population: Option<PopulationReport>,
+    pub population: Option<&'a Population>,
 }
 
 /// The origin of the launches.
@@ -63,10 +59,10 @@ pub struct DeliveryRow {
     /// The parameters of the delivery.
     pub known: Vec<KnownReport>,
     /// The launch, measured and computed.
-    pub explained: Vec<ExplainedReport>,
+    pub explained: Vec<Explained>,
     /// Changes of the delivery that the launch does not determine, the least determined first.
     #[serde(rename = "untold")]
-    pub unidentified: Vec<UnidentifiedReport>,
+    pub unidentified: Vec<Unidentified>,
 }
 
 /// A parameter of a delivery.
@@ -92,86 +88,19 @@ pub struct KnownReport {
     pub range: Range,
 }
 
-/// An outcome of a launch, measured and computed.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ExplainedReport {
-    /// The outcome.
-    pub of: Outcome,
-    /// The measured value, SI.
-    pub measured: f64,
-    /// The standard uncertainty of the measured value, SI.
-    pub standard_uncertainty: f64,
-    /// The value computed from the most probable delivery, SI.
-    pub computed: f64,
-    /// The computed minus the measured value, in units of the standard uncertainty.
-    pub residual: f64,
-}
-
-/// A change of the delivery that the launch does not determine.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct UnidentifiedReport {
-    /// The fraction of the prior variance that the shot removes, 0 to 1.
-    #[serde(rename = "told")]
-    pub identified: f64,
-    /// The change of each parameter, SI; together they are one prior standard uncertainty.
-    pub changes: ByName<f64>,
-}
-
-/// The population of swings behind the shots of a table.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct PopulationReport {
-    /// Number of shots, at least 10.
-    pub shots: usize,
-    /// Factor on the prior deviation along the directions that the shots do not identify, 0 to 1.
-    pub kept: f64,
-    /// The launch outcomes, measured and computed from the distribution.
-    pub launches: Vec<LaunchMoments>,
-    /// The distribution of each parameter.
-    pub spread: Vec<Recovered>,
-    /// The correlations of the parameters, −1 to 1, in the order of `spread`.
-    pub correlations: Vec<Vec<f64>>,
-}
-
-/// An outcome over the shots, measured and computed from the distribution.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct LaunchMoments {
-    /// The outcome.
-    pub of: Outcome,
-    /// Mean and standard deviation of the measured launches.
-    pub measured: MeanAndDeviation,
-    /// Mean and standard deviation of launches from the distribution, with the measurement errors
-    /// of the launch monitor.
-    pub recovered: MeanAndDeviation,
-}
-
-/// A mean with a standard deviation.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct MeanAndDeviation {
-    /// The mean, SI.
-    pub mean: f64,
-    /// The standard deviation, SI.
-    pub deviation: f64,
-}
-
 impl<'a> DeliveryReport<'a> {
     /// The report of these deliveries and of their population.
     pub fn new(
         deliveries: &'a [Delivery],
-        recovered: Option<&'a Population>,
+        population: Option<&'a Population>,
         options: DeliveryOptions,
     ) -> Self {
         Self {
             deliveries,
-            recovered,
             options,
             rows: deliveries.iter().map(DeliveryRow::new).collect(),
             spread: Spread::of(deliveries),
-            population: recovered.map(PopulationReport::new),
+            population,
         }
     }
 }
@@ -207,7 +136,7 @@ impl Report for DeliveryReport<'_> {
     fn document(&self, system: System) -> Document {
         match self.deliveries {
             [Delivery { found: Ok(one), .. }, ..] if !self.options.is_table => of_one(one, system),
-            all => of_table(all, self.recovered, system),
+            all => of_table(all, self.population, system),
         }
     }
 }
@@ -223,16 +152,8 @@ impl DeliveryRow {
                     status,
                     message: message.unwrap_or_else(|| delivered.message.clone()),
                     known: delivered.posteriors.iter().map(KnownReport::new).collect(),
-                    explained: delivered
-                        .explained
-                        .iter()
-                        .map(ExplainedReport::new)
-                        .collect(),
-                    unidentified: delivered
-                        .unidentified
-                        .iter()
-                        .map(UnidentifiedReport::new)
-                        .collect(),
+                    explained: delivered.explained.clone(),
+                    unidentified: delivered.unidentified.clone(),
                 }
             }
             Err(error) => Self {
@@ -260,53 +181,6 @@ impl KnownReport {
             source: unknown.source,
             range: [unknown.low, unknown.high].into(),
         }
-    }
-}
-
-impl ExplainedReport {
-    fn new(explained: &Explained) -> Self {
-        Self {
-            of: explained.measured.outcome,
-            measured: explained.measured.value,
-            standard_uncertainty: explained.measured.sigma,
-            computed: explained.computed,
-            residual: explained.residual(),
-        }
-    }
-}
-
-impl UnidentifiedReport {
-    fn new(untold: &Unidentified) -> Self {
-        let changes = untold.changes.iter();
-        Self {
-            identified: untold.variance_removed,
-            changes: changes
-                .map(|(parameter, change)| (parameter.name, *change))
-                .collect(),
-        }
-    }
-}
-
-impl PopulationReport {
-    fn new(population: &Population) -> Self {
-        let launch = |returned: &PredictedOutcome| LaunchMoments {
-            of: returned.of,
-            measured: returned.measured.into(),
-            recovered: returned.recovered.into(),
-        };
-        Self {
-            shots: population.shots,
-            kept: population.prior_factor,
-            launches: population.predicted.iter().map(launch).collect(),
-            spread: population.spreads.clone(),
-            correlations: population.correlations.clone(),
-        }
-    }
-}
-
-impl From<[f64; 2]> for MeanAndDeviation {
-    fn from([mean, deviation]: [f64; 2]) -> Self {
-        Self { mean, deviation }
     }
 }
 

@@ -4,7 +4,9 @@ use crate::error::Result;
 use crate::parameters::Parameter;
 use crate::report::csv_text::csv_text;
 use crate::report::shown;
-use crate::study::delivery::{Delivery, Population, Posterior, PredictedOutcome, Recovered};
+use crate::study::delivery::{
+    Delivery, MeanAndDeviation, Population, Posterior, PredictedOutcome, Recovered,
+};
 use crate::units::{Message, System, counted, significant};
 
 /// Minimum fraction of a parameter's prior variance that a shot must remove, so that the
@@ -102,7 +104,7 @@ pub fn population_warnings(population: &Population, system: System) -> Vec<Messa
                  measured,
                  recovered,
              }| {
-                let both = |[mean, deviation]: [f64; 2]| {
+                let both = |MeanAndDeviation { mean, deviation }: MeanAndDeviation| {
                     format!(
                         "{} ± {}",
                         shown::outcome(*of, mean, system),

@@ -30,7 +30,7 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
             shown::outcome(of, explained.measured.value, system),
             shown::spread(of, explained.measured.sigma, system),
             shown::outcome(of, explained.computed, system),
-            fixed(explained.residual(), 2),
+            fixed(explained.residual, 2),
         ]
     });
     let head = ["launch", "measured", "±", "computed", "difference in ±"];
@@ -176,7 +176,7 @@ fn shots(all: &[Delivery], spread: &[Spread], system: System) -> Table {
         let worst = delivered
             .explained
             .iter()
-            .map(|explained| explained.residual().abs())
+            .map(|explained| explained.residual.abs())
             .fold(0.0, f64::max);
         Some(
             std::iter::once(delivery.row.to_string())
@@ -264,7 +264,7 @@ pub(super) fn verdict(delivered: &Delivered) -> (&'static str, Option<String>) {
         of.name(),
         of.show(worst.measured.value),
         of.show(worst.computed),
-        fixed(worst.residual().abs(), 1)
+        fixed(worst.residual.abs(), 1)
     );
     ("unexplained", Some(message))
 }

@@ -2,7 +2,7 @@
 
 use super::super::json::{ByName, Number};
 use super::super::shown;
-use crate::study::{ClubAlone, Limit as WindowLimit, Optimum, Vary, Window};
+use crate::study::{ClubAlone, Optimum, Vary, Window, WindowLimit};
 use crate::units::{System, signed};
 use serde::Serialize;
 

@@ -3,7 +3,7 @@
 use super::super::document::{Detail, Document, Line, Table};
 use super::super::limits::ended_at;
 use super::super::shown;
-use super::super::swings::{OverSwings, goals, nominal_design, notes};
+use super::super::swings::{OverSwings, goals, nominal, notes};
 use super::best_drive::{drive_lines, gain_lines};
 use super::multipliers::{bound_in_words, constraint_in_words};
 use super::surroundings::Surroundings;
@@ -94,10 +94,10 @@ pub(in crate::report) fn add_place(
 pub(in crate::report) fn place(optimum: &Optimum, over: &OverSwings, system: System) -> Table {
     let (search, solution) = (&optimum.search, &optimum.solution);
     let is_one_drive = search.scenarios.is_one_drive();
-    let nominal = nominal_design(over.price.as_ref());
+    let nominal = nominal(over.price.as_ref());
     let rows = search.vary.iter().enumerate().map(|(i, vary)| {
-        let mean_swing = nominal.map_or(shown::NONE.into(), |design| {
-            shown::within(vary, design[i], system)
+        let mean_swing = nominal.map_or(shown::NONE.into(), |nominal| {
+            shown::within(vary, nominal.design[i], system)
         });
         let mean_swing = (!is_one_drive).then_some(mean_swing);
         let start = is_one_drive.then(|| {

@@ -13,7 +13,7 @@ use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
 use crate::report::presets::{SourcedValue, sources};
 use crate::report::shown;
 use crate::study::certificate::Row;
-use crate::study::{Effects, Flatness, Limit, NamedDrive, Optimum, Vary, Window};
+use crate::study::{Effects, Flatness, NamedDrive, Optimum, Vary, Window, WindowLimit};
 use crate::units::{System, counted, significant, typeset};
 use maud::{Markup, Render, html};
 
@@ -133,13 +133,13 @@ fn window(best: &Optimum, vary: &Vary, window: &Window) -> Markup {
 }
 
 /// The reason for the end of a parameter's window of small loss, unless the loss ends it.
-fn limit(best: &Optimum, limit: Limit) -> Markup {
+fn limit(best: &Optimum, limit: WindowLimit) -> Markup {
     html! {
         @match limit {
-            Limit::Loss => {}
-            Limit::Bound => " (bound)",
-            Limit::Constraint(j) => { " (" (both(|system| shown::constraint(&best.search.subject_to[j], system))) ")" }
-            Limit::NoFlight => " (no flight)",
+            WindowLimit::Loss => {}
+            WindowLimit::Bound => " (bound)",
+            WindowLimit::Constraint(j) => { " (" (both(|system| shown::constraint(&best.search.subject_to[j], system))) ")" }
+            WindowLimit::NoFlight => " (no flight)",
         }
     }
 }

@@ -16,19 +16,10 @@ pub(super) struct Added {
     pub of: Vec<Outcome>,
     pub system: System,
     pub separator: u8,
-    has_decimal_comma: bool,
+    pub has_decimal_comma: bool,
 }
 
 impl Added {
-    pub fn new(of: &[Outcome], system: System, separator: u8, has_decimal_comma: bool) -> Self {
-        Self {
-            of: of.to_vec(),
-            system,
-            separator,
-            has_decimal_comma,
-        }
-    }
-
     /// The unit of an outcome.
     pub fn unit(&self, of: Outcome) -> &'static str {
         self.system.unit(of.unit())
@@ -108,7 +99,12 @@ impl Copied {
     pub fn new(export: &Arc<Export>, of: &[Outcome], system: System) -> Self {
         Self {
             export: export.clone(),
-            added: Added::new(of, system, export.separator, export.has_decimal_comma()),
+            added: Added {
+                of: of.to_vec(),
+                system,
+                separator: export.separator,
+                has_decimal_comma: export.has_decimal_comma(),
+            },
         }
     }
 

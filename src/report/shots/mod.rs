@@ -15,6 +15,7 @@ pub use json_lines::FlyRow;
 pub use open_connect::open_connect_answer;
 #[cfg(feature = "parquet")]
 pub use parquet::ShotParquet;
+pub(super) use summary::instrument_deviation;
 pub use summary::{
     BandReport, ClubOutcome, ClubShotsReport, OutcomeResiduals, RefusedRows, ShotsReport,
     SumsReport,
@@ -65,12 +66,18 @@ impl ShotWriter {
             (ShotFormat::Csv, Layout::Export(export)) => {
                 Table::Copied(Copied::new(export, of, system))
             }
-            (ShotFormat::Csv | ShotFormat::LaunchMonitor, _) => {
-                Table::Columns(Added::new(of, system, b',', false))
-            }
+            (ShotFormat::Csv | ShotFormat::LaunchMonitor, _) => Table::Columns(Added {
+                of: of.to_vec(),
+                system,
+                separator: b',',
+                has_decimal_comma: false,
+            }),
             (ShotFormat::JsonLines, _) => Table::JsonLines(json_lines::Keys::new(shots, of)),
             (ShotFormat::OpenConnect, _) => Table::OpenConnect,
-            (ShotFormat::Screen, _) => Table::Screen(Screen::new(of, system)),
+            (ShotFormat::Screen, _) => Table::Screen(Screen {
+                of: of.first().copied(),
+                system,
+            }),
         };
         Self { table }
     }

@@ -16,18 +16,11 @@ const WIDTH: usize = 15;
 /// measured value.
 #[derive(Clone, Debug)]
 pub(super) struct Screen {
-    of: Option<Outcome>,
-    system: System,
+    pub of: Option<Outcome>,
+    pub system: System,
 }
 
 impl Screen {
-    pub fn new(of: &[Outcome], system: System) -> Self {
-        Self {
-            of: of.first().copied(),
-            system,
-        }
-    }
-
     /// Two lines of column heads: the outcomes, and their units.
     pub fn head(&self) -> Vec<u8> {
         let launch = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Spin];

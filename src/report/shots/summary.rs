@@ -157,7 +157,7 @@ fn several_clubs(tally: &ShotStatistics) -> impl Iterator<Item = (&String, &Club
 }
 
 /// The standard deviation of the difference between two instruments for the same drives, SI.
-fn instrument_deviation(of: Outcome) -> Option<f64> {
+pub(in crate::report) fn instrument_deviation(of: Outcome) -> Option<f64> {
     let (_, deviation, unit) = FLOOR.iter().find(|(outcome, ..)| *outcome == of)?;
     Some(deviation * of.quantity().size_of(unit)?)
 }

@@ -19,8 +19,6 @@ const MOST_BYTES: usize = 16 << 20;
 /// metadata. An interrupted file can therefore continue after any of its groups.
 pub struct SweepParquet {
     table: ParquetTable,
-    parameters: usize,
-    results: usize,
     columns: Columns,
 }
 
@@ -41,8 +39,6 @@ impl SweepParquet {
         let table = ParquetTable::new("drives", &columns, question)?;
         Ok(Self {
             table,
-            parameters: parameters.len(),
-            results: results.len(),
             columns: Columns::of(batch),
         })
     }
@@ -50,7 +46,7 @@ impl SweepParquet {
     /// Number of blocks of [`CHUNK`] rows in a row group: fewer for wide tables. A group must fit
     /// in memory, and a kill must not lose much work.
     pub fn blocks_of_group(&self) -> usize {
-        let width = 9 * (self.parameters + self.results) + 1;
+        let width = 9 * self.columns.0.iter().sum::<usize>() + 1;
         (MOST_BYTES / width).clamp(LEAST_ROWS, MOST_ROWS) / CHUNK
     }
 
@@ -69,15 +65,16 @@ impl SweepParquet {
     pub fn group(&self, blocks: &[Block]) -> Result<ParquetGroup> {
         blocks.iter().for_each(|block| self.columns.expect(block));
         let all = |block: &Block| 0..block.rows();
+        let [parameters, ..] = self.columns.0;
         self.table.group(|number| match number {
-            number if number < self.parameters => {
+            number if number < parameters => {
                 let value = |block: &Block, row| block.point(row)[number];
                 let values = blocks
                     .iter()
                     .flat_map(|block| all(block).map(move |row| value(block, row)));
                 Cells::Numbers(values.collect())
             }
-            number if number == self.parameters => {
+            number if number == parameters => {
                 let status = |block: &Block, row| ByteArray::from(block.status(row).name());
                 let status = blocks
                     .iter()
@@ -87,7 +84,7 @@ impl SweepParquet {
             number => {
                 let values = blocks
                     .iter()
-                    .flat_map(|block| block.result(number - self.parameters - 1));
+                    .flat_map(|block| block.result(number - parameters - 1));
                 Cells::SomeNumbers(values.collect())
             }
         })

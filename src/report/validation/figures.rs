@@ -3,8 +3,8 @@
 use crate::drive::Outcome;
 use crate::parameters::Law;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
-use crate::shots::FLOOR;
-use crate::study::validation::{Case, Compared, Computation, LawScores, Score, SetScores};
+use crate::report::shots::instrument_deviation;
+use crate::study::validation::{Case, Compared, Computation, LawScores, SetScores};
 use crate::units::Quantity;
 
 /// The independent law for comparison with the default law.
@@ -133,7 +133,7 @@ fn residuals(
         let points = sets.iter().flat_map(|set| {
             let scores = set.laws.iter().find(|one| one.law == *law);
             let left = of_law(scores, of).iter();
-            left.filter_map(|one| Some([over.of(set.cases.get(one.case)?)?, one.difference()]))
+            left.filter_map(|one| Some([over.of(set.cases.get(one.case)?)?, one.difference]))
         });
         points.collect()
     };
@@ -193,8 +193,7 @@ fn floor(of: Compared) -> Option<f64> {
         Compared::Spin => Outcome::Spin,
         Compared::Curve | Compared::Gain | Compared::LaunchAngle => return None,
     };
-    let (_, by, unit) = FLOOR.iter().find(|(known, ..)| *known == outcome)?;
-    Some(by * outcome.quantity().size_of(unit)?)
+    instrument_deviation(outcome)
 }
 
 impl crate::study::validation::Set {
@@ -208,7 +207,7 @@ impl crate::study::validation::Set {
 
 /// The smallest mean absolute error of a set's first quantity, with its law.
 pub(super) fn best(set: &SetScores) -> Option<(f64, &'static str)> {
-    let of = |law: &LawScores| law.scores.first().and_then(Score::mean_absolute);
+    let of = |law: &LawScores| law.scores.first()?.mean_absolute_error;
     set.laws
         .iter()
         .filter_map(|law| Some((of(law)?, law.law)))

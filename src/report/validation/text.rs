@@ -1,7 +1,7 @@
 use super::figures::{ALTERNATIVE, best, figures};
 use crate::parameters::Law;
 use crate::report::document::{Detail, Document};
-use crate::study::validation::{Compared, LawScores, SWEPT, Score, SetScores};
+use crate::study::validation::{Compared, LawScores, SWEPT, SetScores};
 use crate::units::{System, counted, fixed, signed};
 
 /// The quantity of most sets.
@@ -48,7 +48,7 @@ fn summary(document: &mut Document, found: &[SetScores], system: System) {
     let default = Law::default().name();
     document.heading("Which law is the default");
     let rows = found.iter().map(|set| {
-        let of = |law: &LawScores| law.scores.first().and_then(Score::mean_absolute);
+        let of = |law: &LawScores| law.scores.first()?.mean_absolute_error;
         let best = best(set);
         let named = |name: &str| {
             set.laws
@@ -106,7 +106,7 @@ fn one(document: &mut Document, set: &SetScores, system: System) {
         law.scores.iter().map(|score| score.of).collect()
     });
     let mut head: Vec<&str> = compared.iter().flat_map(|of| [of.words(), "MAE"]).collect();
-    let is_swept = set.laws.iter().any(|law| law.swept.is_some());
+    let is_swept = set.laws.iter().any(|law| law.bias_in_other_air.is_some());
     let [cold, warm] = SWEPT.map(|temperature| format!("{} °C", fixed(temperature - 273.15, 0)));
     let is_averaged = set.laws.iter().any(|law| law.averaged.is_some());
     if is_averaged {
@@ -121,12 +121,12 @@ fn one(document: &mut Document, set: &SetScores, system: System) {
         for score in &law.scores {
             cells.push(
                 score
-                    .bias()
+                    .bias
                     .map_or("–".into(), |bias| difference(score.of, bias, system)),
             );
             cells.push(
                 score
-                    .mean_absolute()
+                    .mean_absolute_error
                     .map_or("–".into(), |mean| shown(score.of, mean, system)),
             );
         }
@@ -136,7 +136,8 @@ fn one(document: &mut Document, set: &SetScores, system: System) {
                     .map_or("–".into(), |bias| difference(first(set), bias, system)),
             );
         }
-        for bias in law.swept.into_iter().flatten() {
+        let biases = law.bias_in_other_air.map(|other| [other.cold, other.warm]);
+        for bias in biases.into_iter().flatten() {
             cells.push(bias.map_or("–".into(), |bias| difference(first(set), bias, system)));
         }
         let computed = law.scores.first().map_or(0, |score| score.residuals.len());

@@ -2,22 +2,34 @@
 
 use super::statistics::Statistics;
 use crate::drive::Outcome;
+use crate::json::number;
 use crate::optimize::least_squares::{Fit, Status};
 use crate::parameters::{Parameter, Setup};
 use serde::Serialize;
 
-/// A fitted parameter, SI.
-#[derive(Clone, Copy, Debug)]
+/// The estimate of a parameter.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "EstimateReport"))]
 pub struct Estimate {
     /// The parameter.
+    #[serde(skip)]
     pub parameter: &'static Parameter,
-    /// The fitted value.
+    /// The estimate, SI.
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub value: f64,
-    /// Standard error; `None` if the data do not determine the value, or the value lies on a bound.
+    /// The standard uncertainty, SI; `null` if the data do not determine it.
+    #[serde(rename = "standard_uncertainty", serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub standard_error: Option<f64>,
-    /// True if the value lies on a bound of its range.
+    /// The 95 % interval, SI.
+    pub interval_95: Option<[f64; 2]>,
+    /// True if the estimate is at a bound of the range.
+    #[serde(rename = "at_bound")]
     pub is_at_bound: bool,
-    /// True if the data determine the value. Otherwise other values fit equally well.
+    /// True if the data determine the parameter; otherwise many values fit as well.
+    #[serde(rename = "determined")]
     pub is_determined: bool,
 }
 

@@ -19,10 +19,7 @@ impl Calibration {
     /// Warnings about the fit: rows that are read as deliveries, residuals too large for noise,
     /// values on a bound, and confidence intervals wider than the allowed range.
     pub fn warnings(&self, table: &ShotTable) -> Vec<Message> {
-        let of_values = self
-            .estimates
-            .iter()
-            .filter_map(|estimate| self.value_warning(estimate));
+        let of_values = self.estimates.iter().filter_map(value_warning);
         self.club_warning(table)
             .into_iter()
             .chain(self.misfit_warning(table))
@@ -77,38 +74,36 @@ impl Calibration {
             .into(),
         )
     }
+}
 
-    fn value_warning(&self, estimate: &Estimate) -> Option<Message> {
-        let (parameter, name) = (estimate.parameter, estimate.parameter.name);
-        let show = |value: f64| parameter.show(Some(value));
-        if estimate.is_at_bound && estimate.is_determined {
-            let ends = [parameter.range.low, parameter.range.high];
-            let advice = match ends.contains(&estimate.value) {
-                true => {
-                    "the end of its allowed values: the fitted model does not describe the data"
-                }
-                false => {
-                    "the end of its range: the sum would fall further beyond it; give it a wider \
-                     range, or look at the data"
-                }
-            };
-            return Some(format!("{name} ended at {}, {advice}", show(estimate.value)).into());
-        }
-        let reach = self.statistics.reach * estimate.standard_error?;
-        let interval = [estimate.value - reach, estimate.value + reach];
-        let is_beyond = interval
-            .iter()
-            .any(|end| *end < parameter.range.low || *end > parameter.range.high);
-        is_beyond.then(|| {
-            let [low, high] = interval.map(show);
-            let allowed = parameter.range.show(parameter.quantity, parameter.unit);
-            format!(
-                "the 95 % interval of {name}, {low} to {high}, reaches beyond its allowed range \
-                 ({allowed}): the data hardly determine it; measure more, or fit fewer parameters"
-            )
-            .into()
-        })
+/// Warning for a value on a bound, or a confidence interval wider than the allowed range.
+fn value_warning(estimate: &Estimate) -> Option<Message> {
+    let (parameter, name) = (estimate.parameter, estimate.parameter.name);
+    let show = |value: f64| parameter.show(Some(value));
+    if estimate.is_at_bound && estimate.is_determined {
+        let ends = [parameter.range.low, parameter.range.high];
+        let advice = match ends.contains(&estimate.value) {
+            true => "the end of its allowed values: the fitted model does not describe the data",
+            false => {
+                "the end of its range: the sum would fall further beyond it; give it a wider \
+                 range, or look at the data"
+            }
+        };
+        return Some(format!("{name} ended at {}, {advice}", show(estimate.value)).into());
     }
+    let interval = estimate.interval_95?;
+    let is_beyond = interval
+        .iter()
+        .any(|end| *end < parameter.range.low || *end > parameter.range.high);
+    is_beyond.then(|| {
+        let [low, high] = interval.map(show);
+        let allowed = parameter.range.show(parameter.quantity, parameter.unit);
+        format!(
+            "the 95 % interval of {name}, {low} to {high}, reaches beyond its allowed range \
+             ({allowed}): the data hardly determine it; measure more, or fit fewer parameters"
+        )
+        .into()
+    })
 }
 
 /// Parameters of the setup that the note of [`ShotTable::one_drive`] shows.

@@ -8,7 +8,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::least_squares::{Fit, FitObserver, Options, Residuals, Status, fit_from};
 use crate::optimize::{Domain, starts};
-use crate::parameters::{Setup, Vary, refuse_replaced};
+use crate::parameters::{Parameter, Setup, Vary, refuse_replaced};
 use crate::study::cancellable::stopped;
 use crate::units::counted;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -391,18 +391,21 @@ fn finished(
         options.rounding,
         options.loss,
     )?;
-    let estimates = problem
-        .fitted
-        .iter()
-        .enumerate()
-        .map(|(i, parameter)| Estimate {
+    let estimate = |(i, parameter): (usize, &&'static Parameter)| {
+        let (value, standard_error) = (fit.x[i], statistics.standard_error(i));
+        Estimate {
             parameter,
-            value: fit.x[i],
-            standard_error: statistics.standard_error(i),
+            value,
+            standard_error,
+            interval_95: standard_error.map(|error| {
+                let reach = statistics.reach * error;
+                [value - reach, value + reach]
+            }),
             is_at_bound: !fitted[i].is_free,
             is_determined: statistics.determines(i),
-        });
-    let estimates = estimates.collect();
+        }
+    };
+    let estimates = problem.fitted.iter().enumerate().map(estimate).collect();
     let remainders = remainders(&table.shots, &fit.rows.residuals);
     let setup = problem.moved(&fit.x)?;
     Ok(Calibration {

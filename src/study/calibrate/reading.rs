@@ -87,7 +87,7 @@ impl Row {
             return Ok(self);
         }
         if !self.implausible.is_empty() {
-            return Err((None, self.implausible.join("; ")).into());
+            return Err(RowError::new(None, self.implausible.join("; ")));
         }
         let why = match &self.not_compared {
             None => "nothing is measured in it; give an outcome, or take the row out".into(),
@@ -137,22 +137,18 @@ pub(super) struct RowError {
 }
 
 impl RowError {
-    fn incomplete(column: Option<String>, why: impl Into<String>) -> Self {
-        Self {
-            column,
-            why: why.into(),
-            is_incomplete: true,
-        }
-    }
-}
-
-/// Error of a column, or of the whole row if the column is `None`, with the reason.
-impl<T: Into<String>> From<(Option<String>, T)> for RowError {
-    fn from((column, why): (Option<String>, T)) -> Self {
+    fn new(column: Option<String>, why: impl Into<String>) -> Self {
         Self {
             column,
             why: why.into(),
             is_incomplete: false,
+        }
+    }
+
+    fn incomplete(column: Option<String>, why: impl Into<String>) -> Self {
+        Self {
+            is_incomplete: true,
+            ..Self::new(column, why)
         }
     }
 }
@@ -327,7 +323,7 @@ impl Reading {
         let column = &self.columns[at];
         record
             .value(at, column)
-            .map_err(|why| (Some(column.head.clone()), why).into())
+            .map_err(|why| RowError::new(Some(column.head.clone()), why))
     }
 
     fn sigma(&self, record: Values<'_>, content: Content, one: f64) -> Result<f64, RowError> {
@@ -342,12 +338,11 @@ impl Reading {
                     .iter()
                     .find(|column| column.content == content)
                     .map(|column| column.head.clone());
-                Err((
+                Err(RowError::new(
                     head,
                     "a standard uncertainty must be a number above 0 wherever there is a \
                             measurement",
-                )
-                    .into())
+                ))
             }
         }
     }
@@ -380,7 +375,10 @@ impl Reading {
                         Err(why) => row.no_air = Some(why),
                     }
                 }
-                Content::Input(parameter) if self.is_of_the_club(column) => {
+                // a row may lack a club value of a delivery
+                Content::Input(parameter)
+                    if self.club == ClubColumns::Read && column.is_of_the_strike() =>
+                {
                     let stated = self.cell(record, column.content);
                     let stated = if is_still { Ok(None) } else { stated };
                     match self.usable(column, parameter, stated) {
@@ -396,7 +394,7 @@ impl Reading {
                     };
                     at_shot
                         .set_value(parameter, Some(value))
-                        .map_err(|error| RowError::from((here(), error.to_string())))?;
+                        .map_err(|error| RowError::new(here(), error.to_string()))?;
                     row.shot.inputs.push((parameter, value));
                 }
                 Content::Outcome(outcome) if self.is_used(outcome) => {
@@ -410,7 +408,7 @@ impl Reading {
         }
         at_shot
             .validate()
-            .map_err(|error| RowError::from((None, error.to_string())))?;
+            .map_err(|error| RowError::new(None, error.to_string()))?;
         row.shot.stationary = self.stationary(record, &at_shot)?;
         row.checked()
     }
@@ -439,7 +437,10 @@ impl Reading {
             return Ok(());
         };
         if self.is_launched && outcome.group() == OutcomeGroup::Launch {
-            return Err((here(), "rows of launch conditions have no club").into());
+            return Err(RowError::new(
+                here(),
+                "rows of launch conditions have no club",
+            ));
         }
         let name = || column.head.clone();
         if let Some(why) = implausible(outcome, value, name).filter(|_| self.is_export) {
@@ -447,12 +448,12 @@ impl Reading {
             return Ok(());
         }
         if let Some(why) = impossible(outcome, value).or_else(|| self.outside(outcome, value)) {
-            return Err((here(), why).into());
+            return Err(RowError::new(here(), why));
         }
         if value.abs() > MOST {
             let (shown, most) = (outcome.show(value), outcome.show(MOST));
             let why = format!("{shown} is outside its range −{most} .. {most}; correct the cell");
-            return Err((here(), why).into());
+            return Err(RowError::new(here(), why));
         }
         if is_straight && outcome.is_lateral() {
             row.not_compared = here();
@@ -475,7 +476,7 @@ impl Reading {
         at_shot: &mut Setup<f64>,
         stated: Launch,
     ) -> Result<(), RowError> {
-        let wrong = |error: Error| RowError::from((None, error.to_string()));
+        let wrong = |error: Error| RowError::new(None, error.to_string());
         let launch = self.launch(stated)?;
         row.contradiction = contradiction(stated, [launch[3].1, launch[4].1], |of| self.head(of));
         for (name, value) in launch {
@@ -484,11 +485,6 @@ impl Reading {
             row.shot.inputs.push((parameter, value));
         }
         Ok(())
-    }
-
-    /// True for a club column of a delivery; rows may lack a value in such a column.
-    fn is_of_the_club(&self, column: &Column) -> bool {
-        self.club == ClubColumns::Read && column.is_of_the_strike()
     }
 
     /// True if the row states the club speed and all its club values are 0: the club was not
@@ -582,7 +578,7 @@ impl Reading {
             *value = value.filter(|value| !self.may_be_none(of, *value));
         }
         if let Some(why) = implausible_launch(&looked_at, |of| self.head(of)) {
-            return Some((None, why).into());
+            return Some(RowError::new(None, why));
         }
         if !self.is_export {
             return None;
@@ -639,22 +635,20 @@ impl Reading {
         let mut all = vec![];
         for name in record.text(at).split_whitespace() {
             if self.is_launched {
-                return Err((
+                return Err(RowError::new(
                     here(),
                     "rows of launch conditions cannot be optima in a parameter",
-                )
-                    .into());
+                ));
             }
             let parameter = at_shot
                 .variable(name)
-                .map_err(|error| RowError::from((here(), error.to_string())))?;
+                .map_err(|error| RowError::new(here(), error.to_string()))?;
             let one = Quantity::ANGLE.size_of("deg").unwrap_or(1.0);
             if parameter.quantity != Quantity::ANGLE {
-                return Err((
+                return Err(RowError::new(
                     here(),
                     format!("{name} is no angle; optima are read in angles"),
-                )
-                    .into());
+                ));
             }
             all.push(Stationary {
                 parameter,

@@ -12,10 +12,8 @@ use crate::table::{
 use crate::units::{Message, counted};
 use std::collections::BTreeMap;
 
-/// Row numbers by message.
-type RowsByMessage = BTreeMap<String, Vec<String>>;
-
 /// Rows read so far.
+#[derive(Default)]
 pub(super) struct Rows {
     file: String,
     /// Number of the last row read.
@@ -27,10 +25,11 @@ pub(super) struct Rows {
     clubs: BTreeMap<String, u64>,
     incomplete: Vec<String>,
     unreadable: Vec<String>,
-    /// Lateral columns that are not compared because launch direction or spin axis is assumed.
-    sideways: RowsByMessage,
-    /// Columns of the club without a usable value.
-    not_stated: RowsByMessage,
+    /// Lateral columns that are not compared because launch direction or spin axis is assumed, with
+    /// their rows.
+    sideways: BTreeMap<String, Vec<String>>,
+    /// Messages on columns of the club without a usable value, with their rows.
+    not_stated: BTreeMap<String, Vec<String>>,
     contradictions: Vec<String>,
     implausible: Vec<String>,
     airless: Vec<String>,
@@ -44,21 +43,7 @@ impl Rows {
     pub fn new(file: &str) -> Self {
         Self {
             file: file.into(),
-            row: 0,
-            shots: vec![],
-            no_shots: NonShotRows::default(),
-            messages: vec![],
-            clubs: BTreeMap::new(),
-            incomplete: vec![],
-            unreadable: vec![],
-            sideways: RowsByMessage::new(),
-            not_stated: RowsByMessage::new(),
-            contradictions: vec![],
-            implausible: vec![],
-            airless: vec![],
-            of_sections: vec![],
-            first_incomplete: None,
-            marks: DecimalMarkCheck::default(),
+            ..Self::default()
         }
     }
 

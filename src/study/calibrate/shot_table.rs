@@ -5,6 +5,7 @@ use crate::drive::Outcome;
 use crate::parameters::{Parameter, Vary};
 use crate::table::{air_as_given, air_of_rows};
 use crate::units::Message;
+use serde::Serialize;
 
 /// Measured shots, one per row.
 ///
@@ -95,14 +96,18 @@ pub struct Shot {
     pub stationary: Vec<Stationary>,
 }
 
-/// A measured outcome, SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A measured outcome, SI. An unknown standard uncertainty is the reciprocal of the weight.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Measurement {
     /// The outcome.
+    #[serde(rename = "of")]
     pub outcome: Outcome,
-    /// The value.
+    /// The measured value, SI.
+    #[serde(rename = "measured")]
     pub value: f64,
-    /// Standard uncertainty of the value. If it is unknown, the reciprocal of the weight.
+    /// The standard uncertainty of the measured value, SI.
+    #[serde(rename = "standard_uncertainty")]
     pub sigma: f64,
 }
 

@@ -238,7 +238,8 @@ impl Statistics {
             chi_square,
             degrees_of_freedom,
             probability: if is_stated {
-                upper_tail(chi_square, degrees_of_freedom)
+                let distribution = ChiSquared::new(degrees_of_freedom as f64).ok();
+                distribution.map(|distribution| distribution.sf(chi_square))
             } else {
                 None
             },
@@ -328,12 +329,6 @@ fn covariance(
         }
     }
     covariance
-}
-
-fn upper_tail(chi_square: f64, degrees_of_freedom: usize) -> Option<f64> {
-    ChiSquared::new(degrees_of_freedom as f64)
-        .ok()
-        .map(|distribution| distribution.sf(chi_square))
 }
 
 /// The 97.5 % quantile of the normal distribution, or of Student's t if `is_scaled`.

@@ -1,11 +1,13 @@
 //! First derivatives over `num_dual::Dual64`, one flight per parameter. They are independent of the
 //! jets: they use no common differentiation rule, no lanes and no chain rule.
 
-use crate::derivative::check::Ladder;
+use crate::derivative::check::{Ladder, Verdict};
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
+use crate::json::number;
 use crate::parameters::{Parameter, Setup};
 use num_dual::Dual64;
+use serde::Serialize;
 
 /// Tolerance of [`Agreement::difference`], relative to the derivative.
 const RELATIVE: f64 = 1e-9;
@@ -13,14 +15,24 @@ const RELATIVE: f64 = 1e-9;
 /// Rounding tolerance, relative to the magnitude of the outcome's terms over the parameter's scale.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// A first derivative over jets, compared with the derivative over num-dual.
-#[derive(Clone, Copy, Debug)]
+/// A derivative compared with the derivative from `num_dual::Dual64`.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "AgreementReport"))]
 pub struct Agreement {
-    /// The derivative over `num_dual::Dual64`.
+    /// `pass` or `fail`.
+    pub verdict: Verdict,
+    /// The derivative from `num_dual::Dual64`, SI.
+    #[serde(rename = "derivative", serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub num_dual: f64,
-    /// |jet − num-dual|.
+    /// The difference from the exact derivative, SI.
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub difference: f64,
-    /// Largest difference that rounding explains.
+    /// The largest allowed difference, SI.
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub tolerance: f64,
 }
 
@@ -29,16 +41,19 @@ impl Agreement {
     pub(super) fn new(jet: f64, num_dual: f64, ladder: &Ladder) -> Self {
         let size = num_dual.abs().max(ladder.next_to_nothing());
         let tolerance = RELATIVE * size + ROUNDING * ladder.rounded / ladder.scale;
+        let difference = (jet - num_dual).abs();
         Self {
+            // a difference that is NaN fails
+            verdict: Verdict::of(difference <= tolerance),
             num_dual,
-            difference: (jet - num_dual).abs(),
+            difference,
             tolerance,
         }
     }
 
-    /// True if the difference is within the tolerance; false for NaN.
+    /// True if the difference is within the tolerance.
     pub fn holds(&self) -> bool {
-        self.difference <= self.tolerance
+        self.verdict == Verdict::Pass
     }
 }
 

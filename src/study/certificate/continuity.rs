@@ -1,4 +1,5 @@
 use super::scale::{scale, size};
+use crate::derivative::check::Verdict;
 use crate::derivative::{Order, Taylor, evaluate};
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
@@ -28,10 +29,10 @@ const BAR: f64 = 4.0;
 /// miss.
 const PROMISED: [f64; 3] = [1e-13, 1e-12, 1e-10];
 
-/// Smoothness of an outcome where the number of time steps changes: the jump between adjacent
-/// floating-point values of a parameter.
+/// An outcome at a parameter value where the number of steps changes.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "ContinuityCheck"))]
 pub struct Continuity {
     /// The outcome.
     pub of: Outcome,
@@ -48,15 +49,14 @@ pub struct Continuity {
     /// rounding makes the samples scatter more.
     #[serde(rename = "tolerances")]
     pub bars: [f64; 3],
+    /// `pass` or `fail`.
+    pub verdict: Verdict,
 }
 
 impl Continuity {
     /// True if no jump exceeds its tolerance.
     pub fn passed(&self) -> bool {
-        self.jumps
-            .iter()
-            .zip(self.bars)
-            .all(|(jump, bar)| *jump <= bar)
+        self.verdict == Verdict::Pass
     }
 }
 
@@ -127,6 +127,7 @@ pub(super) fn continuity(
             steps,
             jumps: pairs.map(|(jump, _)| jump),
             bars: pairs.map(|(_, bar)| bar),
+            verdict: Verdict::of(pairs.iter().all(|(jump, bar)| jump <= bar)),
         }
     };
     Ok(of.iter().enumerate().map(continuity).collect())

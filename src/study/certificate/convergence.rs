@@ -1,11 +1,12 @@
 use super::order::{Errors, MEASURED, Measured, measure, measure_largest};
 use super::scale::{scale, size};
 use crate::aerodynamics::AerodynamicLaw;
-use crate::derivative::check::NEXT_TO_NOTHING;
+use crate::derivative::check::{NEXT_TO_NOTHING, Verdict};
 use crate::derivative::{Taylor, jacobian};
 use crate::drive::{ComputedFrom, Drive, Outcome};
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
+use serde::Serialize;
 
 /// Step sizes for a smooth law. The errors of an outcome evaluated within a single step (the apex)
 /// vary with the position of the outcome in the step; neighbouring step sizes average this effect.
@@ -63,32 +64,41 @@ impl Levels {
     }
 }
 
-/// Convergence of an outcome with the time step.
-#[derive(Clone, Debug)]
+/// The convergence of an outcome with the time step.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "ConvergenceCheck"))]
 pub struct Convergence {
     /// The outcome.
     pub of: Outcome,
-    /// Step (s) with the errors of the value and of the gradient, relative to the magnitude of
-    /// their terms.
-    pub errors: Vec<(f64, [f64; 2])>,
-    /// Measured orders of convergence of the value and of the gradient; `None` if too few errors
-    /// exceed rounding.
+    /// The steps, s.
+    pub steps: Vec<f64>,
+    /// The relative error of the value at each step.
+    pub value_errors: Vec<f64>,
+    /// The relative error of the gradient at each step.
+    pub gradient_errors: Vec<f64>,
+    /// The measured orders for value and gradient; `null` if the errors are dominated by rounding.
     pub orders: [Option<f64>; 2],
-    /// Expected orders of convergence of the value and of the gradient.
+    /// The expected orders.
     pub expected: [u32; 2],
-    /// Number of continuous derivatives of the law, if its joins limit an expected order.
+    /// The number of continuous derivatives of drag and lift, if joins of the law limit an expected
+    /// order; otherwise `null`.
     pub limited_by_law: Option<u32>,
+    /// `pass` or `fail`.
+    pub verdict: Verdict,
     /// True if the order is lower than expected. A low slope of the errors is not sufficient,
     /// because it also occurs where the first two error terms cancel.
+    #[serde(skip)]
     pub falls_short: [bool; 2],
     /// Sensitivity of the test: true if these errors would fail an expected order higher by one.
+    #[serde(skip)]
     pub would_show: [bool; 2],
 }
 
 impl Convergence {
     /// True if both orders are as expected.
     pub fn passed(&self) -> bool {
-        self.falls_short == [false; 2]
+        self.verdict == Verdict::Pass
     }
 }
 
@@ -233,21 +243,18 @@ impl<'a> Comparison<'a> {
             })
         };
         let measured = measure_with(0);
+        let falls_short = measured.map(|measured| measured.is_some_and(|it| it.falls_short));
+        let largest_of = |which: usize| samples.iter().map(|pair| pair[which].largest()).collect();
         Convergence {
             of,
-            errors: samples
-                .iter()
-                .map(|pair| {
-                    (
-                        pair[0].step,
-                        [0, 1].map(|which: usize| pair[which].largest()),
-                    )
-                })
-                .collect(),
+            steps: samples.iter().map(|pair| pair[0].step).collect(),
+            value_errors: largest_of(0),
+            gradient_errors: largest_of(1),
             orders: measured.map(|measured| measured.map(|it| it.order)),
             expected,
             limited_by_law: law_derivatives.filter(|_| expected != of_smooth_law),
-            falls_short: measured.map(|measured| measured.is_some_and(|it| it.falls_short)),
+            verdict: Verdict::of(falls_short == [false; 2]),
+            falls_short,
             would_show: measure_with(1).map(|measured| measured.is_some_and(|it| it.falls_short)),
         }
     }

@@ -17,6 +17,7 @@ use crate::impact::strike;
 use crate::launch::Launch;
 use crate::number::Vector;
 use crate::parameters::{Parameter, Setup};
+use serde::Serialize;
 
 /// Outcomes whose derivative contains a landing term.
 pub(super) const AT_LANDING: [Outcome; 3] = [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime];
@@ -25,17 +26,21 @@ pub(super) const AT_LANDING: [Outcome; 3] = [Outcome::Carry, Outcome::Lateral, O
 /// time T.
 const LOWERED_BY: f64 = 2000.0;
 
-/// A derivative at the landing compared with differences at a fixed time.
-#[derive(Clone, Debug)]
+/// A derivative at the landing compared with finite differences at a fixed time.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "LandingCheck"))]
 pub struct AtLanding {
-    /// `carry`, `lateral` or `flight_time`.
+    /// The comparison.
+    #[serde(flatten)]
+    pub check: Check,
+    /// The outcome.
     pub of: Outcome,
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// The derivative compared with differences of the extrapolated state.
-    pub check: Check,
-    /// Part of the derivative due to the change of landing time; the rest is the derivative at
-    /// fixed time.
+    /// The contribution of the landing time to the derivative, SI.
+    #[serde(serialize_with = "crate::json::number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub landing_term: f64,
 }
 

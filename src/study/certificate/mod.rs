@@ -8,7 +8,6 @@ mod convergence;
 mod detection;
 mod landing;
 mod order;
-
 mod rows;
 mod scale;
 mod step;
@@ -35,8 +34,17 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 /// Maximum number of failures named per check.
 const NAMED: usize = 3;
 
-/// An outcome without derivatives, with the reason.
-pub type Missing = (Outcome, Message);
+/// An outcome without derivatives.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "MissingOutcome"))]
+pub struct Missing {
+    /// The outcome.
+    pub of: Outcome,
+    /// The reason.
+    #[serde(rename = "message")]
+    pub reason: Message,
+}
 
 /// A check that was not run.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -244,7 +252,8 @@ pub fn certify(
     if !flown.is_empty() {
         certificate.check_flight(setup, &flown, wrt, has_corner, &work)?;
     }
-    certificate.stopped = work.interrupted_at();
+    let done = work.done.load(Ordering::Relaxed);
+    certificate.stopped = work.is_interrupted().then_some([done, work.all]);
     Ok(certificate)
 }
 
@@ -281,12 +290,6 @@ impl Work<'_> {
 
     fn is_interrupted(&self) -> bool {
         self.stopped.load(Ordering::Relaxed)
-    }
-
-    /// Number of finished parameters and number of all parameters, if the work was interrupted.
-    fn interrupted_at(&self) -> Option<[usize; 2]> {
-        let done = self.done.load(Ordering::Relaxed);
-        self.is_interrupted().then_some([done, self.all])
     }
 }
 
@@ -368,7 +371,8 @@ fn present(
         match evaluate(setup, &[one], wrt, Order::First) {
             Ok(_) => present.push(one),
             Err(error) if error.is_an_outcome() => {
-                missing.push((one, error.message()));
+                let reason = error.message();
+                missing.push(Missing { of: one, reason });
                 first = first.or(Some(error));
             }
             Err(error) => return Err(error),

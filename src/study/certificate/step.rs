@@ -5,8 +5,10 @@ use super::scale::{scale, size};
 use crate::derivative::jacobian;
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
+use crate::json::number;
 use crate::parameters::{Parameter, Setup};
 use crate::units::Message;
+use serde::Serialize;
 
 /// Step ratio of the comparison flight; order 4 leaves 1/4096 of the error.
 const SHORTER: f64 = 8.0;
@@ -18,25 +20,40 @@ const LEAST: f64 = 1e-6;
 /// Relative derivative error that triggers a warning.
 const WORTH_A_WORD: f64 = 1e-6;
 
-/// Truncation error of an outcome and its derivatives, by comparison with steps of an eighth.
-#[derive(Clone, Copy, Debug)]
+/// The error of the time step in an outcome.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "StepErrorReport"))]
 pub struct StepError {
     /// The outcome.
     pub of: Outcome,
-    /// The step (s) and the shorter step of the comparison.
+    /// The time step and the shorter step for comparison, s.
     pub steps: [f64; 2],
-    /// Error of the value, relative to the magnitude of its terms.
-    pub value: f64,
-    /// Parameter of the derivative with the largest relative error, and this error.
-    pub derivative: Option<(&'static Parameter, f64)>,
-    /// Largest derivative error relative to outcome per parameter scale.
-    pub of_outcome: f64,
+    /// The error of the value, relative to the numbers from which the outcome is computed.
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    pub value_error: f64,
+    /// The parameter whose derivative has the largest error.
+    pub parameter: Option<&'static Parameter>,
+    /// The relative error of that derivative.
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    pub derivative_error: Option<f64>,
+    /// The error of the derivative relative to the outcome, for a change of the parameter by its
+    /// typical size.
+    // the largest of all derivatives
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    pub derivative_error_of_outcome: f64,
 }
 
 impl StepError {
     /// Warning for a relative derivative error above 1e-6.
     pub fn warning(&self) -> Option<Message> {
-        let (parameter, error) = self.derivative.filter(|(_, error)| *error > WORTH_A_WORD)?;
+        let error = self
+            .derivative_error
+            .filter(|error| *error > WORTH_A_WORD)?;
+        let parameter = self.parameter?;
         let (of, by, step) = (self.of.name(), parameter.name, 1e3 * self.steps[0]);
         let warning = format!(
             "the derivative of {of} by {by} is computed with time steps of {step} ms, and with \
@@ -73,15 +90,14 @@ pub(super) fn step_errors(
             (*parameter, off / slope.max(LEAST * size), off / size)
         });
         let off: Vec<_> = off.collect();
+        let worst = off.iter().max_by(|a, b| a.1.total_cmp(&b.1));
         StepError {
             of: *of,
             steps: [setup.flight.step, finer.flight.step],
-            value: (found[i].value - exact[i].value).abs() / size,
-            derivative: off
-                .iter()
-                .map(|it| (it.0, it.1))
-                .max_by(|a, b| a.1.total_cmp(&b.1)),
-            of_outcome: off.iter().fold(0.0, |most, it| most.max(it.2)),
+            value_error: (found[i].value - exact[i].value).abs() / size,
+            parameter: worst.map(|it| it.0),
+            derivative_error: worst.map(|it| it.1),
+            derivative_error_of_outcome: off.iter().fold(0.0, |most, it| most.max(it.2)),
         }
     };
     Ok(of.iter().enumerate().map(error).collect())

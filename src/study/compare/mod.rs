@@ -53,7 +53,7 @@ impl Difference {
     /// Outcome of b minus outcome of a, SI; directions differ by less than half a turn.
     pub fn amount(&self) -> f64 {
         let [a, b] = self.values;
-        self.of.unwrap_angle(b, a) - a
+        self.of.change(a, b)
     }
 }
 
@@ -102,7 +102,7 @@ impl Comparison {
 
     /// Reports whether the setups differ.
     pub fn differs(&self) -> bool {
-        self.path.is_different()
+        !self.path.causes().is_empty()
     }
 
     /// Difference of an outcome, with the share of each cause. The share of a parameter p is ∫
@@ -168,7 +168,7 @@ impl Comparison {
         let size = values
             .iter()
             .fold(unit, |most, value| most.max(value.abs()));
-        let amount = of.unwrap_angle(values[1], values[0]) - values[0];
+        let amount = of.change(values[0], values[1]);
         let shares = |split: &mut Split<'_>| {
             let found = split.shares(of, amount, size);
             found.map_err(|error| error.of_drive(BETWEEN))

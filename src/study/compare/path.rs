@@ -71,7 +71,7 @@ pub struct Shares {
 pub(super) struct Path {
     pub ends: [Setup<f64>; 2],
     pub continuous: Vec<&'static Parameter>,
-    discrete: Vec<Cause>,
+    pub discrete: Vec<Cause>,
 }
 
 impl Path {
@@ -127,11 +127,6 @@ impl Path {
         }
     }
 
-    /// Reports whether the setups differ.
-    pub fn is_different(&self) -> bool {
-        !(self.continuous.is_empty() && self.discrete.is_empty())
-    }
-
     /// All differences.
     pub fn causes(&self) -> Vec<Cause> {
         self.continuous
@@ -139,11 +134,6 @@ impl Path {
             .map(|parameter| Cause::Continuous(parameter))
             .chain(self.discrete.iter().copied())
             .collect()
-    }
-
-    /// Reports whether there are discrete changes.
-    pub fn has_discrete(&self) -> bool {
-        !self.discrete.is_empty()
     }
 
     /// Shares of the discrete changes, at the middle of the path. The changes are applied one after
@@ -171,8 +161,7 @@ impl Path {
             for &place in order {
                 self.change(&mut setup, self.discrete[place]);
                 let after = value(&setup, of)?;
-                shares[place].amount +=
-                    (of.unwrap_angle(after, before) - before) / last.min(2) as f64;
+                shares[place].amount += of.change(before, after) / last.min(2) as f64;
                 before = after;
             }
         }

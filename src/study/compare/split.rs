@@ -40,10 +40,10 @@ impl<'a> Split<'a> {
     /// Share of each cause in the difference `amount` of one outcome; `size` is the outcome's
     /// magnitude, for rounding. Shares do not depend on the other outcomes.
     pub fn shares(&mut self, of: Outcome, amount: f64, size: f64) -> Result<Shares> {
-        let halves: &[(usize, [f64; 2])] = if self.path.has_discrete() {
-            &[(0, [0.0, 0.5]), (1, [0.5, 1.0])]
-        } else {
+        let halves: &[(usize, [f64; 2])] = if self.path.discrete.is_empty() {
             &[(0, [0.0, 1.0])]
+        } else {
+            &[(0, [0.0, 0.5]), (1, [0.5, 1.0])]
         };
         let mut amounts = vec![0.0; self.path.continuous.len()];
         let mut error = 0.0;

@@ -67,9 +67,7 @@ impl LinearizedLaunches {
                 let off =
                     &root * DVector::from_fn(n, |i, _| side * normal.inverse_cdf(quantile(i)));
                 let found = strike.at(&values(unknowns, &(mean + &off))).ok()?;
-                let changed = |k: usize| {
-                    of[k].unwrap_angle(found[k].value, at_mean[k].value) - at_mean[k].value
-                };
+                let changed = |k: usize| of[k].change(at_mean[k].value, found[k].value);
                 let changed = DVector::from_fn(count, |k, _| changed(k));
                 let rest = &changed - &slopes * off;
                 Some([changed, rest])

@@ -13,7 +13,7 @@ mod shots;
 mod solve;
 mod unknown;
 
-pub use population::{LEAST_SHOTS, Population, PredictedOutcome, Recovered};
+pub use population::{LEAST_SHOTS, MeanAndDeviation, Population, PredictedOutcome, Recovered};
 pub use result::{Delivered, Explained, Posterior, Unidentified};
 pub use shots::{Delivery, Spread, deliveries, launches};
 pub use solve::delivery;

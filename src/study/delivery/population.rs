@@ -11,19 +11,25 @@ use crate::units::counted;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
-/// Joint normal distribution of the swings behind many shots, without the launch monitor's errors.
-#[derive(Clone, Debug, PartialEq)]
+/// The population of swings behind the shots of a table.
+// a joint normal distribution, without the measurement errors of the launch monitor
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "PopulationReport"))]
 pub struct Population {
-    /// The unknowns.
-    pub spreads: Vec<Recovered>,
-    /// Correlation matrix of the unknowns, row by row.
-    pub correlations: Vec<Vec<f64>>,
-    /// Number of shots from which the distribution was estimated.
+    /// Number of shots, at least 10.
     pub shots: usize,
-    /// Factor on the prior standard deviation along directions that the shots do not identify.
+    /// Factor on the prior deviation along the directions that the shots do not identify, 0 to 1.
+    #[serde(rename = "kept")]
     pub prior_factor: f64,
-    /// Outcomes of the launch: measured, and predicted by this distribution.
+    /// The launch outcomes, measured and computed from the distribution.
+    #[serde(rename = "launches")]
     pub predicted: Vec<PredictedOutcome>,
+    /// The distribution of each parameter.
+    #[serde(rename = "spread")]
+    pub spreads: Vec<Recovered>,
+    /// The correlations of the parameters, −1 to 1, in the order of `spread`.
+    pub correlations: Vec<Vec<f64>>,
 }
 
 /// Distribution of one parameter over the swings, SI.
@@ -48,15 +54,28 @@ pub struct Recovered {
     pub deviation_error: f64,
 }
 
-/// Mean and standard deviation of a launch outcome over the shots, measured and predicted, SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// An outcome over the shots, measured and computed from the distribution.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "LaunchMoments"))]
 pub struct PredictedOutcome {
     /// The outcome.
     pub of: Outcome,
-    /// Measured mean and standard deviation.
-    pub measured: [f64; 2],
-    /// Predicted mean and standard deviation, with the launch monitor's errors.
-    pub recovered: [f64; 2],
+    /// Mean and standard deviation of the measured launches.
+    pub measured: MeanAndDeviation,
+    /// Mean and standard deviation of launches from the distribution, with the measurement errors
+    /// of the launch monitor.
+    pub recovered: MeanAndDeviation,
+}
+
+/// A mean with a standard deviation.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct MeanAndDeviation {
+    /// The mean, SI.
+    pub mean: f64,
+    /// The standard deviation, SI.
+    pub deviation: f64,
 }
 
 /// Minimum number of shots for a distribution.
@@ -77,8 +96,10 @@ impl PredictedOutcome {
     /// The larger of the differences of mean and standard deviation, relative to the measured
     /// standard deviation.
     pub fn discrepancy(&self) -> f64 {
-        let ([mean, deviation], [found, spread]) = (self.measured, self.recovered);
-        (found - mean).abs().max((spread - deviation).abs()) / deviation
+        let (measured, recovered) = (self.measured, self.recovered);
+        let off_mean = (recovered.mean - measured.mean).abs();
+        let off_deviation = (recovered.deviation - measured.deviation).abs();
+        off_mean.max(off_deviation) / measured.deviation
     }
 }
 
@@ -324,8 +345,14 @@ fn predicted(
             .sqrt();
         PredictedOutcome {
             of: *of,
-            measured: [mean[0], deviation],
-            recovered: [mean[0] - mean[1], spread],
+            measured: MeanAndDeviation {
+                mean: mean[0],
+                deviation,
+            },
+            recovered: MeanAndDeviation {
+                mean: mean[0] - mean[1],
+                deviation: spread,
+            },
         }
     };
     of.iter().enumerate().map(one).collect()

@@ -1,10 +1,12 @@
 //! The delivery found for a launch: posterior of each unknown, and unidentified directions.
 
 use super::unknown::Unknown;
+use crate::json::by_name;
 use crate::optimize::least_squares::Status;
 use crate::parameters::{Parameter, Setup};
 use crate::study::calibrate::Measurement;
 use nalgebra::{DMatrix, SymmetricEigen};
+use serde::Serialize;
 
 /// Posterior of one parameter, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,24 +22,33 @@ pub struct Posterior {
     pub variance_removed: Option<f64>,
 }
 
-/// A measured outcome and its computed value, SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// An outcome of a launch, measured and computed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "ExplainedReport"))]
 pub struct Explained {
     /// The measurement.
+    #[serde(flatten)]
     pub measured: Measurement,
-    /// The value computed from the delivery.
+    /// The value computed from the most probable delivery, SI.
     pub computed: f64,
+    /// The computed minus the measured value, in units of the standard uncertainty.
+    pub residual: f64,
 }
 
 impl Explained {
-    /// Computed − measured, divided by the standard uncertainty of the measurement.
-    pub fn residual(&self) -> f64 {
+    /// A measurement with its computed value.
+    pub(super) fn new(measured: Measurement, computed: f64) -> Self {
         let Measurement {
             outcome,
             value,
             sigma,
-        } = self.measured;
-        (outcome.unwrap_angle(self.computed, value) - value) / sigma
+        } = measured;
+        Self {
+            measured,
+            computed,
+            residual: outcome.change(value, computed) / sigma,
+        }
     }
 }
 
@@ -70,8 +81,8 @@ impl Delivered {
         let worst = self
             .explained
             .iter()
-            .max_by(|a, b| a.residual().abs().total_cmp(&b.residual().abs()));
-        worst.filter(|worst| worst.residual().abs() > EXPLAINED_WITHIN)
+            .max_by(|a, b| a.residual.abs().total_cmp(&b.residual.abs()));
+        worst.filter(|worst| worst.residual.abs() > EXPLAINED_WITHIN)
     }
 
     /// True if the search converged and explains the launch.
@@ -86,13 +97,18 @@ const UNIDENTIFIED_BELOW: f64 = 0.5;
 /// Threshold for the components of a direction. Smaller components are omitted.
 const LEAST_COMPONENT: f64 = 0.1;
 
-/// A combined change of parameters that hardly changes the launch.
-#[derive(Clone, Debug, PartialEq)]
+/// A change of the delivery that the launch does not determine.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "UnidentifiedReport"))]
 pub struct Unidentified {
-    /// Fraction of the prior variance along the direction that the shot removes, below one half.
+    /// The fraction of the prior variance that the shot removes, 0 to 1.
+    #[serde(rename = "told")]
     pub variance_removed: f64,
-    /// Change of each parameter, SI. The total change is one prior standard uncertainty; the first
-    /// component is positive.
+    /// The change of each parameter, SI; together they are one prior standard uncertainty.
+    // the first change is positive
+    #[serde(serialize_with = "by_name")]
+    #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, f64>"))]
     pub changes: Vec<(&'static Parameter, f64)>,
 }
 

@@ -23,12 +23,12 @@ pub fn delivery(
 ) -> Result<Delivered> {
     check(measured, unknowns)?;
     let priors: Vec<f64> = unknowns.iter().map(|unknown| unknown.prior).collect();
-    let own = with_unknowns(setup, unknowns, &priors)?;
+    let wrt: Vec<_> = unknowns.iter().map(|unknown| unknown.parameter).collect();
+    let own = setup.with_values(&wrt, &priors)?;
     let of: Vec<Outcome> = measured
         .iter()
         .map(|measurement| measurement.outcome)
         .collect();
-    let wrt: Vec<_> = unknowns.iter().map(|unknown| unknown.parameter).collect();
     let evaluator = Evaluator::new(&own, &of, &wrt, Order::First)?;
     let rows = |x: &[f64]| match evaluator.at(x) {
         Ok(taylors) => Ok(rows(&taylors, measured, unknowns, x)),
@@ -47,8 +47,10 @@ pub fn delivery(
             ),
         });
     }
-    let moved = with_unknowns(&own, unknowns, &found.x)?;
-    let explained = explained(measured, &evaluator.at(&found.x)?);
+    let moved = own.with_values(&wrt, &found.x)?;
+    let computed = evaluator.at(&found.x)?;
+    let explained = measured.iter().zip(&computed);
+    let explained = explained.map(|(measured, taylor)| Explained::new(*measured, taylor.value));
     let free: Vec<usize> = (0..unknowns.len())
         .filter(|&i| (unknowns[i].low < found.x[i]) && (found.x[i] < unknowns[i].high))
         .collect();
@@ -66,30 +68,10 @@ pub fn delivery(
         status: found.status,
         message: found.message.clone(),
         posteriors,
-        explained,
+        explained: explained.collect(),
         jacobian: found.rows.jacobian[..measured.len()].to_vec(),
         unidentified: unidentified(&jacobian, &free_parameters),
     })
-}
-
-/// The measurements with the computed values.
-fn explained(measured: &[Measurement], taylors: &[Taylor]) -> Vec<Explained> {
-    let values = measured.iter().zip(taylors);
-    values
-        .map(|(measured, taylor)| Explained {
-            measured: *measured,
-            computed: taylor.value,
-        })
-        .collect()
-}
-
-/// The setup with values of the unknowns.
-fn with_unknowns(setup: &Setup<f64>, unknowns: &[Unknown], values: &[f64]) -> Result<Setup<f64>> {
-    let mut moved = *setup;
-    for (unknown, value) in unknowns.iter().zip(values) {
-        moved.set_value(unknown.parameter, Some(*value))?;
-    }
-    Ok(moved)
 }
 
 /// Refuses a search without measurements or unknowns, or with an outcome of the flight.
@@ -149,11 +131,7 @@ fn posteriors(
 fn rows(taylors: &[Taylor], measured: &[Measurement], unknowns: &[Unknown], x: &[f64]) -> Rows {
     let (mut residuals, mut jacobian) = (vec![], vec![]);
     for (taylor, measurement) in taylors.iter().zip(measured) {
-        let explained = Explained {
-            measured: *measurement,
-            computed: taylor.value,
-        };
-        residuals.push(explained.residual());
+        residuals.push(Explained::new(*measurement, taylor.value).residual);
         jacobian.push(
             taylor
                 .gradient

@@ -1,6 +1,6 @@
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Vary};
-use crate::study::{Sigma, given_twice};
+use crate::study::{Sigma, refuse_given_twice};
 
 /// An unknown parameter of the delivery with its prior, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -117,14 +117,7 @@ fn search_range(parameter: &Parameter, value: f64, sigma: f64) -> Option<[f64; 2
 /// [`Error::Unreadable`] for an uncertainty given twice, or for a parameter that is not among the
 /// unknowns.
 pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<Vec<Unknown>> {
-    for (i, sigma) in sigmas.iter().enumerate() {
-        if sigmas[..i]
-            .iter()
-            .any(|other| other.parameter == sigma.parameter)
-        {
-            return Err(given_twice(sigma.parameter));
-        }
-    }
+    refuse_given_twice(sigmas.iter().map(|sigma| sigma.parameter))?;
     let all = if vary.is_empty() {
         default_unknowns(setup, sigmas)?
     } else {

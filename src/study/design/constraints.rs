@@ -1,6 +1,6 @@
 //! Constraints on a design, and their slack and multiplier at the optimum.
 
-use super::rules::Rule;
+use super::rules::GolfRule;
 use crate::study::Optimum;
 use crate::units::Quantity;
 
@@ -15,7 +15,7 @@ pub struct DesignConstraint {
     /// Expression: `head_moi <= 5900 g cm^2 + 100 g cm^2`.
     pub expression: String,
     /// The rule of golf; `None` for other constraints.
-    pub rule: Option<&'static Rule>,
+    pub rule: Option<&'static GolfRule>,
     /// Method by which the search enforces the constraint.
     pub by: Enforcement,
     /// Lower and upper limit, SI; may be infinite.

@@ -1,7 +1,7 @@
 //! Builds the optimization problem of a design.
 
 use super::constraints::{ConstraintState, DesignConstraint, Enforcement};
-use super::rules::{Limited, RULES, Rule};
+use super::rules::{GolfRule, Limited, RULES};
 use crate::drive::{Outcome, is_outside_any_face};
 use crate::error::{Error, Result};
 use crate::impact::Head;
@@ -123,7 +123,7 @@ impl Design {
         &mut self,
         setup: &Setup<f64>,
         scenarios: &Scenarios,
-        rule: &'static Rule,
+        rule: &'static GolfRule,
     ) -> Result<()> {
         let by = match rule.of {
             Limited::Parameter(name) => {
@@ -153,7 +153,13 @@ impl Design {
     }
 
     /// Adds the constraint of a rule.
-    fn push(&mut self, rule: &'static Rule, expression: String, range: [f64; 2], by: Enforcement) {
+    fn push(
+        &mut self,
+        rule: &'static GolfRule,
+        expression: String,
+        range: [f64; 2],
+        by: Enforcement,
+    ) {
         self.constraints.push(DesignConstraint {
             name: rule.name.into(),
             expression,
@@ -172,7 +178,7 @@ impl Design {
         &mut self,
         setup: &Setup<f64>,
         scenarios: &Scenarios,
-        rule: &'static Rule,
+        rule: &'static GolfRule,
         of: Outcome,
     ) -> Result<Option<Enforcement>> {
         let begun = Vary::initialised(setup, &self.search.vary)?;
@@ -221,7 +227,7 @@ impl Design {
 
     /// Enforces a rule by the user's relation with index `k`, whose limits must conform to the
     /// rule.
-    fn of_relation(&mut self, rule: &'static Rule, name: &str, k: usize) -> Result<()> {
+    fn of_relation(&mut self, rule: &'static GolfRule, name: &str, k: usize) -> Result<()> {
         let limit = &self.search.subject_to[k];
         let [low, high] = [limit.low, limit.high];
         let refuse = |reason: String| {
@@ -262,7 +268,7 @@ impl Design {
         &mut self,
         setup: &Setup<f64>,
         scenarios: &Scenarios,
-        rule: &'static Rule,
+        rule: &'static GolfRule,
         parameter: &'static Parameter,
     ) -> Result<Enforcement> {
         let bound = rule.bound();
@@ -308,7 +314,7 @@ impl Design {
     }
 
     /// Limits the range of the varied parameter `i` according to a rule.
-    fn bound(&mut self, rule: &Rule, i: usize) -> Result<()> {
+    fn bound(&mut self, rule: &GolfRule, i: usize) -> Result<()> {
         let vary = &mut self.search.vary[i];
         let [best, worst] = if rule.is_greatest {
             [vary.low, vary.high]
@@ -341,7 +347,7 @@ impl Design {
 
     /// Adds a note on parameters with unbounded distributions: the rule is checked at the sampled
     /// swings only.
-    fn note_endless(&mut self, scenarios: &Scenarios, rule: &Rule, places: &[usize]) {
+    fn note_endless(&mut self, scenarios: &Scenarios, rule: &GolfRule, places: &[usize]) {
         let names = places
             .iter()
             .filter(|k| scenarios.is_endless(**k))
@@ -366,7 +372,7 @@ impl Design {
         expression: String,
         of: Outcome,
         [low, high]: [f64; 2],
-        rule: Option<&'static Rule>,
+        rule: Option<&'static GolfRule>,
     ) {
         let by = Enforcement::Limit(self.search.subject_to.len());
         self.search.subject_to.push(Constraint {
@@ -419,7 +425,7 @@ impl Design {
 }
 
 /// Returns the value if the rule allows it.
-fn checked(rule: &Rule, value: f64, found: &str, advice: &str) -> Result<f64> {
+fn checked(rule: &GolfRule, value: f64, found: &str, advice: &str) -> Result<f64> {
     if rule.allows(value) {
         return Ok(value);
     }

@@ -6,7 +6,7 @@ use crate::units::Quantity;
 
 /// A rule: a limit on one number.
 #[derive(Debug)]
-pub struct Rule {
+pub struct GolfRule {
     /// Name.
     pub name: &'static str,
     /// The limited quantity.
@@ -37,15 +37,15 @@ pub enum Limited {
 }
 
 /// Rules are statics: equality is identity.
-impl PartialEq for Rule {
+impl PartialEq for GolfRule {
     fn eq(&self, other: &Self) -> bool {
         std::ptr::eq(self, other)
     }
 }
 
 /// The rules (R&A and USGA, Equipment Rules).
-pub static RULES: [Rule; 5] = [
-    Rule {
+pub static RULES: [GolfRule; 5] = [
+    GolfRule {
         name: "moment of inertia",
         of: Limited::Outcome(Outcome::HeadMoi),
         is_greatest: true,
@@ -56,7 +56,7 @@ pub static RULES: [Rule; 5] = [
                  gravity",
         hint: "",
     },
-    Rule {
+    GolfRule {
         name: "volume",
         of: Limited::Relation("volume", Quantity::VOLUME),
         is_greatest: true,
@@ -66,7 +66,7 @@ pub static RULES: [Rule; 5] = [
         source: "Equipment Rules, part 2, 4b",
         hint: "",
     },
-    Rule {
+    GolfRule {
         name: "spring effect",
         of: Limited::Parameter("impact.restitution"),
         is_greatest: true,
@@ -80,7 +80,7 @@ pub static RULES: [Rule; 5] = [
                all other errors, such as a head speed that was measured too low; design with the \
                limit, or with modern-driver)",
     },
-    Rule {
+    GolfRule {
         name: "weight of the ball",
         of: Limited::Parameter("ball.mass"),
         is_greatest: true,
@@ -90,7 +90,7 @@ pub static RULES: [Rule; 5] = [
         source: "Equipment Rules, part 4: at most 1.620 oz",
         hint: "",
     },
-    Rule {
+    GolfRule {
         name: "size of the ball",
         of: Limited::Parameter("ball.radius"),
         is_greatest: false,
@@ -102,7 +102,7 @@ pub static RULES: [Rule; 5] = [
     },
 ];
 
-impl Rule {
+impl GolfRule {
     /// Physical quantity of the limited number.
     pub fn quantity(&self) -> Quantity {
         match self.of {
@@ -180,7 +180,7 @@ mod tests {
 
     #[test]
     fn exact_limits_with_their_tolerances() {
-        let bounds = RULES.iter().map(super::Rule::bound).collect::<Vec<_>>();
+        let bounds = RULES.iter().map(super::GolfRule::bound).collect::<Vec<_>>();
         for (bound, expected) in bounds
             .iter()
             .zip([6000e-7, 470e-6, 0.83, 0.04593, 0.04267 / 2.0])

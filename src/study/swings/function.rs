@@ -66,8 +66,9 @@ impl Integration {
         wrt: &[&'static Parameter],
         scenarios: Scenarios,
     ) -> Result<GoalFunction> {
-        let function = GoalFunction::new(&self.setup, goal, wrt, scenarios)?;
-        Ok(function.with_largest_defect(self.largest_defect))
+        let GoalFunction { problem } = GoalFunction::new(&self.setup, goal, wrt, scenarios)?;
+        let problem = problem.with_largest_defect(self.largest_defect);
+        Ok(GoalFunction { problem })
     }
 }
 
@@ -101,14 +102,6 @@ impl GoalFunction {
         };
         let problem = SearchProblem::of_goals(setup, &search, &Arc::default())?;
         Ok(Self { problem })
-    }
-
-    /// The function with a limit of the drives' defect, m. Drives with a larger defect are repeated
-    /// with shorter steps.
-    fn with_largest_defect(self, largest_defect: f64) -> Self {
-        Self {
-            problem: self.problem.with_largest_defect(largest_defect),
-        }
     }
 
     /// The parameters, in the order of the values and derivatives.

@@ -1,4 +1,3 @@
-use super::chained::chained;
 use super::strokes::Strokes;
 use crate::derivative::Order;
 use crate::drive::Outcome;
@@ -235,7 +234,7 @@ fn with_hessian(f: &Taylor, is_second: bool) -> Taylor {
 /// √(f + `least`²).
 fn root(f: &Taylor, least: f64) -> Taylor {
     let root = (f.value + least * least).sqrt();
-    chained(f, [root, 0.5 / root, -0.25 / root.powi(3)])
+    f.chained([root, 0.5 / root, -0.25 / root.powi(3)])
 }
 
 /// σ((`half` − f)/`edge`) − σ((−`half` − f)/`edge`) with the logistic σ, and two derivatives by f.

@@ -10,7 +10,6 @@
 //! ```
 
 mod beyond;
-mod chained;
 mod file;
 pub(super) mod flown;
 mod function;
@@ -31,7 +30,7 @@ pub use golfer::{Correlation, Swings};
 pub use measure::Measure;
 pub use pareto::{Pareto, ParetoPoint, ParetoSearch, pareto};
 pub use price::{GoalError, Nominal, Price, price, price_until};
-pub use resampled::{Resampled, Significance, resampled};
+pub use resampled::{Resampled, resampled};
 pub use robust::{Model, Robust, robust};
 pub use scenarios::{Rule, Scenarios};
 pub use strokes::Strokes;

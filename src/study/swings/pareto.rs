@@ -8,7 +8,7 @@ use crate::study::cancellable::stopped;
 use crate::study::problem::SearchProblem;
 use crate::study::verdict::{Active, active, status_name, violated};
 use crate::study::{ChartEvent, Constraint, Goal, Search, Sense};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
 /// A search for the best compromises between two goals.
 #[derive(Clone, Debug)]
@@ -191,8 +191,7 @@ impl ParetoSearch {
     /// A point of the front with its goals, also after an interrupt. `sign` converts the slope of
     /// the minimized functions to the slope of the goals.
     fn point(&self, problem: &SearchProblem, point: FrontPoint, sign: f64) -> Result<ParetoPoint> {
-        let never = AtomicBool::new(false);
-        let values = problem.values_until(&point.x, &never)?;
+        let values = problem.values_uninterrupted(&point.x)?;
         let active = self.active(&point.x, &point.active_set);
         let event = point.event.as_ref().map(|event| match event {
             FrontEvent::Jump => "from here on another branch of designs is better".to_owned(),

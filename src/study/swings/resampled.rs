@@ -1,6 +1,7 @@
 use crate::error::Result;
+use crate::json::by_name;
 use crate::optimize::{Observer, Status, minimize_observed};
-use crate::parameters::Setup;
+use crate::parameters::{Parameter, Setup};
 use crate::statistics::Moments;
 use crate::study::Optimum;
 use crate::study::problem::SearchProblem;
@@ -8,30 +9,32 @@ use crate::study::uncertainty::Interval;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 use rayon::prelude::*;
+use serde::Serialize;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Bootstrap intervals of the best design: the search repeated over resamples of recorded swings.
-#[derive(Clone, Debug, PartialEq)]
+/// The optima of resamples of recorded swings.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "ResampledReport"))]
 pub struct Resampled {
     /// The 95 % interval of each varied parameter.
-    pub design: Vec<Interval>,
+    #[serde(rename = "optimum", serialize_with = "by_name")]
+    #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, Interval>"))]
+    pub design: Vec<(&'static Parameter, Interval)>,
     /// The 95 % interval of the objective.
+    #[serde(rename = "value")]
     pub goal: Interval,
     /// The number of resamples whose search converged.
     pub rounds: usize,
-    /// Significance of the gain of the best design over the setup's own design.
-    pub significance: Option<Significance>,
-}
-
-/// Significance of the gain of the best design over the setup's own, by recorded swings.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Significance {
-    /// The gain of the objective: its 95 % interval.
-    pub better: Interval,
-    /// Number of similar swings needed for a significant gain, at a confidence of 95 % and a power
-    /// of 80 %.
-    pub swings: Option<u64>,
+    /// The 95 % interval of the gain over the design before the search.
+    #[serde(rename = "better_than_set_up")]
+    pub gain: Option<Interval>,
+    /// The number of swings needed to distinguish the best design from the design before the
+    /// search.
+    // at a confidence of 95 % and a power of 80 %
+    #[serde(rename = "swings_to_tell")]
+    pub swings_needed: Option<u64>,
 }
 
 /// z₀.₉₇₅ + z₀.₈, normal quantiles for a confidence of 95 % and a power of 80 %.
@@ -71,27 +74,27 @@ pub fn resampled(
     let Some(value) = best.value().filter(|_| found.len() >= (rounds / 2).max(2)) else {
         return Ok(None);
     };
-    let x = best.solution.x.iter().enumerate();
-    let design = x.map(|(i, x)| interval(*x, found.iter().map(|round| round.x[i]).collect()));
-    let design = design.collect();
+    let varied = best.search.vary.iter().zip(&best.solution.x).enumerate();
+    let design = varied.map(|(i, (vary, x))| {
+        let resamples = found.iter().map(|round| round.x[i]).collect();
+        (vary.parameter, interval(*x, resamples))
+    });
     let goal = interval(
         value,
         found.iter().filter_map(|round| round.value).collect(),
     );
     let gains: Vec<f64> = found.iter().filter_map(|round| round.gain).collect();
     let own = problem.as_set_up().ok().filter(|_| gains.len() >= 2);
-    let significance = own.map(|own| {
-        let mean = -best.search.sense.sign() * (value - own[0]);
-        Significance::new(mean, gains, points.len())
-    });
+    let mean = own.map(|own| -best.search.sense.sign() * (value - own[0]));
     if is_stopped() {
         return Ok(None);
     }
     Ok(Some(Resampled {
-        design,
+        design: design.collect(),
         goal,
         rounds: found.len(),
-        significance,
+        swings_needed: mean.and_then(|mean| swings_needed(mean, &gains, points.len())),
+        gain: mean.map(|mean| interval(mean, gains)),
     }))
 }
 
@@ -127,8 +130,11 @@ fn searched_again(
 ) -> Option<Round> {
     let x = &best.solution.x;
     let objective = |goals: Result<Vec<f64>>| Some(goals.ok()?[0]);
-    let value = |x: &[f64]| objective(problem.weighted_values(x, &weights));
-    let own = objective(problem.weighted_as_set_up(&weights));
+    let value = |x: &[f64]| {
+        let setup = problem.moved(x).ok()?;
+        objective(problem.weighted_values(&setup, x, &weights))
+    };
+    let own = objective(problem.weighted_values(&problem.set_up, &problem.own(), &weights));
     let sign = best.search.sense.sign();
     let gain = value(x).zip(own).map(|(best, own)| -sign * (best - own));
     let weighted = |x: &[f64]| problem.weighted(x, &weights);
@@ -145,18 +151,14 @@ fn searched_again(
     })
 }
 
-impl Significance {
-    /// The significance of a mean gain over n swings by the gains over resamples of them.
-    fn new(mean: f64, gains: Vec<f64>, n: usize) -> Self {
-        let moments = Moments::of(gains.iter().copied());
-        let deviation = moments.deviation().unwrap_or(f64::NAN);
-        // the standard error decreases with the root of the number of swings
-        let swings = (POWER * deviation / mean).powi(2) * n as f64;
-        Self {
-            better: interval(mean, gains),
-            swings: (mean > 0.0 && swings.is_finite()).then(|| swings.ceil() as u64),
-        }
-    }
+/// The number of swings at which a mean gain is significant, from the gains over resamples of n
+/// swings.
+fn swings_needed(mean: f64, gains: &[f64], n: usize) -> Option<u64> {
+    let moments = Moments::of(gains.iter().copied());
+    let deviation = moments.deviation().unwrap_or(f64::NAN);
+    // the standard error decreases with the root of the number of swings
+    let swings = (POWER * deviation / mean).powi(2) * n as f64;
+    (mean > 0.0 && swings.is_finite()).then(|| swings.ceil() as u64)
 }
 
 /// The 95 % interval of an estimate by the quantiles of its resamples.

@@ -9,7 +9,7 @@ use crate::study::cancellable::stopped;
 use crate::study::optimum::{local_optima, stopped_of};
 use crate::study::problem::SearchProblem;
 use crate::study::{Optimum, Search};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
 /// One of several models of impact and flight: the setup with some changes.
 #[derive(Clone, Debug)]
@@ -449,10 +449,9 @@ impl<'a> Losses<'a> {
 
     /// The values of each model's goals at a design, also after an interrupt.
     fn goals(&self, design: &[f64]) -> Result<Vec<Vec<f64>>> {
-        let never = AtomicBool::new(false);
         let problems = self.problems.iter();
         problems
-            .map(|problem| problem.values_until(design, &never))
+            .map(|problem| problem.values_uninterrupted(design))
             .collect()
     }
 

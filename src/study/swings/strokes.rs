@@ -1,4 +1,3 @@
-use super::chained::chained;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::input_file::InputFile;
@@ -191,7 +190,7 @@ impl Strokes {
                 .collect(),
             hessian: (0..f.hessian.len()).map(row).collect(),
         };
-        chained(&distance, self.at(left))
+        distance.chained(self.at(left))
     }
 }
 

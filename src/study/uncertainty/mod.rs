@@ -24,6 +24,7 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::units::{Message, counted, significant};
 use rayon::prelude::*;
+use serde::Serialize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Fractions of the landings for which ellipses are computed.
@@ -138,6 +139,17 @@ pub struct SampledEllipse {
     pub holds: f64,
 }
 
+/// The parameter whose exact knowledge reduces the uncertainty of an outcome most.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct MeasureFirst {
+    /// The parameter.
+    pub parameter: &'static Parameter,
+    /// The standard uncertainty of the outcome once the parameter is known exactly, SI.
+    #[serde(rename = "standard_uncertainty")]
+    pub deviation: f64,
+}
+
 impl OutcomeUncertainty {
     /// True if the outcome varies by more than rounding.
     pub fn varies(&self) -> bool {
@@ -149,7 +161,7 @@ impl OutcomeUncertainty {
     /// The parameter to measure first: the parameter with the largest first-order index, and the
     /// mean standard deviation that remains once this parameter is known. `None` if the outcome
     /// does not vary, or no index is positive.
-    pub fn measure_first(&self, inputs: &[Uncertain]) -> Option<(&'static Parameter, f64)> {
+    pub fn measure_first(&self, inputs: &[Uncertain]) -> Option<MeasureFirst> {
         let sampled = self.sampled.as_ref()?;
         let share = |(at, indices): (usize, &Option<Indices>)| Some((at, indices.as_ref()?.first));
         let (first, share) = sampled
@@ -172,10 +184,10 @@ impl OutcomeUncertainty {
         let left = totals
             .filter(|most| *most < 1.0 - share.low)
             .unwrap_or(1.0 - share.value);
-        Some((
-            inputs[first].parameter,
-            sampled.deviation.value * left.max(0.0).sqrt(),
-        ))
+        Some(MeasureFirst {
+            parameter: inputs[first].parameter,
+            deviation: sampled.deviation.value * left.max(0.0).sqrt(),
+        })
     }
 }
 
@@ -221,7 +233,7 @@ pub fn uncertainty(
         .iter()
         .flatten()
         .for_each(|block| status_counts.add(block));
-    let sample = Sample {
+    let sample = SampledDrives {
         of,
         inputs,
         distributions,
@@ -257,7 +269,7 @@ fn check(inputs: &[Uncertain], plan: SamplePlan) -> Result<()> {
 }
 
 /// The results of the drives at the points of a [`Design`].
-struct Sample<'a> {
+struct SampledDrives<'a> {
     of: &'a [Outcome],
     inputs: &'a [Uncertain],
     distributions: Vec<Distribution>,
@@ -267,7 +279,7 @@ struct Sample<'a> {
     blocks: Vec<Vec<Block>>,
 }
 
-impl Sample<'_> {
+impl SampledDrives<'_> {
     /// A column of results of a set: outcomes come first, then derivatives.
     fn column(&self, set: usize, column: usize) -> Vec<Option<f64>> {
         self.blocks[set]
@@ -340,18 +352,20 @@ fn existing((first, second): (Moments, Option<Moments>)) -> Option<(Moments, Opt
 /// Each outcome with its gradient and Hessian at the means of all uncertain parameters; `None` if
 /// the outcome or its gradient does not exist.
 fn at_means(setup: &Setup<f64>, of: &[Outcome], inputs: &[Uncertain]) -> Vec<Option<Taylor>> {
-    let mut at = *setup;
-    let is_set = inputs.iter().all(|input| {
-        at.set_value(input.parameter, Some(input.distribution.mean()))
-            .is_ok()
-    });
     let parameters: Vec<_> = inputs.iter().map(|input| input.parameter).collect();
+    let means: Vec<_> = inputs
+        .iter()
+        .map(|input| input.distribution.mean())
+        .collect();
+    let at = setup.with_values(&parameters, &means).ok();
     let taylor = |of: &Outcome| {
-        let of_order = |order| evaluate(&at, &[*of], &parameters, order).ok()?.pop();
+        let of_order = |order| {
+            evaluate(at.as_ref()?, &[*of], &parameters, order)
+                .ok()?
+                .pop()
+        };
         // the gradient may exist even if the Hessian does not
-        is_set
-            .then(|| of_order(Order::Second).or_else(|| of_order(Order::First)))
-            .flatten()
+        of_order(Order::Second).or_else(|| of_order(Order::First))
     };
     of.iter().map(taylor).collect()
 }

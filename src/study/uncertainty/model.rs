@@ -7,7 +7,7 @@ use crate::statistics::Moments;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// Size and seed of a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,19 +51,36 @@ pub struct Indices {
     pub total: Interval,
 }
 
-/// Statistics of an output.
-#[derive(Clone, Debug)]
+/// The statistics of an outcome over the sample.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "SampledReport"))]
 pub struct Statistics {
-    /// The mean.
+    /// The mean, SI.
     pub mean: Interval,
-    /// Standard deviation; 0 if the output varies only by rounding.
+    /// The standard deviation, SI.
+    // 0 if the outcome varies only by rounding
+    #[serde(rename = "standard_uncertainty")]
     pub deviation: Interval,
-    /// Quantiles 2.5, 50 and 97.5 %.
+    /// The quantiles at 2.5, 50 and 97.5 %, SI.
+    #[serde(serialize_with = "by_level")]
+    #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, f64>"))]
     pub quantiles: [f64; 3],
-    /// Indices of each variable, in order; `None` if the output does not vary.
+    /// Indices of each variable, in order; `None` if the outcome does not vary.
+    #[serde(skip)]
     pub indices: Vec<Option<Indices>>,
-    /// Number of rows without a value at some point. The indices omit these rows.
+    /// Number of omitted points with a drive that does not have the outcome.
+    // the indices omit them
+    #[serde(rename = "rows_left_out")]
     pub left_out: usize,
+}
+
+/// Serializes the quantiles by their levels.
+fn by_level<S: Serializer>(
+    quantiles: &[f64; 3],
+    serializer: S,
+) -> std::result::Result<S::Ok, S::Error> {
+    serializer.collect_map(["2.5 %", "50 %", "97.5 %"].into_iter().zip(quantiles))
 }
 
 /// Sample of Saltelli's design: two independent sets A and B, and for each variable a copy of A

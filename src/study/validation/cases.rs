@@ -1,35 +1,60 @@
 use super::compared::Compared;
 use crate::error::{Error, Result};
+use crate::json::Number;
 use crate::units::Quantity;
+use serde::{Serialize, Serializer};
 
 /// Published drives with sources. Column heads contain units; an empty cell means not stated.
 const CASES: &str = include_str!("cases.csv");
 
-/// A published drive: stated values in SI.
-#[derive(Clone, Debug)]
+/// A published drive.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "CaseReport"))]
 pub struct Case {
-    /// Name within its set.
+    /// The name of the drive.
     pub name: String,
-    /// Publication.
+    /// The publication.
     pub source: String,
     /// Preset of the club.
+    #[serde(skip)]
     pub preset: Option<String>,
     /// Club speed, m/s.
+    #[serde(skip)]
     pub club_speed: Option<f64>,
     /// Attack angle, rad.
+    #[serde(skip)]
     pub attack_angle: Option<f64>,
     /// Face angle minus path, rad.
+    #[serde(skip)]
     pub face_to_path: Option<f64>,
     /// Ball speed, m/s.
+    #[serde(skip)]
     pub ball_speed: Option<f64>,
     /// Launch angle, rad.
+    #[serde(skip)]
     pub launch_angle: Option<f64>,
     /// Spin, rad/s.
+    #[serde(skip)]
     pub spin: Option<f64>,
     /// Air density, kg/m³.
+    #[serde(skip)]
     pub density: Option<f64>,
-    /// Published values of the quantities, in the order of [`Compared::ALL`].
+    /// The published quantities, SI.
+    // in the order of [`Compared::ALL`]
+    #[serde(serialize_with = "by_quantity")]
+    #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<Compared, Number>"))]
     published: [Option<f64>; Compared::ALL.len()],
+}
+
+/// Serializes the published values by their quantities.
+fn by_quantity<S: Serializer>(
+    published: &[Option<f64>],
+    serializer: S,
+) -> std::result::Result<S::Ok, S::Error> {
+    let values = Compared::ALL.iter().zip(published);
+    let known = values.filter_map(|(of, value)| Some((of.name(), Number::from((*value)?))));
+    serializer.collect_map(known)
 }
 
 impl Case {

@@ -11,15 +11,17 @@ pub use predicted::SCATTER;
 pub use sets::{Computation, SETS, Set};
 
 use crate::error::Result;
+use crate::json::number;
 use crate::parameters::Law;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// Temperature range for drives without a stated air, K: 15 and 35 °C.
 pub const SWEPT: [f64; 2] = [288.15, 308.15];
 
-/// A computed and a published value, SI.
+/// The error of a quantity for one drive.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "ResidualReport"))]
 pub struct Residual {
     /// Index of the case in its set, from 0.
     pub case: usize,
@@ -27,64 +29,106 @@ pub struct Residual {
     pub predicted: f64,
     /// Published value, SI.
     pub published: f64,
+    /// The computed minus the published value, SI.
+    pub difference: f64,
 }
 
-impl Residual {
-    /// Computed − published.
-    pub fn difference(&self) -> f64 {
-        self.predicted - self.published
-    }
-}
-
-/// Errors of an aerodynamic law in one quantity (such as carry) on a set of published drives.
-#[derive(Clone, Debug, PartialEq)]
+/// The errors of a quantity.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "ScoreReport"))]
 pub struct Score {
     /// The quantity.
+    #[serde(skip)]
     pub of: Compared,
-    /// Cases with both a published and a computed value.
+    /// Number of drives that have the quantity and fly.
+    pub count: usize,
+    /// The mean difference, computed minus published, SI.
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    pub bias: Option<f64>,
+    /// The mean absolute difference, SI.
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    pub mean_absolute_error: Option<f64>,
+    /// The error of each drive.
     pub residuals: Vec<Residual>,
 }
 
 impl Score {
-    /// Mean of computed − published; `None` without cases.
-    pub fn bias(&self) -> Option<f64> {
-        self.mean(|residual| residual.difference())
-    }
-
-    /// Mean absolute difference.
-    pub fn mean_absolute(&self) -> Option<f64> {
-        self.mean(|residual| residual.difference().abs())
-    }
-
-    fn mean(&self, of: impl Fn(&Residual) -> f64) -> Option<f64> {
-        let sum: f64 = self.residuals.iter().map(of).sum();
-        (!self.residuals.is_empty()).then(|| sum / self.residuals.len() as f64)
+    fn new(of: Compared, residuals: Vec<Residual>) -> Self {
+        let count = residuals.len();
+        let mean = |of: fn(&Residual) -> f64| {
+            let sum: f64 = residuals.iter().map(of).sum();
+            (count > 0).then(|| sum / count as f64)
+        };
+        Self {
+            of,
+            count,
+            bias: mean(|residual| residual.difference),
+            mean_absolute_error: mean(|residual| residual.difference.abs()),
+            residuals,
+        }
     }
 }
 
-/// Errors of an aerodynamic law in all quantities of a set of published drives.
-#[derive(Clone, Debug)]
+/// The errors of a law on a set.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "LawScoresReport"))]
 pub struct LawScores {
     /// The law.
     pub law: &'static str,
-    /// All quantities of the set, the most important first.
+    /// The errors of each quantity.
+    // the most important first
+    #[serde(serialize_with = "by_quantity")]
+    #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<Compared, Score>"))]
     pub scores: Vec<Score>,
-    /// Bias of the first quantity at the temperatures of [`SWEPT`]; `None` if the air is stated,
-    /// and for optima.
-    pub swept: Option<[Option<f64>; 2]>,
-    /// Bias of carry for the mean of scattered drives ([`SCATTER`]) instead of the average launch;
-    /// `None` unless the cases are averages.
+    /// The bias of the first quantity in colder and warmer air; `null` if the source states the
+    /// air, and for optima.
+    pub bias_in_other_air: Option<BiasInOtherAir>,
+    /// The bias of carry, m, if the drive with the average launch is replaced by the mean over
+    /// drives with scattered launches; `null` if the published drives are no averages.
+    // scattered by [`SCATTER`]
+    #[serde(rename = "bias_averaged", serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub averaged: Option<f64>,
 }
 
-/// A set with the errors of all laws.
-#[derive(Clone, Debug)]
+/// Serializes scores by their quantities.
+fn by_quantity<S: Serializer>(
+    scores: &[Score],
+    serializer: S,
+) -> std::result::Result<S::Ok, S::Error> {
+    serializer.collect_map(scores.iter().map(|score| (score.of.name(), score)))
+}
+
+/// The bias of a quantity for another air than the default.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct BiasInOtherAir {
+    /// The bias at 15 °C, SI.
+    #[serde(rename = "at_15_degC", serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    pub cold: Option<f64>,
+    /// The bias at 35 °C, SI.
+    #[serde(rename = "at_35_degC", serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    pub warm: Option<f64>,
+}
+
+/// The errors of every law on a set of published drives.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "SetReport"))]
 pub struct SetScores {
     /// The set.
+    #[serde(flatten)]
     pub set: &'static Set,
-    /// The cases of the set.
+    /// The drives.
     pub cases: Vec<Case>,
-    /// The laws in the order of [`Law::NAMES`], then a user's own law.
+    /// The laws.
+    // in the order of [`Law::NAMES`], then a user's own law
     pub laws: Vec<LawScores>,
 }
 
@@ -94,7 +138,7 @@ pub struct SetScores {
 /// let found = longdrive::study::validation::validation(None).unwrap();
 /// let drivers = &found[0];
 /// assert_eq!((drivers.set.name, drivers.cases.len()), ("pga-driver", 3));
-/// assert!(drivers.laws.iter().all(|law| law.scores[0].bias().is_some()));
+/// assert!(drivers.laws.iter().all(|law| law.scores[0].bias.is_some()));
 /// ```
 ///
 /// # Errors
@@ -131,16 +175,18 @@ impl SetScores {
             None
         };
         let has_density = self.cases.iter().all(|case| case.density.is_some());
-        let swept = if has_density || self.set.computation == Computation::Optimum {
+        let bias_in_other_air = if has_density || self.set.computation == Computation::Optimum {
             None
         } else {
             let [cold, warm] = SWEPT.map(|temperature| self.scores(base, law, Some(temperature)));
-            Some([cold?, warm?].map(|scores| scores.first().and_then(Score::bias)))
+            let [cold, warm] =
+                [cold?, warm?].map(|scores| scores.first().and_then(|score| score.bias));
+            Some(BiasInOtherAir { cold, warm })
         };
         Ok(LawScores {
             law: law.name(),
             scores,
-            swept,
+            bias_in_other_air,
             averaged,
         })
     }
@@ -155,10 +201,13 @@ impl SetScores {
         let predict = |case| predicted::predicted(self.set, case, base, law, temperature);
         let predicted: Vec<_> = self.cases.iter().map(predict).collect::<Result<_>>()?;
         let residual = |of: Compared, case: usize| {
+            let computed = *predicted[case].get(&of)?;
+            let published = self.cases[case].published(of)?;
             Some(Residual {
                 case,
-                predicted: *predicted[case].get(&of)?,
-                published: self.cases[case].published(of)?,
+                predicted: computed,
+                published,
+                difference: computed - published,
             })
         };
         let is_published =
@@ -167,11 +216,9 @@ impl SetScores {
         Ok(compared
             .iter()
             .filter(is_published)
-            .map(|of| Score {
-                of: *of,
-                residuals: (0..self.cases.len())
-                    .filter_map(|case| residual(*of, case))
-                    .collect(),
+            .map(|of| {
+                let cases = 0..self.cases.len();
+                Score::new(*of, cases.filter_map(|case| residual(*of, case)).collect())
             })
             .collect())
     }
@@ -179,7 +226,7 @@ impl SetScores {
     /// Bias of the first quantity for the mean of scattered drives; `None` if a case has no such
     /// mean.
     fn bias_of_scattered(&self, law: Law<f64>, scores: &[Score]) -> Option<f64> {
-        let bias = scores.first().and_then(Score::bias)?;
+        let bias = scores.first()?.bias?;
         let less = self
             .cases
             .iter()

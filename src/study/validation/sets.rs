@@ -1,4 +1,5 @@
 use super::compared::Compared;
+use serde::Serialize;
 
 /// Method that computes the drives of a set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,25 +34,31 @@ impl Computation {
 }
 
 /// Published drives of one kind.
-#[derive(Debug)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Set {
-    /// Name.
+    /// The name of the set.
     pub name: &'static str,
-    /// Title.
+    /// The title of the set.
     pub title: &'static str,
-    /// Measurement and computation.
+    /// A description of the set.
+    // measurement and computation
     pub about: &'static str,
-    /// Air of the published drives.
+    /// The air of the drives.
     pub air: &'static str,
     /// Limits of the data, and effects that no law can reproduce.
     pub misses: &'static str,
     /// Method of computation.
+    #[serde(skip)]
     pub computation: Computation,
     /// True if the cases are averages of many drives.
+    #[serde(skip)]
     pub is_averaged: bool,
     /// Preset of the club, if all cases share it.
+    #[serde(skip)]
     pub preset: Option<&'static str>,
     /// Name of the set's rows in the data file.
+    #[serde(skip)]
     pub(super) rows: &'static str,
 }
 

@@ -1,0 +1,74 @@
+//! Numbers, and values by name, in the JSON of a result.
+
+use serde::{Serialize, Serializer};
+
+/// A number or `null`. JSON has no infinity: the radius of a flat face is `"inf"`, as in setup
+/// files, and a range without a lower end has the low value `"-inf"`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Number(pub Option<f64>);
+
+impl From<f64> for Number {
+    fn from(value: f64) -> Self {
+        Self(Some(value))
+    }
+}
+
+impl From<Option<f64>> for Number {
+    fn from(value: Option<f64>) -> Self {
+        Self(value)
+    }
+}
+
+impl Serialize for Number {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            Some(f64::INFINITY) => serializer.serialize_str("inf"),
+            Some(f64::NEG_INFINITY) => serializer.serialize_str("-inf"),
+            // the sum turns -0 into 0
+            Some(value) if value.is_finite() => serializer.serialize_f64(value + 0.0),
+            _ => serializer.serialize_none(),
+        }
+    }
+}
+
+#[cfg(test)]
+impl schemars::JsonSchema for Number {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Number".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({
+            "description": "A number in SI units and radians; null if it does not exist.",
+            "anyOf": [{ "type": ["number", "null"] }, { "enum": ["inf", "-inf"] }]
+        })
+    }
+}
+
+/// Serializes a field as a [`Number`].
+pub fn number<T: Copy + Into<Number>, S: Serializer>(
+    value: &T,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    (*value).into().serialize(serializer)
+}
+
+/// Serializes values by name, in order, as an object of [`Number`]s.
+pub fn numbers_by_name<N: Serialize, S: Serializer>(
+    values: &[(N, f64)],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(
+        values
+            .iter()
+            .map(|(name, value)| (name, Number(Some(*value)))),
+    )
+}
+
+/// Serializes values by name, in order, as an object.
+pub fn by_name<N: Serialize, V: Serialize, S: Serializer>(
+    values: &[(N, V)],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(values.iter().map(|(name, value)| (name, value)))
+}
