@@ -108,7 +108,11 @@ impl Dataset {
                  part {part}"
             ))
         };
-        let mut file = Unfinished::new(create_beside(&path).map_err(unwritten)?);
+        let mut file = Unfinished {
+            file: create_beside(&path).map_err(unwritten)?,
+            hash: Hash::default(),
+            bytes: 0,
+        };
         let run = Run {
             first_row: rows.start,
             end_row: Some(rows.end),
@@ -263,14 +267,6 @@ struct Unfinished {
 }
 
 impl Unfinished {
-    fn new(file: tempfile::NamedTempFile) -> Self {
-        Self {
-            file,
-            hash: Hash::default(),
-            bytes: 0,
-        }
-    }
-
     fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.file.write_all(bytes)?;
         self.hash.add(bytes);

@@ -1,9 +1,7 @@
 //! Reads the rows of an export as shots.
 
 use super::head::{Export, Read};
-use super::shot::{
-    Club, Origin, REFUSED, Shot, StatedOfClub as Stated, Value, of_conditions, within,
-};
+use super::shot::{Club, Origin, REFUSED, Shot, StatedOfClub as Stated, Value, within};
 use crate::drive::Outcome;
 use crate::table::{
     CONDITIONS, DecimalMark, NonShot, Record, Refusal, Stated as Conditions, cells, conditions,
@@ -117,7 +115,7 @@ impl Export {
             .as_ref()
             .filter(|text| says_normalized(text))
             .map(|_| true);
-        let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
+        let stated = shot.conditions();
         shot.point = wrong.map_or_else(|| self.point(&stated, row), Err);
         add_notes(&mut shot, &stated, |of| self.name_of(of));
         if shot.point.is_ok() {

@@ -186,6 +186,11 @@ impl Shot {
         self.values.iter().find(|value| value.of == of).copied()
     }
 
+    /// Stated launch conditions in the order of [`CONDITIONS`].
+    pub(super) fn conditions(&self) -> Stated {
+        CONDITIONS.map(|of| self.value(of).map(|value| value.value))
+    }
+
     /// Measured outcomes of the flight.
     pub fn measured(&self) -> impl Iterator<Item = &Value> {
         self.values
@@ -208,11 +213,6 @@ pub(super) const LAUNCH: [&str; 5] = [
 pub(super) struct Further {
     pub at: usize,
     pub parameter: &'static Parameter,
-}
-
-/// Stated conditions in the order of [`CONDITIONS`].
-pub(super) fn of_conditions(value: impl Fn(Outcome) -> Option<f64>) -> Stated {
-    CONDITIONS.map(value)
 }
 
 /// The value if it is in the parameter's range; `name` is its column head.
