@@ -159,7 +159,7 @@ pub(super) fn sources(
         speed_of: choice(SPEED_OF, setup.speed_of.name(), base.speed_of.name()),
         method: choice(METHOD, setup.method.name(), base.method.name()),
         law: choice(LAW, setup.law.name(), base.law.name()),
-        table: table.map(|table| SourcedValue::new(TABLE, table.file(), source(TABLE, false))),
+        table: table.map(|table| SourcedValue::new(TABLE, &table.file, source(TABLE, false))),
     };
     choices.insert_into(&mut rows);
     Ok(rows)
@@ -244,7 +244,7 @@ fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item 
     let law = setup
         .law
         .table()
-        .map_or(setup.law.name(), |table| table.file());
+        .map_or(setup.law.name(), |table| table.file.as_str());
     [
         change("law of drag and lift", base.law.name(), law),
         change(
