@@ -67,7 +67,10 @@ impl Bundle {
         // use the smallest known curvature: the rounded tip of a smoothed kink has a curvature that
         // belongs to no side
         let mildest = |least: DMatrix<f64>, other: &Point| {
-            let other = scaled_hessian(scaling, other);
+            let scale = &scaling.scale;
+            let other = DMatrix::from_fn(scale.len(), scale.len(), |i, j| {
+                other.f.objective.hessian[i][j] * scale[i] * scale[j]
+            });
             if other.amax() < least.amax() {
                 other
             } else {
@@ -121,11 +124,4 @@ fn are_sides_of_a_kink(scaling: &Scaling, a: &Point, b: &Point) -> bool {
         && is_unexplained(1.0, 0.0)
         && is_unexplained(0.0, 1.0)
         && is_unexplained(0.5, 0.5)
-}
-
-fn scaled_hessian(scaling: &Scaling, at: &Point) -> DMatrix<f64> {
-    let n = at.x.len();
-    DMatrix::from_fn(n, n, |i, j| {
-        at.f.objective.hessian[i][j] * scaling.scale[i] * scaling.scale[j]
-    })
 }

@@ -5,6 +5,7 @@ use super::share::{file_name, rows_of};
 use crate::atomic_file::create_beside;
 use crate::batch::{Batch, Block, Points, Run};
 use crate::error::{Error, Result};
+use crate::external_errors::write_error_text;
 use crate::report::{ParquetGroup, PlacedGroup, SweepParquet};
 use crate::statistics::{Bins, RankingSpec, Summary, SummarySpec};
 use std::fs::{self, File};
@@ -102,7 +103,7 @@ impl Dataset {
         }
         self.refuse_other_sweep(folder, &path)?;
         let unwritten = |error: io::Error| {
-            let why = Error::why_unwritten(&error);
+            let why = write_error_text(&error);
             results(format!(
                 "it cannot be written ({why}); nothing of it is kept. Correct this, then repeat \
                  part {part}"
