@@ -372,11 +372,6 @@ impl Error {
         }
     }
 
-    /// Reason why a file cannot be written: "the disk is full".
-    pub fn why_unwritten(error: &std::io::Error) -> String {
-        write_error_text(error)
-    }
-
     /// The error as text with computed quantities in the units of a system; given values are
     /// unchanged.
     pub fn in_units(&self, system: System) -> String {

@@ -2,7 +2,7 @@
 //! advice.
 
 /// Message for an error of the CSV reader.
-pub(crate) fn csv_error_text(error: &csv::Error) -> String {
+fn csv_error_text(error: &csv::Error) -> String {
     match error.kind() {
         csv::ErrorKind::UnequalLengths {
             expected_len, len, ..
@@ -114,7 +114,7 @@ pub(crate) fn read_error_text(error: &std::io::Error) -> String {
     format!("it cannot be read ({why})")
 }
 
-/// Reason why a file cannot be written. Messages of this program, inside an [`std::io::Error`], are
+/// Reason why a file cannot be written: "the disk is full". Messages of this program, inside an [`std::io::Error`], are
 /// returned unchanged.
 pub(crate) fn write_error_text(error: &std::io::Error) -> String {
     use std::io::ErrorKind;
@@ -134,24 +134,17 @@ pub(crate) fn write_error_text(error: &std::io::Error) -> String {
     why.into()
 }
 
-/// Number of the first line with an unclosed quote.
-pub(crate) fn unclosed_quote(text: impl std::io::BufRead) -> Option<usize> {
-    let is_odd = |line: &Vec<u8>| line.iter().filter(|byte| **byte == b'"').count() % 2 == 1;
-    text.split(b'\n')
-        .map_while(Result::ok)
-        .position(|line| is_odd(&line))
-        .map(|at| at + 1)
-}
-
 /// Message for an error in a row of a CSV table. `text` is the whole table, read again: an unclosed
 /// quote swallows the rows after it.
 pub(crate) fn csv_row_error_text(error: &csv::Error, text: impl std::io::BufRead) -> String {
-    match (error.kind(), unclosed_quote(text)) {
-        (csv::ErrorKind::UnequalLengths { .. }, Some(line)) => {
-            format!(
-                "line {line} opens a quote (\") and does not close it; close it, or take it out"
-            )
-        }
+    let is_odd = |line: &Vec<u8>| line.iter().filter(|byte| **byte == b'"').count() % 2 == 1;
+    let mut lines = text.split(b'\n').map_while(Result::ok);
+    let unclosed = lines.position(|line| is_odd(&line));
+    match (error.kind(), unclosed) {
+        (csv::ErrorKind::UnequalLengths { .. }, Some(at)) => format!(
+            "line {} opens a quote (\") and does not close it; close it, or take it out",
+            at + 1
+        ),
         _ => csv_error_text(error),
     }
 }

@@ -234,7 +234,7 @@ impl PySetup {
             SPEED_OF => Some(setup.speed_of.name()),
             PRESET => Some(self.preset.name),
             TABLE if setup.law.table().is_none() => return Ok(py.None().into_bound(py)),
-            TABLE => setup.law.table().map(|table| table.file()),
+            TABLE => setup.law.table().map(|table| table.file.as_str()),
             _ => None,
         };
         Ok(match choice {
@@ -296,7 +296,7 @@ impl PySetup {
         let table = own
             .law
             .table()
-            .map(|table| std::path::absolute(table.file()));
+            .map(|table| std::path::absolute(&table.file));
         let table = table.transpose().map_err(PyErr::from)?;
         let choices = [
             (
@@ -473,7 +473,11 @@ impl PySetup {
             if read.table().as_deref() == table {
                 return Ok(read);
             }
-            let file = read.setup.law.table().map_or("", |table| table.file());
+            let file = read
+                .setup
+                .law
+                .table()
+                .map_or("", |table| table.file.as_str());
             Err(Failure::Input(format!(
                 "the table of drag and lift '{file}' is not what it was when the setup was \
                  pickled; make the setup anew"

@@ -25,9 +25,9 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
     }
 
     fn fitted(&self) -> Fitted {
-        let grid = &self.table.grid;
         let range = |variable| {
-            grid.axes()
+            self.table
+                .axes()
                 .find(|axis| axis.variable == variable)
                 .map(|axis| axis.ends)
         };
@@ -46,7 +46,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
             authors: "your own table",
             year: None,
             ball: None,
-            source: self.table.file(),
+            source: &self.table.file,
         }
     }
 }

@@ -59,7 +59,8 @@ impl Batch {
                 .iter_mut()
                 .chain(&mut block.derivatives)
                 .for_each(|column| column[row] = f64::NAN);
-            let Ok(setup) = self.setup_at(block.point(row)) else {
+            let setup = self.setup.with_values(&self.parameters, &block.point(row));
+            let Ok(setup) = setup.and_then(|setup| setup.validate().map(|()| setup)) else {
                 continue;
             };
             if let Err(Error::Stopped) = self.evaluate_scalar(setup, row, &mut block, stop) {
@@ -97,15 +98,6 @@ impl Batch {
         scalar_rows.sort_unstable();
         scalar_rows.dedup();
         scalar_rows
-    }
-
-    fn setup_at(&self, point: &[f64]) -> Result<Setup<f64>> {
-        let mut setup = self.setup;
-        for (parameter, value) in self.parameters.iter().zip(point) {
-            setup.set_value(parameter, Some(*value))?;
-        }
-        setup.validate()?;
-        Ok(setup)
     }
 
     /// Scalar evaluation of a drive. The step is halved until the defect of the integration is

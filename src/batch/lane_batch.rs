@@ -4,11 +4,10 @@ use super::block::{Block, Status};
 use super::definition::Batch;
 use crate::aerodynamics::{AerodynamicLaw, Fitted};
 use crate::drive::{
-    ExceededLimits, LaunchState, Outcome, OutcomeGroup, OutcomeInputs, flat_landing_angle,
-    is_outside_any_face,
+    ExceededLimits, Outcome, OutcomeGroup, OutcomeInputs, flat_landing_angle, is_outside_any_face,
 };
 use crate::flight::{Inputs, Landed, RequestedOutputs};
-use crate::impact::Head;
+use crate::impact::{Head, LaunchState};
 use crate::number::{
     Derivatives, Lanes, Mask, Number, OverNumbers, Task, in_lane, inlined, over_drives,
 };

@@ -9,6 +9,7 @@
 use crate::atomic_file::{create_beside, folder_of, persist};
 use crate::command::interrupt;
 use crate::command::running::running;
+use crate::external_errors::write_error_text;
 use crate::input_file::is_in_memory;
 use crate::{Error, Result};
 use std::fs;
@@ -493,7 +494,7 @@ pub fn unwritable(path: &Path, error: &io::Error) -> Error {
         path,
         format!(
             "it cannot be written ({}); name another place",
-            Error::why_unwritten(error)
+            write_error_text(error)
         ),
     )
 }

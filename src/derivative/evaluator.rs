@@ -1,8 +1,7 @@
 use super::Taylor;
-use super::chain;
+use super::chain::{self, Split};
 use super::directions::Entries;
 use super::pass::Point;
-use super::split::Split;
 use crate::drive::{Outcome, OutcomeGroup, max_halvings};
 use crate::error::{Error, Result};
 use crate::number::Level;

@@ -5,7 +5,6 @@ pub mod check;
 mod directions;
 mod evaluator;
 mod pass;
-mod split;
 
 pub use crate::number::Taylor;
 pub use evaluator::{Evaluator, Order};

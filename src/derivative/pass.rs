@@ -1,9 +1,9 @@
 use super::Taylor;
 use super::directions::{Directions, Entries, pairs};
-use crate::drive::{LaunchState, Outcome, OutcomeGroup, OutcomeInputs, check_defect};
+use crate::drive::{Outcome, OutcomeGroup, OutcomeInputs, check_defect};
 use crate::error::{Error, Result};
 use crate::flight::{Inputs, RequestedOutputs};
-use crate::impact::{Head, strike};
+use crate::impact::{Head, LaunchState, strike};
 use crate::launch::Launch;
 use crate::number::{
     Derivatives, Lanes, Level, Mask, Number, OverNumbers, Task, Vector, in_lane, inlined,

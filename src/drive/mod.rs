@@ -10,7 +10,7 @@ pub(crate) use declaration::{ComputedFrom, Plausible, Sign};
 pub use declaration::{Instrument, OutcomeGroup};
 pub use outcome_table::Outcome;
 pub(crate) use outcome_table::OutcomeInputs;
-pub use validity::{CheckScope, ExceededCount, ExceededLimits, ExceededShare};
+pub use validity::{CheckScope, ExceededCount, ExceededLimits};
 pub(crate) use validity::{any_face, flat_landing_angle, is_outside_any_face};
 pub use warnings::FlownRange;
 
@@ -18,9 +18,9 @@ use crate::aerodynamics::AerodynamicLaw;
 use crate::atmosphere::AirState;
 use crate::error::{Error, Result};
 use crate::flight::{Flight, Inputs, Landed};
-use crate::impact::{Grip, Head, Impact, LaneImpact, strike};
+use crate::impact::{Grip, Head, Impact, strike};
 use crate::launch::Launch;
-use crate::number::{Mask, Number, Numbers, inlined};
+use crate::number::Number;
 use crate::parameters::Setup;
 use crate::units::significant;
 use std::sync::atomic::AtomicBool;
@@ -214,36 +214,5 @@ impl Drive<f64> {
             );
         }
         corners
-    }
-}
-
-/// Launch of the ball in each lane: the part of a drive before the flight.
-pub(crate) struct LaunchState<T: Numbers> {
-    pub launch: Launch<T>,
-    /// Speed of the head, m/s, if a club strikes the ball.
-    pub club_speed: Option<T>,
-    /// Lanes in which [`strike`] returns this launch and no error.
-    pub is_valid: T::Mask,
-}
-
-impl<T: Numbers> LaunchState<T> {
-    /// The launch that a setup gives, or that its impact leads to.
-    #[inline(always)]
-    pub fn new(setup: &Setup<T>) -> Self {
-        T::not_inlined(inlined!(|| {
-            if let Some(launch) = Launch::given(setup) {
-                return Self {
-                    launch,
-                    club_speed: None,
-                    is_valid: T::Mask::first(usize::MAX),
-                };
-            }
-            let LaneImpact { launch, is_valid } = LaneImpact::new(setup);
-            Self {
-                launch,
-                club_speed: Some(setup.swing.speed),
-                is_valid,
-            }
-        }))
     }
 }

@@ -7,7 +7,6 @@ use crate::number::Number;
 use crate::units::Quantity;
 use serde::{Serialize, Serializer};
 use std::fmt;
-use std::str::FromStr;
 
 impl Outcome {
     /// All outcomes of drives; the outcomes of the head are [`OF_HEAD`](Self::OF_HEAD).
@@ -110,12 +109,6 @@ impl Outcome {
         self.sign() == Sign::Right && self.group() == OutcomeGroup::Flight
     }
 
-    /// True for an angle to the right of the target line: it is between −180° and 180°, and jumps
-    /// between these ends.
-    fn is_direction(self) -> bool {
-        self.sign() == Sign::Right && self.quantity() == Quantity::ANGLE
-    }
-
     /// Reason for a value that is not finite.
     pub(crate) fn why_undefined(self) -> &'static str {
         if self.needs_run() {
@@ -204,7 +197,8 @@ impl Outcome {
     /// ```
     pub fn unwrap_angle(self, value: f64, reference: f64) -> f64 {
         let turns = ((reference - value) / std::f64::consts::TAU).round();
-        if self.is_direction() && turns.is_finite() {
+        let is_direction = self.sign() == Sign::Right && self.quantity() == Quantity::ANGLE;
+        if is_direction && turns.is_finite() {
             value + turns * std::f64::consts::TAU
         } else {
             value
@@ -249,15 +243,6 @@ impl schemars::JsonSchema for Outcome {
             "type": "string",
             "enum": names
         })
-    }
-}
-
-/// Parses a name like [`Outcome::named`].
-impl FromStr for Outcome {
-    type Err = Error;
-
-    fn from_str(name: &str) -> Result<Self> {
-        Self::named(name)
     }
 }
 

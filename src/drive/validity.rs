@@ -63,16 +63,17 @@ pub(super) fn with_flat_landing_warning(before: Message) -> Message {
         )
 }
 
-/// Validity limits of the model. A field is true if the drive exceeds the limit.
+/// Validity limits of the model: true for each limit that a drive exceeds, or the share of drives,
+/// from 0 to 1, that exceed it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct ExceededLimits {
+pub struct ExceededLimits<T = bool> {
     /// Spin ratio, spin, Reynolds number or airspeed outside the ranges that the law was fitted to.
-    pub law: bool,
+    pub law: T,
     /// Strike outside the face of any conforming head.
-    pub face: bool,
+    pub face: T,
     /// Landing flatter than any measured bounce. It is only checked if an outcome of the run is
     /// requested.
-    pub flat: bool,
+    pub flat: T,
 }
 
 /// Part of a drive in which the ranges of the law are checked.
@@ -147,28 +148,16 @@ impl ExceededCount {
     /// plural: "shot", "shots".
     pub fn warnings(&self, law: &Law<f64>, noun: [&str; 2], scope: CheckScope) -> Vec<Message> {
         let subject = |count: u64| (count > 0).then(|| counted_of(count, self.all, noun));
-        let subjects = Subjects {
+        let subjects = ExceededLimits {
             law: subject(self.law),
             face: subject(self.face),
             flat: subject(self.flat),
-            is_one_flat: self.flat == 1,
         };
-        subjects.warnings(law, scope)
+        subjects.warnings(law, scope, self.flat == 1)
     }
 }
 
-/// Share of drives, from 0 to 1, that exceed each validity limit.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ExceededShare {
-    /// Share of drives outside the ranges of the law.
-    pub law: f64,
-    /// Share of drives struck outside the largest face that the Rules of Golf allow.
-    pub face: f64,
-    /// Share of drives that land flatter than any measured bounce.
-    pub flat: f64,
-}
-
-impl ExceededShare {
+impl ExceededLimits<f64> {
     /// Smallest share for which there is a warning.
     const LEAST_WARNED: f64 = 0.01;
 
@@ -195,27 +184,19 @@ impl ExceededShare {
         let subject = |is_exceeded: bool, share: f64| {
             is_exceeded.then(|| format!("{:.0} % of {noun}", 100.0 * share))
         };
-        let subjects = Subjects {
+        let subjects = ExceededLimits {
             law: subject(exceeded.law, self.law),
             face: subject(exceeded.face, self.face),
             flat: subject(exceeded.flat, self.flat),
-            is_one_flat: false,
         };
-        subjects.warnings(law, CheckScope::Flight)
+        subjects.warnings(law, CheckScope::Flight, false)
     }
 }
 
-/// Subjects of the warnings, such as "3 of 10 drives"; `None` for a limit that no drive exceeds.
-struct Subjects {
-    law: Option<String>,
-    face: Option<String>,
-    flat: Option<String>,
-    /// True if exactly one drive lands flat.
-    is_one_flat: bool,
-}
-
-impl Subjects {
-    fn warnings(self, law: &Law<f64>, scope: CheckScope) -> Vec<Message> {
+impl ExceededLimits<Option<String>> {
+    /// Warnings with these subjects, such as "3 of 10 drives"; `None` for a limit that no drive
+    /// exceeds. `is_one_flat` is true if exactly one drive lands flat.
+    fn warnings(self, law: &Law<f64>, scope: CheckScope, is_one_flat: bool) -> Vec<Message> {
         let mut warnings = vec![];
         if let Some(subject) = &self.law {
             warnings.push(law_range_warning(subject, law, scope));
@@ -228,7 +209,7 @@ impl Subjects {
             warnings.push(warning.into());
         }
         if let Some(subject) = &self.flat {
-            let lands = if self.is_one_flat {
+            let lands = if is_one_flat {
                 "the ball lands"
             } else {
                 "the balls land"

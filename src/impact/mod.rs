@@ -20,7 +20,7 @@ pub use rigid_body::{Collision, Rebound};
 
 use crate::error::{Error, Result};
 use crate::launch::Launch;
-use crate::number::{Number, Numbers, Vector, inlined};
+use crate::number::{Mask, Number, Numbers, Vector, inlined};
 use crate::parameters::{Golfer, Setup};
 
 /// Result of an impact, in the ground frame.
@@ -80,18 +80,32 @@ pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
     })
 }
 
-/// Impact without branches, for one club in each lane: the launch and the lanes in which it is
-/// valid.
-pub(crate) struct LaneImpact<T: Numbers> {
+/// Launch of the ball in each lane: the part of a drive before the flight.
+pub(crate) struct LaunchState<T: Numbers> {
     pub launch: Launch<T>,
+    /// Speed of the head, m/s, if a club strikes the ball.
+    pub club_speed: Option<T>,
     /// Lanes in which [`strike`] returns this launch and no error.
     pub is_valid: T::Mask,
 }
 
-impl<T: Numbers> LaneImpact<T> {
-    /// Computes the impact of a setup in each lane.
+impl<T: Numbers> LaunchState<T> {
+    /// The launch that a setup gives, or that its impact leads to.
     #[inline(always)]
     pub fn new(setup: &Setup<T>) -> Self {
+        T::not_inlined(inlined!(|| match Launch::given(setup) {
+            Some(launch) => Self {
+                launch,
+                club_speed: None,
+                is_valid: T::Mask::first(usize::MAX),
+            },
+            None => Self::of_impact(setup),
+        }))
+    }
+
+    /// Impact without branches, for one club in each lane.
+    #[inline(always)]
+    fn of_impact(setup: &Setup<T>) -> Self {
         let delivery = Delivery::new(&setup.swing);
         let head = Head::new(&setup.club);
         let (face, q) = FacePoint::unchecked(&head, &setup.club, &setup.strike);
@@ -131,6 +145,7 @@ impl<T: Numbers> LaneImpact<T> {
         };
         Self {
             launch,
+            club_speed: Some(setup.swing.speed),
             is_valid: is_valid & size.below(f64::MAX),
         }
     }

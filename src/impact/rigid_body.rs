@@ -297,7 +297,8 @@ impl<T: Number> Collision<T> {
             a: [[T::zero(); 15]; 15],
             b: [T::zero(); 15],
         };
-        let directions = self.contact_directions();
+        let [first, second] = self.tangents();
+        let directions = [self.normal, first, second];
         system.add_momentum(self);
         system.add_separation(self, &directions);
         system.add_gear_scale(self, &directions);
@@ -311,12 +312,6 @@ impl<T: Number> Collision<T> {
             club_velocity: vector(CLUB_VELOCITY),
             club_spin: vector(CLUB_SPIN),
         })
-    }
-
-    /// The normal and two tangents of the face.
-    fn contact_directions(&self) -> [Vector<T>; 3] {
-        let [first, second] = self.tangents();
-        [self.normal, first, second]
     }
 
     /// Two perpendicular unit tangents of the face at the contact point.

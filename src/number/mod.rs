@@ -36,22 +36,20 @@
 //!   type ([`Numbers::not_inlined`]). A loop over two evaluations has one call site instead of two.
 
 mod compiled;
-mod derivatives;
 mod dual;
-mod inlined;
+mod inlining;
 mod jet;
 mod lanes;
 mod level;
 mod mask;
-mod not_inlined;
 mod smooth_clamp;
 mod tanh;
 mod taylor;
 mod vector;
 
 pub(crate) use compiled::{MOST_PER_LANE, OverNumbers, over_directions, over_drives};
-pub(crate) use derivatives::Derivatives;
-pub(crate) use inlined::inlined;
+pub(crate) use inlining::inlined;
+pub(crate) use jet::Derivatives;
 pub use jet::{Jet, Mixed};
 pub(crate) use lanes::{Lanes, in_lane};
 pub use level::Level;
@@ -64,27 +62,23 @@ pub use vector::Vector;
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The four basic operations with a right-hand side `R`.
-pub trait Arithmetic<R>:
-    Sized
-    + Add<R, Output = Self>
-    + Sub<R, Output = Self>
-    + Mul<R, Output = Self>
-    + Div<R, Output = Self>
-{
-}
-
-impl<T, R> Arithmetic<R> for T where
-    T: Add<R, Output = T> + Sub<R, Output = T> + Mul<R, Output = T> + Div<R, Output = T>
-{
-}
-
 /// A real number with optional derivatives, or several of them in lanes.
 ///
 /// Several lanes have no single value to branch on: a formula with cases compares with
 /// [`below`](Numbers::below) and combines the cases with [`select_lazily`](Numbers::select_lazily).
 pub trait Numbers:
-    Copy + Debug + 'static + Neg<Output = Self> + Arithmetic<Self> + Arithmetic<f64>
+    Copy
+    + Debug
+    + 'static
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
 {
     /// Result of a comparison: `bool`, or one bit per lane.
     type Mask: Mask;
@@ -164,7 +158,7 @@ pub trait Numbers:
     /// number type. (`FnMut`: a `FnOnce` would be called through a shim without the attribute.)
     #[inline(always)]
     fn not_inlined<R>(work: impl FnMut() -> R) -> R {
-        not_inlined::plain::not_inlined(work)
+        inlining::plain::not_inlined(work)
     }
 
     /// Sine sin x.

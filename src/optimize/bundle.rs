@@ -67,7 +67,10 @@ impl Bundle {
         // use the smallest known curvature: the rounded tip of a smoothed kink has a curvature that
         // belongs to no side
         let mildest = |least: DMatrix<f64>, other: &Point| {
-            let other = scaled_hessian(scaling, other);
+            let scale = &scaling.scale;
+            let other = DMatrix::from_fn(scale.len(), scale.len(), |i, j| {
+                other.f.objective.hessian[i][j] * scale[i] * scale[j]
+            });
             if other.amax() < least.amax() {
                 other
             } else {
@@ -78,7 +81,10 @@ impl Bundle {
         let max_term = |other: &Point| {
             let displacement =
                 DVector::from_fn(at.x.len(), |i, _| (at.x[i] - other.x[i]) / scaling.scale[i]);
-            let (slope, change) = (scaled_gradient(scaling, other), &curvature * &displacement);
+            let slope = DVector::from_fn(at.x.len(), |i, _| {
+                other.f.objective.gradient[i] * scaling.scale[i]
+            });
+            let change = &curvature * &displacement;
             let offset = other.f.objective.value - at.f.objective.value
                 + slope.dot(&displacement)
                 + 0.5 * change.dot(&displacement);
@@ -118,17 +124,4 @@ fn are_sides_of_a_kink(scaling: &Scaling, a: &Point, b: &Point) -> bool {
         && is_unexplained(1.0, 0.0)
         && is_unexplained(0.0, 1.0)
         && is_unexplained(0.5, 0.5)
-}
-
-pub(super) fn scaled_gradient(scaling: &Scaling, at: &Point) -> DVector<f64> {
-    DVector::from_fn(at.x.len(), |i, _| {
-        at.f.objective.gradient[i] * scaling.scale[i]
-    })
-}
-
-pub(super) fn scaled_hessian(scaling: &Scaling, at: &Point) -> DMatrix<f64> {
-    let n = at.x.len();
-    DMatrix::from_fn(n, n, |i, j| {
-        at.f.objective.hessian[i][j] * scaling.scale[i] * scaling.scale[j]
-    })
 }

@@ -98,11 +98,7 @@ fn put<T>(
     rows: usize,
     write: impl Fn(&mut Taylor, &T),
 ) {
-    let blank = || Taylor {
-        value: 0.0,
-        gradient: vec![0.0; columns],
-        hessian: vec![vec![0.0; columns]; rows],
-    };
+    let blank = || Taylor::zero(columns, rows);
     let Evaluation {
         objective,
         constraints,

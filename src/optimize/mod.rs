@@ -7,8 +7,8 @@
 //!
 //! by sequential quadratic programming (SQP) with a trust region. Each iteration minimises the
 //! quadratic model of the Lagrangian within the bounds, the linearised constraints and a box-shaped
-//! trust region ([`qp`]), and accepts the step if the merit function falls as predicted. The search
-//! ends where the KKT conditions hold ([`status`]). The SQP loop ([`sqp`]) is an argmin `Solver`,
+//! trust region (`qp`), and accepts the step if the merit function falls as predicted. The search
+//! ends where the KKT conditions hold ([`status`]). The SQP loop (`sqp`) is an argmin `Solver`,
 //! run by argmin's `Executor`.
 //!
 //! A problem is a set of [`Functions`] written over a generic number type, which gives exact
@@ -53,7 +53,7 @@ mod null_space;
 mod observer;
 mod options;
 mod problem;
-pub mod qp;
+mod qp;
 mod quadratic_model;
 mod quasi_newton;
 mod redundant;
@@ -63,7 +63,7 @@ mod scaling;
 pub mod sensitivity;
 pub(crate) mod sobol;
 mod solution;
-pub mod sqp;
+mod sqp;
 mod start;
 mod state;
 pub mod status;
@@ -77,8 +77,8 @@ pub use functions::{Exact, Functions, Gradients};
 pub use iteration::Iteration;
 pub use kink::Kink;
 pub use minimize::{minimize, minimize_observed};
-pub use multistart::{Callback, LocalMinimum, Observers, minimize_from, starts};
-pub use observer::{Observer, SaveSnapshot, Snapshot};
+pub use multistart::{LocalMinimum, Observers, minimize_from, starts};
+pub use observer::{Observer, Snapshot};
 pub use options::Options;
 pub use problem::{Evaluation, Problem};
 pub use quadratic_model::QuadraticModel;

@@ -83,7 +83,9 @@ impl Model<'_> {
                 )
             }
         };
-        let x = self.trial_point(&step);
+        let x: Vec<f64> = (0..self.point.x.len())
+            .map(|i| self.trial_coordinate(&step, i))
+            .collect();
         let d = self.step_to(&x);
         let mut trial = TrialStep {
             length: step.d.amax(),
@@ -314,13 +316,7 @@ impl Model<'_> {
         -(program.max_terms[0].gradient.dot(d) + 0.5 * quadratic_form(self.hessian, d))
     }
 
-    /// Trial point at the end of a step.
-    fn trial_point(&self, step: &Step) -> Vec<f64> {
-        (0..self.point.x.len())
-            .map(|i| self.trial_coordinate(step, i))
-            .collect()
-    }
-
+    /// Coordinate of the trial point at the end of a step.
     fn trial_coordinate(&self, step: &Step, i: usize) -> f64 {
         let (bounds, scale) = (&self.scaling.domain.variables, self.scaling.scale[i]);
         let (x, d, low, high) = (self.point.x[i], step.d[i], bounds.low[i], bounds.high[i]);

@@ -16,16 +16,13 @@ pub struct Observer {
     /// next evaluation, or during an evaluation that [checks the flag](super::Problem::evaluate).
     pub interrupt: Arc<AtomicBool>,
     /// Called after every iteration with a snapshot to save.
-    pub save: Option<Box<SaveSnapshot>>,
+    pub save: Option<Box<dyn FnMut(&Snapshot) -> Result<()>>>,
     /// Snapshot to resume from.
     pub resume: Option<Snapshot>,
     /// True if every iteration contains the quadratic model at its iterate. This costs a copy of
     /// the search's state and a quadratic program.
     pub models: bool,
 }
-
-/// Saves a snapshot.
-pub type SaveSnapshot = dyn FnMut(&Snapshot) -> Result<()>;
 
 impl Observer {
     /// Observer that passes every iteration to a closure.
@@ -53,16 +50,12 @@ impl Default for Observer {
 /// as an uninterrupted search.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Snapshot {
-    pub(super) iterations: u64,
+    /// Number of completed iterations.
+    pub iterations: u64,
     pub(super) progress: Progress,
 }
 
 impl Snapshot {
-    /// Number of completed iterations.
-    pub fn iterations(&self) -> u64 {
-        self.iterations
-    }
-
     /// True if the dimensions fit this domain.
     pub(super) fn fits(&self, domain: &Domain) -> bool {
         let (n, m) = (domain.variables.dimension(), domain.constraints.dimension());

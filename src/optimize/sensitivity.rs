@@ -188,7 +188,15 @@ pub fn response(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result
         ));
     }
     check_shape(solution, domain, at)?;
-    KktSystem::new(solution, domain, at).response()
+    let active_set = ActiveSet::new(solution, domain);
+    let system = KktSystem {
+        solution,
+        at,
+        scale: domain.variables.scale(&solution.x),
+        free: active_set.free_variables(),
+        active: active_set.active_constraints(),
+    };
+    system.response()
 }
 
 /// The KKT system of a converged optimum, differentiated by the parameter p.
@@ -203,18 +211,7 @@ struct KktSystem<'a> {
     active: Vec<usize>,
 }
 
-impl<'a> KktSystem<'a> {
-    fn new(solution: &'a Solution, domain: &Domain, at: &'a Evaluation) -> Self {
-        let active_set = ActiveSet::new(solution, domain);
-        Self {
-            solution,
-            at,
-            scale: domain.variables.scale(&solution.x),
-            free: active_set.free_variables(),
-            active: active_set.active_constraints(),
-        }
-    }
-
+impl KktSystem<'_> {
     /// Derivatives of the optimum by p.
     fn response(&self) -> Result<Response> {
         let (n, at) = (self.solution.x.len(), self.at);
@@ -297,15 +294,10 @@ impl<'a> KktSystem<'a> {
 
     /// Mixed derivative ∂²L/∂xᵢ∂p of the Lagrangian.
     fn mixed(&self, i: usize) -> f64 {
-        let n = self.solution.x.len();
-        let own = self.at.objective.hessian[n][i];
-        own + self
-            .at
-            .constraints
-            .iter()
-            .zip(self.multipliers())
-            .map(|(c, multiplier)| multiplier * c.hessian[n][i])
-            .sum::<f64>()
+        let (n, at) = (self.solution.x.len(), self.at);
+        self.lagrangian_sum(at.objective.hessian[n][i], |j| {
+            at.constraints[j].hessian[n][i]
+        })
     }
 
     /// d/dp of component i of the Lagrangian's gradient along the optimum.
@@ -321,19 +313,11 @@ impl<'a> KktSystem<'a> {
 
     /// objective + Σ λⱼ constraint(j).
     fn lagrangian_sum(&self, objective: f64, constraint: impl Fn(usize) -> f64) -> f64 {
+        let values = self.solution.constraints.iter().enumerate();
         objective
-            + self
-                .multipliers()
-                .enumerate()
-                .map(|(j, multiplier)| multiplier * constraint(j))
+            + values
+                .map(|(j, value)| value.multiplier * constraint(j))
                 .sum::<f64>()
-    }
-
-    fn multipliers(&self) -> impl Iterator<Item = f64> {
-        self.solution
-            .constraints
-            .iter()
-            .map(|constraint| constraint.multiplier)
     }
 }
 

@@ -84,19 +84,15 @@ pub(super) struct Verdict {
 }
 
 impl Verdict {
-    fn new(status: Status, message: String) -> Self {
-        Self { status, message }
-    }
-
     pub fn iteration_limit(iterations: u64, residual: Option<f64>) -> Self {
-        Self::new(
-            Status::IterationLimit,
-            format!(
+        Self {
+            status: Status::IterationLimit,
+            message: format!(
                 "stopped at the limit of {}{}; allow more iterations, or start nearer",
                 counted(iterations, "iteration"),
                 with_residual(residual)
             ),
-        )
+        }
     }
 
     pub fn without_start(tried: u64) -> Self {
@@ -107,22 +103,28 @@ impl Verdict {
                  tried so far"
             ),
         };
-        Self::new(Status::Interrupted, message)
+        Self {
+            status: Status::Interrupted,
+            message,
+        }
     }
 
     pub fn interrupted(iterations: u64, residual: Option<f64>) -> Self {
         let after = counted(iterations, "iteration");
         let message = format!("stopped after {after}{}", with_residual(residual));
-        Self::new(Status::Interrupted, message)
+        Self {
+            status: Status::Interrupted,
+            message,
+        }
     }
 
     pub fn undefined(trials: u32, why: &str) -> Self {
-        Self::new(
-            Status::Undefined,
-            format!(
+        Self {
+            status: Status::Undefined,
+            message: format!(
                 "the functions are undefined at the start and at {trials} other points of the box: {why}"
             ),
-        )
+        }
     }
 
     pub fn kink(kink: &Kink, at: f64, residual: f64) -> Self {
@@ -140,7 +142,10 @@ impl Verdict {
             side(slope_below),
             side(slope_above)
         );
-        Self::new(Status::StalledAtKink, message)
+        Self {
+            status: Status::StalledAtKink,
+            message,
+        }
     }
 
     /// The KKT conditions hold only because a huge multiplier balances a redundant bound.
@@ -155,7 +160,10 @@ impl Verdict {
              and only a multiplier of {multiplier:.1e} balances them: this is no KKT point; KKT \
              residual {residual:.1e}. Remove that bound or start elsewhere"
         );
-        Self::new(Status::Stalled, message)
+        Self {
+            status: Status::Stalled,
+            message,
+        }
     }
 
     /// Appends text to the message.
@@ -174,12 +182,9 @@ fn with_residual(residual: Option<f64>) -> String {
 /// Converged: the KKT residual is below the tolerance.
 pub(super) fn gradient_test(residual: Residual, tolerance: f64) -> Option<Verdict> {
     let largest = residual.largest();
-    let passed = largest <= tolerance;
-    passed.then(|| {
-        Verdict::new(
-            Status::Converged,
-            format!("KKT residual {largest:.1e} <= {tolerance:.0e}"),
-        )
+    (largest <= tolerance).then(|| Verdict {
+        status: Status::Converged,
+        message: format!("KKT residual {largest:.1e} <= {tolerance:.0e}"),
     })
 }
 
@@ -204,7 +209,7 @@ pub(super) fn rounding_test(
             "KKT residual {largest:.1e} <= {tolerance:.0e}, relative to the objective at the start; \
              rounding prevents a smaller one"
         );
-        Verdict::new(Status::Converged, message)
+        Verdict { status: Status::Converged, message }
     })
 }
 
@@ -274,7 +279,10 @@ pub(super) fn infeasible(violation: f64) -> Verdict {
         "no point was found that meets the constraints: their violation {violation:.3e} (relative) \
          is the least found, from here and from other points of the box"
     );
-    Verdict::new(Status::Infeasible, message)
+    Verdict {
+        status: Status::Infeasible,
+        message,
+    }
 }
 
 /// Stalled: the trust region is so small that steps are within rounding of zero.
@@ -284,7 +292,10 @@ pub(super) fn radius_test(radius: f64, residual: f64) -> Option<Verdict> {
         let message = format!(
             "trust region {radius:.1e} <= {LEAST:.0e} with a KKT residual of {residual:.1e}"
         );
-        Verdict::new(Status::Stalled, message)
+        Verdict {
+            status: Status::Stalled,
+            message,
+        }
     })
 }
 
@@ -297,7 +308,10 @@ pub(super) fn kink_test(active_terms: usize, predicted: f64, residual: f64) -> O
             "the objective has a kink here: the model of {active_terms} of its sides predicts a \
              reduction of {predicted:.1e} <= {LEAST:.0e} (relative); KKT residual {residual:.1e}"
         );
-        Verdict::new(Status::StalledAtKink, message)
+        Verdict {
+            status: Status::StalledAtKink,
+            message,
+        }
     })
 }
 
@@ -310,6 +324,6 @@ pub(super) fn progress_test(iterations: u32, predicted: f64, residual: f64) -> O
             "for {PATIENCE} iterations the model predicted a reduction no larger than rounding (last \
              {predicted:.1e}, relative) and the KKT residual stays at {residual:.1e}"
         );
-        Verdict::new(Status::Stalled, message)
+        Verdict { status: Status::Stalled, message }
     })
 }

@@ -444,7 +444,7 @@ macro_rules! law_coefficients {
 
             /// The rows of all laws.
             pub fn all_rows() -> impl Iterator<Item = &'static Parameter> {
-                [$( $Law::rows().as_slice(), )+ Table::rows()].into_iter().flatten()
+                [$( $Law::rows().as_slice(), )+ TableFactors::rows()].into_iter().flatten()
             }
         }
 
@@ -465,7 +465,7 @@ macro_rules! law_coefficients {
             }
 
             fn rows(&self) -> &'static [Parameter] {
-                match self { $( Self::$Law(_) => $Law::rows(), )+ Self::Table(_) => Table::rows() }
+                match self { $( Self::$Law(_) => $Law::rows(), )+ Self::Table(_) => TableFactors::rows() }
             }
 
             fn slot(&mut self, parameter: &Parameter) -> Option<Slot<'_, T>> {

@@ -659,10 +659,6 @@ impl Table<f64> {
     const FORMULA: &'static str = "Splines D and L through your own table (aero.table): C_D = \
                                    cd_factor D and C_L = cl_factor L (held beyond its edges; lift \
                                    falls to 0 below its least spin).";
-
-    fn rows() -> &'static [Parameter] {
-        TableFactors::rows()
-    }
 }
 
 impl<T: Copy> Table<T> {

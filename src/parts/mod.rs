@@ -49,5 +49,5 @@ pub use check::{Checked, Fault, FaultKind, check, merge};
 pub use definition::SweepDefinition;
 pub use footer::{Manifest, Part};
 
-pub use share::{file_name, most_parts, rows_of};
+pub use share::{file_name, rows_of};
 pub use write::{Dataset, PartResult};

@@ -5,11 +5,6 @@ use std::ops::Range;
 /// Least number of digits of a part's number in its file name.
 const DIGITS: usize = 5;
 
-/// Largest number of parts for a number of rows: a part has at least one block of [`CHUNK`] rows.
-pub fn most_parts(rows: u64) -> u64 {
-    rows.div_ceil(CHUNK as u64)
-}
-
 /// The rows of part K of M, counted from 0: whole blocks of [`CHUNK`] rows, divided as evenly as
 /// possible. Of B blocks, part K has the blocks ⌊(K − 1)B/M⌋ to ⌊K B/M⌋ − 1.
 ///
@@ -35,7 +30,8 @@ pub fn rows_of(part: u64, parts: u64, rows: u64) -> Result<Range<u64>> {
              {parts} does"
         ));
     }
-    let blocks = most_parts(rows);
+    // a part has at least one block
+    let blocks = rows.div_ceil(CHUNK as u64);
     if parts > blocks {
         return refuse(format!(
             "the sweep has {rows} rows, and a part has at least {CHUNK}; divide it into at most \

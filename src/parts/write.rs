@@ -5,6 +5,7 @@ use super::share::{file_name, rows_of};
 use crate::atomic_file::create_beside;
 use crate::batch::{Batch, Block, Points, Run};
 use crate::error::{Error, Result};
+use crate::external_errors::write_error_text;
 use crate::report::{ParquetGroup, PlacedGroup, SweepParquet};
 use crate::statistics::{Bins, RankingSpec, Summary, SummarySpec};
 use std::fs::{self, File};
@@ -102,13 +103,17 @@ impl Dataset {
         }
         self.refuse_other_sweep(folder, &path)?;
         let unwritten = |error: io::Error| {
-            let why = Error::why_unwritten(&error);
+            let why = write_error_text(&error);
             results(format!(
                 "it cannot be written ({why}); nothing of it is kept. Correct this, then repeat \
                  part {part}"
             ))
         };
-        let mut file = Unfinished::new(create_beside(&path).map_err(unwritten)?);
+        let mut file = Unfinished {
+            file: create_beside(&path).map_err(unwritten)?,
+            hash: Hash::default(),
+            bytes: 0,
+        };
         let run = Run {
             first_row: rows.start,
             end_row: Some(rows.end),
@@ -263,14 +268,6 @@ struct Unfinished {
 }
 
 impl Unfinished {
-    fn new(file: tempfile::NamedTempFile) -> Self {
-        Self {
-            file,
-            hash: Hash::default(),
-            bytes: 0,
-        }
-    }
-
     fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.file.write_all(bytes)?;
         self.hash.add(bytes);

@@ -261,7 +261,7 @@ fn choice(cause: Cause, setup: &Setup<f64>) -> &'static str {
         Cause::Law => setup
             .law
             .table()
-            .map_or(setup.law.name(), |table| table.file()),
+            .map_or(setup.law.name(), |table| table.file.as_str()),
         _ if setup.launch.is_given() => "given",
         _ => "struck by a club",
     }

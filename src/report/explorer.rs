@@ -29,7 +29,7 @@ pub fn explorer_state(setup: &Setup<f64>, preset: &Preset, system: System) -> Re
     if let Some(table) = setup.law.table() {
         let source = "the explorer has no tables of your own; leave it out, or use a published law";
         return Err(Error::Unreadable {
-            name: format!("{TABLE} {}", table.file()),
+            name: format!("{TABLE} {}", table.file),
             source: source.into(),
         });
     }

@@ -169,7 +169,7 @@ pub(super) fn settings(setup: &Setup<f64>) -> Settings {
             has_law = true;
             all.push((LAW, choice(setup.law.name())));
             let table = setup.law.table();
-            all.extend(table.map(|table| (TABLE, choice(table.file()))));
+            all.extend(table.map(|table| (TABLE, choice(&table.file))));
         }
         let value = setup.value(parameter).into();
         all.push((parameter.name, Setting::Number(value)));

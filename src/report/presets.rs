@@ -142,7 +142,7 @@ pub(super) fn sources(
         .map(number)
         .collect();
     let table = setup.law.table();
-    let table = table.map(|table| SourcedValue::new(TABLE, table.file(), source(TABLE, false)));
+    let table = table.map(|table| SourcedValue::new(TABLE, &table.file, source(TABLE, false)));
     let choices = [
         choice(LAW, setup.law.name(), base.law.name()),
         choice(METHOD, setup.method.name(), base.method.name()),
@@ -232,7 +232,7 @@ fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item 
     let law = setup
         .law
         .table()
-        .map_or(setup.law.name(), |table| table.file());
+        .map_or(setup.law.name(), |table| table.file.as_str());
     [
         change("law of drag and lift", base.law.name(), law),
         change(

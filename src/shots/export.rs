@@ -1,9 +1,7 @@
 //! Reads the rows of an export as shots.
 
 use super::head::{Export, Read};
-use super::shot::{
-    Club, Origin, REFUSED, Shot, StatedOfClub as Stated, Value, of_conditions, within,
-};
+use super::shot::{Club, Further, Origin, REFUSED, Shot, StatedOfClub as Stated, Value, within};
 use crate::drive::Outcome;
 use crate::table::{
     CONDITIONS, DecimalMark, NonShot, Record, Refusal, Stated as Conditions, cells, conditions,
@@ -117,7 +115,7 @@ impl Export {
             .as_ref()
             .filter(|text| says_normalized(text))
             .map(|_| true);
-        let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
+        let stated = shot.conditions();
         shot.point = wrong.map_or_else(|| self.point(&stated, row), Err);
         add_notes(&mut shot, &stated, |of| self.name_of(of));
         if shot.point.is_ok() {
@@ -133,17 +131,18 @@ impl Export {
             |of| self.name_of(of),
             |of| self.read.iter().any(|read| read.of == of),
         )?;
-        for (further, column) in self.further.iter().zip(&self.further_columns) {
-            let name = &column.head;
+        for Further {
+            at,
+            parameter,
+            column,
+        } in &self.further
+        {
+            let (name, cell) = (&column.head, row[*at].as_ref());
             if column.is_stated_air() {
-                point.push(
-                    column
-                        .stated_air(row[further.at].as_ref())
-                        .unwrap_or(self.air),
-                );
+                point.push(column.stated_air(cell).unwrap_or(self.air));
                 continue;
             }
-            let value = column.value(row[further.at].as_ref());
+            let value = column.value(cell);
             let value =
                 value.map_err(|why| Refusal::new(Refusal::UNREADABLE, format!("{name}: {why}")))?;
             let Some(value) = value else {
@@ -151,7 +150,7 @@ impl Export {
                     format!("{name}: the cell is empty; every row of this column needs a value");
                 return Err(Refusal::new(Refusal::MISSING, reason));
             };
-            point.push(within(further.parameter, value, name)?);
+            point.push(within(parameter, value, name)?);
         }
         Ok(point)
     }

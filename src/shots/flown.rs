@@ -8,39 +8,17 @@ use crate::drive::{ExceededLimits, Outcome};
 /// A chunk of shots with their flights.
 #[derive(Clone, Debug)]
 pub struct Flown {
-    of: Vec<Outcome>,
-    shots: Vec<Shot>,
+    pub(super) of: Vec<Outcome>,
+    pub(super) shots: Vec<Shot>,
     /// Row of each shot in the block; `None` for a refused shot.
-    flights: Vec<Option<usize>>,
-    block: Block,
-    is_on_their_ground: bool,
-    section: Option<Section>,
+    pub(super) flights: Vec<Option<usize>>,
+    pub(super) block: Block,
+    /// True if roll-outs are compared.
+    pub(super) is_on_their_ground: bool,
+    pub(super) section: Option<Section>,
 }
 
 impl Flown {
-    /// Combines shots and results; `flights` has the row of each shot in the block.
-    pub(super) fn new(
-        of: &[Outcome],
-        shots: Vec<Shot>,
-        flights: Vec<Option<usize>>,
-        block: Block,
-        is_on_their_ground: bool,
-    ) -> Self {
-        Self {
-            of: of.to_vec(),
-            shots,
-            flights,
-            block,
-            is_on_their_ground,
-            section: None,
-        }
-    }
-
-    /// Sets the section.
-    pub(super) fn of_section(self, section: Option<Section>) -> Self {
-        Self { section, ..self }
-    }
-
     /// The section of the table; `None` for messages.
     pub fn section(&self) -> Option<&Section> {
         self.section.as_ref()

@@ -3,7 +3,7 @@
 use super::flown::Flown;
 use super::open_connect;
 use super::shot::{LAUNCH, Shot};
-use super::source::{Chunk, Shots};
+use super::source::{Chunk, Section, Shots};
 use super::statistics::ShotStatistics;
 use crate::batch::{Batch, CHUNK, Run, in_order};
 use crate::drive::{Outcome, OutcomeGroup};
@@ -16,8 +16,9 @@ use std::sync::atomic::Ordering;
 #[derive(Clone, Debug)]
 pub struct Flying {
     batch: Batch,
-    /// True if the setup describes the ground of the shots, so that roll-outs are compared.
-    is_on_their_ground: bool,
+    /// True if the setup describes the ground of the shots, so that total, run and lateral total are
+    /// compared (false).
+    pub is_on_their_ground: bool,
 }
 
 /// Range of launches for the choice of method and step. It does not depend on the table, so that
@@ -102,16 +103,6 @@ impl Flying {
         })
     }
 
-    /// Declares that the setup describes the ground of the shots, so that total, run and lateral
-    /// total are compared.
-    #[must_use]
-    pub fn on_their_ground(self) -> Self {
-        Self {
-            is_on_their_ground: true,
-            ..self
-        }
-    }
-
     /// The requested outcomes.
     pub fn outcomes(&self) -> &[Outcome] {
         self.batch.outcomes()
@@ -144,7 +135,7 @@ impl Flying {
         let further = &parameters[LAUNCH.len()..];
         let work = |chunk: Chunk| {
             let (shots, section) = chunk.shots(further);
-            let flown = self.flown(shots).of_section(section);
+            let flown = self.flown(shots, section);
             let mut statistics = ShotStatistics::new(self.outcomes());
             statistics.add(&flown);
             (statistics, work(flown))
@@ -158,10 +149,10 @@ impl Flying {
 
     /// Flies the shot of a message of GSPro Open Connect.
     pub fn message(&self, message: Record) -> Flown {
-        self.flown(vec![open_connect::shot(message, &[])])
+        self.flown(vec![open_connect::shot(message, &[])], None)
     }
 
-    fn flown(&self, shots: Vec<Shot>) -> Flown {
+    fn flown(&self, shots: Vec<Shot>, section: Option<Section>) -> Flown {
         let mut points = vec![];
         let mut flights = Vec::with_capacity(shots.len());
         let mut count = 0;
@@ -174,12 +165,13 @@ impl Flying {
             }
         }
         let block = self.batch.evaluate(0, points);
-        Flown::new(
-            self.outcomes(),
+        Flown {
+            of: self.outcomes().to_vec(),
             shots,
             flights,
             block,
-            self.is_on_their_ground,
-        )
+            is_on_their_ground: self.is_on_their_ground,
+            section,
+        }
     }
 }

@@ -38,7 +38,6 @@ pub struct Export {
     /// Columns of the club: speed, attack angle, path, face angle.
     pub(super) club: [Option<(usize, Column)>; 4],
     pub(super) further: Vec<Further>,
-    pub(super) further_columns: Vec<Column>,
     /// Column with the origin of the spin, and column with the conditions of the values.
     pub(super) spin_type: Option<usize>,
     pub(super) condition: Option<usize>,
@@ -97,7 +96,6 @@ impl Export {
             read: vec![],
             club: Default::default(),
             further: vec![],
-            further_columns: vec![],
             spin_type: None,
             condition: None,
             club_name: club_column(&heads, |at| columns[at].content == Content::Note),
@@ -164,17 +162,15 @@ impl Export {
         &mut self,
         further: &[&'static Parameter],
     ) -> std::result::Result<(), &'static str> {
-        let (mut aligned, mut columns) = (vec![], vec![]);
-        for parameter in further {
-            let at = self
-                .further
-                .iter()
-                .position(|own| own.parameter == *parameter)
-                .ok_or(parameter.name)?;
-            aligned.push(self.further[at].clone());
-            columns.push(self.further_columns[at].clone());
-        }
-        (self.further, self.further_columns) = (aligned, columns);
+        let own = |parameter: &&'static Parameter| {
+            let mut all = self.further.iter();
+            let found = all.find(|own| own.parameter == *parameter);
+            found.cloned().ok_or(parameter.name)
+        };
+        self.further = further
+            .iter()
+            .map(own)
+            .collect::<std::result::Result<_, _>>()?;
         Ok(())
     }
 
@@ -192,8 +188,11 @@ impl Export {
             }
             Content::Input(parameter) if !parameter.is_of_strike() && !parameter.is_of_launch() => {
                 column.check_unit()?;
-                self.further.push(Further { at, parameter });
-                self.further_columns.push(column.clone());
+                self.further.push(Further {
+                    at,
+                    parameter,
+                    column: column.clone(),
+                });
             }
             // the club has no effect in a table of launches
             Content::Note | Content::Input(_) => {
@@ -360,39 +359,40 @@ impl Export {
 
 /// The air of the rows.
 impl Export {
-    /// Index of the air column among the further columns.
-    fn air_at(&self) -> Option<usize> {
-        self.further_columns.iter().position(Column::is_stated_air)
+    /// The air column; `None` if the export states no air.
+    fn stated_air(&self) -> Option<&Further> {
+        let mut further = self.further.iter();
+        further.find(|further| further.column.is_stated_air())
     }
 
     /// Remark on the air of the export; `None` if the export states no air.
-    pub(super) fn air_remark(&self) -> Option<String> {
-        self.air_at()
-            .map(|at| air_of_rows(&self.further_columns[at].head))
+    fn air_remark(&self) -> Option<String> {
+        self.stated_air().map(|air| air_of_rows(&air.column.head))
     }
 
     /// Ignores the air of the export, because the setup gives the air explicitly. Returns true if
     /// the export states the air.
     pub(super) fn ignore_air(&mut self) -> bool {
-        let (Some(at), Some(replaced)) = (self.air_at(), self.air_remark()) else {
+        let mut further = self.further.iter();
+        let Some(at) = further.position(|further| further.column.is_stated_air()) else {
             return false;
         };
-        self.further.remove(at);
-        let column = self.further_columns.remove(at);
+        let head = self.further.remove(at).column.head;
+        let replaced = air_of_rows(&head);
         for remark in self
             .remarks
             .iter_mut()
             .filter(|remark| remark.to_string() == replaced)
         {
-            *remark = air_as_given(&column.head).into();
+            *remark = air_as_given(&head).into();
         }
         true
     }
 
     /// Message for a row without usable air.
     pub(super) fn air_note<S: AsRef<str>>(&self, row: &[S]) -> Option<String> {
-        let at = self.air_at()?;
-        let stated = self.further_columns[at].stated_air(row[self.further[at].at].as_ref());
+        let air = self.stated_air()?;
+        let stated = air.column.stated_air(row[air.at].as_ref());
         stated.err().map(|why| air_of_setup(&why))
     }
 }

@@ -74,12 +74,10 @@ impl Interpretation {
             weather_of_rows(setup, &plain, &mut head.columns, &rows);
         }
         let without_unit = assume_units(&mut head.columns, states_unit);
-        let turned = SignConventions::detect(maker, &head.columns, &rows);
-        turned.apply(&mut head.columns);
         Self {
             maker,
             without_unit,
-            turned: turned.message(&head.columns),
+            turned: SignConventions::detect(maker, &head.columns, &rows).apply(&mut head.columns),
         }
     }
 }
@@ -113,13 +111,12 @@ fn weather_of_rows(
     let is_condition = |at: &usize| ["condition", "conditions"].contains(&plain[*at].as_str());
     let states_weather = |at: &usize| rows.iter().any(|row| states_weather(&row[*at]));
     if let Some(at) = (0..columns.len()).filter(is_condition).find(states_weather) {
-        let column = columns[at].clone();
-        let is_given = setup.why_replaced(density).is_some();
-        columns[at] = if is_given {
-            column.of_given_air()
+        let column = &mut columns[at];
+        if setup.why_replaced(density).is_some() {
+            (column.content, column.is_of_given_air) = (Content::Note, true);
         } else {
-            column.of_weather(density)
-        };
+            (column.content, column.is_weather) = (Content::Input(density), true);
+        }
     }
 }
 

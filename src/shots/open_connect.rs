@@ -1,7 +1,7 @@
 //! Reads messages of GSPro Open Connect as shots.
 
 use super::export::{OF_SPIN, add_notes, launch};
-use super::shot::{Club, Origin, REFUSED, Shot, StatedOfClub, Value, of_conditions};
+use super::shot::{Club, Origin, REFUSED, Shot, StatedOfClub, Value};
 use super::sizes::size;
 use super::written;
 use crate::drive::Outcome;
@@ -165,7 +165,7 @@ fn fill(
         shot.club = club_data(club, speed_unit, &mut shot.notes);
     }
     remove_unsent(&mut shot.values);
-    let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
+    let stated = shot.conditions();
     let name = |of: Outcome| {
         let key = BALL
             .iter()

@@ -2,7 +2,7 @@
 
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
-use crate::table::{CONDITIONS, Refusal, Stated, implausible_club};
+use crate::table::{CONDITIONS, Column, Refusal, Stated, implausible_club};
 
 /// Flight status of a row that was not flown.
 pub(super) const REFUSED: &str = "refused";
@@ -186,6 +186,11 @@ impl Shot {
         self.values.iter().find(|value| value.of == of).copied()
     }
 
+    /// Stated launch conditions in the order of [`CONDITIONS`].
+    pub(super) fn conditions(&self) -> Stated {
+        CONDITIONS.map(|of| self.value(of).map(|value| value.value))
+    }
+
     /// Measured outcomes of the flight.
     pub fn measured(&self) -> impl Iterator<Item = &Value> {
         self.values
@@ -203,16 +208,12 @@ pub(super) const LAUNCH: [&str; 5] = [
     "launch.sidespin",
 ];
 
-/// A further parameter of a table, with the index of its column.
+/// A further parameter of a table, with its column and the index of the column.
 #[derive(Clone, Debug)]
 pub(super) struct Further {
     pub at: usize,
     pub parameter: &'static Parameter,
-}
-
-/// Stated conditions in the order of [`CONDITIONS`].
-pub(super) fn of_conditions(value: impl Fn(Outcome) -> Option<f64>) -> Stated {
-    CONDITIONS.map(value)
+    pub column: Column,
 }
 
 /// The value if it is in the parameter's range; `name` is its column head.

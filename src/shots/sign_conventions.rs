@@ -53,8 +53,9 @@ impl SignConventions {
         }
     }
 
-    /// Reverses the signs of the affected columns.
-    pub fn apply(self, columns: &mut [Column]) {
+    /// Reverses the signs of the affected columns, and returns a message about them.
+    pub fn apply(self, columns: &mut [Column]) -> Option<String> {
+        let mut names = vec![];
         for column in columns {
             let is_turned = match column.content {
                 Content::Outcome(Outcome::Sidespin) => self.sidespin,
@@ -63,22 +64,9 @@ impl SignConventions {
             };
             if is_turned {
                 column.is_turned = !column.is_turned;
+                names.push(column.head.as_str());
             }
         }
-    }
-
-    /// Message about the affected columns.
-    pub fn message(self, columns: &[Column]) -> Option<String> {
-        let is_turned = |column: &&Column| match column.content {
-            Content::Outcome(Outcome::Sidespin) => self.sidespin,
-            Content::Outcome(Outcome::SpinAxis) => self.axis,
-            _ => false,
-        };
-        let names: Vec<&str> = columns
-            .iter()
-            .filter(is_turned)
-            .map(|column| column.head.as_str())
-            .collect();
         let (is, why) = match self.axis {
             true => ("are", ": the balls curve to the opposite side"),
             false => ("is", ", as Garmin's exports have it"),

@@ -111,7 +111,11 @@ impl Shots {
     /// The errors of [`read`](Self::read).
     pub(crate) fn of_text(setup: &Setup<f64>, text: Text) -> Result<Self> {
         if is_json(&text.beginning) {
-            refuse_filter(&text)?;
+            if !text.filter.is_empty() {
+                let reason =
+                    "`only` selects rows by a column, and messages have none; leave it out";
+                return Err(text.name.refused(String::new(), reason));
+            }
             let launch = LAUNCH
                 .iter()
                 .map(|name| setup.parameter(name))
@@ -349,15 +353,6 @@ impl Chunk {
         };
         (records.into_iter().map(shot).collect(), section)
     }
-}
-
-/// Refuses a filter of rows for messages.
-fn refuse_filter(text: &Text) -> Result<()> {
-    if text.filter.is_empty() {
-        return Ok(());
-    }
-    let reason = "`only` selects rows by a column, and messages have none; leave it out";
-    Err(text.name.refused(String::new(), reason))
 }
 
 /// Recognizes JSON.

@@ -99,15 +99,6 @@ pub struct ClubShots {
 }
 
 impl ClubShots {
-    fn new(outcomes: usize) -> Self {
-        Self {
-            rows: 0,
-            flown: 0,
-            predicted: vec![Sums::default(); outcomes],
-            residuals: vec![Sums::default(); outcomes],
-        }
-    }
-
     fn add(&mut self, flown: &Flown, row: usize) {
         self.rows += 1;
         self.flown += u64::from(flown.status(row) == Some(Status::Landed));
@@ -266,8 +257,13 @@ impl ShotStatistics {
         if self.clubs.len() >= MOST_CLUBS && !self.clubs.contains_key(name) {
             return None;
         }
-        let outcomes = self.of.len();
-        let new = || ClubShots::new(outcomes);
+        let sums = || vec![Sums::default(); self.of.len()];
+        let new = || ClubShots {
+            rows: 0,
+            flown: 0,
+            predicted: sums(),
+            residuals: sums(),
+        };
         Some(self.clubs.entry(name.into()).or_insert_with(new))
     }
 

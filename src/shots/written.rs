@@ -2,7 +2,7 @@
 
 use super::export::launch;
 use super::objects::Objects;
-use super::shot::{Club, Origin, REFUSED, Shot, Value, of_conditions, within};
+use super::shot::{Club, Origin, REFUSED, Shot, Value, within};
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{Refusal, is_straight_by_assumption};
@@ -158,7 +158,7 @@ fn point(
         );
         return Err(Refusal::new(Refusal::JSON, reason));
     }
-    let stated = of_conditions(|of| shot.value(of).map(|value| value.value));
+    let stated = shot.conditions();
     shot.is_straight_by_assumption = is_straight_by_assumption(&stated);
     let mut point = launch(&stated, |of| of.name().into(), |_| true)?;
     for parameter in further {

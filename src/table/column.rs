@@ -55,8 +55,8 @@ pub(crate) struct Column {
     pub is_weather: bool,
 }
 
-/// Format of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Format of a table; by default of a table in SI.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Format {
     /// True for an export of a launch monitor: unknown columns are ignored.
     pub is_export: bool,
@@ -121,7 +121,12 @@ impl Column {
             // the setup's weather overrides the air of the rows
             (None, Some(Meaning::Input(parameter))) if is_given(parameter) => Content::Note,
             (None, Some(Meaning::Input(parameter))) => Content::Input(setup.column(parameter)?),
-            (None, None) if is_of_flown(name) => Content::Written,
+            (None, None)
+                if OF_FLOWN.contains(&name)
+                    || FLOWN.iter().any(|before| name.starts_with(before)) =>
+            {
+                Content::Written
+            }
             (None, None) if is_head_of_launch_monitor(name, format) => Content::Note,
             _ => named(setup, name)?,
         };
@@ -173,10 +178,6 @@ impl Column {
 
     /// A column in SI.
     pub fn of(content: Content, head: &str) -> Self {
-        let format = Format {
-            is_export: false,
-            has_decimal_comma: false,
-        };
         let is_dotted_condition =
             head.starts_with(LAUNCH) && matches!(content, Content::Outcome(_));
         Self {
@@ -184,7 +185,7 @@ impl Column {
             head: head.into(),
             unit: None,
             size: None,
-            format,
+            format: Format::default(),
             is_in_assumed_degrees: false,
             is_dotted_condition,
             is_of_given_air: false,
@@ -289,26 +290,6 @@ impl Column {
         Self { size, ..self }
     }
 
-    /// Marks the column as the air of each row, described in words.
-    #[must_use]
-    pub fn of_weather(self, density: &'static Parameter) -> Self {
-        Self {
-            content: Content::Input(density),
-            is_weather: true,
-            ..self
-        }
-    }
-
-    /// Marks the column as air that the setup overrides.
-    #[must_use]
-    pub fn of_given_air(self) -> Self {
-        Self {
-            content: Content::Note,
-            is_of_given_air: true,
-            ..self
-        }
-    }
-
     /// True if a cell states its unit.
     pub fn has_unit_in(&self, cell: &str) -> bool {
         self.format.is_export
@@ -340,10 +321,6 @@ impl Column {
             Content::Outcome(outcome) | Content::Sigma(outcome) => outcome.unit(),
             _ => "deg",
         }
-    }
-
-    fn may_be(&self, value: f64) -> bool {
-        matches!(self.content, Content::Input(parameter) if parameter.range.contains(value))
     }
 
     /// True if values of the quantity can have this side in place of a sign.
@@ -469,26 +446,19 @@ impl Column {
 
     /// Parses special values: infinity, and words for a missing value.
     fn no_number(&self, cell: &str) -> std::result::Result<Option<f64>, String> {
-        // a flat face has an infinite radius
-        if let Some(infinite) = cell
+        let infinite = cell
             .parse()
             .ok()
-            .filter(|number: &f64| number.is_infinite() && self.may_be(*number))
-        {
-            return Ok(Some(infinite));
+            .filter(|number: &f64| number.is_infinite());
+        match (self.content, infinite) {
+            // a flat face has an infinite radius
+            (Content::Input(parameter), Some(number)) if parameter.range.contains(number) => {
+                Ok(infinite)
+            }
+            _ if self.format.is_export && is_missing(unwrapped(cell)) => Ok(None),
+            (_, Some(_)) => Err(self.is_not(cell, "not finite")),
+            (_, None) => Err(self.is_not(cell, "not a number")),
         }
-        if self.format.is_export && is_missing(unwrapped(cell)) {
-            return Ok(None);
-        }
-        let is_infinite = cell.parse::<f64>().is_ok_and(f64::is_infinite);
-        Err(self.is_not(
-            cell,
-            if is_infinite {
-                "not finite"
-            } else {
-                "not a number"
-            },
-        ))
     }
 
     /// Message for an unreadable cell.
@@ -556,11 +526,6 @@ fn is_replaced(setup: &Setup<f64>, name: &str) -> bool {
     setup
         .parameter(name)
         .is_ok_and(|parameter| setup.why_replaced(parameter).is_some())
-}
-
-/// Recognizes columns added by `fly`.
-fn is_of_flown(name: &str) -> bool {
-    OF_FLOWN.contains(&name) || FLOWN.iter().any(|before| name.starts_with(before))
 }
 
 /// True for an unknown column head of a launch monitor, false for a misspelt name of this program.

@@ -73,8 +73,8 @@ fn of_windows_1252(bytes: &[u8]) -> String {
 /// A UTF-8 stream without byte-order marks.
 pub(crate) struct Decoded<R> {
     source: R,
-    /// Byte order, for UTF-16.
-    pairs: Option<Pairs>,
+    /// Combines two bytes to a code unit of UTF-16, in its byte order.
+    code_unit: Option<fn([u8; 2]) -> u16>,
     /// Bytes of an incomplete character.
     raw: Vec<u8>,
     /// Decoded text and the read position.
@@ -82,39 +82,30 @@ pub(crate) struct Decoded<R> {
     at: usize,
 }
 
-/// Combines two bytes to a UTF-16 code unit.
-type Pairs = fn([u8; 2]) -> u16;
-
-/// Reads the first bytes of a source (at most two byte-order marks and one byte), and detects
-/// UTF-16 with its byte order.
-fn read_beginning(source: &mut impl Read) -> io::Result<(Vec<u8>, Option<Pairs>)> {
-    let mut raw = vec![];
-    source
-        .take(2 * MARK.len() as u64 + 1)
-        .read_to_end(&mut raw)?;
-    // UTF-16 without a mark: every other byte of ASCII text is 0, which UTF-8 text never contains
-    let pairs: Option<Pairs> = match raw.get(..4).or(raw.get(..2)) {
-        Some([0xff, 0xfe, ..] | [1..=0xff, 0, 1..=0xff, 0]) => Some(u16::from_le_bytes),
-        Some([0xfe, 0xff, ..] | [0, 1..=0xff, 0, 1..=0xff]) => Some(u16::from_be_bytes),
-        _ => None,
-    };
-    Ok((raw, pairs))
-}
-
 /// Decodes a source in UTF-8 or UTF-16, with or without a byte-order mark.
 ///
 /// # Errors
 /// Errors of the source; [`io::ErrorKind::Other`] for invalid UTF-16, here or during a later read.
 pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
-    let (raw, pairs) = read_beginning(&mut source)?;
+    // at most two byte-order marks and one byte
+    let mut raw = vec![];
+    (&mut source)
+        .take(2 * MARK.len() as u64 + 1)
+        .read_to_end(&mut raw)?;
     let mut decoded = Decoded {
         source,
-        pairs,
+        // UTF-16 without a mark: every other byte of ASCII text is 0, which UTF-8 text never
+        // contains
+        code_unit: match raw.get(..4).or(raw.get(..2)) {
+            Some([0xff, 0xfe, ..] | [1..=0xff, 0, 1..=0xff, 0]) => Some(u16::from_le_bytes),
+            Some([0xfe, 0xff, ..] | [0, 1..=0xff, 0, 1..=0xff]) => Some(u16::from_be_bytes),
+            _ => None,
+        },
         raw,
         text: vec![],
         at: 0,
     };
-    if pairs.is_some() {
+    if decoded.code_unit.is_some() {
         decoded.decode(false)?;
     } else {
         decoded.text = std::mem::take(&mut decoded.raw);
@@ -128,13 +119,13 @@ pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
 impl<R> Decoded<R> {
     /// Decodes the complete characters of the buffered bytes.
     fn decode(&mut self, is_end: bool) -> io::Result<()> {
-        let Some(pairs) = self.pairs else {
+        let Some(code_unit) = self.code_unit else {
             return Ok(());
         };
         let mut units: Vec<u16> = self
             .raw
             .chunks_exact(2)
-            .map(|pair| pairs([pair[0], pair[1]]))
+            .map(|pair| code_unit([pair[0], pair[1]]))
             .collect();
         // a high surrogate waits for its low surrogate
         let waits = !is_end
@@ -165,7 +156,7 @@ impl<R: Read> Read for Decoded<R> {
     fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
         while self.at == self.text.len() {
             (self.text, self.at) = (vec![], 0);
-            if self.pairs.is_none() {
+            if self.code_unit.is_none() {
                 return self.source.read(into);
             }
             let mut piece = [0; PIECE];

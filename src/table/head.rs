@@ -129,15 +129,11 @@ impl Head {
             .map(|(at, name)| (at, Column::in_si(setup, name))));
         let mut columns = columns.map_err(|wrong| wrong.advised(OF_POINTS))?;
         resolve_sweep_names(&mut columns);
-        let format = Format {
-            is_export: false,
-            has_decimal_comma: false,
-        };
         Ok(Self {
             line: 1,
             heads: names.to_vec(),
             columns,
-            format,
+            format: Format::default(),
             units: None,
             remarks: vec![],
             encoding: None,

@@ -95,11 +95,6 @@ impl Lines {
         self.held.push_front(line);
     }
 
-    /// Pushes a record back to the front of the input.
-    pub fn give_back_record(&mut self, record: Record) {
-        self.give_back((record.line, record.text));
-    }
-
     /// The next line other than blank lines, comments (`#`) and a separator declaration (`sep=;`).
     pub fn text_line(&mut self) -> io::Result<Option<(u64, String)>> {
         loop {

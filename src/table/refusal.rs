@@ -1,7 +1,5 @@
 //! Rows that are rejected, or hold no shot.
 
-use crate::units::Message;
-
 /// Reason for rejecting a row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
@@ -107,11 +105,6 @@ impl NonShotRows {
         .filter(|(rows, _)| !rows.is_empty())
         .map(|(rows, what)| format!("rows left out, since they {what}: {}", rows.join(", ")))
         .collect()
-    }
-
-    /// The messages as remarks.
-    pub fn remarks(&self) -> impl Iterator<Item = Message> {
-        self.messages().into_iter().map(Message::from)
     }
 }
 

@@ -11,6 +11,7 @@ use crate::csv_dialect::detect_separator;
 use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
 use crate::parameters::Setup;
+use crate::units::counted;
 use std::io::{self, BufReader, Cursor, Read};
 
 /// Number of bytes inspected for format, column heads and decimal mark.
@@ -239,7 +240,7 @@ impl TextTable {
 
     /// Pushes a record back to the front of the input.
     pub fn give_back(&mut self, record: Record) {
-        self.lines.give_back_record(record);
+        self.lines.give_back((record.line, record.text));
     }
 
     fn record(&mut self) -> Result<Option<Record>> {
@@ -308,14 +309,7 @@ pub(crate) fn miscounted<S: AsRef<str>>(row: &[S], heads: usize) -> Option<Refus
     if row.len() >= heads && filled <= heads {
         return None;
     }
-    let counted = |count: usize| {
-        if count == 1 {
-            "1 cell".into()
-        } else {
-            format!("{count} cells")
-        }
-    };
-    let (row, head) = (counted(row.len()), counted(heads));
+    let [row, head] = [row.len(), heads].map(|count| counted(count as u64, "cell"));
     let reason = format!(
         "the row has {row}, but the head has {head}; give every row a cell for each column"
     );

@@ -113,22 +113,9 @@ impl Message {
         of: impl Fn(&'static str) -> &'static str,
         spelled: fn(&str, &str) -> String,
     ) -> String {
-        self.parts
-            .iter()
-            .map(|part| part.text(&of, spelled))
-            .collect()
-    }
-}
-
-impl Part {
-    fn text(
-        &self,
-        of: impl Fn(&'static str) -> &'static str,
-        spelled: fn(&str, &str) -> String,
-    ) -> String {
-        match self {
-            Self::Words(words) => words.clone(),
-            Self::Quantity {
+        let text = |part: &Part| match part {
+            Part::Words(words) => words.clone(),
+            Part::Quantity {
                 quantity,
                 unit,
                 value,
@@ -144,7 +131,8 @@ impl Part {
                 };
                 spelled(&number, unit)
             }
-        }
+        };
+        self.parts.iter().map(text).collect()
     }
 }
 

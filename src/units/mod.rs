@@ -25,6 +25,7 @@ pub use spelling::{one, per, printed, ratio, typeset};
 pub use system::{System, TableUnits};
 
 use expression::read_unit;
+use spelling::typed;
 use std::fmt;
 use symbols::{Dimension, SYMBOLS};
 
@@ -310,11 +311,7 @@ impl Quantity {
     /// # Errors
     /// [`UnitError::NoNumber`], [`UnitError::NotANumber`].
     pub fn split(self, text: &str) -> Result<(f64, &str), UnitError> {
-        let unit = if self == Self::NUMBER {
-            ""
-        } else {
-            self.usual.split(',').next().unwrap_or_default()
-        };
+        let unit = self.usual_unit();
         match split_number(text.trim()) {
             Some((number, _)) if number.is_nan() => Err(UnitError::NotANumber {
                 text: text.into(),
@@ -336,8 +333,7 @@ impl Quantity {
     /// assert_eq!(Quantity::LENGTH.size_of("kg"), None);
     /// ```
     pub fn size_of(self, unit: &str) -> Option<f64> {
-        let unit = read_unit(unit)?;
-        (unit.dimension == self.dimension).then(|| unit.difference(1.0))
+        self.unit_named(unit).map(|unit| unit.difference(1.0))
     }
 
     /// An SI value as a number in `unit`, from the zero of its scale. For a difference, divide by
@@ -364,12 +360,7 @@ impl Quantity {
     /// assert_eq!(Quantity::SPEED.show(49.1744, "mph"), "110 mph");
     /// ```
     pub fn show(self, value: f64, unit: &str) -> String {
-        let number = significant(self.number_in(value, unit), 7);
-        if unit.is_empty() {
-            number
-        } else {
-            format!("{number} {unit}")
-        }
+        typed(&significant(self.number_in(value, unit), 7), unit)
     }
 
     /// List of the valid units for messages: the usual units, then the other symbols of this

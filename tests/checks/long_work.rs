@@ -188,7 +188,7 @@ fn no_block_is_begun_after_cancellation_and_the_search_ends_with_a_complete_poin
         }
         let resume = kept.borrow_mut().take();
         assert_eq!(
-            resume.as_ref().map_or(0, Snapshot::iterations),
+            resume.as_ref().map_or(0, |snapshot| snapshot.iterations),
             stopped.iterations
         );
         let observer = Observer {

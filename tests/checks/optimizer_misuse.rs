@@ -41,7 +41,7 @@ fn snapshot() -> Snapshot {
     let stop = interrupt.clone();
     let keep = move |snapshot: &Snapshot| {
         *keeper.lock().unwrap() = Some(snapshot.clone());
-        stop.store(snapshot.iterations() >= 5, Ordering::Relaxed);
+        stop.store(snapshot.iterations >= 5, Ordering::Relaxed);
         Ok(())
     };
     let observer = Observer {
@@ -59,7 +59,7 @@ fn snapshot() -> Snapshot {
     .unwrap();
     assert_eq!(found.status, Status::Interrupted);
     let snapshot = kept.lock().unwrap().take().unwrap();
-    assert!(snapshot.iterations() >= 5);
+    assert!(snapshot.iterations >= 5);
     snapshot
 }
 

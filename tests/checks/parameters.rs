@@ -225,16 +225,13 @@ fn parameters_and_outcomes_are_keys_and_have_names() {
     assert_eq!(outcomes.len(), Outcome::ALL.len() + Outcome::OF_HEAD.len());
     for of in outcomes {
         assert_eq!(
-            (
-                of.to_string().as_str(),
-                of.name().parse::<Outcome>().unwrap()
-            ),
+            (of.to_string().as_str(), Outcome::named(of.name()).unwrap()),
             (of.name(), of)
         );
     }
     assert_eq!(format!("{:>8}", Outcome::Carry), "   carry");
     assert!(matches!(
-        "cary".parse::<Outcome>(),
+        Outcome::named("cary"),
         Err(Error::Unknown {
             suggestion: Some(_),
             ..

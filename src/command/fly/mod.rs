@@ -97,12 +97,9 @@ fn fly(args: &Args) -> Result<Answer> {
 /// The flights of the shots. If the request gives a ground, the shots were measured on this ground.
 fn flying(request: &Request, setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Flying> {
     request.refuse_replaced(setup, shots.further())?;
-    let flying = followed(request, setup, of, |setup| Flying::new(setup, shots, of))?;
-    Ok(if request.gives_ground() {
-        flying.on_their_ground()
-    } else {
-        flying
-    })
+    let mut flying = followed(request, setup, of, |setup| Flying::new(setup, shots, of))?;
+    flying.is_on_their_ground = request.gives_ground();
+    Ok(flying)
 }
 
 /// Refuses a preset name given as the file of shots.

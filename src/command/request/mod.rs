@@ -354,7 +354,7 @@ impl Request {
             .filter(|setting| setting.parameter == TABLE);
         let file = self.source.file().map(PathBuf::from);
         file.into_iter()
-            .chain(of_source.map(|table| PathBuf::from(table.file())))
+            .chain(of_source.map(|table| PathBuf::from(&table.file)))
             .chain(of_setting.map(|setting| PathBuf::from(&setting.value)))
     }
 }

@@ -8,6 +8,7 @@ use crate::batch::Block;
 use crate::batch::StatusCounts;
 use crate::command::files::{exists, refused, unwritable};
 use crate::command::output::tell;
+use crate::external_errors::write_error_text;
 #[cfg(feature = "parquet")]
 use crate::report::{ParquetGroup, PlacedGroup, SweepParquet};
 use crate::units::counted;
@@ -312,10 +313,7 @@ impl<'a> ResumableFile<'a> {
                 "move the other file away",
             ),
             _ => (
-                format!(
-                    "it cannot be written further ({})",
-                    Error::why_unwritten(error)
-                ),
+                format!("it cannot be written further ({})", write_error_text(error)),
                 "make room",
             ),
         };

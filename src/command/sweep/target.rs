@@ -5,6 +5,7 @@ use crate::batch::StatusCounts;
 use crate::command::files::{Rule, refused, unwritable};
 use crate::command::request::Request;
 use crate::command::running::running;
+use crate::external_errors::write_error_text;
 use crate::units::counted;
 use crate::{Error, Result};
 use std::fs::{File, OpenOptions};
@@ -182,7 +183,7 @@ impl Stream {
                 error.kind(),
                 format!(
                     "{}; written before: {}",
-                    Error::why_unwritten(&error),
+                    write_error_text(&error),
                     counted(rows, "row")
                 ),
             ))

@@ -1,7 +1,7 @@
 //! Compromises of a front, and the step from one compromise to the next.
 
 use super::context::{Combined, FrontContext, with_limit};
-use super::result::FrontEvent;
+use super::result::{FrontEvent, FrontPoint};
 use crate::error::{Error, Result};
 use crate::number::Taylor;
 use crate::optimize::continuation::predicted;
@@ -22,20 +22,14 @@ pub(super) struct Compromise {
     pub at: f64,
     /// Sum a + b.
     pub sum: f64,
-    pub x: Vec<f64>,
-    pub values: [f64; 2],
-    pub slope: Option<f64>,
-    /// dx/ds; zeros if unknown, so that the predictor returns the same point.
-    pub rates: Vec<f64>,
-    pub active_set: ActiveSet,
-    /// Event on the traced path.
-    pub event: Option<FrontEvent>,
+    /// Unknown rates are zeros, so that the predictor returns the same point.
+    pub point: FrontPoint,
     pub derivatives: Option<(Solution, Response)>,
 }
 
 impl Compromise {
     pub fn is_jump(&self) -> bool {
-        self.event == Some(FrontEvent::Jump)
+        self.point.event == Some(FrontEvent::Jump)
     }
 }
 
@@ -60,41 +54,27 @@ impl Plane<'_> {
     }
 
     /// Compromise at the minimum of function k.
-    pub fn end(&self, k: usize, end: Solution, values: [f64; 2]) -> Compromise {
+    pub fn end(&self, k: usize, end: &Solution, values: [f64; 2]) -> Compromise {
         let at = if k == 0 { -1.0 } else { 1.0 };
         let context = self.context;
-        let bare = Compromise {
+        let mut compromise = Compromise {
             at,
             sum: 1.0,
-            x: end.x.clone(),
-            values,
-            slope: None,
-            rates: vec![0.0; end.x.len()],
-            active_set: self.active_set(&end),
-            event: None,
+            point: context.end(end, values),
             derivatives: None,
         };
         // a corrector search at this end gives the front's derivatives
-        match self.solve_at(at, &end.x) {
-            Ok(place) if context.distance(&place.x, &end.x) < 1e-4 => Compromise {
-                x: end.x,
+        if let Ok(place) = self.solve_at(at, &end.x)
+            && context.distance(&place.point.x, &end.x) < 1e-4
+        {
+            compromise.point = FrontPoint {
+                x: compromise.point.x,
                 values,
-                at,
-                sum: 1.0,
-                ..place
-            },
-            _ => bare,
+                ..place.point
+            };
+            compromise.derivatives = place.derivatives;
         }
-    }
-
-    /// Active set at `end`, the minimum of one function.
-    pub fn active_set(&self, end: &Solution) -> ActiveSet {
-        let domain = &self.context.domain;
-        let mut active_set = ActiveSet::new(end, domain);
-        active_set
-            .constraints
-            .truncate(domain.constraints.dimension());
-        active_set
+        compromise
     }
 
     /// Corrector: computes the compromise at s = `at`, from the nearby point `from`.
@@ -123,9 +103,7 @@ impl Plane<'_> {
             slope if slope.abs() < STEEPEST.recip() => Some(0.0),
             slope => Some(-slope).filter(|slope| slope.abs() < STEEPEST),
         };
-        Ok(Compromise {
-            at,
-            sum,
+        let point = FrontPoint {
             x: solution.x.clone(),
             values: [
                 self.zero[0] + a * self.span[0],
@@ -142,6 +120,11 @@ impl Plane<'_> {
             ),
             active_set,
             event: None,
+        };
+        Ok(Compromise {
+            at,
+            sum,
+            point,
             derivatives: response.map(|response| (solution, response)),
         })
     }
@@ -150,9 +133,9 @@ impl Plane<'_> {
     /// of the variables' ranges.
     pub fn next(&self, here: &Compromise, to: f64) -> Result<(Compromise, f64)> {
         let bounds = &self.context.domain.variables;
-        let predicted = predicted(&here.x, &here.rates, to - here.at, bounds);
+        let predicted = predicted(&here.point.x, &here.point.rates, to - here.at, bounds);
         let found = self.solve_at(to, &predicted)?;
-        let distance = self.context.distance(&found.x, &predicted);
+        let distance = self.context.distance(&found.point.x, &predicted);
         Ok((found, distance))
     }
 
@@ -169,7 +152,7 @@ impl Plane<'_> {
         let found = context.search(
             &self.combined(false),
             &context.domain,
-            &near.x,
+            &near.point.x,
             &context.near(),
         )?;
         let values = context.values(&found.x)?;

@@ -161,7 +161,7 @@ impl FrontContext<'_> {
     }
 
     /// Front point at the minimum of one function.
-    fn end(&self, end: &Solution, values: [f64; 2]) -> FrontPoint {
+    pub fn end(&self, end: &Solution, values: [f64; 2]) -> FrontPoint {
         FrontPoint {
             x: end.x.clone(),
             values,

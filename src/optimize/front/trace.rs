@@ -2,7 +2,7 @@
 
 use super::compromise::{Compromise, Plane};
 use super::context::{FrontContext, PART_MISSING, SAME, STRAIGHT, span_of};
-use super::result::{Front, FrontEvent, FrontPoint};
+use super::result::{Front, FrontEvent};
 use crate::error::Result;
 use crate::optimize::continuation::{AdaptiveStep, TOO_FAR, locate_change};
 use crate::optimize::sensitivity::ActiveSet;
@@ -35,13 +35,7 @@ pub(super) fn trace_front(
         zero: std::array::from_fn(|k| values[k][k]),
         span: std::array::from_fn(|k| span_of(values, k)),
     };
-    let [first, second] = ends;
-    let end_active_sets = [plane.active_set(&first), plane.active_set(&second)];
-    let [first, second] = [
-        plane.end(0, first, values[0]),
-        plane.end(1, second, values[1]),
-    ];
-
+    let [first, second] = [0, 1].map(|k| plane.end(k, &ends[k], values[k]));
     let Path {
         points: path,
         mut ended,
@@ -65,17 +59,20 @@ pub(super) fn trace_front(
     let knee_at = knee.as_ref().map(|knee| knee.at);
     points.extend(knee);
     points.sort_by(|a, b| a.at.total_cmp(&b.at));
-    let (points, dominated) = nondominated(points, &path, plane.span);
+    let (mut points, dominated) = nondominated(points, &path, plane.span);
+    // an end takes its active set from the minimisation of a single function: in the search for a
+    // compromise its multipliers vanish
+    for place in points.iter_mut().filter(|place| place.at.abs() >= 1.0) {
+        let end = &ends[usize::from(place.at > 0.0)];
+        place.point.active_set = ActiveSet::new(end, &context.domain);
+    }
     let knee = knee_at.and_then(|at| {
         points
             .iter()
             .position(|point| (point.at - at).abs() <= 2.0 * LOCATED)
     });
     Ok(Front {
-        points: points
-            .into_iter()
-            .map(|point| front_point(point, &end_active_sets))
-            .collect(),
+        points: points.into_iter().map(|place| place.point).collect(),
         knee,
         bend: 0.5 * (1.0 - smallest_sum),
         dominated,
@@ -91,49 +88,21 @@ fn smallest_sum(path: &[Compromise], knee: Option<&Compromise>) -> f64 {
         .fold(1.0, |least, place| f64::min(least, place.sum))
 }
 
-/// Converts a compromise to a point of the front. An end takes its active set from the minimisation
-/// of a single function: in the search for a compromise its multipliers vanish.
-fn front_point(point: Compromise, end_active_sets: &[ActiveSet; 2]) -> FrontPoint {
-    let Compromise {
-        at,
-        x,
-        values,
-        slope,
-        rates,
-        active_set,
-        event,
-        ..
-    } = point;
-    let active_set = match at {
-        _ if at <= -1.0 => end_active_sets[0].clone(),
-        _ if at >= 1.0 => end_active_sets[1].clone(),
-        _ => active_set,
-    };
-    FrontPoint {
-        x,
-        values,
-        slope,
-        rates,
-        active_set,
-        event,
-    }
-}
-
 /// Traces the front from the first end. If the trace does not reach the second end, the front is
 /// also traced from there.
-fn trace_from_both_ends(plane: &Plane<'_>, first: Compromise, second: Compromise) -> Path {
+fn trace_from_both_ends(plane: &Plane<'_>, first: Compromise, mut second: Compromise) -> Path {
     let context = plane.context;
     let mut path = trace(plane, first, 1.0);
     let reaches_second = path.points.last().is_some_and(|place| {
-        context.distance(&place.x, &second.x) <= TOO_FAR && place.at >= 1.0 - STRAIGHT
+        context.distance(&place.point.x, &second.point.x) <= TOO_FAR && place.at >= 1.0 - STRAIGHT
     });
     if reaches_second {
         // replace the traced end by the result of the second function's minimisation
-        let event = path
+        second.point.event = path
             .points
-            .pop_if(|point| point.at >= 1.0)
-            .and_then(|point| point.event);
-        path.points.push(Compromise { event, ..second });
+            .pop_if(|place| place.at >= 1.0)
+            .and_then(|place| place.point.event);
+        path.points.push(second);
         path.ended = None;
         return path;
     }
@@ -167,12 +136,12 @@ fn join_branches(mut path: Vec<Compromise>, mut back: Vec<Compromise>) -> Vec<Co
     all.sort_by(|(a, _), (b, _)| a.at.total_cmp(&b.at));
     let mut previous_branch = None;
     let mut joined = vec![];
-    for (mut point, branch) in all {
+    for (mut place, branch) in all {
         if previous_branch.is_some_and(|previous| previous != branch) {
-            point.event = Some(FrontEvent::Jump);
+            place.point.event = Some(FrontEvent::Jump);
         }
         previous_branch = Some(branch);
-        joined.push(point);
+        joined.push(place);
     }
     joined
 }
@@ -216,7 +185,7 @@ fn trace(plane: &Plane<'_>, from: Compromise, end: f64) -> Path {
             return ended_for(points, NO_COMPROMISE.into());
         }
         step.adapt(distance);
-        if next.active_set == here.active_set {
+        if next.point.active_set == here.point.active_set {
             points.push(next);
         } else {
             points.extend(locate_event(plane, &here, next, end));
@@ -245,35 +214,32 @@ fn locate_event(
         travelled,
         |before, to| plane.expected_event(before, end * to).map(|at| end * at),
         compromise_at,
-        |place| place.active_set == here.active_set,
+        |place| place.point.active_set == here.point.active_set,
     );
-    let slope_before =
-        compromise_at(here, travelled(&place) - 4.0 * LOCATED).and_then(|before| before.slope);
+    let slope_before = compromise_at(here, travelled(&place) - 4.0 * LOCATED)
+        .and_then(|before| before.point.slope);
     // at the end of the front the slope has one side, and nothing follows the change
     if travelled(&place) >= 1.0 {
-        place.slope = slope_before;
+        place.point.slope = slope_before;
         return vec![place];
     }
     // a kink of the front has no unique slope
     let differ = |a: f64, b: f64| (a - b).abs() > KINK * a.abs().max(b.abs());
-    place.slope = place
+    place.point.slope = place
+        .point
         .slope
         .zip(slope_before)
         .filter(|&(after, before)| !differ(after, before))
         .map(|(after, _)| after);
     let changed_from = |before: ActiveSet| Some(FrontEvent::Changed { before });
     if end > 0.0 {
-        return vec![Compromise {
-            event: changed_from(here.active_set.clone()),
-            ..place
-        }];
+        place.point.event = changed_from(here.point.active_set.clone());
+        return vec![place];
     }
     // tracing backwards: seen from the first end, the active set of `here` begins at this point
-    let seen_from_first_end = Compromise {
-        active_set: here.active_set.clone(),
-        event: changed_from(place.active_set.clone()),
-        ..place.clone()
-    };
+    let mut seen_from_first_end = place.clone();
+    seen_from_first_end.point.active_set = here.point.active_set.clone();
+    seen_from_first_end.point.event = changed_from(place.point.active_set.clone());
     vec![seen_from_first_end, place]
 }
 
@@ -285,7 +251,7 @@ fn spread_evenly(plane: &Plane<'_>, path: &[Compromise], count: usize) -> Vec<Co
     // keep the ends, the events, and the last point before another branch
     let is_kept = |i: usize| {
         let precedes_jump = path.get(i + 1).is_some_and(Compromise::is_jump);
-        i == 0 || i == last || precedes_jump || path[i].event.is_some()
+        i == 0 || i == last || precedes_jump || path[i].point.event.is_some()
     };
     let mut points: Vec<Compromise> = (0..path.len())
         .filter(|i| is_kept(*i))
@@ -340,10 +306,9 @@ fn find_knee(plane: &Plane<'_>, path: &[Compromise]) -> Option<Compromise> {
         .ok()
         .filter(|knee| knee.sum <= nearest.sum + SAME)
         .or_else(|| {
-            Some(Compromise {
-                event: None,
-                ..nearest.clone()
-            })
+            let mut nearest = nearest.clone();
+            nearest.point.event = None;
+            Some(nearest)
         })
 }
 
@@ -354,34 +319,35 @@ fn nondominated(
     path: &[Compromise],
     span: [f64; 2],
 ) -> (Vec<Compromise>, usize) {
-    let dominates =
-        |a: &Compromise, b: &Compromise| (0..2).all(|k| a.values[k] < b.values[k] - SAME * span[k]);
+    let dominates = |a: &Compromise, b: &Compromise| {
+        (0..2).all(|k| a.point.values[k] < b.point.values[k] - SAME * span[k])
+    };
     let mut kept: Vec<Compromise> = vec![];
     let mut dominated = 0;
     let mut follows_jump = false;
-    for point in &points {
-        follows_jump |= point.is_jump();
+    for place in &points {
+        follows_jump |= place.is_jump();
         let is_dominated = points
             .iter()
             .chain(path)
-            .any(|other| dominates(other, point));
+            .any(|other| dominates(other, place));
         if is_dominated {
             dominated += 1;
             continue;
         }
-        let mut point = point.clone();
+        let mut place = place.clone();
         if std::mem::take(&mut follows_jump) {
-            point.event = Some(FrontEvent::Jump);
+            place.point.event = Some(FrontEvent::Jump);
         }
         let duplicate = kept
             .last_mut()
-            .filter(|last| (last.at - point.at).abs() <= 2.0 * LOCATED);
+            .filter(|last| (last.at - place.at).abs() <= 2.0 * LOCATED);
         match duplicate {
             // prefer the result of a single function's minimisation at an end
-            Some(last) if point.at >= 1.0 => *last = point,
-            Some(last) if point.event.is_some() && last.at > -1.0 => *last = point,
+            Some(last) if place.at >= 1.0 => *last = place,
+            Some(last) if place.point.event.is_some() && last.at > -1.0 => *last = place,
             Some(_) => {}
-            None => kept.push(point),
+            None => kept.push(place),
         }
     }
     (kept, dominated)

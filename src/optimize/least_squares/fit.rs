@@ -268,20 +268,22 @@ struct Verdict {
 }
 
 impl Verdict {
-    fn new(status: Status, message: String) -> Self {
-        Self { status, message }
-    }
-
     fn stalled(reason: &str, cosine: f64) -> Self {
         let message =
             format!("{reason}; {COSINE} {cosine:.1e}. Start elsewhere, or fit fewer parameters");
-        Self::new(Status::Stalled, message)
+        Self {
+            status: Status::Stalled,
+            message,
+        }
     }
 
     fn interrupted(cosine: f64, tolerance: f64) -> Self {
         let message =
             format!("stopped before the lowest sum: {COSINE} {cosine:.1e} > {tolerance:.0e}");
-        Self::new(Status::Interrupted, message)
+        Self {
+            status: Status::Interrupted,
+            message,
+        }
     }
 }
 
@@ -299,13 +301,6 @@ struct FitState {
     evaluations: u64,
     refused: u64,
     why_refused: Option<String>,
-}
-
-/// Result of one trial step.
-enum Trial {
-    Accepted,
-    Rejected,
-    Ended(Verdict),
 }
 
 impl FitState {
@@ -338,12 +333,18 @@ impl FitState {
         if largest <= options.rounding {
             let message =
                 format!("every residual is a rounding error: the largest is {largest:.1e}");
-            return Some(Verdict::new(Status::Converged, message));
+            return Some(Verdict {
+                status: Status::Converged,
+                message,
+            });
         }
         if cosine <= tolerance {
             let message =
                 format!("no small change lowers the sum: {COSINE} {cosine:.1e} <= {tolerance:.0e}");
-            return Some(Verdict::new(Status::Converged, message));
+            return Some(Verdict {
+                status: Status::Converged,
+                message,
+            });
         }
         if is_interrupted {
             return Some(Verdict::interrupted(cosine, tolerance));
@@ -352,7 +353,10 @@ impl FitState {
             let limit = counted(self.iterations, "iteration");
             let message =
                 format!("stopped at the limit of {limit}: {COSINE} {cosine:.1e} > {tolerance:.0e}");
-            Verdict::new(Status::IterationLimit, message)
+            Verdict {
+                status: Status::IterationLimit,
+                message,
+            }
         })
     }
 
@@ -378,9 +382,9 @@ impl FitState {
                 return Some(self.no_gain_verdict(bounds));
             }
             match self.try_step(step, bounds, options, evaluate, observer) {
-                Trial::Accepted => return None,
-                Trial::Ended(verdict) => return Some(verdict),
-                Trial::Rejected => self.grow_damping(),
+                Ok(true) => return None,
+                Ok(false) => self.grow_damping(),
+                Err(verdict) => return Some(verdict),
             }
         }
     }
@@ -390,7 +394,10 @@ impl FitState {
         self.at.step(bounds, &self.scale, damping, &mut self.solver)
     }
 
-    /// Evaluates a trial point, and moves there if the sum falls.
+    /// Evaluates a trial point, and moves there if the sum falls. Returns true if it moved.
+    ///
+    /// # Errors
+    /// The verdict of a fit that was interrupted during the evaluation.
     fn try_step(
         &mut self,
         step: ModelStep,
@@ -398,7 +405,7 @@ impl FitState {
         options: &Options,
         evaluate: &impl Fn(Vec<f64>) -> Result<Point, String>,
         observer: &FitObserver,
-    ) -> Trial {
+    ) -> Result<bool, Verdict> {
         self.evaluations += 1;
         match evaluate(step.to) {
             Ok(next) => {
@@ -412,20 +419,20 @@ impl FitState {
                     next.lengthen(&mut self.scale);
                     self.cosine = next.cosine(bounds);
                     self.at = next;
-                    return Trial::Accepted;
+                    return Ok(true);
                 }
             }
             Err(_) if observer.is_interrupted() => {
                 // do not count the interrupted iteration
                 self.iterations -= 1;
-                return Trial::Ended(Verdict::interrupted(self.cosine, options.tolerance));
+                return Err(Verdict::interrupted(self.cosine, options.tolerance));
             }
             Err(why) => {
                 self.refused += 1;
                 self.why_refused = Some(why);
             }
         }
-        Trial::Rejected
+        Ok(false)
     }
 
     /// Verdict if even the largest damping gives no acceptable step.
@@ -455,7 +462,10 @@ impl FitState {
                 "the sum of squares is at its smallest: a step could lower it by {part:.1e} of its \
                  value at most, which is less than its rounding error"
             );
-            return Verdict::new(Status::Converged, message);
+            return Verdict {
+                status: Status::Converged,
+                message,
+            };
         }
         self.rounding_verdict(bounds).unwrap_or_else(|| {
             Verdict::stalled(
@@ -483,7 +493,10 @@ impl FitState {
                  {:.1e} of itself: because of rounding the sum can fall no further",
                 if distance > 0.0 { step / distance } else { 0.0 }
             );
-            Verdict::new(Status::Converged, message)
+            Verdict {
+                status: Status::Converged,
+                message,
+            }
         })
     }
 

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! by the Levenberg–Marquardt method: each step minimises the damped Gauss–Newton model within the
-//! bounds, a convex quadratic program ([`qp`](super::qp)) whose active bounds are exact. The
+//! bounds, a convex quadratic program (`optimize::qp`) whose active bounds are exact. The
 //! damping follows the gain ratio. If the residuals are undefined at a trial point, the step is
 //! rejected and the damping grows.
 //!

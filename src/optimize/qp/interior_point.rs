@@ -9,12 +9,11 @@ use nalgebra::DVector;
 use std::fmt;
 
 /// Result of Clarabel.
-pub(super) enum Answer {
-    /// Active constraints, sorted by falling multiplier, and the approximate solution if Clarabel
-    /// reports one.
-    Found(Vec<ActiveConstraint>, Option<Step>),
-    /// The rows are infeasible within the bounds.
-    Infeasible,
+pub(super) struct Answer {
+    /// Active constraints, sorted by falling multiplier.
+    pub active: Vec<ActiveConstraint>,
+    /// The approximate solution, if Clarabel reports one.
+    pub step: Option<Step>,
 }
 
 /// Clarabel solver for programs of one sparsity pattern. A program with the same pattern only
@@ -83,7 +82,8 @@ struct StandardForm {
 }
 
 impl InteriorPoint {
-    /// Solves a program; `None` if Clarabel finds neither a solution nor a proof of infeasibility.
+    /// Solves a program; `None` if its rows are infeasible within the bounds, and if Clarabel finds
+    /// neither a solution nor a proof of infeasibility.
     pub fn solve(&mut self, program: &QuadraticProgram) -> Option<Answer> {
         let form = StandardForm::new(program);
         let solver = self.updated(&form)?;
@@ -91,7 +91,7 @@ impl InteriorPoint {
         let solution = &solver.solution;
         match solution.status {
             SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
-                return Some(Answer::Infeasible);
+                return None;
             }
             _ if !solution
                 .x
@@ -122,8 +122,8 @@ impl InteriorPoint {
             .into_iter()
             .map(|(_, constraint)| constraint)
             .collect();
-        let own = is_accurate.then(|| form.step(program, &solution.x, &solution.z));
-        Some(Answer::Found(active, own))
+        let step = is_accurate.then(|| form.step(program, &solution.x, &solution.z));
+        Some(Answer { active, step })
     }
 
     /// Loads the data of a program into the solver.

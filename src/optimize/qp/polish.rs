@@ -48,10 +48,6 @@ impl Unknowns {
     fn first_row(&self) -> usize {
         self.free.len() + self.other_terms.len()
     }
-
-    fn count(&self) -> usize {
-        self.first_row() + self.rows.len()
-    }
 }
 
 /// A symmetric system of KKT equations.
@@ -61,13 +57,6 @@ struct KktSystem {
 }
 
 impl KktSystem {
-    fn zeros(size: usize) -> Self {
-        Self {
-            matrix: DMatrix::zeros(size, size),
-            right: DVector::zeros(size),
-        }
-    }
-
     /// Adds the equation normal · d = limit of an active term or row, and the column of its
     /// multiplier.
     fn add_equation(
@@ -117,8 +106,9 @@ impl QuadraticProgram {
         mut active: WorkingSet,
         source: StepSource,
     ) -> Option<(WorkingSet, Step)> {
+        let most = 2 * (self.dimension() + self.rows.len() + self.max_terms.len()) + 4;
         let mut seen = vec![];
-        while seen.len() < self.most_corrections() && !seen.contains(&active) {
+        while seen.len() < most && !seen.contains(&active) {
             let candidate = self.candidate(&active)?;
             let corrected = self.corrected(&active, &candidate);
             if corrected == active {
@@ -163,11 +153,6 @@ impl QuadraticProgram {
             return None;
         }
         self.checked_step(candidate, active, source)
-    }
-
-    /// Maximum number of corrections.
-    fn most_corrections(&self) -> usize {
-        2 * (self.dimension() + self.rows.len() + self.max_terms.len()) + 4
     }
 
     /// Converts a candidate to a step within the bounds; `None` if rounding violates a row or
@@ -252,7 +237,11 @@ impl QuadraticProgram {
     /// The KKT equations of a working set, for the unknowns; `d` holds the variables at bounds.
     fn kkt_system(&self, active: &WorkingSet, unknowns: &Unknowns, d: &DVector<f64>) -> KktSystem {
         let MaxTerm { offset, gradient } = &self.max_terms[unknowns.first_term];
-        let mut system = KktSystem::zeros(unknowns.count());
+        let size = unknowns.first_row() + unknowns.rows.len();
+        let mut system = KktSystem {
+            matrix: DMatrix::zeros(size, size),
+            right: DVector::zeros(size),
+        };
         for (column, &i) in unknowns.free.iter().enumerate() {
             let curvature = self.hessian.column(i);
             for (row, &j) in unknowns.free.iter().enumerate() {

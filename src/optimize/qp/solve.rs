@@ -41,15 +41,17 @@ impl QpSolver {
     /// # Panics
     /// If there is no term of the maximum, or lengths differ.
     pub fn solve(&mut self, program: &QuadraticProgram) -> Option<Step> {
-        if let Some(step) = self.warm_start(program) {
-            return Some(step);
+        let previous = self
+            .active_set
+            .as_ref()
+            .filter(|active| active.fits(program));
+        let warm = previous.and_then(|active| program.exact_step(active, StepSource::WarmStart));
+        if warm.is_some() {
+            return warm;
         }
         self.active_set = None;
-        let (ranked, own) = match self.interior_point.solve(program) {
-            Some(Answer::Found(ranked, own)) => (ranked, own),
-            Some(Answer::Infeasible) | None => return None,
-        };
-        let active = program.consistent_working_set(ranked);
+        let Answer { active, step: own } = self.interior_point.solve(program)?;
+        let active = program.consistent_working_set(active);
         let degenerate = own
             .as_ref()
             .and_then(|own| program.with_multipliers_of(&active, own));
@@ -62,13 +64,5 @@ impl QpSolver {
                 <= MOST_VIOLATION * (program.largest_bound().min(1.0) + own.d.amax())
         };
         degenerate.or(own.filter(is_feasible))
-    }
-
-    fn warm_start(&self, program: &QuadraticProgram) -> Option<Step> {
-        let active = self
-            .active_set
-            .as_ref()
-            .filter(|active| active.fits(program))?;
-        program.exact_step(active, StepSource::WarmStart)
     }
 }

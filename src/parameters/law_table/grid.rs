@@ -76,10 +76,3 @@ pub(crate) struct Grid {
     pub full_lift: Option<(AxisVariable, f64)>,
     pub surface: Surface,
 }
-
-impl Grid {
-    /// The axes of the grid.
-    pub fn axes(&self) -> impl Iterator<Item = &Axis> {
-        self.speed.iter().chain(&self.spin)
-    }
-}

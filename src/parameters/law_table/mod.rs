@@ -28,7 +28,8 @@ pub const TABLE_LAW: &str = "table";
 /// each drive, so the setup has a static reference to the table. A table is stored until the
 /// program ends, and only once if its file is read again.
 pub struct LawTable {
-    file: String,
+    /// Absolute path of the file.
+    pub file: String,
     /// Description for messages.
     pub(crate) description: String,
     /// The nodes in the order of the file: coordinates on the axes of speed and spin (0 without
@@ -92,14 +93,9 @@ impl LawTable {
         Ok(table)
     }
 
-    /// Absolute path of the file.
-    pub fn file(&self) -> &str {
-        &self.file
-    }
-
     /// The axes: speed and spin, or one of them.
     pub fn axes(&self) -> impl Iterator<Item = &Axis> {
-        self.grid.axes()
+        self.grid.speed.iter().chain(&self.grid.spin)
     }
 }
 

@@ -4,7 +4,7 @@
 use super::pareto::Pareto;
 use super::robust::Robust;
 use super::scenarios::Scenarios;
-use crate::drive::{CheckScope, Drive, ExceededCount, ExceededLimits, ExceededShare, Outcome};
+use crate::drive::{CheckScope, Drive, ExceededCount, ExceededLimits, Outcome};
 use crate::parameters::Setup;
 use crate::study::Optimum;
 use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
@@ -18,7 +18,7 @@ pub fn beyond_share(
     scenarios: &Scenarios,
     of: &[Outcome],
     stop: &AtomicBool,
-) -> Option<ExceededShare> {
+) -> Option<ExceededLimits<f64>> {
     let looked_at = |point: &Vec<f64>| {
         let setup = setup.with_values(&scenarios.parameters, point).ok()?;
         let drive = Drive::new(&setup).ok()?;
@@ -28,7 +28,7 @@ pub fn beyond_share(
             .then(|| drive.exceeded_limits(&setup, CheckScope::Flight, of))
     };
     let drives: Vec<Option<ExceededLimits>> = each_until(&scenarios.points, stop, looked_at)?;
-    let mut share = ExceededShare::default();
+    let mut share = ExceededLimits::<f64>::default();
     for (drive, weight) in drives.into_iter().zip(&scenarios.weights) {
         share.add(drive.unwrap_or_default(), *weight);
     }

@@ -4,18 +4,10 @@ use crate::batch::refuse_repeated;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    CONDITIONS, Column, Content, Head, columns_remark, given_air, in_degrees, near_known,
+    CONDITIONS, Column, Content, Head, SourceName, columns_remark, given_air, in_degrees,
+    near_known,
 };
 use crate::units::Message;
-use std::path::Path;
-
-pub(super) fn refused(path: &Path, place: String, reason: impl Into<String>) -> Error {
-    Error::Table {
-        file: path.display().to_string(),
-        place,
-        reason: reason.into(),
-    }
-}
 
 /// Columns that are parameters of the drives.
 #[derive(Debug)]
@@ -29,7 +21,7 @@ pub(super) struct Columns {
 
 impl Columns {
     /// Selects parameters and, without a club, launch conditions.
-    pub fn new(setup: &Setup<f64>, path: &Path, head: &Head) -> Result<Self> {
+    pub fn new(setup: &Setup<f64>, file: &SourceName, head: &Head) -> Result<Self> {
         let is_struck = head.has_strike();
         let parameter = |column: &Column| match column.content {
             Content::Input(parameter) => Some(parameter),
@@ -57,14 +49,14 @@ impl Columns {
                     head.named(|_| true).join(", ")
                 ),
             };
-            refused(path, String::new(), reason)
+            file.refused(String::new(), reason)
         })?;
         let near = near_known(&head.columns);
         if !near.is_empty() {
             let names: Vec<&str> = parameters.iter().map(|parameter| parameter.name).collect();
             setup
                 .check_launch(&names)
-                .map_err(|error| refused(path, String::new(), format!("{error}{near}")))?;
+                .map_err(|error| file.refused(String::new(), format!("{error}{near}")))?;
         }
         let of_units = in_degrees(&head.columns)
             .into_iter()

@@ -1,4 +1,4 @@
-use super::columns::{Columns, refused};
+use super::columns::Columns;
 use super::rows::Rows;
 use crate::error::{Error, Result};
 use crate::input_file::InputFile;
@@ -7,8 +7,8 @@ use crate::table::column::Column;
 use crate::table::decimal_mark::DecimalMarkCheck;
 use crate::table::head::{Head, TableOptions};
 use crate::table::records::cells;
-use crate::table::refusal::{NonShot, NonShotRows};
-use crate::table::text::{Entry, Text, TextTable, miscounted};
+use crate::table::refusal::{NonShot, NonShotRows, Refusal};
+use crate::table::text::{Entry, SourceName, Text, TextTable, miscounted};
 use crate::units::Message;
 use std::path::{Path, PathBuf};
 
@@ -44,8 +44,8 @@ impl CsvRows {
     /// number or whose decimal mark is uncertain.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let (table, head) = opened(setup, path)?;
-        let columns = Columns::new(setup, path, &head)?;
-        let section = Section::new(path, &head, &columns.parameters, &columns.at)?;
+        let columns = Columns::new(setup, &table.name, &head)?;
+        let section = Section::new(&table.name, &head, &columns.parameters, &columns.at)?;
         let (path, setup) = (path.to_owned(), *setup);
         Ok(Self {
             path,
@@ -68,7 +68,8 @@ impl CsvRows {
                     let head = self
                         .table
                         .head(&record, &self.setup, &TableOptions::POINTS)?;
-                    let again = Columns::new(&self.setup, &self.path, &head)?;
+                    let file = &self.table.name;
+                    let again = Columns::new(&self.setup, file, &head)?;
                     let at = again
                         .places_of(&self.columns.parameters)
                         .map_err(|missing| {
@@ -76,18 +77,21 @@ impl CsvRows {
                                 "the head in line {} has no column of {missing}, as the first has",
                                 record.line
                             );
-                            refused(&self.path, String::new(), reason)
+                            file.refused(String::new(), reason)
                         })?;
-                    self.section = Section::new(&self.path, &head, &self.columns.parameters, &at)?;
+                    self.section = Section::new(file, &head, &self.columns.parameters, &at)?;
                     continue;
                 }
                 Some(Entry::Row(record)) => record,
                 Some(Entry::Excluded) => continue,
             };
             self.row += 1;
-            let place = || format!(", row {}", self.row);
+            let refused = |refusal: Refusal| {
+                let place = format!(", row {}", self.row);
+                Err(self.table.name.refused(place, refusal.reason))
+            };
             if let Some(refusal) = record.unclosed() {
-                return Err(refused(&self.path, place(), refusal.reason));
+                return refused(refusal);
             }
             let row = cells(&record.text, self.table.separator);
             if let Some(no_shot) = NonShot::of(&row).filter(|_| self.section.is_export) {
@@ -95,7 +99,7 @@ impl CsvRows {
                 continue;
             }
             if let Some(refusal) = miscounted(&row, self.section.width) {
-                return Err(refused(&self.path, place(), refusal.reason));
+                return refused(refusal);
             }
             return Ok(Some(row.into_iter().map(Into::into).collect()));
         }
@@ -104,19 +108,13 @@ impl CsvRows {
 
 fn opened(setup: &Setup<f64>, path: &Path) -> Result<(TextTable, Head)> {
     let name = path.display().to_string();
-    let file = InputFile::open(path).map_err(|error| {
-        refused(
-            path,
-            String::new(),
-            crate::external_errors::read_error_text(&error),
-        )
-    })?;
+    let file = SourceName(name.clone()).io(InputFile::open(path))?;
     TextTable::open(Text::open(&name, file)?, setup, &TableOptions::POINTS)
 }
 
 impl Section {
     fn new(
-        path: &Path,
+        file: &SourceName,
         head: &Head,
         parameters: &[&'static Parameter],
         at: &[usize],
@@ -125,7 +123,7 @@ impl Section {
         for at in at {
             let column = head.columns[*at].clone();
             column.check_unit().map_err(|error: Error| {
-                refused(path, format!(", column {}", at + 1), error.to_string())
+                file.refused(format!(", column {}", at + 1), error.to_string())
             })?;
             read.push((*at, column));
         }
@@ -146,7 +144,7 @@ impl Rows for CsvRows {
         // reopen: a decoded text is not seekable
         let (table, head) = opened(&self.setup, &self.path)?;
         self.section = Section::new(
-            &self.path,
+            &table.name,
             &head,
             &self.columns.parameters,
             &self.columns.at,
@@ -163,11 +161,8 @@ impl Rows for CsvRows {
             for (at, column) in &self.section.read {
                 let cell = row[*at].as_str();
                 let wrong = |reason| {
-                    refused(
-                        &self.path,
-                        format!(", row {}, column {}", self.row, column.head),
-                        reason,
-                    )
+                    let place = format!(", row {}, column {}", self.row, column.head);
+                    self.table.name.refused(place, reason)
                 };
                 self.marks.check(self.row, column, cell).map_err(wrong)?;
                 values.push(column.value(cell).map_err(wrong)?.unwrap_or(f64::NAN));
@@ -181,7 +176,7 @@ impl Rows for CsvRows {
             .notes
             .iter()
             .cloned()
-            .chain(self.no_shots.remarks())
+            .chain(self.no_shots.messages().into_iter().map(Message::from))
             .collect()
     }
 }

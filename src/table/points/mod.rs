@@ -19,7 +19,7 @@ use crate::error::Result;
 use crate::features::how_to_get;
 use crate::input_file::table_extension;
 use crate::parameters::Setup;
-use columns::refused;
+use crate::table::SourceName;
 #[cfg(any(feature = "arrow", feature = "parquet"))]
 use pieces::PieceRows;
 use rows::Table;
@@ -36,6 +36,8 @@ use std::path::Path;
 /// the wrong dimension; and a value that is missing, not a number, infinite, or whose decimal mark
 /// is uncertain.
 pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points + Send>> {
+    let refused =
+        |reason: &str| Err(SourceName(path.display().to_string()).refused(String::new(), reason));
     match table_extension(path).as_str() {
         "csv" => Ok(Box::new(Table::new(csv::CsvRows::open(setup, path)?)?)),
         #[cfg(feature = "parquet")]
@@ -47,13 +49,9 @@ pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points + Se
             PieceRows::<arrow::ArrowPieces>::open(setup, path)?,
         )?)),
         #[cfg(not(feature = "parquet"))]
-        "parquet" => Err(refused(path, String::new(), how_to_get("parquet"))),
+        "parquet" => refused(&how_to_get("parquet")),
         #[cfg(not(feature = "arrow"))]
-        "arrow" | "arrows" | "feather" => Err(refused(path, String::new(), how_to_get("arrow"))),
-        _ => Err(refused(
-            path,
-            String::new(),
-            "a table's name must end in .csv, .parquet, .arrow, .arrows or .feather",
-        )),
+        "arrow" | "arrows" | "feather" => refused(&how_to_get("arrow")),
+        _ => refused("a table's name must end in .csv, .parquet, .arrow, .arrows or .feather"),
     }
 }

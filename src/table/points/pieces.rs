@@ -1,9 +1,9 @@
-use super::columns::{Columns, refused};
+use super::columns::Columns;
 use super::rows::Rows;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
-use crate::table::Head;
-use std::path::{Path, PathBuf};
+use crate::table::{Head, SourceName};
+use std::path::Path;
 
 /// A file of numeric columns in SI, named by parameters, read in pieces (row groups, record
 /// batches).
@@ -31,7 +31,7 @@ pub(super) trait Pieces: Sized {
 
 /// Rows of a file read in pieces.
 pub(super) struct PieceRows<P> {
-    path: PathBuf,
+    file: SourceName,
     columns: Columns,
     pieces: P,
     next: u64,
@@ -43,19 +43,19 @@ impl<P: Pieces> PieceRows<P> {
     /// is not a parameter, repeated or not numeric; for rows, an infinite value that the parameter
     /// does not allow.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        let pieces = P::open(path).map_err(|reason| refused(path, String::new(), reason))?;
+        let file = SourceName(path.display().to_string());
+        let pieces = P::open(path).map_err(|reason| file.refused(String::new(), reason))?;
         let names = pieces.names();
-        let head = Head::in_si(setup, &names)
-            .map_err(|wrong| wrong.in_file(&path.display().to_string()))?;
-        let columns = Columns::new(setup, path, &head)?;
+        let head = Head::in_si(setup, &names).map_err(|wrong| wrong.in_file(&file.0))?;
+        let columns = Columns::new(setup, &file, &head)?;
         let refusal = columns
             .at
             .iter()
             .find_map(|at| Some((&names[*at], pieces.refusal(*at)?)));
         match refusal {
-            Some((name, reason)) => Err(refused(path, format!(", column {name}"), reason)),
+            Some((name, reason)) => Err(file.refused(format!(", column {name}"), reason)),
             None => Ok(Self {
-                path: path.to_owned(),
+                file,
                 columns,
                 pieces,
                 next: 0,
@@ -77,7 +77,7 @@ impl<P: Pieces> Rows for PieceRows<P> {
 
     fn read(&mut self, most: usize, into: &mut Vec<f64>) -> Result<usize> {
         let Columns { at, parameters, .. } = &self.columns;
-        let refused = |place: String, reason: String| refused(&self.path, place, reason);
+        let refused = |place: String, reason: String| self.file.refused(place, reason);
         let mut rows = 0;
         // a chunk may span several pieces
         while rows < most {

@@ -1,6 +1,17 @@
-//! [`Numbers::not_inlined`](super::Numbers::not_inlined) for each level: a function that is not
-//! inlined uses only the instructions of its own `target_feature`. One module per level, so that
-//! they are compiled in parallel.
+//! Inlining: the macro `inlined!`, and [`Numbers::not_inlined`](super::Numbers::not_inlined) for each
+//! level. A function that is not inlined uses only the instructions of its own `target_feature`. One
+//! module per level, so that they are compiled in parallel.
+
+/// A closure with `#[inline(always)]`; see [Inlining](crate::number).
+macro_rules! inlined {
+    ($($closure:tt)+) => {
+        std::convert::identity(
+            #[inline(always)]
+            $($closure)+
+        )
+    };
+}
+pub(crate) use inlined;
 
 macro_rules! not_inlined {
     ($level:ident $(: $features:literal)?) => {
