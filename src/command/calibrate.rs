@@ -165,7 +165,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         &report,
         &request.origin(),
         warnings.into_vec(),
-        request.is_json(),
+        request.is_json,
     );
     Ok(answer.found(report.is_found()))
 }
@@ -233,7 +233,7 @@ impl Outputs {
             return Ok(false);
         }
         let data = args.data.display().to_string();
-        let toml = report.toml(request.source().preset(), &data)?;
+        let toml = report.toml(request.source.preset(), &data)?;
         output.write(request.with_stated_step(toml)?.as_bytes())?;
         tell(&format!("wrote the fitted setup into {file}"));
         Ok(true)

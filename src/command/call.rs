@@ -63,18 +63,10 @@ pub enum Value {
     Joined(Vec<Value>),
 }
 
-/// The command line of a call.
-pub(super) struct CommandLine {
-    /// The words, the name of the program first.
-    pub words: Vec<OsString>,
-    /// Angles without a unit, rad.
-    pub bare_angles: Vec<f64>,
-}
-
 impl Value {
     /// The text of a value on the command line, such as `club.loft=0.1 rad..20 deg`.
     pub fn text(&self) -> OsString {
-        Writer::default().text(self, None)
+        CommandLine::default().text(self, None)
     }
 }
 
@@ -104,26 +96,24 @@ impl Call {
                 return Err(unknown(name, reason));
             }
         }
-        let mut writer = Writer {
+        let mut line = CommandLine {
+            words: vec!["longdrive".into()],
             goal: self.goal(),
             along: self.along(),
-            ..Writer::default()
+            ..CommandLine::default()
         };
-        let mut words = vec![OsString::from("longdrive")];
-        words.extend(self.command.split(' ').map(OsString::from));
+        line.words
+            .extend(self.command.split(' ').map(OsString::from));
         for arg in command.get_arguments() {
             let own = self
                 .arguments
                 .iter()
                 .filter(|(name, _)| name_of(arg) == *name);
             for (_, value) in own {
-                writer.argument(arg, value, &mut words);
+                line.argument(arg, value);
             }
         }
-        Ok(CommandLine {
-            words,
-            bare_angles: writer.bare_angles,
-        })
+        Ok(line)
     }
 
     /// The quantity of the goal of a search.
@@ -205,19 +195,24 @@ pub(super) fn quantity_of_value(value_name: &str) -> Option<Quantity> {
     })
 }
 
-/// Writes values as words.
+/// The command line of a call.
 #[derive(Default)]
-struct Writer {
+pub(super) struct CommandLine {
+    /// The words, the name of the program first.
+    pub words: Vec<OsString>,
+    /// Angles without a unit, rad.
+    pub bare_angles: Vec<f64>,
+    /// The quantity of the goal of a search.
     goal: Option<Quantity>,
+    /// The quantity of the parameter that `along` names.
     along: Option<Quantity>,
-    bare_angles: Vec<f64>,
 }
 
-impl Writer {
-    fn argument(&mut self, arg: &Arg, value: &Value, words: &mut Vec<OsString>) {
+impl CommandLine {
+    fn argument(&mut self, arg: &Arg, value: &Value) {
         if let Value::Several(values) = value {
             for value in values {
-                self.argument(arg, value, words);
+                self.argument(arg, value);
             }
             return;
         }
@@ -235,7 +230,7 @@ impl Writer {
             }
             word.push(self.text(value, self.quantity(arg)));
         }
-        words.push(word);
+        self.words.push(word);
     }
 
     fn quantity(&self, arg: &Arg) -> Option<Quantity> {

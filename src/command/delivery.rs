@@ -238,7 +238,7 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
         .iter()
         .any(|unknown| unknown.parameter.name == LOFT);
     let is_stated = club.stated().any(|name| name == LOFT);
-    if is_varied || is_stated || !club.source().is_average() {
+    if is_varied || is_stated || !club.source.is_average() {
         return vec![];
     }
     let loft = setup.variable(LOFT).ok().map(|parameter| {
@@ -246,7 +246,7 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
         format!(
             "{LOFT} = {loft} is that of {}, and a best loft is found relative to it; state that \
              of your club, for example `set {LOFT}=10.5deg`",
-            club.source().name()
+            club.source.name()
         )
     });
     loft.into_iter().map(Message::from).collect()
@@ -330,7 +330,7 @@ impl Outputs {
         let why = match (found.explained(), found.left_out) {
             (0, _) => "no delivery was found",
             (_, 0) => {
-                let preset = request.source().preset();
+                let preset = request.source.preset();
                 let toml = delivery_toml(setup, &found.all, preset, &found.from)?;
                 output.write(request.with_stated_step(toml)?.as_bytes())?;
                 tell(&format!(
@@ -528,7 +528,7 @@ impl Requests {
     fn setup_of_launch(&self, args: &Args) -> Result<Setup<f64>> {
         let options: Vec<_> = self
             .launched
-            .settings()
+            .settings
             .iter()
             .filter(|setting| setting.replaces_launch())
             .map(Setting::to_string)

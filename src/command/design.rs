@@ -100,7 +100,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         improvements: &improvements,
         notes: &notes,
     };
-    let answer = if request.is_json() {
+    let answer = if request.is_json {
         Answer::json(&designed.reply(found.reply(&request.origin())))
     } else {
         let document = designed.document(&found.over, system());
@@ -112,13 +112,13 @@ pub fn run(args: &Args) -> Result<Answer> {
 /// Refuses a file that names no preset. The default preset of the other commands exceeds the limits
 /// of the Rules of Golf, so this command has another default preset.
 fn refuse_unnamed_preset(request: &Request) -> Result<()> {
-    if request.source().names_preset() {
+    if request.source.names_preset() {
         return Ok(());
     }
     let source = "it names no preset; name the one that it starts from in its first line, as in \
                   preset = \"modern-driver\"";
     Err(Error::Unreadable {
-        name: request.source().name().into(),
+        name: request.source.name().into(),
         source: source.into(),
     })
 }

@@ -97,9 +97,10 @@ pub trait Host: Send + Sync {
     /// Announces that the following work cannot be interrupted.
     fn cannot_stop(&self) {}
 
-    /// Prevents the end of the process while files that belong together are written.
-    fn hold(&self) -> Box<dyn Hold + '_> {
-        Box::new(())
+    /// Prevents the end of the process until the returned function is called or dropped, while
+    /// files that belong together are written. A call reports that these files are complete.
+    fn hold(&self) -> Box<dyn FnOnce(&[&Path]) + '_> {
+        Box::new(|_| ())
     }
 
     /// Announces long work, and returns what receives its progress. `--quiet` suppresses it.
@@ -107,14 +108,6 @@ pub trait Host: Send + Sync {
         Arc::new(())
     }
 }
-
-/// Prevents the end of the process while it exists.
-pub trait Hold {
-    /// Reports that these files are complete.
-    fn written(&mut self, _files: &[&Path]) {}
-}
-
-impl Hold for () {}
 
 /// The work whose progress a host may show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -23,8 +23,8 @@ pub fn ends() {
 /// Writes a file, or several files that belong together, without an interruption between them.
 pub fn undisturbed<T, E>(files: &[&Path], write: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
     let running = running();
-    let mut hold = running.host.hold();
+    let hold = running.host.hold();
     let written = write()?;
-    hold.written(files);
+    hold(files);
     Ok(written)
 }

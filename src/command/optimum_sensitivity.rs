@@ -42,7 +42,6 @@ pub fn run(args: &Args) -> Result<Answer> {
         setup_args,
         search,
         swings,
-        work,
         ..
     } = &args.optimize;
     swings.refuse_stray()?;
@@ -57,7 +56,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let origin = request
         .origin_of_search(&search.vary)
         .with_held(&held, &setup);
-    let optima = work.run(&setup, &search)?;
+    let optima = args.optimize.optima(&setup, &search)?;
     let best = &optima.best;
     let written = write(output.as_ref(), &request, &optima, None)?;
     if let Some(moved) = best.moved_start() {
@@ -80,7 +79,7 @@ pub fn run(args: &Args) -> Result<Answer> {
             found => analysis = Some(found?),
         }
     }
-    let answer = if request.is_json() {
+    let answer = if request.is_json {
         let mut reply = match &analysis {
             Some(analysis) => SensitivityReport::reply(&optima, analysis, warnings),
             None => SensitivityReport::none(&optima, reason.as_ref(), warnings),

@@ -116,7 +116,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         &report,
         &request.origin_of_search(&found.search.vary),
         warnings,
-        request.is_json(),
+        request.is_json,
     );
     Ok(answer.found(is_whole))
 }
@@ -134,7 +134,7 @@ pub fn draw(setup_args: &SetupArgs, asked: &GoalArgs, drawing: &Drawing) -> Resu
         });
     }
     target.put(
-        request.is_json(),
+        request.is_json,
         drawing,
         &pareto_figure(&found, system()),
         warnings,
@@ -407,7 +407,7 @@ impl Output {
             warnings.push(format!("{file} is not written: {why}").into());
             return Ok(None);
         };
-        let toml = pareto_toml(found, place, request.source().preset())?;
+        let toml = pareto_toml(found, place, request.source.preset())?;
         self.destination
             .write(request.with_stated_step(toml)?.as_bytes())?;
         tell(&format!(

@@ -7,7 +7,7 @@ use crate::command::request::Request;
 #[cfg(not(feature = "png"))]
 use crate::features::how_to_get;
 use crate::report::Reply;
-use crate::report::plot::{Figure, Look, Shades, figure_csv_in, figure_svg};
+use crate::report::plot::{Figure, Look, figure_csv_in, figure_svg};
 use crate::units::Message;
 use crate::{Drive, Error, Result, Setup};
 use serde::Serialize;
@@ -132,7 +132,7 @@ impl Target {
         let mut warnings =
             Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(setup));
         warnings.extend(of_optima);
-        self.put(request.is_json(), drawing, figure, warnings)
+        self.put(request.is_json, drawing, figure, warnings)
     }
 
     /// Writes the plot and reports these warnings.
@@ -144,14 +144,9 @@ impl Target {
         warnings: Vec<Message>,
     ) -> Result<Answer> {
         warn(&warnings);
-        let shades = if drawing.dark {
-            Shades::Dark
-        } else {
-            Shades::Light
-        };
         let look = Look {
             system: system(),
-            shades,
+            is_dark: drawing.dark,
             width: drawing.width.unwrap_or(WIDTH),
         };
         let bytes = match self.format {

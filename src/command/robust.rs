@@ -89,7 +89,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     if let Some(output) = &output {
         let file = output.path().display().to_string();
         if is_found {
-            let toml = robust_toml(&found, within, request.source().preset())?;
+            let toml = robust_toml(&found, within, request.source.preset())?;
             output.write(request.with_stated_step(toml)?.as_bytes())?;
             tell(&format!(
                 "wrote the setup with the robust design into {file}"
@@ -108,7 +108,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         &report,
         &request.origin_of_search(&found.search.vary),
         warnings,
-        request.is_json(),
+        request.is_json,
     );
     Ok(answer.found(is_found))
 }

@@ -10,7 +10,7 @@ use crate::units::{Message, System};
 use clap::Command;
 use std::cell::RefCell;
 use std::ffi::OsString;
-use std::sync::{Arc, LazyLock, Mutex, PoisonError};
+use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError};
 
 /// A command with its host.
 pub struct Running {
@@ -19,7 +19,7 @@ pub struct Running {
     pub host: Arc<dyn Host>,
     shown: Option<OutputOptions>,
     /// The arguments, without the name of the program.
-    words: Vec<OsString>,
+    pub words: Vec<OsString>,
     /// Warnings from before the work of the command, about its automatic choices.
     early: Mutex<Vec<Message>>,
     /// Parameters that the answer leaves out, with the reasons.
@@ -142,11 +142,6 @@ impl Running {
         self.host.is_screen() && !self.text_options().all
     }
 
-    /// The arguments.
-    pub fn words(&self) -> &[OsString] {
-        &self.words
-    }
-
     /// Reports a remark or progress, unless `--quiet` is given.
     pub fn tell(&self, text: &str) {
         if !self.is_quiet() {
@@ -155,36 +150,14 @@ impl Running {
         }
     }
 
-    /// Stores a warning. It comes first in the answer.
-    pub fn keep(&self, warning: Message) {
-        self.early
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .push(warning);
+    /// The warnings from before the work of the command. They come first in the answer.
+    pub fn early(&self) -> MutexGuard<'_, Vec<Message>> {
+        self.early.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The stored warnings.
-    pub fn kept(&self) -> Vec<Message> {
-        self.early
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .clone()
-    }
-
-    /// Stores a text about omitted results, for JSON.
-    pub fn leave_out(&self, text: &str) {
-        self.left_out
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .push(text.to_owned());
-    }
-
-    /// The texts that [`Self::leave_out`] stored.
-    pub fn left_out(&self) -> Vec<String> {
-        self.left_out
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .clone()
+    /// The texts about omitted results, for JSON.
+    pub fn left_out(&self) -> MutexGuard<'_, Vec<String>> {
+        self.left_out.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The text of the setup named `-`, which is read once.

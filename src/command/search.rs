@@ -1,6 +1,6 @@
 //! Searches, with their progress and checkpoints.
 
-use crate::command::args::{SearchArgs, WorkArgs};
+use crate::command::args::{OptimizeArgs, SearchArgs};
 use crate::command::files::Destination;
 use crate::command::host::{SharedProgress, Work};
 use crate::command::interrupt::{self, BEST_SO_FAR};
@@ -138,9 +138,9 @@ impl SearchArgs {
     }
 }
 
-impl WorkArgs {
+impl OptimizeArgs {
     /// Runs the search, with its progress on standard error.
-    pub fn run(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
+    pub fn optima(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
         let found = self.searched(setup, search, &self.follow(setup, search)?);
         interrupt::ends();
         found
@@ -228,7 +228,7 @@ pub fn write(
         ))]);
         return Ok(None);
     }
-    let toml = optimum_toml(optima, swings, request.source().preset())?;
+    let toml = optimum_toml(optima, swings, request.source.preset())?;
     output.write(request.with_stated_step(toml)?.as_bytes())?;
     let place = match swings {
         Some(_) => "with the best design",

@@ -77,7 +77,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         &report,
         &request.origin(),
         warnings.into_vec(),
-        request.is_json(),
+        request.is_json,
     ))
 }
 

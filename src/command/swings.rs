@@ -184,7 +184,7 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     let found = found(args, &request, setup, swings, search)?;
     interrupt::ends();
     let origin = request.origin_of_search(&found.optima.best.search.vary);
-    let answer = if request.is_json() {
+    let answer = if request.is_json {
         Answer::json(&found.reply(&origin))
     } else {
         let document = optimize_document(&found.optima, &found.over, None, system());
@@ -205,8 +205,8 @@ pub fn found(
     tell_of_the_run(&search.of.outcomes());
     let setup = request.for_many(setup, &ranges(&search))?;
     let output = args.destination(request)?;
-    let follow = args.work.follow(&setup, &search)?;
-    let optima = args.work.searched(&setup, &search, &follow)?;
+    let follow = args.follow(&setup, &search)?;
+    let optima = args.searched(&setup, &search, &follow)?;
     let best = &optima.best;
     let stop = follow.0.interrupt;
     let is_found = best.solution.status == Status::Converged;

@@ -6,10 +6,10 @@ use crate::common::close;
 use longdrive::report::figures::{
     At, Causes, OnMap, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
-use longdrive::report::plot::{Axis, Figure, Layer, Look, Measure, Shades, figure_csv, figure_svg};
+use longdrive::report::plot::{Axis, Figure, Layer, Look, Measure, figure_csv, figure_svg};
 use longdrive::study::certificate::certify;
 use longdrive::study::{Fineness, NamedDrive, Vary, effects, map, with_defaults};
-use longdrive::units::System;
+use longdrive::units::{System, TableUnits};
 use longdrive::{Error, Outcome, Setup, derivative, flight, impact};
 use std::path::Path;
 
@@ -102,7 +102,6 @@ fn figures() -> Vec<Figure> {
         vcurve_figure(
             &certificate.rows,
             &longdrive::reproduce::while_loop(&setup, &certificate.rows),
-            At::SetUp,
         ),
     ]
 }
@@ -317,12 +316,12 @@ fn pictures_are_whole_in_both_systems_light_and_dark() {
     for figure in figures() {
         let mut seen: Vec<String> = vec![];
         for system in System::ALL {
-            for shades in [Shades::Light, Shades::Dark] {
+            for is_dark in [false, true] {
                 let svg = figure_svg(
                     &figure,
                     &Look {
                         system,
-                        shades,
+                        is_dark,
                         ..Look::default()
                     },
                 )
@@ -338,7 +337,7 @@ fn pictures_are_whole_in_both_systems_light_and_dark() {
                     figure.name
                 );
                 let unit = if system == System::Us { "[yd]" } else { "[m]" };
-                let has_lengths = figure.x.measure.titled_si().contains("[m]");
+                let has_lengths = figure.x.measure.head(TableUnits::Si).contains("[m]");
                 assert_eq!(
                     words(&parsed).iter().any(|text| text.contains(unit)),
                     has_lengths,

@@ -76,7 +76,7 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
     counts.connections = listener.serve(&stop, TOO_MANY, |stream| {
         serve(stream, &flying, &stop, &counts)
     });
-    Ok(if request.is_json() {
+    Ok(if request.is_json {
         Answer::json(&Reply::done("fly", warnings.into_vec(), &counts))
     } else {
         Answer::text(format!(

@@ -80,7 +80,7 @@ fn fly(args: &Args) -> Result<Answer> {
         stopped: is_stopped.then(|| stopped(&tally, &target)),
         nothing: nothing(&tally, &remarks.all),
     };
-    if request.is_json() {
+    if request.is_json {
         warnings.add(missing.nothing.iter().cloned().map(Message::from));
     }
     Ok(answer(
@@ -293,7 +293,7 @@ fn answer(
         .filter(|_| stopped.is_none())
         .map(|file| file.display().to_string());
     let mut report = ShotsReport::new(tally, source, file, remarks);
-    if request.is_json() {
+    if request.is_json {
         let status = match (&stopped, &nothing) {
             (Some(_), _) => "interrupted",
             (None, Some(_)) => "no-answer",
@@ -314,7 +314,7 @@ fn answer(
     let answer = match target.file() {
         Some(file) if is_answered => Answer::text(format!("{text}wrote {}\n", file.display())),
         // standard output already has the rows
-        None if !target.is_silent() => {
+        None if !target.is_silent => {
             tell(&text);
             Answer::text(String::new())
         }

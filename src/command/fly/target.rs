@@ -19,7 +19,7 @@ pub struct Target {
     destination: Option<Destination>,
     pub format: RowFormat,
     /// True if no rows are written: JSON without a file is the summary only.
-    is_silent: bool,
+    pub is_silent: bool,
 }
 
 impl Target {
@@ -57,7 +57,7 @@ impl Target {
             }
         };
         #[cfg(feature = "parquet")]
-        if is_standard && format == RowFormat::Parquet && !request.is_json() {
+        if is_standard && format == RowFormat::Parquet && !request.is_json {
             return Err(refused(
                 path,
                 "Parquet needs a file; name one with `output`, or take `format csv` or jsonl",
@@ -75,7 +75,7 @@ impl Target {
             .then(|| Rule::new(inputs, args.overwrite).file(path))
             .transpose()?;
         Ok(Self {
-            is_silent: destination.is_none() && request.is_json(),
+            is_silent: destination.is_none() && request.is_json,
             destination,
             format,
         })
@@ -87,11 +87,6 @@ impl Target {
         destination
             .filter(|destination| !destination.is_in_memory())
             .map(Destination::path)
-    }
-
-    /// Returns true if no rows are written.
-    pub fn is_silent(&self) -> bool {
-        self.is_silent
     }
 
     /// Opens the destination and writes the first bytes.

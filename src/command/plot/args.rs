@@ -22,7 +22,16 @@ pub enum PlotKind {
     /// The optimum as a function of a parameter.
     Chart(PlotChart),
     /// The Pareto front of two goals, with its ends, its knee and the slope at the knee.
-    Pareto(PlotPareto),
+    Pareto {
+        #[command(flatten)]
+        setup_args: SetupArgs,
+
+        #[command(flatten)]
+        asked: GoalArgs,
+
+        #[command(flatten)]
+        drawing: Drawing,
+    },
     /// The effects of the uncertainties of parameters on an outcome.
     Tornado(PlotTornado),
     /// The difference between two drives, split into the parameters and launch conditions that
@@ -37,7 +46,13 @@ pub enum PlotKind {
     Fairway(PlotFairway),
     /// The club face from the front: the strike, the sweet spot, rings of carry lost, and the side
     /// to which the spin axis tilts.
-    Face(PlotFace),
+    Face {
+        #[command(flatten)]
+        setup_args: SetupArgs,
+
+        #[command(flatten)]
+        drawing: Drawing,
+    },
     /// Carry, lateral, ball speed and spin axis over the club face, for the drive as set up and for
     /// the optimum, or for two designs.
     Strike(PlotStrike),
@@ -117,15 +132,6 @@ pub struct PlotFairway {
 }
 
 #[derive(clap::Args)]
-pub struct PlotFace {
-    #[command(flatten)]
-    pub setup_args: SetupArgs,
-
-    #[command(flatten)]
-    pub drawing: Drawing,
-}
-
-#[derive(clap::Args)]
 pub struct PlotStrike {
     #[command(flatten)]
     pub setup_args: SetupArgs,
@@ -173,18 +179,6 @@ pub struct PlotChart {
     /// The curve to draw: the outcome, or one of the parameters varied.
     #[arg(long, value_name = "NAME")]
     pub show: Option<String>,
-}
-
-#[derive(clap::Args)]
-pub struct PlotPareto {
-    #[command(flatten)]
-    pub setup_args: SetupArgs,
-
-    #[command(flatten)]
-    pub asked: GoalArgs,
-
-    #[command(flatten)]
-    pub drawing: Drawing,
 }
 
 #[derive(clap::Args)]

@@ -1,7 +1,7 @@
 //! Plots of a drive and its optimum: landings, launches, and strikes on the face.
 
-use super::args::{PlotFace, PlotFairway, PlotSearch, PlotStrike};
-use crate::command::args::SearchArgs;
+use super::args::{PlotFairway, PlotSearch, PlotStrike};
+use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, spinner, system, tell};
 use crate::command::picture::{Drawing, Target};
@@ -61,18 +61,18 @@ pub fn launches(args: &PlotSearch) -> Result<Answer> {
     )
 }
 
-pub fn face(args: &PlotFace) -> Result<Answer> {
-    let request = args.setup_args.request()?;
-    let target = Target::new(&request, &args.drawing)?;
+pub fn face(setup_args: &SetupArgs, drawing: &Drawing) -> Result<Answer> {
+    let request = setup_args.request()?;
+    let target = Target::new(&request, drawing)?;
     let setup = request.for_many(request.setup()?, &[])?;
-    refuse_launch(&setup, &args.drawing)?;
+    refuse_launch(&setup, drawing)?;
     let spinner = spinner("computing strikes");
     let face = Face::of(&setup)?;
     spinner.finish();
     target.written(
         &request,
         &setup,
-        &args.drawing,
+        drawing,
         &face_figure(&face, system()),
         vec![],
     )

@@ -39,13 +39,20 @@ pub fn run(args: &Args) -> Result<Answer> {
         PlotKind::Trajectory(args) => trajectory(args),
         PlotKind::Contour(args) => contour(args),
         PlotKind::Chart(args) => along(args),
-        PlotKind::Pareto(args) => pareto::draw(&args.setup_args, &args.asked, &args.drawing),
+        PlotKind::Pareto {
+            setup_args,
+            asked,
+            drawing,
+        } => pareto::draw(setup_args, asked, drawing),
         PlotKind::Tornado(args) => tornado(args),
         PlotKind::Compare(args) => difference(args),
         PlotKind::Vcurve(args) => vcurve(args),
         PlotKind::Laws(args) => laws(args),
         PlotKind::Fairway(args) => fairway(args),
-        PlotKind::Face(args) => face(args),
+        PlotKind::Face {
+            setup_args,
+            drawing,
+        } => face(setup_args, drawing),
         PlotKind::Strike(args) => strikes(args),
         PlotKind::Launch(args) => launches(args),
     }
@@ -323,7 +330,6 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
         &vcurve_figure(
             asked.filter_map(row),
             &while_loop(&setup, &certificate.rows),
-            At::SetUp,
         ),
         vec![],
     )
@@ -367,7 +373,7 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
         asked.into_iter().map(named).collect()
     }?;
     target.put(
-        request.is_json(),
+        request.is_json,
         &args.drawing,
         &laws_figure(&laws, &setup, over, args.show),
         vec![],

@@ -106,7 +106,7 @@ impl Request {
 
     /// The first setting of flight.method or flight.step.
     fn setting_of_step(&self) -> Option<&Setting> {
-        let mut settings = self.stated.iter();
+        let mut settings = self.settings.iter();
         settings.find(|setting| is_of_step(&setting.parameter))
     }
 }

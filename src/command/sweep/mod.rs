@@ -56,8 +56,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     let file = target
         .part()
         .filter(|_| !is_complete)
-        .unwrap_or(&args.output);
-    let summary = SweepSummary::new(total, counts, notes, file);
+        .unwrap_or_else(|| args.output.clone());
+    let summary = SweepSummary::new(total, counts, notes, &file);
     warnings.add(counts.beyond().warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
@@ -76,7 +76,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     if is_answered && !all_landed(&counts) && target.is_standard_output() {
         tell(&summary.text(None));
     }
-    let answer = if request.is_json() {
+    let answer = if request.is_json {
         let reply = Reply::done("sweep", warnings.into_vec(), &summary);
         Answer::json(&ended(reply, is_complete, nothing))
     } else if is_complete && !target.is_standard_output() {

@@ -198,7 +198,7 @@ impl LawPlot {
 
     /// The curve of a law with its measured points.
     fn layers(&self, law: &Law<f64>, hue: Hue) -> Vec<Layer> {
-        let mut layers = Curve::new(self, law).layers(self, law, hue);
+        let mut layers = self.curve(law, hue);
         let points = self.measured_points(law);
         if !points.is_empty() {
             layers.push(Layer::Dots {
@@ -228,46 +228,14 @@ impl LawPlot {
             })
             .collect()
     }
-}
 
-/// A coefficient of a law.
-struct Curve {
-    /// Points within the fitted range of the law.
-    within: Vec<[f64; 2]>,
-    /// Points outside of the fitted range, or all points if it is unknown.
-    beyond: Vec<[f64; 2]>,
-}
-
-impl Curve {
-    fn new(plot: &LawPlot, law: &Law<f64>) -> Self {
-        let [low, high] = plot.range;
+    /// The solid line of a law within its fitted range, and the dashed line outside of it, or
+    /// everywhere if the range is unknown. A line without points is omitted.
+    fn curve(&self, law: &Law<f64>, hue: Hue) -> Vec<Layer> {
         let fitted = law.fitted();
-        let is_known = fitted.ranges().iter().any(|(.., range)| range.is_some());
-        let points: Vec<([f64; 2], bool)> = (0..=STEPS)
-            .map(|k| {
-                let at = low + (high - low) * k as f64 / STEPS as f64;
-                let stream = plot.stream(at);
-                let Coefficients { drag, lift } = law.coefficients(stream);
-                let is_within = is_known
-                    && fitted.holds([
-                        stream.spin_ratio(),
-                        stream.spin,
-                        stream.reynolds(),
-                        stream.speed,
-                    ]);
-                ([at, [drag, lift][plot.of as usize]], is_within)
-            })
-            .collect();
-        Self {
-            within: pieces(&points, true),
-            beyond: pieces(&points, false),
-        }
-    }
-
-    /// The solid and the dashed line. A line without points is omitted.
-    fn layers(self, plot: &LawPlot, law: &Law<f64>, hue: Hue) -> Vec<Layer> {
-        let fitted = law.fitted();
-        let [first, last] = plot.range.map(|at| plot.stream(at));
+        let points = self.points(law, &fitted);
+        let (within, beyond) = (pieces(&points, true), pieces(&points, false));
+        let [first, last] = self.range.map(|at| self.stream(at));
         let range = [
             [first.spin_ratio(), last.spin_ratio()],
             [first.spin, last.spin],
@@ -275,15 +243,15 @@ impl Curve {
             [first.speed, last.speed],
         ];
         // a law without a solid line has its plain name in the legend
-        let suffix = if self.within.is_empty() {
+        let suffix = if within.is_empty() {
             String::new()
         } else {
             format!(" ({})", fitted.continuation(fitted.exceeded_ends(range)))
         };
         let name = law.name();
         let lines = [
-            (name.to_owned(), false, self.within),
-            (format!("{name}{suffix}"), true, self.beyond),
+            (name.to_owned(), false, within),
+            (format!("{name}{suffix}"), true, beyond),
         ];
         let lines = lines.into_iter().filter(|(.., points)| !points.is_empty());
         lines
@@ -294,6 +262,26 @@ impl Curve {
                 points,
             })
             .collect()
+    }
+
+    /// The points of a law's curve, each with true if it is within the fitted range.
+    fn points(&self, law: &Law<f64>, fitted: &Fitted) -> Vec<([f64; 2], bool)> {
+        let [low, high] = self.range;
+        let is_known = fitted.ranges().iter().any(|(.., range)| range.is_some());
+        let point = |k: usize| {
+            let at = low + (high - low) * k as f64 / STEPS as f64;
+            let stream = self.stream(at);
+            let Coefficients { drag, lift } = law.coefficients(stream);
+            let is_within = is_known
+                && fitted.holds([
+                    stream.spin_ratio(),
+                    stream.spin,
+                    stream.reynolds(),
+                    stream.speed,
+                ]);
+            ([at, [drag, lift][self.of as usize]], is_within)
+        };
+        (0..=STEPS).map(point).collect()
     }
 }
 

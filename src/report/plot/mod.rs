@@ -43,5 +43,5 @@ pub use figure::{Bar, Field, Figure, Hue, Layer, LineNames};
 pub use panels::figure_svg;
 #[cfg(feature = "png")]
 pub use png::figure_png;
-pub use svg::{Look, Shades, dark_rules};
+pub use svg::{Look, dark_rules};
 pub(in crate::report) use ticks::nice_step;

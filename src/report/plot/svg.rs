@@ -5,7 +5,7 @@ use super::hover::write_tooltips;
 use super::layers::{Plane, contour_lines, draw, field_arrows, is_area, label};
 use super::layout::{Layout, MARGIN, NUMBER, TITLE};
 use super::marks::{write_line_names, write_marks, write_texts};
-use super::palette::{DARK, LIGHT, Palette};
+use super::palette::{DARK, LIGHT};
 use super::ticks::Drawn;
 use crate::error::Result;
 use crate::units::System;
@@ -19,8 +19,8 @@ const TICK: f64 = 4.0;
 pub struct Look {
     /// The units of the axes.
     pub system: System,
-    /// The colours.
-    pub shades: Shades,
+    /// True for the colours of a dark page; false for those of a bright page and of print.
+    pub is_dark: bool,
     /// The width, pixels. The text size does not depend on it.
     pub width: u32,
 }
@@ -30,26 +30,8 @@ impl Default for Look {
     fn default() -> Self {
         Self {
             system: System::Us,
-            shades: Shades::Light,
+            is_dark: false,
             width: 480,
-        }
-    }
-}
-
-/// The colours of a plot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shades {
-    /// For a bright page and for print.
-    Light,
-    /// For a dark page.
-    Dark,
-}
-
-impl Shades {
-    fn palette(self) -> &'static Palette {
-        match self {
-            Self::Light => &LIGHT,
-            Self::Dark => &DARK,
         }
     }
 }
@@ -67,7 +49,7 @@ pub(super) struct Panel {
 /// width is too small for them.
 pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
     let layout = Layout::new(figure, look.system, look.width)?;
-    let mut canvas = Canvas::new(look.shades.palette());
+    let mut canvas = Canvas::new(if look.is_dark { &DARK } else { &LIGHT });
     let size = [f64::from(look.width), layout.height];
     canvas.rectangle([0.0, 0.0], size, canvas.palette.ground, 1.0);
     write_texts_around(&mut canvas, &layout);
