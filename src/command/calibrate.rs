@@ -157,7 +157,9 @@ pub fn run(args: &Args) -> Result<Answer> {
         ))]);
     }
     let is_setup_written = outputs.write_setup(args, &request, &found, &report, &mut warnings)?;
-    outputs.write_document(&report)?;
+    if let Some(folder) = &outputs.folder {
+        write(folder, &report, system())?;
+    }
     let named = |path: &PathBuf| path.display().to_string();
     report.file = args.output.as_ref().filter(|_| is_setup_written).map(named);
     report.folder = args.plot.as_ref().map(named);
@@ -237,13 +239,6 @@ impl Outputs {
         output.write(request.with_stated_step(toml)?.as_bytes())?;
         tell(&format!("wrote the fitted setup into {file}"));
         Ok(true)
-    }
-
-    fn write_document(&self, report: &CalibrationReport<'_>) -> Result<()> {
-        match &self.folder {
-            Some(folder) => write(folder, report, system()),
-            None => Ok(()),
-        }
     }
 }
 

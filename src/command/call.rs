@@ -184,17 +184,6 @@ pub fn quantity_of(name: &str) -> Option<Quantity> {
         .or_else(of_outcome)
 }
 
-/// The quantity of an argument, by the name of its value in the help.
-pub(super) fn quantity_of_value(value_name: &str) -> Option<Quantity> {
-    Some(match value_name {
-        "LENGTH" => Quantity::LENGTH,
-        "SPEED" => Quantity::SPEED,
-        "ANGLE" => Quantity::ANGLE,
-        "SPIN" => Quantity::ANGULAR_VELOCITY,
-        _ => return None,
-    })
-}
-
 /// The command line of a call.
 #[derive(Default)]
 pub(super) struct CommandLine {
@@ -233,11 +222,16 @@ impl CommandLine {
         self.words.push(word);
     }
 
+    /// The quantity of an argument, by the name of its value in the help.
     fn quantity(&self, arg: &Arg) -> Option<Quantity> {
         match arg.get_value_names()?.first()?.as_str() {
             "AMOUNT" => self.goal,
             "VALUE,…" => self.along,
-            name => quantity_of_value(name),
+            "LENGTH" => Some(Quantity::LENGTH),
+            "SPEED" => Some(Quantity::SPEED),
+            "ANGLE" => Some(Quantity::ANGLE),
+            "SPIN" => Some(Quantity::ANGULAR_VELOCITY),
+            _ => None,
         }
     }
 

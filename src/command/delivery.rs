@@ -1,5 +1,5 @@
 use crate::command::args::SetupArgs;
-use crate::command::files::{Destination, Rule};
+use crate::command::files::{Destination, Rule, ending};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, command_line, system, tell, warn};
@@ -370,12 +370,9 @@ impl Outputs {
 
 /// Returns true for a table of swings (.csv), false for distributions (.toml).
 fn is_table(file: &Path) -> Result<bool> {
-    let ending = file
-        .extension()
-        .map(|ending| ending.to_string_lossy().to_lowercase());
-    match ending.as_deref() {
-        Some("csv") => Ok(true),
-        Some("toml") => Ok(false),
+    match ending(file).as_str() {
+        "csv" => Ok(true),
+        "toml" => Ok(false),
         _ => {
             let source = format!(
                 "{} ends in neither; write .csv for a row of each shot, or .toml for distributions",

@@ -64,7 +64,9 @@ pub fn run(args: &Args) -> Result<Answer> {
     let swings = if search.swings.is_given() {
         search.swings.read(&setup)?
     } else {
-        search.swings.refuse_correlation()?;
+        if !search.swings.correlation.is_empty() {
+            search.swings.refuse_stray()?;
+        }
         golfer(&setup)?
     };
     request.refuse_stated(&distributed(args, &swings), "the swings have values of it")?;

@@ -201,11 +201,17 @@ impl Rule {
 
 /// The extension of a file name, if it is an output format of this program.
 fn ending_of_a_file(path: &Path) -> Option<String> {
-    let ending = path.extension()?.to_str()?.to_lowercase();
+    let ending = ending(path);
     let files = [
         "csv", "html", "json", "jsonl", "md", "parquet", "pdf", "png", "svg", "toml", "txt",
     ];
     files.contains(&ending.as_str()).then_some(ending)
+}
+
+/// The extension of a file name in lower case; empty without one.
+pub fn ending(path: &Path) -> String {
+    let ending = path.extension().unwrap_or_default();
+    ending.to_string_lossy().to_lowercase()
 }
 
 /// A path that the rule allows to write.

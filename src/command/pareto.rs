@@ -1,7 +1,7 @@
 //! The trade-off between two objectives: `pareto` and `plot pareto`.
 
 use crate::command::args::{SearchArgs, SetupArgs, SwingsArgs, whole};
-use crate::command::files::{Destination, Rule, refused};
+use crate::command::files::{Destination, Rule, ending, refused};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, stated_system, system, tell, warn};
@@ -9,9 +9,9 @@ use crate::command::picture::{Drawing, Target};
 use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::running::running;
-use crate::command::search::of_a_drive;
+use crate::command::search::{of_a_drive, options};
 use crate::command::swings::{goal, limit, refuse_idle_strokes, swing_ranges};
-use crate::optimize::{Iteration, Observers, Options};
+use crate::optimize::{Iteration, Observers};
 use crate::parameters::Vary;
 use crate::report::figures::pareto_figure;
 use crate::report::{ParetoReport, pareto_csv, pareto_toml};
@@ -230,7 +230,7 @@ fn over_swings(
         vary,
         subject_to,
         points: asked.points,
-        options: asked.options(),
+        options: options(asked.max_iterations),
     };
     Ok((set_up, search, scenarios))
 }
@@ -305,14 +305,6 @@ impl GoalArgs {
         }
         Ok(goals)
     }
-
-    fn options(&self) -> Options {
-        let options = Options::default();
-        Options {
-            max_iterations: self.max_iterations.unwrap_or(options.max_iterations),
-            ..options
-        }
-    }
 }
 
 /// The output file: its destination and content.
@@ -329,12 +321,9 @@ impl Output {
         let Some(path) = &args.output else {
             return Ok(None);
         };
-        let ending = path
-            .extension()
-            .map(|ending| ending.to_string_lossy().to_lowercase());
-        let is_setup = match ending.as_deref() {
-            Some("toml") => true,
-            Some("csv") => false,
+        let is_setup = match ending(path).as_str() {
+            "toml" => true,
+            "csv" => false,
             _ => {
                 return Err(refused(
                     path,

@@ -1,7 +1,7 @@
 //! Destinations of pictures, and their formats.
 
 use crate::command::args::whole;
-use crate::command::files::{Destination, Rule};
+use crate::command::files::{Destination, Rule, ending};
 use crate::command::output::{Answer, stated_system, system, tell, warn};
 use crate::command::request::Request;
 #[cfg(not(feature = "png"))]
@@ -66,19 +66,16 @@ enum Format {
 impl Format {
     /// The format of a file, by its extension.
     fn of(file: &Path) -> Result<Self> {
-        let ending = file
-            .extension()
-            .map(|ending| ending.to_string_lossy().to_lowercase());
-        match ending.as_deref() {
-            Some("svg") => Ok(Self::Svg),
+        match ending(file).as_str() {
+            "svg" => Ok(Self::Svg),
             #[cfg(feature = "png")]
-            Some("png") => Ok(Self::Png),
+            "png" => Ok(Self::Png),
             #[cfg(not(feature = "png"))]
-            Some("png") => Err(Error::Plot {
+            "png" => Err(Error::Plot {
                 name: file.display().to_string(),
                 reason: how_to_get("png"),
             }),
-            Some("csv") => Ok(Self::Csv),
+            "csv" => Ok(Self::Csv),
             _ => Err(Error::Plot {
                 name: file.display().to_string(),
                 reason: "its extension does not name a format; use .svg or .png for a picture, or \

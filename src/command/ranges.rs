@@ -8,7 +8,8 @@ use crate::{Error, Result, Setup};
 /// The default ranges of a command. A parameter that the command line states is not varied.
 pub struct DefaultRanges {
     vary: Vec<Vary>,
-    held: Vec<&'static Parameter>,
+    /// The parameters that the command line states.
+    pub held: Vec<&'static Parameter>,
 }
 
 impl DefaultRanges {
@@ -49,11 +50,6 @@ impl DefaultRanges {
     pub fn without(mut self, along: &Parameter) -> Self {
         self.vary.retain(|range| range.parameter.name != along.name);
         self
-    }
-
-    /// The parameters that the command line states.
-    pub fn held(&self) -> &[&'static Parameter] {
-        &self.held
     }
 
     /// The reason why `vary` is empty; `None` if it has a range.

@@ -6,7 +6,7 @@ use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, tell, tell_detail, warn};
 use crate::command::request::Request;
-use crate::command::swings::{ranges, searched};
+use crate::command::swings::{searched, swing_ranges};
 use crate::optimize::Observers;
 use crate::report::{RobustReport, robust_toml};
 use crate::study::swings::{Model, robust};
@@ -67,7 +67,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let (setup, search) = args.search(&request)?;
     let within = args.within(&search.of)?;
     request.note_starts(&setup, &search.vary);
-    let ranges = ranges(&search);
+    let ranges = swing_ranges(&search.vary, &search.scenarios);
     let mut models = args.models(&setup, &search)?;
     for model in &mut models {
         model.setup = request.for_many(model.setup, &ranges)?;

@@ -46,7 +46,6 @@ impl SearchArgs {
                 .collect::<Result<_>>()?,
         };
         let (of, sense) = self.sought()?;
-        let options = Options::default();
         let search = Search {
             of: of.into(),
             sense,
@@ -57,10 +56,7 @@ impl SearchArgs {
                 .map(|text| Constraint::read(text))
                 .collect::<Result<_>>()?,
             scenarios: Scenarios::one_drive(),
-            options: Options {
-                max_iterations: self.max_iterations.unwrap_or(options.max_iterations),
-                ..options
-            },
+            options: options(self.max_iterations),
         };
         tell_of_the_run(&search.outcomes());
         Ok(search)
@@ -76,7 +72,7 @@ impl SearchArgs {
             return Ok(vec![]);
         }
         let ranges = DefaultRanges::longest_drive(request, setup)?;
-        Ok(ranges.held().to_vec())
+        Ok(ranges.held)
     }
 
     /// The reason why there is nothing to vary without `--vary`; `None` otherwise.
@@ -236,6 +232,15 @@ pub fn write(
     };
     tell(&format!("wrote the setup {place} into {file}"));
     Ok(Some(file.to_string()))
+}
+
+/// The options of a search with this limit of iterations, or with the default limit.
+pub fn options(max_iterations: Option<u64>) -> Options {
+    let options = Options::default();
+    Options {
+        max_iterations: max_iterations.unwrap_or(options.max_iterations),
+        ..options
+    }
 }
 
 /// The outcome in `text`, an option of a single drive. A goal over many swings needs their

@@ -6,8 +6,8 @@ use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, system, warn};
 use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
-use crate::command::search::write;
-use crate::optimize::{Options, Status};
+use crate::command::search::{options, write};
+use crate::optimize::Status;
 use crate::parameters::Vary;
 use crate::report::{OptimumReport, Origin, OverSwings, Reply, optimize_document};
 use crate::study::swings::{
@@ -30,25 +30,18 @@ impl SwingsArgs {
         self.swings.is_some() || !self.distribution.is_empty()
     }
 
-    /// An option that needs swings, if one is given.
-    fn stray(&self) -> Option<&'static str> {
-        let given = [
+    /// # Errors
+    /// [`Error::Unreadable`] if an option needs swings, but no swings are given.
+    pub fn refuse_stray(&self) -> Result<()> {
+        let options = [
             ("`correlation`", !self.correlation.is_empty()),
             ("`scenarios`", self.scenarios.is_some()),
             ("`seed`", self.seed.is_some()),
             ("`strokes`", self.strokes.is_some()),
         ];
-        given
-            .into_iter()
-            .find(|(_, is_given)| *is_given)
-            .map(|(name, _)| name)
-    }
-
-    /// # Errors
-    /// [`Error::Unreadable`] if an option needs swings, but no swings are given.
-    pub fn refuse_stray(&self) -> Result<()> {
-        match self.stray().filter(|_| !self.is_given()) {
-            Some(option) => {
+        let mut stray = options.into_iter().filter(|(_, is_stated)| *is_stated);
+        match stray.next().filter(|_| !self.is_given()) {
+            Some((option, _)) => {
                 let source = "it is about many swings; give these too, with `swings FILE` or \
                               `distribution NAME=KIND(…)`";
                 Err(Error::Unreadable {
@@ -57,16 +50,6 @@ impl SwingsArgs {
                 })
             }
             None => Ok(()),
-        }
-    }
-
-    /// # Errors
-    /// [`Error::Unreadable`] if correlations are given, but no distributions.
-    pub fn refuse_correlation(&self) -> Result<()> {
-        if self.correlation.is_empty() {
-            Ok(())
-        } else {
-            self.refuse_stray()
         }
     }
 
@@ -203,7 +186,7 @@ pub fn found(
     search: Search,
 ) -> Result<SwingsOptimum> {
     tell_of_the_run(&search.of.outcomes());
-    let setup = request.for_many(setup, &ranges(&search))?;
+    let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
     let output = args.destination(request)?;
     let follow = args.follow(&setup, &search)?;
     let optima = args.searched(&setup, &search, &follow)?;
@@ -289,18 +272,13 @@ pub fn sought(
         strokes,
         std::iter::once(&of).chain(subject_to.iter().map(|limit: &Constraint| &limit.goal)),
     )?;
-    let options = Options::default();
-    let options = Options {
-        max_iterations: search.max_iterations.unwrap_or(options.max_iterations),
-        ..options
-    };
     Ok(Search {
         of,
         sense,
         vary,
         subject_to,
         scenarios: Scenarios::one_drive(),
-        options,
+        options: options(search.max_iterations),
     })
 }
 
@@ -349,11 +327,6 @@ pub fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal>
 }
 
 /// Ranges of the drives in a search: ranges of the varied parameters and of the swings.
-pub fn ranges(search: &Search) -> Vec<Vary> {
-    swing_ranges(&search.vary, &search.scenarios)
-}
-
-/// Ranges of the varied parameters and of the swings.
 pub fn swing_ranges(vary: &[Vary], scenarios: &Scenarios) -> Vec<Vary> {
     let vary = vary.iter().copied();
     vary.chain(scenarios.ranges()).collect()

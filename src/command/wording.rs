@@ -1,5 +1,6 @@
 //! Messages in the syntax of the command's `Host`, and advice on words that belong to no option.
 
+use super::files::ending;
 use super::mention::{Mention, with_mentions_of};
 use super::running::running;
 use crate::error::Error;
@@ -123,8 +124,8 @@ const TABLES: [&str; 6] = ["arrow", "arrows", "csv", "feather", "jsonl", "parque
 
 /// Advice on a table given as a setup, with the command's option for it.
 pub fn no_setup(file: &Path) -> Option<String> {
-    let kind = file.extension()?.to_ascii_lowercase();
-    if !TABLES.iter().any(|table| kind == *table) {
+    let kind = ending(file);
+    if !TABLES.contains(&kind.as_str()) {
         return None;
     }
     let running = running();

@@ -6,7 +6,7 @@ use crate::common::close;
 use longdrive::report::figures::{
     At, Causes, OnMap, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
-use longdrive::report::plot::{Axis, Figure, Layer, Look, Measure, figure_csv, figure_svg};
+use longdrive::report::plot::{Axis, Figure, Hue, Layer, Look, Measure, figure_csv, figure_svg};
 use longdrive::study::certificate::certify;
 use longdrive::study::{Fineness, NamedDrive, Vary, effects, map, with_defaults};
 use longdrive::units::{System, TableUnits};
@@ -268,13 +268,11 @@ fn a_label_at_the_end_of_an_axis_lies_within_the_picture() {
 #[test]
 fn every_series_differs_from_every_other_one() {
     let axis = || Axis::linear(Measure::plain("n")).exactly(0.0, 1.0);
-    let line = |hue: usize, is_dashed: bool| {
-        let of = if is_dashed {
-            Layer::dashed
-        } else {
-            Layer::line
-        };
-        of("one", hue, vec![[0.0, 0.0], [0.5, 0.8], [1.0, 1.0]])
+    let line = |hue: usize, is_dashed: bool| Layer::Line {
+        name: "one".into(),
+        hue: Hue::Series(hue),
+        is_dashed,
+        points: vec![[0.0, 0.0], [0.5, 0.8], [1.0, 1.0]],
     };
     let picture = |layer: Layer| {
         let figure = Figure::new("n", "t", axis(), axis()).with(layer);

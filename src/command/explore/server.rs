@@ -27,7 +27,12 @@ pub fn serve(state: &str) -> Result<()> {
         port: listener.address.port(),
         path: random_path()?,
         page: PAGE,
-        policy: policy(PAGE).ok_or_else(no_policy)?,
+        policy: policy(PAGE).ok_or_else(|| {
+            refused(
+                "the page that is compiled in is not that of web/build; run web/build, and build \
+                 again",
+            )
+        })?,
     };
     let stop = interrupt::stops("ending");
     let address = format!("http://{}{}#{state}\n", listener.address, site.path);
@@ -47,10 +52,6 @@ fn random_path() -> Result<String> {
         .map_err(|error| refused(format!("the system has no random numbers: {error}")))?;
     let digits = bytes.map(|byte| format!("{byte:02x}"));
     Ok(format!("/{}", digits.concat()))
-}
-
-fn no_policy() -> Error {
-    refused("the page that is compiled in is not that of web/build; run web/build, and build again")
 }
 
 /// Answers one request, and closes the connection.

@@ -50,7 +50,7 @@ fn fly(args: &Args) -> Result<Answer> {
     let flying = flying(&request, &setup, &shots, &of)?;
     let mut warnings = Warnings::default();
     warnings.add(setup.warnings());
-    let mut remarks = Remarks::new(file);
+    let mut remarks = Remarks { file, all: vec![] };
     remarks.add(shots.remarks().iter().cloned());
     remarks.add(not_compared(&shots, &of, request.gives_ground()));
     let run = Run {
@@ -156,11 +156,7 @@ struct Remarks<'a> {
     all: Vec<Message>,
 }
 
-impl<'a> Remarks<'a> {
-    fn new(file: &'a Path) -> Self {
-        Self { file, all: vec![] }
-    }
-
+impl Remarks<'_> {
     fn add(&mut self, remarks: impl IntoIterator<Item = Message>) {
         for remark in remarks {
             let text = remark.in_units(system());

@@ -1,5 +1,5 @@
 use super::args::{Args, FlyFormat};
-use crate::command::files::{Destination, Pieces, Rule, refused};
+use crate::command::files::{Destination, Pieces, Rule, ending, refused};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::report::ShotFormat;
@@ -26,12 +26,7 @@ impl Target {
     pub fn new(args: &Args, shots: &Path, request: &Request) -> Result<Self> {
         let path = args.output.as_path();
         let is_standard = path == Path::new("-");
-        let ending = path
-            .extension()
-            .and_then(|ending| ending.to_str())
-            .unwrap_or_default()
-            .to_lowercase();
-        let format = match (args.format, ending.as_str()) {
+        let format = match (args.format, ending(path).as_str()) {
             (Some(FlyFormat::Csv), _) | (None, "csv") => RowFormat::Rows(ShotFormat::Csv),
             (Some(FlyFormat::LaunchMonitor), _) => RowFormat::Rows(ShotFormat::LaunchMonitor),
             (Some(FlyFormat::Jsonl), _) | (None, "jsonl" | "ndjson") => {

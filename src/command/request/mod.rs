@@ -292,25 +292,21 @@ impl Request {
         if !setup.launch.is_given() {
             return Ok(());
         }
-        Err(Error::Unreadable {
-            name: self.launch_from(),
-            source: why.into().into(),
-        })
-    }
-
-    /// The option or file that states the launch: "--launch", "the launch in mine.toml".
-    pub fn launch_from(&self) -> String {
         let of_launch = || {
             let settings = self.settings.iter();
             settings.filter(|setting| setting.is_of_launch())
         };
-        of_launch()
+        let stated = of_launch()
             .find(|setting| setting.replaces_launch())
-            .or(of_launch().next())
-            .map_or_else(
-                || format!("the launch in {}", self.source.name()),
-                Setting::argument_of_launch,
-            )
+            .or(of_launch().next());
+        let name = match stated {
+            Some(setting) => setting.argument_of_launch(),
+            None => format!("the launch in {}", self.source.name()),
+        };
+        Err(Error::Unreadable {
+            name,
+            source: why.into().into(),
+        })
     }
 
     /// Returns true if a setup file or a setting gives the ground of the roll-out.

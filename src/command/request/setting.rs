@@ -18,20 +18,6 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// Reads `NAME=VALUE`, the value of an option such as `--set` or `--set-a`.
-    ///
-    /// # Errors
-    /// [`Error::Unreadable`] if `text` has no `=`.
-    fn read(argument: &'static str, text: &str) -> Result<Self> {
-        let (name, value) = split(argument, text, "club.loft=10.5deg")?;
-        Ok(Self {
-            argument,
-            name: name.into(),
-            parameter: name.into(),
-            value: value.into(),
-        })
-    }
-
     /// A launch condition with its value, from a separate option (`--ball-speed 167mph`) or from
     /// `--launch`.
     ///
@@ -67,10 +53,16 @@ impl Setting {
     /// # Errors
     /// [`Error::Unreadable`] if one of `texts` has no `=`.
     pub fn read_all(argument: &'static str, texts: &[String]) -> Result<Vec<Self>> {
-        texts
-            .iter()
-            .map(|text| Self::read(argument, text))
-            .collect()
+        let read = |text: &String| {
+            let (name, value) = split(argument, text, "club.loft=10.5deg")?;
+            Ok(Self {
+                argument,
+                name: name.into(),
+                parameter: name.into(),
+                value: value.into(),
+            })
+        };
+        texts.iter().map(read).collect()
     }
 
     /// Reads the texts of an option such as `--launch`.

@@ -29,7 +29,8 @@ use std::sync::atomic::AtomicBool;
 use target::{Output, Target};
 
 pub fn run(args: &Args) -> Result<Answer> {
-    if let Some(folder) = folder_of_parts(args) {
+    let folder = args.part.and(Some(args.output.as_path()));
+    if let Some(folder) = args.check.as_deref().or(folder) {
         return of_parts(args, folder);
     }
     refuse_options_of_parts(args)?;
@@ -85,12 +86,6 @@ pub fn run(args: &Args) -> Result<Answer> {
         Answer::text(String::new())
     };
     Ok(answer.found(is_answered))
-}
-
-/// The folder, if a part is written or the parts are checked.
-fn folder_of_parts(args: &Args) -> Option<&Path> {
-    let folder = args.part.and(Some(args.output.as_path()));
-    args.check.as_deref().or(folder)
 }
 
 /// The reply with its status; `nothing` is the reason if no drive has an outcome.

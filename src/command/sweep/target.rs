@@ -2,7 +2,7 @@ use super::args::{Args, Format};
 use super::resumable::{ResumableFile, check, part_of};
 use super::rows::{Content, Rows, Writer};
 use crate::batch::StatusCounts;
-use crate::command::files::{Rule, refused, unwritable};
+use crate::command::files::{Rule, ending, refused, unwritable};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::units::counted;
@@ -84,13 +84,7 @@ impl Target {
 
     /// The format of `--format`, or else of the file name extension.
     fn format_of(&self, args: &Args) -> Result<Format> {
-        let ending = self
-            .path
-            .extension()
-            .and_then(|ending| ending.to_str())
-            .unwrap_or_default()
-            .to_lowercase();
-        Ok(match (args.format, ending.as_str()) {
+        Ok(match (args.format, ending(&self.path).as_str()) {
             (Some(format), _) => format,
             (None, "csv") => Format::Csv,
             (None, "jsonl" | "ndjson") => Format::Jsonl,
