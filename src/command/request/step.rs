@@ -1,7 +1,7 @@
 //! Integration method and step of a request: stated, for a tolerance, or chosen for many drives.
 
 use super::Request;
-use super::setting::{Setting, bad_tolerance};
+use super::setting::bad_tolerance;
 use crate::command::output::{tell, warn_early};
 use crate::integration::{Accuracy, StepChoice, of_the_flight};
 use crate::parameters::{Vary, is_of_step};
@@ -67,7 +67,8 @@ impl Request {
         let Some(tolerance) = self.tolerance else {
             return Ok(None);
         };
-        if let Some(setting) = self.setting_of_step() {
+        let mut settings = self.settings.iter();
+        if let Some(setting) = settings.find(|setting| is_of_step(&setting.parameter)) {
             return Err(bad_tolerance(format!(
                 "it chooses method and step, and {} states one of them; leave out one of these \
                  options",
@@ -102,11 +103,5 @@ impl Request {
         }
         let stated = setup_toml(self.source.setup(), self.source.preset(), &[], &[])?;
         Ok(with_step_of(&stated, &toml))
-    }
-
-    /// The first setting of flight.method or flight.step.
-    fn setting_of_step(&self) -> Option<&Setting> {
-        let mut settings = self.settings.iter();
-        settings.find(|setting| is_of_step(&setting.parameter))
     }
 }

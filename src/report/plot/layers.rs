@@ -205,16 +205,25 @@ pub(super) fn place_on(
             middle.wrapping_sub(i / 2 + 1)
         }
     });
-    let [left, top, right, bottom] = plane.frame;
-    let has_room = |at: &&[f64; 2]| {
-        let [low, high] = Labels::extent(text, **at);
-        let is_inside = low[0] >= left && high[0] <= right && low[1] >= top && high[1] <= bottom;
-        is_inside && labels.is_free([[low[0] - apart, low[1]], [high[0] + apart, high[1]]])
-    };
     outward
         .filter_map(|i| places.get(i))
-        .find(has_room)
+        .find(|at| has_room(labels, plane, text, **at, apart))
         .copied()
+}
+
+/// True if a label centred on a point is inside the frame and covers nothing, also not within
+/// `apart` pixels beside it.
+pub(super) fn has_room(
+    labels: &Labels<'_>,
+    plane: &Plane<'_>,
+    text: &str,
+    middle: [f64; 2],
+    apart: f64,
+) -> bool {
+    let [left, top, right, bottom] = plane.frame;
+    let [low, high] = Labels::extent(text, middle);
+    let is_inside = low[0] >= left && high[0] <= right && low[1] >= top && high[1] <= bottom;
+    is_inside && labels.is_free([[low[0] - apart, low[1]], [high[0] + apart, high[1]]])
 }
 
 /// Draws a region: hatched, or tinted with an outline.

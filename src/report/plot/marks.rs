@@ -2,7 +2,7 @@
 
 use super::canvas::{LINE, Labels, Stroke};
 use super::figure::{Figure, Layer, LineNames};
-use super::layers::{Plane, place_on, star};
+use super::layers::{Plane, has_room, place_on, star};
 use super::legend;
 use super::palette::Color;
 
@@ -152,7 +152,7 @@ pub(super) fn write_texts(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &F
         let [left, _, right, _] = plane.frame;
         let half = Labels::extent(name, [0.0, 0.0])[1][0];
         let middle = [x.min(right - half).max(left + half), y];
-        if is_free(labels, plane, name, &middle) {
+        if has_room(labels, plane, name, middle, 0.0) {
             labels.write(name, middle, labels.canvas.palette.of(*hue), false);
         }
     }
@@ -206,17 +206,6 @@ fn lines(plane: &Plane<'_>, figure: &Figure) -> Vec<[f64; 2]> {
     places
 }
 
-/// True if a label centred on a point is inside the frame and covers nothing.
-fn is_free(labels: &Labels<'_>, plane: &Plane<'_>, name: &str, middle: &[f64; 2]) -> bool {
-    let [left, top, right, bottom] = plane.frame;
-    let [low, high] = Labels::extent(name, *middle);
-    low[0] >= left
-        && high[0] <= right
-        && low[1] >= top
-        && high[1] <= bottom
-        && labels.is_free([low, high])
-}
-
 /// The middle of a label in a free position next to its mark, or above or below it. The label
 /// covers the least of the lines, and is nearer to its own mark than to other marks.
 fn beside(
@@ -258,7 +247,7 @@ fn beside(
         others.all(|other| distance(other.at, extent) > least)
     };
     // the first of the positions with the lowest cost
-    all.filter(|(middle, _)| is_free(labels, plane, name, middle) && is_clear(middle))
+    all.filter(|(middle, _)| has_room(labels, plane, name, *middle, 0.0) && is_clear(middle))
         .min_by_key(|(middle, cost)| 2 * hidden(middle) + cost)
         .map(|(middle, _)| middle)
 }
@@ -281,7 +270,7 @@ fn nearest(labels: &Labels<'_>, plane: &Plane<'_>, name: &str, at: [f64; 2]) -> 
     let nodes = (0..across)
         .flat_map(|i| (0..up).map(move |j| [left + STEP * i as f64, top + STEP * j as f64]));
     let distance = |node: &[f64; 2]| (node[0] - at[0]).hypot(node[1] - at[1]);
-    let free = nodes.filter(|node| is_free(labels, plane, name, node));
+    let free = nodes.filter(|node| has_room(labels, plane, name, *node, 0.0));
     free.min_by(|a, b| distance(a).total_cmp(&distance(b)))
         .unwrap_or([
             at[0].min(right - wide).max(left + wide),

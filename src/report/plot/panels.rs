@@ -1,7 +1,8 @@
 //! The picture of a figure, with its further views below.
 
+use super::canvas::Canvas;
 use super::figure::Figure;
-use super::svg::{Look, Panel, panel};
+use super::svg::{Look, panel};
 use crate::error::Result;
 use crate::units::typeset;
 use maud::{PreEscaped, html};
@@ -24,7 +25,7 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
         width: look.width / columns as u32,
         ..*look
     };
-    let panels: Vec<Panel> = std::iter::once(figure)
+    let panels: Vec<Canvas> = std::iter::once(figure)
         .chain(&figure.panels)
         .map(|one| panel(one, &each))
         .collect::<Result<_>>()?;
@@ -37,7 +38,7 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
     for (row, height) in panels.chunks(columns).zip(heights) {
         for (i, panel) in row.iter().enumerate() {
             let left = i as f64 * f64::from(each.width);
-            let body = PreEscaped(&panel.body);
+            let body = PreEscaped(&panel.svg);
             views.push(if top == 0.0 && left == 0.0 {
                 html! { (body) }
             } else {

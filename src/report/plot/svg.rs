@@ -36,28 +36,23 @@ impl Default for Look {
     }
 }
 
-/// A drawn figure: SVG elements and their height, pixels.
-pub(super) struct Panel {
-    pub body: String,
-    pub height: f64,
-}
-
 /// Draws a figure without its further views.
 ///
 /// # Errors
 /// [`Error::Plot`](crate::Error::Plot) if no part of the figure can be shown on its axes, or if the
 /// width is too small for them.
-pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
+pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Canvas> {
     let layout = Layout::new(figure, look.system, look.width)?;
-    let mut canvas = Canvas::new(if look.is_dark { &DARK } else { &LIGHT });
+    let mut canvas = Canvas {
+        palette: if look.is_dark { &DARK } else { &LIGHT },
+        height: layout.height,
+        svg: String::new(),
+    };
     let size = [f64::from(look.width), layout.height];
     canvas.rectangle([0.0, 0.0], size, canvas.palette.ground, 1.0);
     write_texts_around(&mut canvas, &layout);
     draw_inside(&mut canvas, figure, look.system, &layout);
-    Ok(Panel {
-        body: canvas.svg,
-        height: layout.height,
-    })
+    Ok(canvas)
 }
 
 /// Draws the axes, the layers and their labels.
