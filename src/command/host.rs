@@ -109,6 +109,15 @@ pub trait Host: Send + Sync {
     }
 }
 
+/// A host that discards what it receives.
+impl Host for () {
+    fn print(&self, _: &str) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn say(&self, _: Kind, _: &str) {}
+}
+
 /// The work whose progress a host may show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Work<'a> {

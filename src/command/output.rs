@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 /// The units of `--units`, if it is stated.
 pub fn stated_system() -> Option<System> {
-    running().stated_system()
+    running().options.units
 }
 
 /// The units of the results.
@@ -362,7 +362,7 @@ pub fn spinner(doing: &str) -> SharedProgress {
 /// The progress of this work; hidden with `--quiet`.
 pub fn shown(work: Work<'_>) -> SharedProgress {
     let running = running();
-    match running.is_quiet() {
+    match running.options.quiet {
         true => Arc::new(()),
         false => running.host.shows(work),
     }

@@ -4,7 +4,7 @@ use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::compare::Pair;
 use crate::command::pareto::GoalArgs;
 use crate::command::picture::Drawing;
-use crate::report::figures::{Causes, Coefficient, View};
+use crate::report::figures::{Causes, Coefficient, Over, View};
 use clap::Subcommand;
 
 #[derive(clap::Args)]
@@ -61,15 +61,6 @@ pub enum PlotKind {
     Launch(PlotSearch),
 }
 
-/// Horizontal axis of a plot of laws.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum LawsOver {
-    /// Over the spin ratio.
-    SpinRatio,
-    /// Over the Reynolds number.
-    Reynolds,
-}
-
 #[derive(clap::Args)]
 pub struct PlotLaws {
     #[command(flatten)]
@@ -88,8 +79,8 @@ pub struct PlotLaws {
     pub show: Coefficient,
 
     /// The horizontal axis.
-    #[arg(long, value_enum, default_value_t = LawsOver::SpinRatio)]
-    pub over: LawsOver,
+    #[arg(long, value_enum, default_value_t = Over::SpinRatio)]
+    pub over: Over,
 
     /// The constant Reynolds number of a plot over the spin ratio [default: 1.5e5].
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]

@@ -29,8 +29,7 @@ use crate::study::{
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
 use args::{
-    LawsOver, PlotChart, PlotCompare, PlotKind, PlotLaws, PlotSearch, PlotTornado, PlotTrajectory,
-    PlotVcurve,
+    PlotChart, PlotCompare, PlotKind, PlotLaws, PlotSearch, PlotTornado, PlotTrajectory, PlotVcurve,
 };
 use drive::{at_optimum, face, fairway, launches, strikes};
 
@@ -339,7 +338,7 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = Target::new(&request, &args.drawing)?;
     let setup = request.setup()?;
-    let over = args.over()?;
+    let constant = args.constant()?;
     if AirState::of(&setup.air).density == 0.0 {
         let reason = "there is no air, and so no drag and no lift; set air.density above 0".into();
         return Err(Error::Plot {
@@ -375,14 +374,14 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
     target.put(
         request.is_json,
         &args.drawing,
-        &laws_figure(&laws, &setup, over, args.show),
+        &laws_figure(&laws, &setup, args.over, constant, args.show),
         vec![],
     )
 }
 
 impl PlotLaws {
-    /// The abscissa of the plot, and the fixed value of the other variable.
-    fn over(&self) -> Result<Over> {
+    /// The value of the variable that is constant.
+    fn constant(&self) -> Result<f64> {
         let unused = |name: &str, over: &str| {
             let source = format!(
                 "the laws are drawn over the {over} itself, so this is not used; leave it out, or \
@@ -394,24 +393,10 @@ impl PlotLaws {
             })
         };
         match self.over {
-            LawsOver::SpinRatio if self.spin_ratio.is_some() => {
-                unused("`spin_ratio`", "spin ratio")
-            }
-            LawsOver::Reynolds if self.reynolds.is_some() => {
-                unused("`reynolds`", "Reynolds number")
-            }
-            LawsOver::SpinRatio => Ok(Over::SpinRatio(held(
-                "`reynolds`",
-                &self.reynolds,
-                1.5e5,
-                [1.0, 1e7],
-            )?)),
-            LawsOver::Reynolds => Ok(Over::Reynolds(held(
-                "`spin_ratio`",
-                &self.spin_ratio,
-                0.1,
-                [0.0, 10.0],
-            )?)),
+            Over::SpinRatio if self.spin_ratio.is_some() => unused("`spin_ratio`", "spin ratio"),
+            Over::Reynolds if self.reynolds.is_some() => unused("`reynolds`", "Reynolds number"),
+            Over::SpinRatio => held("`reynolds`", &self.reynolds, 1.5e5, [1.0, 1e7]),
+            Over::Reynolds => held("`spin_ratio`", &self.spin_ratio, 0.1, [0.0, 10.0]),
         }
     }
 }

@@ -35,7 +35,7 @@ const FAR: f64 = 1.5 * LINE;
 
 /// Draws the marks, then their labels. Marks whose label is also in the legend are drawn only if
 /// all of them have space for their labels.
-pub(super) fn write_marks(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &Figure) {
+pub(super) fn write_marks(labels: &mut Labels<'_>, plane: &Plane, figure: &Figure) {
     let marks = figure.layers.iter().filter_map(|layer| match layer {
         Layer::Mark { name, hue, at } => Some(Mark {
             name: name.clone(),
@@ -66,7 +66,7 @@ pub(super) fn write_marks(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &F
 }
 
 /// Draws marks with their labels if there is space for all labels.
-fn write_doubled(labels: &mut Labels<'_>, plane: &Plane<'_>, doubled: &[Mark], lines: &[[f64; 2]]) {
+fn write_doubled(labels: &mut Labels<'_>, plane: &Plane, doubled: &[Mark], lines: &[[f64; 2]]) {
     let before = labels.taken.len();
     labels
         .taken
@@ -141,7 +141,7 @@ fn merged(marks: Vec<Mark>) -> Vec<Mark> {
 
 /// Writes the labels without a symbol, moved sideways into the frame, where they cover no other
 /// label.
-pub(super) fn write_texts(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &Figure) {
+pub(super) fn write_texts(labels: &mut Labels<'_>, plane: &Plane, figure: &Figure) {
     for layer in &figure.layers {
         let Layer::Text { name, hue, at } = layer else {
             continue;
@@ -162,7 +162,7 @@ pub(super) fn write_texts(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &F
 /// two.
 fn write_near(
     labels: &mut Labels<'_>,
-    plane: &Plane<'_>,
+    plane: &Plane,
     name: &str,
     at: [f64; 2],
     color: Color,
@@ -179,7 +179,7 @@ fn write_near(
 
 /// Equidistant points along the lines of a figure, in pixels. They are so dense that no label fits
 /// between them.
-fn lines(plane: &Plane<'_>, figure: &Figure) -> Vec<[f64; 2]> {
+fn lines(plane: &Plane, figure: &Figure) -> Vec<[f64; 2]> {
     const STEP: f64 = 3.0;
     let lines = figure.layers.iter().filter_map(|layer| match layer {
         Layer::Line { points, .. } => Some(plane.pieces(points)),
@@ -210,7 +210,7 @@ fn lines(plane: &Plane<'_>, figure: &Figure) -> Vec<[f64; 2]> {
 /// covers the least of the lines, and is nearer to its own mark than to other marks.
 fn beside(
     labels: &Labels<'_>,
-    plane: &Plane<'_>,
+    plane: &Plane,
     Mark { name, at, .. }: &Mark,
     others: &[Mark],
     lines: &[[f64; 2]],
@@ -259,7 +259,7 @@ fn distance(at: [f64; 2], [low, high]: [[f64; 2]; 2]) -> f64 {
 }
 
 /// The nearest free middle of a label in the frame. In a full frame, the label covers something.
-fn nearest(labels: &Labels<'_>, plane: &Plane<'_>, name: &str, at: [f64; 2]) -> [f64; 2] {
+fn nearest(labels: &Labels<'_>, plane: &Plane, name: &str, at: [f64; 2]) -> [f64; 2] {
     const STEP: f64 = 8.0;
     let [left, top, right, bottom] = plane.frame;
     let [wide, tall] = Labels::extent(name, [0.0, 0.0])[1];
@@ -284,7 +284,7 @@ const APART: f64 = 8.0;
 
 /// Writes the names of lines on the lines, if the figure has them there. A name without
 /// space on its line is written next to it.
-pub(super) fn write_line_names(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &Figure) {
+pub(super) fn write_line_names(labels: &mut Labels<'_>, plane: &Plane, figure: &Figure) {
     let is_on_lines = figure.line_names == LineNames::OnLines;
     for layer in figure.layers.iter().filter(|_| is_on_lines) {
         let Layer::Line {
