@@ -133,12 +133,7 @@ pub fn draw(setup_args: &SetupArgs, asked: &GoalArgs, drawing: &Drawing) -> Resu
             message,
         });
     }
-    target.put(
-        request.is_json,
-        drawing,
-        &pareto_figure(&found, system()),
-        warnings,
-    )
+    target.put(request.is_json, &pareto_figure(&found, system()), warnings)
 }
 
 /// The front, with warnings about the setup and its drives.

@@ -87,19 +87,20 @@ impl Format {
 }
 
 /// The destination of a plot, with its format.
-pub struct Target {
+pub struct Target<'a> {
+    drawing: &'a Drawing,
     format: Format,
     destination: Destination,
 }
 
-impl Target {
+impl<'a> Target<'a> {
     /// The checked destination of a plot of this request.
-    pub fn new(request: &Request, drawing: &Drawing) -> Result<Self> {
+    pub fn new(request: &Request, drawing: &'a Drawing) -> Result<Self> {
         Self::beside(request.inputs(), drawing)
     }
 
     /// The checked destination of a plot that reads these files.
-    pub fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &Drawing) -> Result<Self> {
+    pub fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &'a Drawing) -> Result<Self> {
         let format = Format::of(&drawing.output)?;
         if let (Format::Csv, [option, ..]) = (format, drawing.look().as_slice()) {
             let source = "it applies to pictures, and a .csv file has only the data; leave it out, \
@@ -111,9 +112,18 @@ impl Target {
         }
         let rule = Rule::new(inputs, drawing.overwrite);
         Ok(Self {
+            drawing,
             format,
             destination: rule.file(&drawing.output)?,
         })
+    }
+
+    /// The error of a plot that has nothing to show.
+    pub fn refused(&self, reason: impl Into<String>) -> Error {
+        Error::Plot {
+            name: self.drawing.output.display().to_string(),
+            reason: reason.into(),
+        }
     }
 
     /// Writes the plot; `of_optima` are the warnings about its optima, in addition to the warnings
@@ -122,24 +132,18 @@ impl Target {
         &self,
         request: &Request,
         setup: &Setup<f64>,
-        drawing: &Drawing,
         figure: &Figure,
         of_optima: Vec<Message>,
     ) -> Result<Answer> {
         let mut warnings =
             Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(setup));
         warnings.extend(of_optima);
-        self.put(request.is_json, drawing, figure, warnings)
+        self.put(request.is_json, figure, warnings)
     }
 
     /// Writes the plot and reports these warnings.
-    pub fn put(
-        &self,
-        is_json: bool,
-        drawing: &Drawing,
-        figure: &Figure,
-        warnings: Vec<Message>,
-    ) -> Result<Answer> {
+    pub fn put(&self, is_json: bool, figure: &Figure, warnings: Vec<Message>) -> Result<Answer> {
+        let drawing = self.drawing;
         warn(&warnings);
         let look = Look {
             system: system(),

@@ -10,7 +10,7 @@ use crate::command::compare::warnings;
 use crate::command::names::{outcomes, sigmas, usual, variables};
 use crate::command::output::{Answer, bar, show, spinner, system, tell};
 use crate::command::pareto;
-use crate::command::picture::{Drawing, Target};
+use crate::command::picture::Target;
 use crate::command::request::Request;
 use crate::command::verify::tell_left_out;
 use crate::optimize::{Observer, Status};
@@ -65,15 +65,11 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
     flown.drive.landed()?;
     let figure = trajectory_figure(&[flown], args.view, system()).map_err(|error| match error {
         Error::Plot { reason, .. } if args.view == View::Top => {
-            let name = args.drawing.output.display().to_string();
-            Error::Plot {
-                name,
-                reason: format!("{reason}; take `view side`"),
-            }
+            target.refused(format!("{reason}; take `view side`"))
         }
         error => error,
     })?;
-    target.written(&request, &setup, &args.drawing, &figure, vec![])
+    target.written(&request, &setup, &figure, vec![])
 }
 
 fn contour(args: &PlotSearch) -> Result<Answer> {
@@ -85,11 +81,8 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
     let spinner = spinner("computing the map");
     let (best, map) = mapped(&setup, &search)?;
     if let Some(flat) = map.flat() {
-        let (name, what) = (args.drawing.output.display().to_string(), flat.to_string());
-        return Err(Error::Plot {
-            name,
-            reason: format!("{what}; vary what it depends on"),
-        });
+        let reason = format!("{flat}; vary what it depends on");
+        return Err(target.refused(reason));
     }
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
@@ -114,13 +107,7 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
         best,
         region: region.as_ref(),
     };
-    target.written(
-        &request,
-        &setup,
-        &args.drawing,
-        &map_figure(&map, &on, system()),
-        of_best,
-    )
+    target.written(&request, &setup, &map_figure(&map, &on, system()), of_best)
 }
 
 /// The [`Map`] around an optimum, or around the setup if the search finds none.
@@ -189,8 +176,8 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let own = optimum(&setup, search.clone(), Observer::default())?;
     let own = Some(&own).filter(|own| own.solution.status == Status::Converged);
     let figures = chart_figures(&chart, own, system());
-    let figure = figure_of(&figures, &search, shown, &args.drawing)?;
-    target.written(&request, &setup, &args.drawing, figure, chart.warnings())
+    let figure = figure_of(&figures, &search, shown, &target)?;
+    target.written(&request, &setup, figure, chart.warnings())
 }
 
 /// The varied parameter to plot; `None` for the outcome.
@@ -220,14 +207,11 @@ fn figure_of<'a>(
     figures: &'a ChartFigures,
     search: &Search,
     shown: Option<&'static Parameter>,
-    drawing: &Drawing,
+    target: &Target<'_>,
 ) -> Result<&'a Figure> {
     let mut held = figures.held.iter();
     if let Some((_, why)) = held.find(|(vary, _)| Some(vary.parameter) == shown) {
-        return Err(Error::Plot {
-            name: drawing.output.display().to_string(),
-            reason: format!("it does not change: {why}"),
-        });
+        return Err(target.refused(format!("it does not change: {why}")));
     }
     let moves = |vary: &&Vary| {
         let mut held = figures.held.iter();
@@ -269,12 +253,9 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
              model, all), or give `sigma`",
             of.name()
         );
-        return Err(Error::Plot {
-            name: args.drawing.output.display().to_string(),
-            reason,
-        });
+        return Err(target.refused(reason));
     };
-    target.written(&request, &setup, &args.drawing, &figure, vec![])
+    target.written(&request, &setup, &figure, vec![])
 }
 
 fn difference(args: &PlotCompare) -> Result<Answer> {
@@ -283,15 +264,11 @@ fn difference(args: &PlotCompare) -> Result<Answer> {
     let of = Outcome::named(&args.of)?;
     let comparison = args.pair.comparison(&requests)?;
     if !comparison.differs() {
-        let reason = "drives a and b are equal, so there is nothing to draw".into();
-        return Err(Error::Plot {
-            name: args.drawing.output.display().to_string(),
-            reason,
-        });
+        return Err(target.refused("drives a and b are equal, so there is nothing to draw"));
     }
     let warnings = warnings(&comparison);
     let figure = difference_figure(&comparison.of(of)?, system());
-    target.put(args.pair.setup_args.json, &args.drawing, &figure, warnings)
+    target.put(args.pair.setup_args.json, &figure, warnings)
 }
 
 fn vcurve(args: &PlotVcurve) -> Result<Answer> {
@@ -325,7 +302,6 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     target.written(
         &request,
         &setup,
-        &args.drawing,
         &vcurve_figure(
             asked.filter_map(row),
             &while_loop(&setup, &certificate.rows),
@@ -340,11 +316,8 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
     let setup = request.setup()?;
     let constant = args.constant()?;
     if AirState::of(&setup.air).density == 0.0 {
-        let reason = "there is no air, and so no drag and no lift; set air.density above 0".into();
-        return Err(Error::Plot {
-            name: args.drawing.output.display().to_string(),
-            reason,
-        });
+        let reason = "there is no air, and so no drag and no lift; set air.density above 0";
+        return Err(target.refused(reason));
     }
     let own = setup.law.table().map(|_| setup.law.name());
     let all = || Law::NAMES.iter().copied().chain(own);
@@ -373,7 +346,6 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
     }?;
     target.put(
         request.is_json,
-        &args.drawing,
         &laws_figure(&laws, &setup, args.over, constant, args.show),
         vec![],
     )
