@@ -109,7 +109,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let outputs = Outputs::new(args, &request)?;
     request.refuse_launch(
         &setup,
-        format!(
+        &format!(
             "calibrate reads the launch of each ball from columns of the table; leave this out, \
              and add the columns to {} if it has none: ball_speed, launch_angle, and backspin or \
              spin, with their units, as in \"ball_speed [mph]\"",
@@ -271,10 +271,8 @@ impl<'a> CrossValidation<'a> {
             .collect::<Result<Vec<_>>>()?;
         check_folds(table, plan, folds)?;
         for Compared { law, plan, .. } in &compared {
-            check_folds(table, plan, folds).map_err(|error| Error::Unreadable {
-                name: format!("`compare {law}`"),
-                source: error.into(),
-            })?;
+            check_folds(table, plan, folds)
+                .map_err(|error| Error::unreadable(format!("`compare {law}`"), error))?;
         }
         Ok(Some(Self { folds, compared }))
     }

@@ -80,20 +80,16 @@ impl Call {
     }
 
     pub(super) fn command_line(&self) -> Result<CommandLine> {
-        let unknown = |name: &str, what: String| Error::Unreadable {
-            name: name.into(),
-            source: what.into(),
-        };
         let mut command = program();
         for name in self.command.split(' ') {
             command = command
                 .find_subcommand(name)
-                .ok_or_else(|| unknown(&self.command, "no command has this name".into()))?;
+                .ok_or_else(|| Error::unreadable(&self.command, "no command has this name"))?;
         }
         for (name, _) in &self.arguments {
             if !command.get_arguments().any(|arg| name_of(arg) == *name) {
                 let reason = format!("`{}()` has no such argument; leave it out", self.command);
-                return Err(unknown(name, reason));
+                return Err(Error::unreadable(name, reason));
             }
         }
         let mut line = CommandLine {

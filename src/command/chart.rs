@@ -186,10 +186,7 @@ impl Args {
                 "`along` gives a range, and `at` gives values; for the range leave `at` out, for \
                  the values write `along {name}`"
             );
-            return Err(Error::Unreadable {
-                name: "`at`".into(),
-                source: source.into(),
-            });
+            return Err(Error::unreadable("`at`", source));
         }
         let parameter = setup.column(self.along.trim())?;
         let read = |text: &String| parameter.read(text, false).map(Option::unwrap_or_default);

@@ -378,10 +378,7 @@ fn is_table(file: &Path) -> Result<bool> {
                 "{} ends in neither; write .csv for a row of each shot, or .toml for distributions",
                 file.display()
             );
-            Err(Error::Unreadable {
-                name: "`swings`".into(),
-                source: source.into(),
-            })
+            Err(Error::unreadable("`swings`", source))
         }
     }
 }
@@ -531,19 +528,18 @@ impl Requests {
             .map(Setting::to_string)
             .collect();
         if args.shots.is_some() && !options.is_empty() {
-            return Err(Error::Unreadable {
-                name: format!("`shots` with {}", options.join(", ")),
-                source: "each shot has its own launch; give the shots or a launch, not both".into(),
-            });
+            return Err(Error::unreadable(
+                format!("`shots` with {}", options.join(", ")),
+                "each shot has its own launch; give the shots or a launch, not both",
+            ));
         }
         let launched = self.launched.setup()?;
         if args.shots.is_none() && !launched.launch.is_given() {
-            return Err(Error::Unreadable {
-                name: "delivery".into(),
-                source: "no launch is given; add `ball_speed`, `launch_angle` and `spin` (or \
-                         `backspin`), or `shots FILE`"
-                    .into(),
-            });
+            return Err(Error::unreadable(
+                "delivery",
+                "no launch is given; add `ball_speed`, `launch_angle` and `spin` (or \
+                 `backspin`), or `shots FILE`",
+            ));
         }
         Ok(launched)
     }
@@ -558,8 +554,5 @@ fn refuse_step(args: &SetupArgs) -> Result<()> {
     };
     let source = "delivery computes only the impact and no flight, so this has no effect; leave it \
                   out";
-    Err(Error::Unreadable {
-        name: option.into(),
-        source: source.into(),
-    })
+    Err(Error::unreadable(option, source))
 }

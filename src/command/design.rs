@@ -119,10 +119,7 @@ fn refuse_unnamed_preset(request: &Request) -> Result<()> {
     }
     let source = "it names no preset; name the one that it starts from in its first line, as in \
                   preset = \"modern-driver\"";
-    Err(Error::Unreadable {
-        name: request.source.name().into(),
-        source: source.into(),
-    })
+    Err(Error::unreadable(request.source.name(), source))
 }
 
 /// Notes on the defaults for what the user did not state: swings, goal and varied parameters.

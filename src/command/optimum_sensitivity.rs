@@ -102,10 +102,7 @@ fn refuse_swings(swings: &SwingsArgs) -> Result<()> {
     }
     let source = "the sensitivity of an optimum is computed for one drive; leave it out, or use \
          \"optimize\"";
-    Err(Error::Unreadable {
-        name: "`swings` or `distribution`".into(),
-        source: source.into(),
-    })
+    Err(Error::unreadable("`swings` or `distribution`", source))
 }
 
 /// The requested derivatives and changes.
@@ -174,15 +171,13 @@ fn analyse(
 }
 
 fn loss(of: Outcome, text: &str) -> Result<f64> {
-    let refuse = |source| Error::Unreadable {
-        name: format!("`loss {text}`"),
-        source,
-    };
+    let name = format!("`loss {text}`");
     match of.quantity().read(text) {
         Ok(loss) if loss > 0.0 && loss.is_finite() => Ok(loss),
-        Ok(_) => Err(refuse(
-            "it must be above 0 and finite, for example 1yd".into(),
-        )),
-        Err(error) => Err(refuse(Box::new(error))),
+        Ok(_) => {
+            let source = "it must be above 0 and finite, for example 1yd";
+            Err(Error::unreadable(name, source))
+        }
+        Err(error) => Err(Error::unreadable(name, error)),
     }
 }

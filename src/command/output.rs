@@ -249,10 +249,7 @@ fn not_utf8() -> Error {
     let name = word.map_or("an argument".into(), |word| word.to_string_lossy());
     let source = "its name is not UTF-8, and setups are named in UTF-8; rename the file, or give \
                   its text on standard input, as in longdrive simulate - < FILE";
-    Error::Unreadable {
-        name: name.into(),
-        source: source.into(),
-    }
+    Error::unreadable(name, source)
 }
 
 /// The parser's message with argument names in the syntax of the command's `Host`: `--width

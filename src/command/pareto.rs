@@ -281,22 +281,15 @@ impl GoalArgs {
             .map(|(option, text, sense)| Ok((read(option, text)?, sense)))
             .collect::<Result<Vec<_>>>()?;
         let goals: [(Goal, Sense); 2] = goals.try_into().map_err(|all: Vec<_>| {
-            Error::Unreadable {
-            name: "the goals".into(),
-            source: format!(
+            Error::unreadable("the goals", format!(
                 "{} given, and a front has two goals; give two with `maximize` and `minimize`, for \
                  example `maximize carry` `minimize apex_height`",
                 if all.len() == 1 { "one is".into() } else { format!("{} are", all.len()) }
-            )
-            .into(),
-        }
+            ))
         })?;
         if goals[0].0.terms == goals[1].0.terms {
-            let source = "both are the same; give another one".into();
-            return Err(Error::Unreadable {
-                name: "the goals".into(),
-                source,
-            });
+            let source = "both are the same; give another one";
+            return Err(Error::unreadable("the goals", source));
         }
         Ok(goals)
     }
@@ -327,10 +320,7 @@ impl Output {
                 ));
             }
         };
-        let refuse = |source: &str| Error::Unreadable {
-            name: "`at`".into(),
-            source: source.into(),
-        };
+        let refuse = |source: &str| Error::unreadable("`at`", source);
         let at = match args.at.as_deref().map(str::trim) {
             Some(_) if !is_setup => {
                 return Err(refuse(

@@ -105,10 +105,7 @@ impl<'a> Target<'a> {
         if let (Format::Csv, [option, ..]) = (format, drawing.look().as_slice()) {
             let source = "it applies to pictures, and a .csv file has only the data; leave it out, \
                           or write a .svg or .png file";
-            return Err(Error::Unreadable {
-                name: (*option).into(),
-                source: source.into(),
-            });
+            return Err(Error::unreadable(*option, source));
         }
         let rule = Rule::new(inputs, drawing.overwrite);
         Ok(Self {

@@ -82,10 +82,7 @@ impl DefaultRanges {
     pub fn vary(self) -> Result<Vec<Vary>> {
         match self.reason() {
             None => Ok(self.vary),
-            Some(reason) => Err(Error::Unreadable {
-                name: "`vary`".into(),
-                source: reason.into(),
-            }),
+            Some(reason) => Err(Error::unreadable("`vary`", reason)),
         }
     }
 }

@@ -396,10 +396,7 @@ impl Args {
         };
         let source = "it is an option of the search for an optimum; give `vary` too, for example \
                       launch.launch_angle=5deg..20deg, or leave it out";
-        Err(Error::Unreadable {
-            name: option.into(),
-            source: source.into(),
-        })
+        Err(Error::unreadable(option, source))
     }
 }
 

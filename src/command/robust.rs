@@ -150,10 +150,8 @@ impl Args {
         let mut all = vec![Model::as_set_up(setup)];
         for text in &self.model {
             let model = Model::read(setup, text)?;
-            let refuse = |source: String| Error::Unreadable {
-                name: format!("`model` {}", model.name),
-                source: source.into(),
-            };
+            let refuse =
+                |source: String| Error::unreadable(format!("`model` {}", model.name), source);
             if let Some(same) = all.iter().find(|other| other.setup == model.setup) {
                 return Err(refuse(format!(
                     "it is the same as '{}'; leave it out",
@@ -186,17 +184,14 @@ impl Args {
         let Some(text) = &self.within else {
             return Ok((of.quantity.si == Quantity::LENGTH.si).then_some(YARD));
         };
-        let refuse = |source: Box<dyn std::error::Error + Send + Sync>| Error::Unreadable {
-            name: "`within`".into(),
-            source,
-        };
         let within = of
             .quantity
             .read_difference(text)
-            .map_err(|error| refuse(Box::new(error)))?;
+            .map_err(|error| Error::unreadable("`within`", error))?;
         if within.is_finite() && within >= 0.0 {
             return Ok(Some(within));
         }
-        Err(refuse(format!("{text} must be 0 or more").into()))
+        let source = format!("{text} must be 0 or more");
+        Err(Error::unreadable("`within`", source))
     }
 }

@@ -111,10 +111,7 @@ impl SearchArgs {
             "a search has one goal; leave one of `maximize {most}` and `minimize {least}` out, or \
              take the command \"pareto\", which finds the best compromises of the two"
         );
-        Err(Error::Unreadable {
-            name: "`minimize`".into(),
-            source: source.into(),
-        })
+        Err(Error::unreadable("`minimize`", source))
     }
 
     /// The names of the stated options.
@@ -250,12 +247,9 @@ pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
         true => {
             let source = format!(
                 "{text} is of many swings; give these too, with `swings FILE` or \
-                         `distribution NAME=KIND(…)`"
+                 `distribution NAME=KIND(…)`"
             );
-            Error::Unreadable {
-                name: option.into(),
-                source: source.into(),
-            }
+            Error::unreadable(option, source)
         }
         false => error,
     })

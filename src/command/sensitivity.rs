@@ -84,12 +84,11 @@ pub fn run(args: &Args) -> Result<Answer> {
 fn find_optimum(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Option<Optimum>> {
     if !args.at_optimum {
         return match args.search.given().first() {
-            Some(option) => Err(Error::Unreadable {
-                name: (*option).into(),
-                source: "it is an option of the search for an optimum; add `at_optimum`, or leave \
-                         it out"
-                    .into(),
-            }),
+            Some(option) => Err(Error::unreadable(
+                *option,
+                "it is an option of the search for an optimum; add `at_optimum`, or leave \
+                 it out",
+            )),
             None => Ok(None),
         };
     }

@@ -44,10 +44,7 @@ impl SwingsArgs {
             Some((option, _)) => {
                 let source = "it is about many swings; give these too, with `swings FILE` or \
                               `distribution NAME=KIND(…)`";
-                Err(Error::Unreadable {
-                    name: option.into(),
-                    source: source.into(),
-                })
+                Err(Error::unreadable(option, source))
             }
             None => Ok(()),
         }
@@ -107,10 +104,7 @@ impl SwingsArgs {
                     "{} gives the swings; write it into that file, or leave `swings` out",
                     file.display()
                 );
-                return Err(Error::Unreadable {
-                    name: option.into(),
-                    source: source.into(),
-                });
+                return Err(Error::unreadable(option, source));
             }
             return Swings::open(setup, file);
         }
@@ -290,10 +284,7 @@ pub fn refuse_idle_strokes<'a>(
     if strokes.is_some() && goals.all(|goal| goal.strokes().next().is_none()) {
         let source = "no goal uses strokes; write for example `minimize \"strokes(400yd)\"`, or \
                       leave it out";
-        return Err(Error::Unreadable {
-            name: "`strokes`".into(),
-            source: source.into(),
-        });
+        return Err(Error::unreadable("`strokes`", source));
     }
     Ok(())
 }
@@ -317,10 +308,7 @@ pub fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal>
             reason,
         } => {
             let source = format!("{reason}\n  {expression}\n  {}^", " ".repeat(column));
-            Error::Unreadable {
-                name: option.into(),
-                source: source.into(),
-            }
+            Error::unreadable(option, source)
         }
         error => error,
     })

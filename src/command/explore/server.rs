@@ -22,7 +22,7 @@ const CLOSING_TIME: Duration = Duration::from_secs(1);
 pub fn serve(state: &str) -> Result<()> {
     let wanted = SocketAddr::new(Ipv4Addr::LOCALHOST.into(), 0);
     let listener = Listener::bind(wanted)
-        .map_err(|error| refused(format!("no port of this machine is free: {error}")))?;
+        .map_err(|error| refused(&format!("no port of this machine is free: {error}")))?;
     let site = Site {
         port: listener.address.port(),
         path: random_path()?,
@@ -49,7 +49,7 @@ pub fn serve(state: &str) -> Result<()> {
 fn random_path() -> Result<String> {
     let mut bytes = [0; 16];
     getrandom::fill(&mut bytes)
-        .map_err(|error| refused(format!("the system has no random numbers: {error}")))?;
+        .map_err(|error| refused(&format!("the system has no random numbers: {error}")))?;
     let digits = bytes.map(|byte| format!("{byte:02x}"));
     Ok(format!("/{}", digits.concat()))
 }

@@ -114,10 +114,7 @@ fn refuse_preset(file: &Path) -> Result<()> {
         "it is a setup; the shots come first, as in longdrive fly shots.csv {}",
         file.display()
     );
-    Err(Error::Unreadable {
-        name: file.display().to_string(),
-        source: source.into(),
-    })
+    Err(Error::unreadable(file.display().to_string(), source))
 }
 
 /// Opens the shots, and refuses settings that their columns replace.

@@ -83,10 +83,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
     if let (Some(_), [option, ..]) = (&after, given.as_slice()) {
         let source = "`after` gives the other design, so no optimum is searched for; leave one of the two \
              out";
-        return Err(Error::Unreadable {
-            name: (*option).into(),
-            source: source.into(),
-        });
+        return Err(Error::unreadable(*option, source));
     }
     refuse_launch(&request.setup()?, &target)?;
     let (setup, other, of_other) = match &after {

@@ -333,11 +333,8 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
         .enumerate()
         .find(|(i, name)| asked[..*i].contains(name))
     {
-        let source = format!("'{name}' is named twice, as number {} too; keep one", i + 1).into();
-        return Err(Error::Unreadable {
-            name: "`laws`".into(),
-            source,
-        });
+        let source = format!("'{name}' is named twice, as number {} too; keep one", i + 1);
+        return Err(Error::unreadable("`laws`", source));
     }
     let laws = if asked.is_empty() {
         all().map(named).collect::<Result<Vec<_>>>()
@@ -359,10 +356,7 @@ impl PlotLaws {
                 "the laws are drawn over the {over} itself, so this is not used; leave it out, or \
                  take another `over`"
             );
-            Err(Error::Unreadable {
-                name: name.into(),
-                source: source.into(),
-            })
+            Err(Error::unreadable(name, source))
         };
         match self.over {
             Over::SpinRatio if self.spin_ratio.is_some() => unused("`spin_ratio`", "spin ratio"),
@@ -377,10 +371,7 @@ impl PlotLaws {
 /// outside of `least` to `most` is an error.
 fn held(name: &str, text: &Option<String>, default: f64, [least, most]: [f64; 2]) -> Result<f64> {
     let Some(text) = text else { return Ok(default) };
-    let unreadable = |e| Error::Unreadable {
-        name: name.into(),
-        source: Box::new(e),
-    };
+    let unreadable = |e| Error::unreadable(name, e);
     let value = Quantity::NUMBER.read(text).map_err(unreadable)?;
     if (least..=most).contains(&value) {
         return Ok(value);

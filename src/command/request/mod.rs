@@ -288,7 +288,7 @@ impl Request {
     }
 
     /// Refuses a setup that gives the launch; `why` is the reason, with advice.
-    pub fn refuse_launch(&self, setup: &Setup<f64>, why: impl Into<String>) -> Result<()> {
+    pub fn refuse_launch(&self, setup: &Setup<f64>, why: &str) -> Result<()> {
         if !setup.launch.is_given() {
             return Ok(());
         }
@@ -303,10 +303,7 @@ impl Request {
             Some(setting) => setting.argument_of_launch(),
             None => format!("the launch in {}", self.source.name()),
         };
-        Err(Error::Unreadable {
-            name,
-            source: why.into().into(),
-        })
+        Err(Error::unreadable(name, why))
     }
 
     /// Returns true if a setup file or a setting gives the ground of the roll-out.
@@ -366,10 +363,7 @@ impl Request {
                     "{why}: the parameters of swing, club, strike and impact are not used; leave \
                      it out, or give the drive by its club"
                 );
-                Err(Error::Unreadable {
-                    name: setting.named(),
-                    source: source.into(),
-                })
+                Err(Error::unreadable(setting.named(), source))
             }
             None => Ok(()),
         }
@@ -387,10 +381,10 @@ impl Request {
                 .any(|parameter| parameter.name == setting.parameter)
         };
         match self.settings.iter().find(is_unused) {
-            Some(setting) => Err(Error::Unreadable {
-                name: setting.named(),
-                source: format!("{why}, so this one is not used; leave it out").into(),
-            }),
+            Some(setting) => Err(Error::unreadable(
+                setting.named(),
+                format!("{why}, so this one is not used; leave it out"),
+            )),
             None => Ok(()),
         }
     }
@@ -534,15 +528,16 @@ impl OwnLaw {
         if settings.is_empty() {
             return Ok(None);
         }
-        let refused = || Error::Unreadable {
-            name: settings
-                .iter()
-                .map(Setting::to_string)
-                .collect::<Vec<_>>()
-                .join(" "),
-            source: "this command uses every law as published; `set` only adds your own table and \
-                     its factors: `set aero.table=mine.csv`"
-                .into(),
+        let refused = || {
+            Error::unreadable(
+                settings
+                    .iter()
+                    .map(Setting::to_string)
+                    .collect::<Vec<_>>()
+                    .join(" "),
+                "this command uses every law as published; `set` only adds your own table and \
+                 its factors: `set aero.table=mine.csv`",
+            )
         };
         let mut setup = Setup::default();
         let pairs = settings
