@@ -346,7 +346,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// The error for a value or an argument that cannot be used. `source` is the reason, with advice.
+    /// The error for a value or an argument that cannot be used, with the reason and advice.
     pub fn unreadable(
         name: impl Into<String>,
         source: impl Into<Box<dyn std::error::Error + Send + Sync>>,

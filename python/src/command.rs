@@ -198,7 +198,7 @@ impl Host for Caller {
         now.has_found |= now.stop.take().is_some();
     }
 
-    fn hold(&self) -> Box<dyn FnOnce(&[&Path]) + '_> {
+    fn hold(&self) -> Box<dyn FnOnce(&Path) + '_> {
         let mut files = self.written();
         if files.is_left {
             drop(files);
@@ -206,10 +206,7 @@ impl Host for Caller {
             // caller expects no more files
             resume_unwind(Box::new("left"));
         }
-        Box::new(move |complete| {
-            let names = complete.iter().map(|file| file.display().to_string());
-            files.written.extend(names);
-        })
+        Box::new(move |path| files.written.push(path.display().to_string()))
     }
 
     fn shows(&self, work: Work<'_>) -> SharedProgress {

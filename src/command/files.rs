@@ -262,7 +262,7 @@ impl Destination {
         if !self.is_file() {
             return write();
         }
-        interrupt::undisturbed(&[&self.shown], write)
+        interrupt::undisturbed(&self.shown, write)
     }
 
     /// Begins a file that is written in pieces and renamed once it is complete.
@@ -328,7 +328,7 @@ impl Pieces {
             return self.put_in_place();
         }
         let shown = self.destination.shown.clone();
-        interrupt::undisturbed(&[&shown], || self.put_in_place())
+        interrupt::undisturbed(&shown, || self.put_in_place())
     }
 
     fn put_in_place(self) -> Result<()> {
@@ -400,7 +400,7 @@ impl Folder {
         fs::create_dir_all(&self.path).map_err(|error| unwritable(&self.path, &error))?;
         let place = |(name, bytes)| Ok((self.rule.place(&self.path.join(name))?, bytes));
         let files = files.into_iter().map(place).collect::<Result<Vec<_>>>()?;
-        interrupt::undisturbed(&[&self.path], || {
+        interrupt::undisturbed(&self.path, || {
             // a full disk leaves no file in place: all are written before the first is renamed
             let staged = files
                 .iter()

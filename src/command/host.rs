@@ -98,8 +98,9 @@ pub trait Host: Send + Sync {
     fn cannot_stop(&self) {}
 
     /// Prevents the end of the process until the returned function is called or dropped, while
-    /// files that belong together are written. A call reports that these files are complete.
-    fn hold(&self) -> Box<dyn FnOnce(&[&Path]) + '_> {
+    /// a file, or files of a folder that belong together, are written. A call reports that the file
+    /// or folder is complete.
+    fn hold(&self) -> Box<dyn FnOnce(&Path) + '_> {
         Box::new(|_| ())
     }
 

@@ -167,12 +167,9 @@ impl Host for Terminal {
         self.now().work = None;
     }
 
-    fn hold(&self) -> Box<dyn FnOnce(&[&Path]) + '_> {
+    fn hold(&self) -> Box<dyn FnOnce(&Path) + '_> {
         let mut now = self.now();
-        Box::new(move |files| {
-            let names = files.iter().map(|file| file.display().to_string());
-            now.written.extend(names);
-        })
+        Box::new(move |path| now.written.push(path.display().to_string()))
     }
 
     fn shows(&self, work: Work<'_>) -> SharedProgress {
