@@ -5,7 +5,7 @@
 
 use longdrive::derivative::check::Verdict;
 use longdrive::parameters::PRESETS;
-use longdrive::report::figures::{At, vcurve_figure};
+use longdrive::report::figures::vcurve_figure;
 use longdrive::report::plot::{Look, figure_svg};
 use longdrive::reproduce::{LoopRow, while_loop};
 use longdrive::study::certificate::{Certificate, certify};
@@ -47,7 +47,7 @@ fn main() -> Result<()> {
     the_loop(&loops);
     if let Some(folder) = std::env::args_os().nth(1) {
         let of_loft = carry.rows.iter().filter(|row| row.of == Outcome::Carry);
-        let picture = figure_svg(&vcurve_figure(of_loft, &loops, At::SetUp), &Look::default())?;
+        let picture = figure_svg(&vcurve_figure(of_loft, &loops), &Look::default())?;
         std::fs::write(Path::new(&folder).join("vcurve.svg"), picture).map_err(Error::Output)?;
     }
     smoothness(&certificates);

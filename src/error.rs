@@ -346,6 +346,17 @@ pub enum Error {
 }
 
 impl Error {
+    /// The error for a value or an argument that cannot be used, with the reason and advice.
+    pub fn unreadable(
+        name: impl Into<String>,
+        source: impl Into<Box<dyn std::error::Error + Send + Sync>>,
+    ) -> Self {
+        Self::Unreadable {
+            name: name.into(),
+            source: source.into(),
+        }
+    }
+
     /// The error for a name that is not among `names`. It suggests the most similar of them.
     pub fn unknown<'a>(
         what: &'static str,

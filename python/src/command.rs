@@ -6,8 +6,8 @@ use crate::pool::{self, Ended};
 use crate::request::arguments_of;
 use crate::wording;
 use longdrive::command::{
-    Call, Hold, Host, Kind, MemoryFiles, Mention, Progress, SharedProgress, Work, call,
-    mark_options, run_in_terminal,
+    Call, Host, Kind, MemoryFiles, Mention, Progress, SharedProgress, Work, call, mark_options,
+    run_in_terminal,
 };
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -198,15 +198,15 @@ impl Host for Caller {
         now.has_found |= now.stop.take().is_some();
     }
 
-    fn hold(&self) -> Box<dyn Hold + '_> {
-        let files = self.written();
+    fn hold(&self) -> Box<dyn FnOnce(&Path) + '_> {
+        let mut files = self.written();
         if files.is_left {
             drop(files);
             // end this thread, without the message of a panic: the call has returned, and its
             // caller expects no more files
             resume_unwind(Box::new("left"));
         }
-        Box::new(Writing(files))
+        Box::new(move |path| files.written.push(path.display().to_string()))
     }
 
     fn shows(&self, work: Work<'_>) -> SharedProgress {
@@ -216,17 +216,6 @@ impl Host for Caller {
         }
         self.now().bar = Some(bar.clone());
         bar
-    }
-}
-
-/// Prevents the end of the process while files are written: it holds the lock of `Files`.
-struct Writing<'a>(MutexGuard<'a, Files>);
-
-impl Hold for Writing<'_> {
-    fn written(&mut self, files: &[&Path]) {
-        self.0
-            .written
-            .extend(files.iter().map(|file| file.display().to_string()));
     }
 }
 

@@ -7,7 +7,6 @@ use crate::setup::PySetup;
 use crate::step::step_choice;
 use longdrive::derivative::{Order, Taylor};
 use longdrive::integration::StepChoice;
-use longdrive::parameters::Parameter;
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::prelude::*;
@@ -29,19 +28,14 @@ pub fn matrix<'py>(
     Ok(values.into_pyarray(py))
 }
 
-/// Outcomes and the parameters of their derivatives.
-struct Asked {
-    taylors: Vec<Taylor>,
-    wrt: Vec<&'static Parameter>,
-}
-
+/// The outcomes with their derivatives.
 fn asked(
     setup: &Bound<'_, PyAny>,
     of: &[String],
     wrt: Option<&Bound<'_, PyAny>>,
     choice: StepChoice,
     order: Order,
-) -> Answer<Asked> {
+) -> Answer<Vec<Taylor>> {
     let (py, setup) = (setup.py(), PySetup::of(setup)?);
     let of = outcomes_named(of)?;
     let wrt = variables(&setup.setup, wrt)?;
@@ -50,24 +44,17 @@ fn asked(
         Order::Second => wrt.len() * wrt.len(),
         _ => wrt.len(),
     };
-    let (is_long, by) = (pool::is_long(&integration.setup, drives), wrt.clone());
+    let is_long = pool::is_long(&integration.setup, drives);
     let taylors = pool::run_drive(py, is_long, move |stop| {
-        integration.evaluate_until(&of, &by, order, stop)
+        integration.evaluate_until(&of, &wrt, order, stop)
     });
-    Ok(Asked {
-        taylors: taylors??,
-        wrt,
-    })
+    Ok(taylors??)
 }
 
-fn one(mut asked: Asked) -> Answer<Taylor> {
-    asked
-        .taylors
-        .pop()
-        .filter(|_| asked.taylors.is_empty())
-        .ok_or_else(|| {
-            Failure::Input("of names several outcomes; name one, or ask for the jacobian".into())
-        })
+fn one(mut taylors: Vec<Taylor>) -> Answer<Taylor> {
+    taylors.pop().filter(|_| taylors.is_empty()).ok_or_else(|| {
+        Failure::Input("of names several outcomes; name one, or ask for the jacobian".into())
+    })
 }
 
 type Gradient<'py> = (f64, Bound<'py, PyArray1<f64>>);
@@ -105,14 +92,11 @@ pub fn jacobian<'py>(
 ) -> PyResult<Jacobian<'py>> {
     answer(|| {
         let choice = step_choice(tolerance, own_step)?;
-        let asked = asked(setup, &listed("of", of)?, wrt, choice, Order::First)?;
-        let values: Vec<_> = asked.taylors.iter().map(|taylor| taylor.value).collect();
-        let rows: Vec<_> = asked
-            .taylors
-            .into_iter()
-            .map(|taylor| taylor.gradient)
-            .collect();
-        Ok((vector(py, &values), matrix(py, &rows, asked.wrt.len())?))
+        let taylors = asked(setup, &listed("of", of)?, wrt, choice, Order::First)?;
+        let values: Vec<_> = taylors.iter().map(|taylor| taylor.value).collect();
+        let rows: Vec<_> = taylors.into_iter().map(|taylor| taylor.gradient).collect();
+        let columns = rows.first().map_or(0, Vec::len);
+        Ok((vector(py, &values), matrix(py, &rows, columns)?))
     })
 }
 

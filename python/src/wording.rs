@@ -1,6 +1,6 @@
 //! Arguments and commands in messages, in the syntax of Python.
 
-use longdrive::command::{Argument, Mention, with_mentions};
+use longdrive::command::{Mention, with_mentions};
 use pyo3::prelude::*;
 
 /// A message with arguments of functions: `subject_to="apex_height <= 30 m"`.
@@ -12,23 +12,29 @@ pub fn in_python(message: &str) -> String {
 
 /// An argument or a command in the syntax of Python.
 pub fn mention(mention: Mention<'_>) -> String {
-    let Argument {
-        name,
-        value,
-        takes_value,
-    } = match mention {
+    match mention {
         Mention::Command(name) => {
-            return format!("longdrive.{}()", name.replace('-', "_").replace(' ', "."));
+            format!("longdrive.{}()", name.replace('-', "_").replace(' ', "."))
         }
-        Mention::Argument(argument) => argument,
-    };
-    match (name, value) {
-        ("set" | "set_a" | "set_b", value) => replacing(value),
+        Mention::Argument {
+            name: "set" | "set_a" | "set_b",
+            value,
+            ..
+        } => replacing(value),
         // only the program has these options
-        ("json" | "csv" | "listen" | "address", _) => mention.in_words_of_the_program(),
-        _ if !takes_value => format!("{}=True", argument_of(name)),
-        (_, None) => argument_of(name).into(),
-        (_, Some(value)) => format!("{}={}", argument_of(name), literal(value)),
+        Mention::Argument {
+            name: "json" | "csv" | "listen" | "address",
+            ..
+        } => mention.in_words_of_the_program(),
+        Mention::Argument {
+            name,
+            takes_value: false,
+            ..
+        } => format!("{}=True", argument_of(name)),
+        Mention::Argument { name, value, .. } => match value {
+            None => argument_of(name).into(),
+            Some(value) => format!("{}={}", argument_of(name), literal(value)),
+        },
     }
 }
 

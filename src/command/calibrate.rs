@@ -109,7 +109,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let outputs = Outputs::new(args, &request)?;
     request.refuse_launch(
         &setup,
-        format!(
+        &format!(
             "calibrate reads the launch of each ball from columns of the table; leave this out, \
              and add the columns to {} if it has none: ball_speed, launch_angle, and backspin or \
              spin, with their units, as in \"ball_speed [mph]\"",
@@ -157,7 +157,9 @@ pub fn run(args: &Args) -> Result<Answer> {
         ))]);
     }
     let is_setup_written = outputs.write_setup(args, &request, &found, &report, &mut warnings)?;
-    outputs.write_document(&report)?;
+    if let Some(folder) = &outputs.folder {
+        write(folder, &report, system())?;
+    }
     let named = |path: &PathBuf| path.display().to_string();
     report.file = args.output.as_ref().filter(|_| is_setup_written).map(named);
     report.folder = args.plot.as_ref().map(named);
@@ -165,7 +167,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         &report,
         &request.origin(),
         warnings.into_vec(),
-        request.is_json(),
+        request.is_json,
     );
     Ok(answer.found(report.is_found()))
 }
@@ -233,17 +235,10 @@ impl Outputs {
             return Ok(false);
         }
         let data = args.data.display().to_string();
-        let toml = report.toml(request.source().preset(), &data)?;
+        let toml = report.toml(request.source.preset(), &data)?;
         output.write(request.with_stated_step(toml)?.as_bytes())?;
         tell(&format!("wrote the fitted setup into {file}"));
         Ok(true)
-    }
-
-    fn write_document(&self, report: &CalibrationReport<'_>) -> Result<()> {
-        match &self.folder {
-            Some(folder) => write(folder, report, system()),
-            None => Ok(()),
-        }
     }
 }
 
@@ -276,10 +271,8 @@ impl<'a> CrossValidation<'a> {
             .collect::<Result<Vec<_>>>()?;
         check_folds(table, plan, folds)?;
         for Compared { law, plan, .. } in &compared {
-            check_folds(table, plan, folds).map_err(|error| Error::Unreadable {
-                name: format!("`compare {law}`"),
-                source: error.into(),
-            })?;
+            check_folds(table, plan, folds)
+                .map_err(|error| Error::unreadable(format!("`compare {law}`"), error))?;
         }
         Ok(Some(Self { folds, compared }))
     }

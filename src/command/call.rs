@@ -63,18 +63,10 @@ pub enum Value {
     Joined(Vec<Value>),
 }
 
-/// The command line of a call.
-pub(super) struct CommandLine {
-    /// The words, the name of the program first.
-    pub words: Vec<OsString>,
-    /// Angles without a unit, rad.
-    pub bare_angles: Vec<f64>,
-}
-
 impl Value {
     /// The text of a value on the command line, such as `club.loft=0.1 rad..20 deg`.
     pub fn text(&self) -> OsString {
-        Writer::default().text(self, None)
+        CommandLine::default().text(self, None)
     }
 }
 
@@ -88,42 +80,36 @@ impl Call {
     }
 
     pub(super) fn command_line(&self) -> Result<CommandLine> {
-        let unknown = |name: &str, what: String| Error::Unreadable {
-            name: name.into(),
-            source: what.into(),
-        };
         let mut command = program();
         for name in self.command.split(' ') {
             command = command
                 .find_subcommand(name)
-                .ok_or_else(|| unknown(&self.command, "no command has this name".into()))?;
+                .ok_or_else(|| Error::unreadable(&self.command, "no command has this name"))?;
         }
         for (name, _) in &self.arguments {
             if !command.get_arguments().any(|arg| name_of(arg) == *name) {
                 let reason = format!("`{}()` has no such argument; leave it out", self.command);
-                return Err(unknown(name, reason));
+                return Err(Error::unreadable(name, reason));
             }
         }
-        let mut writer = Writer {
+        let mut line = CommandLine {
+            words: vec!["longdrive".into()],
             goal: self.goal(),
             along: self.along(),
-            ..Writer::default()
+            ..CommandLine::default()
         };
-        let mut words = vec![OsString::from("longdrive")];
-        words.extend(self.command.split(' ').map(OsString::from));
+        line.words
+            .extend(self.command.split(' ').map(OsString::from));
         for arg in command.get_arguments() {
             let own = self
                 .arguments
                 .iter()
                 .filter(|(name, _)| name_of(arg) == *name);
             for (_, value) in own {
-                writer.argument(arg, value, &mut words);
+                line.argument(arg, value);
             }
         }
-        Ok(CommandLine {
-            words,
-            bare_angles: writer.bare_angles,
-        })
+        Ok(line)
     }
 
     /// The quantity of the goal of a search.
@@ -194,30 +180,24 @@ pub fn quantity_of(name: &str) -> Option<Quantity> {
         .or_else(of_outcome)
 }
 
-/// The quantity of an argument, by the name of its value in the help.
-pub(super) fn quantity_of_value(value_name: &str) -> Option<Quantity> {
-    Some(match value_name {
-        "LENGTH" => Quantity::LENGTH,
-        "SPEED" => Quantity::SPEED,
-        "ANGLE" => Quantity::ANGLE,
-        "SPIN" => Quantity::ANGULAR_VELOCITY,
-        _ => return None,
-    })
-}
-
-/// Writes values as words.
+/// The command line of a call.
 #[derive(Default)]
-struct Writer {
+pub(super) struct CommandLine {
+    /// The words, the name of the program first.
+    pub words: Vec<OsString>,
+    /// Angles without a unit, rad.
+    pub bare_angles: Vec<f64>,
+    /// The quantity of the goal of a search.
     goal: Option<Quantity>,
+    /// The quantity of the parameter that `along` names.
     along: Option<Quantity>,
-    bare_angles: Vec<f64>,
 }
 
-impl Writer {
-    fn argument(&mut self, arg: &Arg, value: &Value, words: &mut Vec<OsString>) {
+impl CommandLine {
+    fn argument(&mut self, arg: &Arg, value: &Value) {
         if let Value::Several(values) = value {
             for value in values {
-                self.argument(arg, value, words);
+                self.argument(arg, value);
             }
             return;
         }
@@ -235,14 +215,19 @@ impl Writer {
             }
             word.push(self.text(value, self.quantity(arg)));
         }
-        words.push(word);
+        self.words.push(word);
     }
 
+    /// The quantity of an argument, by the name of its value in the help.
     fn quantity(&self, arg: &Arg) -> Option<Quantity> {
         match arg.get_value_names()?.first()?.as_str() {
             "AMOUNT" => self.goal,
             "VALUE,…" => self.along,
-            name => quantity_of_value(name),
+            "LENGTH" => Some(Quantity::LENGTH),
+            "SPEED" => Some(Quantity::SPEED),
+            "ANGLE" => Some(Quantity::ANGLE),
+            "SPIN" => Some(Quantity::ANGULAR_VELOCITY),
+            _ => None,
         }
     }
 

@@ -80,7 +80,7 @@ pub fn run(args: &Args) -> Result<Answer> {
                 ended: Some(error.message()),
                 interrupted: stop.load(Ordering::Relaxed),
             };
-            let answer = if request.is_json() {
+            let answer = if request.is_json {
                 let report = ChartReport::new(&none, &search);
                 Answer::report(&report, &origin, warnings.into_vec(), true)
             } else {
@@ -92,13 +92,13 @@ pub fn run(args: &Args) -> Result<Answer> {
     };
     warnings.add(chart.warnings());
     let report = ChartReport::new(&chart, &search);
-    let answer = if args.csv && !request.is_json() {
+    let answer = if args.csv && !request.is_json {
         for note in chart.begun.iter().chain(&chart.ended) {
             tell(&note.in_units(system()));
         }
         Answer::text(report.csv(stated_system().into())?)
     } else {
-        Answer::report(&report, &origin, warnings.into_vec(), request.is_json())
+        Answer::report(&report, &origin, warnings.into_vec(), request.is_json)
     };
     Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
 }
@@ -186,10 +186,7 @@ impl Args {
                 "`along` gives a range, and `at` gives values; for the range leave `at` out, for \
                  the values write `along {name}`"
             );
-            return Err(Error::Unreadable {
-                name: "`at`".into(),
-                source: source.into(),
-            });
+            return Err(Error::unreadable("`at`", source));
         }
         let parameter = setup.column(self.along.trim())?;
         let read = |text: &String| parameter.read(text, false).map(Option::unwrap_or_default);

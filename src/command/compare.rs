@@ -111,10 +111,7 @@ impl Pair {
         if self.other.is_none() && own.iter().all(|options| options.is_empty()) {
             let source = "there is one drive; name a second setup, or state a change for drive b, \
                           for example `set_b club.loft=10.5deg`";
-            return Err(Error::Unreadable {
-                name: "compare".into(),
-                source: source.into(),
-            });
+            return Err(Error::unreadable("compare", source));
         }
         let source_a = Source::read(&self.setup_args.drive.setup).map_err(of_a)?;
         let source_b = match &self.other {

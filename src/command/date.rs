@@ -13,12 +13,13 @@ const EPOCH: &str = "SOURCE_DATE_EPOCH";
 /// [`Error::Unreadable`] if `SOURCE_DATE_EPOCH` is not a number of seconds.
 pub fn today() -> Result<String> {
     let seconds = match std::env::var(EPOCH) {
-        Ok(text) => text.trim().parse().map_err(|_| Error::Unreadable {
-            name: EPOCH.into(),
-            source: format!(
-                "'{text}' is no whole number of seconds since 1970; correct it, or unset it"
+        Ok(text) => text.trim().parse().map_err(|_| {
+            Error::unreadable(
+                EPOCH,
+                format!(
+                    "'{text}' is no whole number of seconds since 1970; correct it, or unset it"
+                ),
             )
-            .into(),
         })?,
         Err(_) => SystemTime::now()
             .duration_since(UNIX_EPOCH)

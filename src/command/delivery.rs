@@ -1,8 +1,8 @@
 use crate::command::args::SetupArgs;
-use crate::command::files::{Destination, Rule};
+use crate::command::files::{Destination, Rule, ending};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::sigmas;
-use crate::command::output::{Answer, command_line, system, tell, warn};
+use crate::command::output::{Answer, Warnings, command_line, system, tell};
 use crate::command::request::{Request, Setting, Source};
 use crate::parameters::Vary;
 use crate::report::{
@@ -97,18 +97,22 @@ pub fn run(args: &Args) -> Result<Answer> {
     let outputs = Outputs::new(args, &requests.club)?;
     let setup = requests.setup_of_club()?;
     let launched = requests.setup_of_launch(args)?;
-    let mut warnings = setup.warnings();
-    warn(&warnings);
+    let mut warnings = Warnings::default();
+    warnings.add(setup.warnings());
     let unknowns = read_unknowns(args, &requests.club, &setup)?;
     let found = match &args.shots {
-        None => of_launch(&requests.club, &setup, &launched, &unknowns)?,
+        None => {
+            note_assumed(&unknowns);
+            warnings.add(loft_warning(&requests.club, &setup, &unknowns));
+            of_launch(&setup, &launched, &unknowns)?
+        }
         Some(file) => {
             let filter = RowFilter::read(&args.only)?;
             let table = ShotTable::open_launches(&setup, file, filter)?;
-            of_shots(table, &requests, &setup, &unknowns)?
+            of_shots(table, &requests, &setup, &unknowns, &mut warnings)?
         }
     };
-    warnings.extend(found.warnings());
+    warnings.add(found.warnings());
     let is_setup_written = outputs.write_setup(&found, &requests.club, &setup, &mut warnings)?;
     let setup_words = || match &outputs.setup {
         Some(output) if is_setup_written => vec![output.path().display().to_string()],
@@ -122,7 +126,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     };
     let is_whole = outputs.write_swings(&found, setup_words, &mut warnings)?;
     let is_found = found.explained() == found.all.len() && found.left_out == 0 && is_whole;
-    Ok(answer(args, &found, warnings).found(is_found))
+    Ok(answer(args, &found, warnings.into_vec()).found(is_found))
 }
 
 /// The deliveries found. Several deliveries also have a population.
@@ -133,8 +137,6 @@ struct Deliveries {
     from: String,
     /// Number of rows that an interruption left out.
     left_out: usize,
-    /// Warnings that were reported before.
-    warned: Vec<Message>,
 }
 
 impl Deliveries {
@@ -143,8 +145,7 @@ impl Deliveries {
         self.all.iter().filter_map(Delivery::explained).count()
     }
 
-    /// All warnings. Reports the warnings about the deliveries, but not those in `warned`, which
-    /// were reported before.
+    /// The warnings about the deliveries.
     fn warnings(&self) -> Vec<Message> {
         let mut warnings = vec![];
         if self.left_out > 0 {
@@ -154,21 +155,16 @@ impl Deliveries {
         warnings.extend(bound_warnings(&self.all, system()));
         let population = self.population.iter().flatten();
         warnings.extend(population.flat_map(|found| population_warnings(found, system())));
-        warn(&warnings);
-        [self.warned.clone(), warnings].concat()
+        warnings
     }
 }
 
 /// The delivery of one measured launch.
 fn of_launch(
-    club: &Request,
     setup: &Setup<f64>,
     launched: &Setup<f64>,
     unknowns: &[Unknown],
 ) -> Result<Deliveries> {
-    note_assumed(unknowns);
-    let of_loft = loft_warning(club, setup, unknowns);
-    warn(&of_loft);
     let found = delivery(setup, &launches(launched), unknowns)?;
     Ok(Deliveries {
         all: vec![Delivery {
@@ -178,7 +174,6 @@ fn of_launch(
         population: None,
         from: "a measured launch".into(),
         left_out: 0,
-        warned: of_loft,
     })
 }
 
@@ -188,6 +183,7 @@ fn of_shots(
     requests: &Requests,
     setup: &Setup<f64>,
     unknowns: &[Unknown],
+    warnings: &mut Warnings,
 ) -> Result<Deliveries> {
     let given: Vec<_> = setup
         .parameters()
@@ -202,7 +198,7 @@ fn of_shots(
             .warnings
             .extend(loft_warning(&requests.club, setup, unknowns));
     }
-    warn(&table.warnings);
+    warnings.add(table.warnings.iter().cloned());
     let remarks = table
         .remarks
         .iter()
@@ -224,7 +220,6 @@ fn of_shots(
         all,
         population: Some(population),
         from: table.file,
-        warned: table.warnings,
     })
 }
 
@@ -238,7 +233,7 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
         .iter()
         .any(|unknown| unknown.parameter.name == LOFT);
     let is_stated = club.stated().any(|name| name == LOFT);
-    if is_varied || is_stated || !club.source().is_average() {
+    if is_varied || is_stated || !club.source.is_average() {
         return vec![];
     }
     let loft = setup.variable(LOFT).ok().map(|parameter| {
@@ -246,7 +241,7 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
         format!(
             "{LOFT} = {loft} is that of {}, and a best loft is found relative to it; state that \
              of your club, for example `set {LOFT}=10.5deg`",
-            club.source().name()
+            club.source.name()
         )
     });
     loft.into_iter().map(Message::from).collect()
@@ -321,7 +316,7 @@ impl Outputs {
         found: &Deliveries,
         request: &Request,
         setup: &Setup<f64>,
-        warnings: &mut Vec<Message>,
+        warnings: &mut Warnings,
     ) -> Result<bool> {
         let Some(output) = &self.setup else {
             return Ok(false);
@@ -330,7 +325,7 @@ impl Outputs {
         let why = match (found.explained(), found.left_out) {
             (0, _) => "no delivery was found",
             (_, 0) => {
-                let preset = request.source().preset();
+                let preset = request.source.preset();
                 let toml = delivery_toml(setup, &found.all, preset, &found.from)?;
                 output.write(request.with_stated_step(toml)?.as_bytes())?;
                 tell(&format!(
@@ -341,9 +336,7 @@ impl Outputs {
             }
             _ => "the work was interrupted",
         };
-        let unwritten = [Message::from(format!("{file} is not written: {why}"))];
-        warn(&unwritten);
-        warnings.extend(unwritten);
+        warnings.add([Message::from(format!("{file} is not written: {why}"))]);
         Ok(false)
     }
 
@@ -354,7 +347,7 @@ impl Outputs {
         &self,
         found: &Deliveries,
         setup_words: impl Fn() -> Vec<String>,
-        warnings: &mut Vec<Message>,
+        warnings: &mut Warnings,
     ) -> Result<bool> {
         let (Some(swings), Some(population)) = (&self.swings, &found.population) else {
             return Ok(true);
@@ -362,29 +355,22 @@ impl Outputs {
         let Some(unwritten) = swings.write(found, population, setup_words())? else {
             return Ok(true);
         };
-        warn(std::slice::from_ref(&unwritten));
-        warnings.push(unwritten);
+        warnings.add([unwritten]);
         Ok(false)
     }
 }
 
 /// Returns true for a table of swings (.csv), false for distributions (.toml).
 fn is_table(file: &Path) -> Result<bool> {
-    let ending = file
-        .extension()
-        .map(|ending| ending.to_string_lossy().to_lowercase());
-    match ending.as_deref() {
-        Some("csv") => Ok(true),
-        Some("toml") => Ok(false),
+    match ending(file).as_str() {
+        "csv" => Ok(true),
+        "toml" => Ok(false),
         _ => {
             let source = format!(
                 "{} ends in neither; write .csv for a row of each shot, or .toml for distributions",
                 file.display()
             );
-            Err(Error::Unreadable {
-                name: "`swings`".into(),
-                source: source.into(),
-            })
+            Err(Error::unreadable("`swings`", source))
         }
     }
 }
@@ -528,25 +514,24 @@ impl Requests {
     fn setup_of_launch(&self, args: &Args) -> Result<Setup<f64>> {
         let options: Vec<_> = self
             .launched
-            .settings()
+            .settings
             .iter()
             .filter(|setting| setting.replaces_launch())
             .map(Setting::to_string)
             .collect();
         if args.shots.is_some() && !options.is_empty() {
-            return Err(Error::Unreadable {
-                name: format!("`shots` with {}", options.join(", ")),
-                source: "each shot has its own launch; give the shots or a launch, not both".into(),
-            });
+            return Err(Error::unreadable(
+                format!("`shots` with {}", options.join(", ")),
+                "each shot has its own launch; give the shots or a launch, not both",
+            ));
         }
         let launched = self.launched.setup()?;
         if args.shots.is_none() && !launched.launch.is_given() {
-            return Err(Error::Unreadable {
-                name: "delivery".into(),
-                source: "no launch is given; add `ball_speed`, `launch_angle` and `spin` (or \
-                         `backspin`), or `shots FILE`"
-                    .into(),
-            });
+            return Err(Error::unreadable(
+                "delivery",
+                "no launch is given; add `ball_speed`, `launch_angle` and `spin` (or \
+                 `backspin`), or `shots FILE`",
+            ));
         }
         Ok(launched)
     }
@@ -561,8 +546,5 @@ fn refuse_step(args: &SetupArgs) -> Result<()> {
     };
     let source = "delivery computes only the impact and no flight, so this has no effect; leave it \
                   out";
-    Err(Error::Unreadable {
-        name: option.into(),
-        source: source.into(),
-    })
+    Err(Error::unreadable(option, source))
 }

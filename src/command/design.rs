@@ -64,7 +64,9 @@ pub fn run(args: &Args) -> Result<Answer> {
     let swings = if search.swings.is_given() {
         search.swings.read(&setup)?
     } else {
-        search.swings.refuse_correlation()?;
+        if !search.swings.correlation.is_empty() {
+            search.swings.refuse_stray()?;
+        }
         golfer(&setup)?
     };
     request.refuse_stated(&distributed(args, &swings), "the swings have values of it")?;
@@ -100,7 +102,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         improvements: &improvements,
         notes: &notes,
     };
-    let answer = if request.is_json() {
+    let answer = if request.is_json {
         Answer::json(&designed.reply(found.reply(&request.origin())))
     } else {
         let document = designed.document(&found.over, system());
@@ -112,15 +114,12 @@ pub fn run(args: &Args) -> Result<Answer> {
 /// Refuses a file that names no preset. The default preset of the other commands exceeds the limits
 /// of the Rules of Golf, so this command has another default preset.
 fn refuse_unnamed_preset(request: &Request) -> Result<()> {
-    if request.source().names_preset() {
+    if request.source.names_preset() {
         return Ok(());
     }
     let source = "it names no preset; name the one that it starts from in its first line, as in \
                   preset = \"modern-driver\"";
-    Err(Error::Unreadable {
-        name: request.source().name().into(),
-        source: source.into(),
-    })
+    Err(Error::unreadable(request.source.name(), source))
 }
 
 /// Notes on the defaults for what the user did not state: swings, goal and varied parameters.

@@ -202,11 +202,17 @@ impl Rule {
 
 /// The extension of a file name, if it is an output format of this program.
 fn ending_of_a_file(path: &Path) -> Option<String> {
-    let ending = path.extension()?.to_str()?.to_lowercase();
+    let ending = ending(path);
     let files = [
         "csv", "html", "json", "jsonl", "md", "parquet", "pdf", "png", "svg", "toml", "txt",
     ];
     files.contains(&ending.as_str()).then_some(ending)
+}
+
+/// The extension of a file name in lower case; empty without one.
+pub fn ending(path: &Path) -> String {
+    let ending = path.extension().unwrap_or_default();
+    ending.to_string_lossy().to_lowercase()
 }
 
 /// A path that the rule allows to write.
@@ -252,11 +258,12 @@ impl Destination {
     /// # Errors
     /// [`Error::Results`]; an existing file is then unchanged.
     pub fn write(&self, bytes: &[u8]) -> Result<()> {
+        let write = || self.stage(bytes)?.put_in_place();
         // writing to a pipe may block forever without a reader
         if !self.is_file() {
-            return self.put(bytes);
+            return write();
         }
-        interrupt::undisturbed(&[&self.shown], || self.put(bytes))
+        interrupt::undisturbed(&self.shown, write)
     }
 
     /// Begins a file that is written in pieces and renamed once it is complete.
@@ -278,45 +285,11 @@ impl Destination {
         })
     }
 
-    fn put(&self, bytes: &[u8]) -> Result<()> {
-        if self.is_in_memory() {
-            running().host.keep(&self.shown, bytes.to_vec());
-            return Ok(());
-        }
-        let written = || -> io::Result<()> {
-            if !self.is_file() {
-                return fs::OpenOptions::new()
-                    .write(true)
-                    .open(&self.at)?
-                    .write_all(bytes);
-            }
-            self.end(self.stage(bytes)?)
-        };
-        written().map_err(|error| self.failed(&error))
-    }
-
-    /// Writes the bytes into a temporary file in the folder of the path.
-    fn stage(&self, bytes: &[u8]) -> io::Result<NamedTempFile> {
-        let mut file = create_beside(&self.at)?;
-        file.write_all(bytes)?;
+    /// Writes the complete file under a temporary name.
+    fn stage(&self, bytes: &[u8]) -> Result<Pieces> {
+        let mut file = self.begin()?;
+        file.write(bytes)?;
         Ok(file)
-    }
-
-    /// Moves the complete temporary file to the path of the destination.
-    fn end(&self, file: NamedTempFile) -> io::Result<()> {
-        file.as_file().sync_all()?;
-        Ok(persist(file.into_temp_path(), &self.at, self.may_replace)?)
-    }
-
-    fn failed(&self, error: &io::Error) -> Error {
-        match error.kind() {
-            ErrorKind::AlreadyExists => refused(
-                &self.shown,
-                "it was made by another program while this command ran; use `overwrite` to replace \
-                 it",
-            ),
-            _ => unwritable(&self.shown, error),
-        }
     }
 }
 
@@ -347,20 +320,43 @@ impl Pieces {
         written.map_err(|error| unwritable(&self.destination.shown, &error))
     }
 
-    /// Moves the complete file to its path.
+    /// Moves the complete file to its path, which Ctrl-C does not interrupt.
     ///
     /// # Errors
     /// [`Error::Results`]; an existing file is then unchanged.
     pub fn finish(self) -> Result<()> {
-        let destination = self.destination;
+        if !self.destination.is_file() {
+            return self.put_in_place();
+        }
+        let shown = self.destination.shown.clone();
+        interrupt::undisturbed(&shown, || self.put_in_place())
+    }
+
+    fn put_in_place(self) -> Result<()> {
+        let Destination {
+            shown,
+            at,
+            may_replace,
+            ..
+        } = self.destination;
+        let rename = |file: NamedTempFile| -> io::Result<()> {
+            file.as_file().sync_all()?;
+            Ok(persist(file.into_temp_path(), &at, may_replace)?)
+        };
         match self.to {
-            To::Beside(file) => interrupt::undisturbed(&[&destination.shown], || {
-                destination
-                    .end(file)
-                    .map_err(|error| destination.failed(&error))
-            }),
             To::Device(_) => Ok(()),
-            To::Memory(content) => destination.put(&content),
+            To::Memory(content) => {
+                running().host.keep(&shown, content);
+                Ok(())
+            }
+            To::Beside(file) => rename(file).map_err(|error| match error.kind() {
+                ErrorKind::AlreadyExists => refused(
+                    &shown,
+                    "it was made by another program while this command ran; use `overwrite` to \
+                     replace it",
+                ),
+                _ => unwritable(&shown, &error),
+            }),
         }
     }
 }
@@ -368,7 +364,7 @@ impl Pieces {
 /// A folder that the rule allows to write.
 #[derive(Clone, Debug)]
 pub struct Folder {
-    path: PathBuf,
+    pub path: PathBuf,
     rule: Rule,
 }
 
@@ -380,7 +376,11 @@ impl Folder {
     /// The errors of [`Rule::file`] and [`Destination::write`].
     pub fn write<'a>(&self, files: impl IntoIterator<Item = (&'a str, &'a [u8])>) -> Result<usize> {
         if self.is_in_memory() {
-            return Ok(self.keep(files));
+            let host = &running().host;
+            let keep = |(name, bytes): (&str, &[u8])| {
+                host.keep(&self.path.join(name), bytes.to_vec());
+            };
+            return Ok(files.into_iter().map(keep).count());
         }
         let ancestors = self.path.ancestors();
         let created: Vec<_> = ancestors.take_while(|folder| !folder.exists()).collect();
@@ -401,43 +401,20 @@ impl Folder {
         fs::create_dir_all(&self.path).map_err(|error| unwritable(&self.path, &error))?;
         let place = |(name, bytes)| Ok((self.rule.place(&self.path.join(name))?, bytes));
         let files = files.into_iter().map(place).collect::<Result<Vec<_>>>()?;
-        interrupt::undisturbed(&[&self.path], || {
+        interrupt::undisturbed(&self.path, || {
             // a full disk leaves no file in place: all are written before the first is renamed
-            let mut staged = vec![];
-            for (destination, bytes) in &files {
-                if destination.is_file() {
-                    let file = destination.stage(bytes);
-                    staged.push((
-                        destination,
-                        file.map_err(|error| destination.failed(&error))?,
-                    ));
-                } else {
-                    destination.put(bytes)?;
-                }
-            }
-            for (destination, file) in staged {
-                let ended = destination.end(file);
-                ended.map_err(|error| destination.failed(&error))?;
-            }
+            let staged = files
+                .iter()
+                .map(|(destination, bytes)| destination.stage(bytes))
+                .collect::<Result<Vec<_>>>()?;
+            staged.into_iter().try_for_each(Pieces::put_in_place)?;
             Ok(files.len())
         })
-    }
-
-    /// Gives the files to the host, which keeps them in memory.
-    fn keep<'a>(&self, files: impl IntoIterator<Item = (&'a str, &'a [u8])>) -> usize {
-        let host = &running().host;
-        let keep = |(name, bytes): (&str, &[u8])| host.keep(&self.path.join(name), bytes.to_vec());
-        files.into_iter().map(keep).count()
     }
 
     /// Returns true for a folder that the caller of the command keeps in memory.
     fn is_in_memory(&self) -> bool {
         running().host.keeps(&self.path)
-    }
-
-    /// The path of the folder.
-    pub fn path(&self) -> &Path {
-        &self.path
     }
 }
 

@@ -67,7 +67,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 
     let found: Vec<_> = of.into_iter().zip(each).collect();
     let report = GradientReport::new(&found, &wrt);
-    let answer = Answer::report(&report, &request.origin(), warnings, request.is_json());
+    let answer = Answer::report(&report, &request.origin(), warnings, request.is_json);
     Ok(answer.found(is_complete))
 }
 

@@ -97,9 +97,11 @@ pub trait Host: Send + Sync {
     /// Announces that the following work cannot be interrupted.
     fn cannot_stop(&self) {}
 
-    /// Prevents the end of the process while files that belong together are written.
-    fn hold(&self) -> Box<dyn Hold + '_> {
-        Box::new(())
+    /// Prevents the end of the process until the returned function is called or dropped, while
+    /// a file, or files of a folder that belong together, are written. A call reports that the file
+    /// or folder is complete.
+    fn hold(&self) -> Box<dyn FnOnce(&Path) + '_> {
+        Box::new(|_| ())
     }
 
     /// Announces long work, and returns what receives its progress. `--quiet` suppresses it.
@@ -108,13 +110,14 @@ pub trait Host: Send + Sync {
     }
 }
 
-/// Prevents the end of the process while it exists.
-pub trait Hold {
-    /// Reports that these files are complete.
-    fn written(&mut self, _files: &[&Path]) {}
-}
+/// A host that discards what it receives.
+impl Host for () {
+    fn print(&self, _: &str) -> io::Result<()> {
+        Ok(())
+    }
 
-impl Hold for () {}
+    fn say(&self, _: Kind, _: &str) {}
+}
 
 /// The work whose progress a host may show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

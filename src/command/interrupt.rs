@@ -21,10 +21,10 @@ pub fn ends() {
 }
 
 /// Writes a file, or several files that belong together, without an interruption between them.
-pub fn undisturbed<T, E>(files: &[&Path], write: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
+pub fn undisturbed<T, E>(path: &Path, write: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
     let running = running();
-    let mut hold = running.host.hold();
+    let hold = running.host.hold();
     let written = write()?;
-    hold.written(files);
+    hold(path);
     Ok(written)
 }

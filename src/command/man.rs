@@ -42,7 +42,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     tell(&format!(
         "wrote {} into {}",
         counted(written as u64, "page"),
-        folder.path().display()
+        folder.path.display()
     ));
     Ok(Answer::text(String::new()))
 }

@@ -7,22 +7,18 @@
 
 use clap::{Arg, Command};
 
-/// An argument of a request, as it appears in a message.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Argument<'a> {
-    /// The name with underscores: `subject_to`.
-    pub name: &'a str,
-    /// The value, if the message gives one.
-    pub value: Option<&'a str>,
-    /// True if the argument takes a value; `overwrite` takes none.
-    pub takes_value: bool,
-}
-
 /// A mention of an argument or a command in a message. Each host has its own syntax for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mention<'a> {
     /// An argument of a request.
-    Argument(Argument<'a>),
+    Argument {
+        /// The name with underscores: `subject_to`.
+        name: &'a str,
+        /// The value, if the message gives one.
+        value: Option<&'a str>,
+        /// True if the argument takes a value; `overwrite` takes none.
+        takes_value: bool,
+    },
     /// A command of the program, such as `parameters`.
     Command(&'a str),
 }
@@ -30,9 +26,9 @@ pub enum Mention<'a> {
 impl Mention<'_> {
     /// The syntax of the command line: `--vary club.loft=4deg..20deg`.
     pub fn in_words_of_the_program(self) -> String {
-        let Argument { name, value, .. } = match self {
+        let (name, value) = match self {
             Mention::Command(name) => return format!("'longdrive {name}'"),
-            Mention::Argument(argument) => argument,
+            Mention::Argument { name, value, .. } => (name, value),
         };
         let option = match name {
             "output" => "-o".into(),
@@ -110,11 +106,11 @@ fn mention<'a>(program: &Command, inside: &'a str) -> Option<Mention<'a>> {
         .split_once(' ')
         .map_or((inside, None), |(name, value)| (name, Some(value)));
     let takes_value = option(program, name)?.get_action().takes_values();
-    Some(Mention::Argument(Argument {
+    Some(Mention::Argument {
         name,
         value,
         takes_value,
-    }))
+    })
 }
 
 /// The option with this name, of a command or its subcommands; `name` has underscores.

@@ -85,8 +85,8 @@ mod wording;
 pub use crate::input_file::{MemoryFiles, with_memory_files};
 pub use call::{Call, Value, quantity_of, quantity_of_goal, with_degrees};
 pub use described::described;
-pub use host::{Hold, Host, Kind, Progress, SharedProgress, Work};
-pub use mention::{Argument, Mention, mark_options};
+pub use host::{Host, Kind, Progress, SharedProgress, Work};
+pub use mention::{Mention, mark_options};
 pub use run::{call, run};
 #[cfg(feature = "cli")]
 pub use run::{main, run_in_terminal};

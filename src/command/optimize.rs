@@ -21,7 +21,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     request.note_starts(&setup, &search.vary);
     let setup = request.for_many(setup, &search.vary)?;
     let output = args.destination(&request)?;
-    let optima = args.work.run(&setup, &search)?;
+    let optima = args.optima(&setup, &search)?;
     let best = &optima.best;
     if let Some(moved) = best.moved_start() {
         tell(&moved);
@@ -46,7 +46,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         windows,
         club_alone: club.as_ref(),
     });
-    let answer = if request.is_json() {
+    let answer = if request.is_json {
         let mut reply = OptimumReport::reply(&optima, &over, warnings);
         if let Some(around) = &around {
             reply.body = reply.body.with_surroundings(best, around);
@@ -66,7 +66,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 impl Args {
     /// The destination of the setup file of the optimum.
     pub fn destination(&self, request: &Request) -> Result<Option<Destination>> {
-        let inputs = request.inputs().chain(self.work.checkpoint.clone());
+        let inputs = request.inputs().chain(self.checkpoint.clone());
         Rule::new(inputs, self.overwrite).setup_file(self.output.as_deref())
     }
 }

@@ -42,7 +42,6 @@ pub fn run(args: &Args) -> Result<Answer> {
         setup_args,
         search,
         swings,
-        work,
         ..
     } = &args.optimize;
     swings.refuse_stray()?;
@@ -57,7 +56,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let origin = request
         .origin_of_search(&search.vary)
         .with_held(&held, &setup);
-    let optima = work.run(&setup, &search)?;
+    let optima = args.optimize.optima(&setup, &search)?;
     let best = &optima.best;
     let written = write(output.as_ref(), &request, &optima, None)?;
     if let Some(moved) = best.moved_start() {
@@ -80,7 +79,7 @@ pub fn run(args: &Args) -> Result<Answer> {
             found => analysis = Some(found?),
         }
     }
-    let answer = if request.is_json() {
+    let answer = if request.is_json {
         let mut reply = match &analysis {
             Some(analysis) => SensitivityReport::reply(&optima, analysis, warnings),
             None => SensitivityReport::none(&optima, reason.as_ref(), warnings),
@@ -103,10 +102,7 @@ fn refuse_swings(swings: &SwingsArgs) -> Result<()> {
     }
     let source = "the sensitivity of an optimum is computed for one drive; leave it out, or use \
          \"optimize\"";
-    Err(Error::Unreadable {
-        name: "`swings` or `distribution`".into(),
-        source: source.into(),
-    })
+    Err(Error::unreadable("`swings` or `distribution`", source))
 }
 
 /// The requested derivatives and changes.
@@ -175,15 +171,13 @@ fn analyse(
 }
 
 fn loss(of: Outcome, text: &str) -> Result<f64> {
-    let refuse = |source| Error::Unreadable {
-        name: format!("`loss {text}`"),
-        source,
-    };
+    let name = format!("`loss {text}`");
     match of.quantity().read(text) {
         Ok(loss) if loss > 0.0 && loss.is_finite() => Ok(loss),
-        Ok(_) => Err(refuse(
-            "it must be above 0 and finite, for example 1yd".into(),
-        )),
-        Err(error) => Err(refuse(Box::new(error))),
+        Ok(_) => {
+            let source = "it must be above 0 and finite, for example 1yd";
+            Err(Error::unreadable(name, source))
+        }
+        Err(error) => Err(Error::unreadable(name, error)),
     }
 }

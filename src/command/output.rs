@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 /// The units of `--units`, if it is stated.
 pub fn stated_system() -> Option<System> {
-    running().stated_system()
+    running().options.units
 }
 
 /// The units of the results.
@@ -26,7 +26,7 @@ pub fn system() -> System {
 /// Reports a warning before the work of the command, and adds it to the answer.
 pub fn warn_early(warning: Message) {
     warn(std::slice::from_ref(&warning));
-    running().keep(warning);
+    running().early().push(warning);
 }
 
 /// The standard output of a command, with a flag that is true if the command found an answer.
@@ -45,7 +45,7 @@ impl Answer {
 
     pub fn json(value: &impl Serialize) -> Self {
         let mut value = with_early_warnings(value);
-        let left_out = running().left_out();
+        let left_out = running().left_out().clone();
         if let (Some(answer), false) = (value.as_object_mut(), left_out.is_empty()) {
             answer.insert("left_out".into(), left_out.into());
         }
@@ -108,7 +108,7 @@ fn with_early_warnings(answer: &impl Serialize) -> Value {
     // serialization cannot fail: keys are strings, and numbers are finite
     let mut value = serde_json::to_value(answer).unwrap_or_default();
     if let Some(warnings) = value.get_mut("warnings").and_then(Value::as_array_mut) {
-        let early = running().kept();
+        let early = running().early().clone();
         warnings.splice(0..0, early.iter().map(|warning| warning.to_string().into()));
     }
     value
@@ -147,7 +147,7 @@ pub fn tell(text: &str) {
 
 /// Adds a text about omitted results to the JSON; with `--verbose`, also reports the text.
 pub fn tell_left_out(text: &str) {
-    running().leave_out(text);
+    running().left_out().push(text.into());
     tell_detail(text);
 }
 
@@ -244,15 +244,12 @@ pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: b
 /// The error for an argument that is not UTF-8.
 fn not_utf8() -> Error {
     let running = running();
-    let mut words = running.words().iter();
+    let mut words = running.words.iter();
     let word = words.find(|word| word.to_str().is_none());
     let name = word.map_or("an argument".into(), |word| word.to_string_lossy());
     let source = "its name is not UTF-8, and setups are named in UTF-8; rename the file, or give \
                   its text on standard input, as in longdrive simulate - < FILE";
-    Error::Unreadable {
-        name: name.into(),
-        source: source.into(),
-    }
+    Error::unreadable(name, source)
 }
 
 /// The parser's message with argument names in the syntax of the command's `Host`: `--width
@@ -362,7 +359,7 @@ pub fn spinner(doing: &str) -> SharedProgress {
 /// The progress of this work; hidden with `--quiet`.
 pub fn shown(work: Work<'_>) -> SharedProgress {
     let running = running();
-    match running.is_quiet() {
+    match running.options.quiet {
         true => Arc::new(()),
         false => running.host.shows(work),
     }

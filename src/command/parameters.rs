@@ -28,7 +28,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         &report,
         &request.origin(),
         setup.warnings(),
-        request.is_json(),
+        request.is_json,
     ))
 }
 

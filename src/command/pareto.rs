@@ -1,7 +1,7 @@
 //! The trade-off between two objectives: `pareto` and `plot pareto`.
 
 use crate::command::args::{SearchArgs, SetupArgs, SwingsArgs, whole};
-use crate::command::files::{Destination, Rule, refused};
+use crate::command::files::{Destination, Rule, ending, refused};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, stated_system, system, tell, warn};
@@ -9,9 +9,9 @@ use crate::command::picture::{Drawing, Target};
 use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::running::running;
-use crate::command::search::of_a_drive;
+use crate::command::search::{of_a_drive, options};
 use crate::command::swings::{goal, limit, refuse_idle_strokes, swing_ranges};
-use crate::optimize::{Iteration, Observers, Options};
+use crate::optimize::{Iteration, Observers};
 use crate::parameters::Vary;
 use crate::report::figures::pareto_figure;
 use crate::report::{ParetoReport, pareto_csv, pareto_toml};
@@ -116,7 +116,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         &report,
         &request.origin_of_search(&found.search.vary),
         warnings,
-        request.is_json(),
+        request.is_json,
     );
     Ok(answer.found(is_whole))
 }
@@ -133,12 +133,7 @@ pub fn draw(setup_args: &SetupArgs, asked: &GoalArgs, drawing: &Drawing) -> Resu
             message,
         });
     }
-    target.put(
-        request.is_json(),
-        drawing,
-        &pareto_figure(&found, system()),
-        warnings,
-    )
+    target.put(request.is_json, &pareto_figure(&found, system()), warnings)
 }
 
 /// The front, with warnings about the setup and its drives.
@@ -230,7 +225,7 @@ fn over_swings(
         vary,
         subject_to,
         points: asked.points,
-        options: asked.options(),
+        options: options(asked.max_iterations),
     };
     Ok((set_up, search, scenarios))
 }
@@ -286,32 +281,17 @@ impl GoalArgs {
             .map(|(option, text, sense)| Ok((read(option, text)?, sense)))
             .collect::<Result<Vec<_>>>()?;
         let goals: [(Goal, Sense); 2] = goals.try_into().map_err(|all: Vec<_>| {
-            Error::Unreadable {
-            name: "the goals".into(),
-            source: format!(
+            Error::unreadable("the goals", format!(
                 "{} given, and a front has two goals; give two with `maximize` and `minimize`, for \
                  example `maximize carry` `minimize apex_height`",
                 if all.len() == 1 { "one is".into() } else { format!("{} are", all.len()) }
-            )
-            .into(),
-        }
+            ))
         })?;
         if goals[0].0.terms == goals[1].0.terms {
-            let source = "both are the same; give another one".into();
-            return Err(Error::Unreadable {
-                name: "the goals".into(),
-                source,
-            });
+            let source = "both are the same; give another one";
+            return Err(Error::unreadable("the goals", source));
         }
         Ok(goals)
-    }
-
-    fn options(&self) -> Options {
-        let options = Options::default();
-        Options {
-            max_iterations: self.max_iterations.unwrap_or(options.max_iterations),
-            ..options
-        }
     }
 }
 
@@ -329,12 +309,9 @@ impl Output {
         let Some(path) = &args.output else {
             return Ok(None);
         };
-        let ending = path
-            .extension()
-            .map(|ending| ending.to_string_lossy().to_lowercase());
-        let is_setup = match ending.as_deref() {
-            Some("toml") => true,
-            Some("csv") => false,
+        let is_setup = match ending(path).as_str() {
+            "toml" => true,
+            "csv" => false,
             _ => {
                 return Err(refused(
                     path,
@@ -343,10 +320,7 @@ impl Output {
                 ));
             }
         };
-        let refuse = |source: &str| Error::Unreadable {
-            name: "`at`".into(),
-            source: source.into(),
-        };
+        let refuse = |source: &str| Error::unreadable("`at`", source);
         let at = match args.at.as_deref().map(str::trim) {
             Some(_) if !is_setup => {
                 return Err(refuse(
@@ -407,7 +381,7 @@ impl Output {
             warnings.push(format!("{file} is not written: {why}").into());
             return Ok(None);
         };
-        let toml = pareto_toml(found, place, request.source().preset())?;
+        let toml = pareto_toml(found, place, request.source.preset())?;
         self.destination
             .write(request.with_stated_step(toml)?.as_bytes())?;
         tell(&format!(

@@ -1,13 +1,13 @@
 //! Destinations of pictures, and their formats.
 
 use crate::command::args::whole;
-use crate::command::files::{Destination, Rule};
+use crate::command::files::{Destination, Rule, ending};
 use crate::command::output::{Answer, stated_system, system, tell, warn};
 use crate::command::request::Request;
 #[cfg(not(feature = "png"))]
 use crate::features::how_to_get;
 use crate::report::Reply;
-use crate::report::plot::{Figure, Look, Shades, figure_csv_in, figure_svg};
+use crate::report::plot::{Figure, Look, figure_csv_in, figure_svg};
 use crate::units::Message;
 use crate::{Drive, Error, Result, Setup};
 use serde::Serialize;
@@ -66,19 +66,16 @@ enum Format {
 impl Format {
     /// The format of a file, by its extension.
     fn of(file: &Path) -> Result<Self> {
-        let ending = file
-            .extension()
-            .map(|ending| ending.to_string_lossy().to_lowercase());
-        match ending.as_deref() {
-            Some("svg") => Ok(Self::Svg),
+        match ending(file).as_str() {
+            "svg" => Ok(Self::Svg),
             #[cfg(feature = "png")]
-            Some("png") => Ok(Self::Png),
+            "png" => Ok(Self::Png),
             #[cfg(not(feature = "png"))]
-            Some("png") => Err(Error::Plot {
+            "png" => Err(Error::Plot {
                 name: file.display().to_string(),
                 reason: how_to_get("png"),
             }),
-            Some("csv") => Ok(Self::Csv),
+            "csv" => Ok(Self::Csv),
             _ => Err(Error::Plot {
                 name: file.display().to_string(),
                 reason: "its extension does not name a format; use .svg or .png for a picture, or \
@@ -90,33 +87,40 @@ impl Format {
 }
 
 /// The destination of a plot, with its format.
-pub struct Target {
+pub struct Target<'a> {
+    drawing: &'a Drawing,
     format: Format,
     destination: Destination,
 }
 
-impl Target {
+impl<'a> Target<'a> {
     /// The checked destination of a plot of this request.
-    pub fn new(request: &Request, drawing: &Drawing) -> Result<Self> {
+    pub fn new(request: &Request, drawing: &'a Drawing) -> Result<Self> {
         Self::beside(request.inputs(), drawing)
     }
 
     /// The checked destination of a plot that reads these files.
-    pub fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &Drawing) -> Result<Self> {
+    pub fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &'a Drawing) -> Result<Self> {
         let format = Format::of(&drawing.output)?;
         if let (Format::Csv, [option, ..]) = (format, drawing.look().as_slice()) {
             let source = "it applies to pictures, and a .csv file has only the data; leave it out, \
                           or write a .svg or .png file";
-            return Err(Error::Unreadable {
-                name: (*option).into(),
-                source: source.into(),
-            });
+            return Err(Error::unreadable(*option, source));
         }
         let rule = Rule::new(inputs, drawing.overwrite);
         Ok(Self {
+            drawing,
             format,
             destination: rule.file(&drawing.output)?,
         })
+    }
+
+    /// The error of a plot that has nothing to show.
+    pub fn refused(&self, reason: impl Into<String>) -> Error {
+        Error::Plot {
+            name: self.drawing.output.display().to_string(),
+            reason: reason.into(),
+        }
     }
 
     /// Writes the plot; `of_optima` are the warnings about its optima, in addition to the warnings
@@ -125,33 +129,22 @@ impl Target {
         &self,
         request: &Request,
         setup: &Setup<f64>,
-        drawing: &Drawing,
         figure: &Figure,
         of_optima: Vec<Message>,
     ) -> Result<Answer> {
         let mut warnings =
             Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(setup));
         warnings.extend(of_optima);
-        self.put(request.is_json(), drawing, figure, warnings)
+        self.put(request.is_json, figure, warnings)
     }
 
     /// Writes the plot and reports these warnings.
-    pub fn put(
-        &self,
-        is_json: bool,
-        drawing: &Drawing,
-        figure: &Figure,
-        warnings: Vec<Message>,
-    ) -> Result<Answer> {
+    pub fn put(&self, is_json: bool, figure: &Figure, warnings: Vec<Message>) -> Result<Answer> {
+        let drawing = self.drawing;
         warn(&warnings);
-        let shades = if drawing.dark {
-            Shades::Dark
-        } else {
-            Shades::Light
-        };
         let look = Look {
             system: system(),
-            shades,
+            is_dark: drawing.dark,
             width: drawing.width.unwrap_or(WIDTH),
         };
         let bytes = match self.format {

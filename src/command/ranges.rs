@@ -8,7 +8,8 @@ use crate::{Error, Result, Setup};
 /// The default ranges of a command. A parameter that the command line states is not varied.
 pub struct DefaultRanges {
     vary: Vec<Vary>,
-    held: Vec<&'static Parameter>,
+    /// The parameters that the command line states.
+    pub held: Vec<&'static Parameter>,
 }
 
 impl DefaultRanges {
@@ -51,11 +52,6 @@ impl DefaultRanges {
         self
     }
 
-    /// The parameters that the command line states.
-    pub fn held(&self) -> &[&'static Parameter] {
-        &self.held
-    }
-
     /// The reason why `vary` is empty; `None` if it has a range.
     pub fn reason(&self) -> Option<String> {
         if !self.vary.is_empty() {
@@ -86,10 +82,7 @@ impl DefaultRanges {
     pub fn vary(self) -> Result<Vec<Vary>> {
         match self.reason() {
             None => Ok(self.vary),
-            Some(reason) => Err(Error::Unreadable {
-                name: "`vary`".into(),
-                source: reason.into(),
-            }),
+            Some(reason) => Err(Error::unreadable("`vary`", reason)),
         }
     }
 }

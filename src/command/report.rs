@@ -77,14 +77,14 @@ pub fn run(args: &Args) -> Result<Answer> {
     let mut findings = Findings {
         explorer,
         system: system(),
-        command: command_line(running().words()),
+        command: command_line(&running().words),
         date,
         ..Findings::new(
             name_of(&request),
             inputs.stated,
             inputs.setup,
             inputs.of,
-            request.source().preset(),
+            request.source.preset(),
         )
     };
     add_sections(&mut findings, &inputs, &bar)?;
@@ -112,7 +112,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 /// The link to the explorer: its page with the drive as set up, or the command that serves the
 /// page. `None` for a setup that the explorer cannot represent.
 fn explorer_link(request: &Request, setup: &Setup<f64>) -> Option<ExplorerLink> {
-    let state = explorer_state(setup, request.source().preset(), system()).ok()?;
+    let state = explorer_state(setup, request.source.preset(), system()).ok()?;
     if compiled_in().is_some() {
         return Some(ExplorerLink::State(state));
     }
@@ -194,8 +194,8 @@ fn add_sections(findings: &mut Findings, inputs: &Inputs, bar: &SharedProgress) 
 
 /// The name of the setup. For a file, omit the folder (privacy).
 fn name_of(request: &Request) -> String {
-    Path::new(request.source().name()).file_name().map_or_else(
-        || request.source().argument.clone(),
+    Path::new(request.source.name()).file_name().map_or_else(
+        || request.source.argument.clone(),
         |name| name.to_string_lossy().into_owned(),
     )
 }
@@ -396,10 +396,7 @@ impl Args {
         };
         let source = "it is an option of the search for an optimum; give `vary` too, for example \
                       launch.launch_angle=5deg..20deg, or leave it out";
-        Err(Error::Unreadable {
-            name: option.into(),
-            source: source.into(),
-        })
+        Err(Error::unreadable(option, source))
     }
 }
 

@@ -102,7 +102,7 @@ pub fn write(folder: &Folder, report: &impl Report, system: System) -> Result<()
     tell(&format!(
         "wrote {} into {}",
         counted(count as u64, "file"),
-        folder.path().display()
+        folder.path.display()
     ));
     Ok(())
 }

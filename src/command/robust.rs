@@ -6,7 +6,7 @@ use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, tell, tell_detail, warn};
 use crate::command::request::Request;
-use crate::command::swings::{ranges, searched};
+use crate::command::swings::{searched, swing_ranges};
 use crate::optimize::Observers;
 use crate::report::{RobustReport, robust_toml};
 use crate::study::swings::{Model, robust};
@@ -67,7 +67,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let (setup, search) = args.search(&request)?;
     let within = args.within(&search.of)?;
     request.note_starts(&setup, &search.vary);
-    let ranges = ranges(&search);
+    let ranges = swing_ranges(&search.vary, &search.scenarios);
     let mut models = args.models(&setup, &search)?;
     for model in &mut models {
         model.setup = request.for_many(model.setup, &ranges)?;
@@ -89,7 +89,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     if let Some(output) = &output {
         let file = output.path().display().to_string();
         if is_found {
-            let toml = robust_toml(&found, within, request.source().preset())?;
+            let toml = robust_toml(&found, within, request.source.preset())?;
             output.write(request.with_stated_step(toml)?.as_bytes())?;
             tell(&format!(
                 "wrote the setup with the robust design into {file}"
@@ -108,7 +108,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         &report,
         &request.origin_of_search(&found.search.vary),
         warnings,
-        request.is_json(),
+        request.is_json,
     );
     Ok(answer.found(is_found))
 }
@@ -150,10 +150,8 @@ impl Args {
         let mut all = vec![Model::as_set_up(setup)];
         for text in &self.model {
             let model = Model::read(setup, text)?;
-            let refuse = |source: String| Error::Unreadable {
-                name: format!("`model` {}", model.name),
-                source: source.into(),
-            };
+            let refuse =
+                |source: String| Error::unreadable(format!("`model` {}", model.name), source);
             if let Some(same) = all.iter().find(|other| other.setup == model.setup) {
                 return Err(refuse(format!(
                     "it is the same as '{}'; leave it out",
@@ -186,17 +184,14 @@ impl Args {
         let Some(text) = &self.within else {
             return Ok((of.quantity.si == Quantity::LENGTH.si).then_some(YARD));
         };
-        let refuse = |source: Box<dyn std::error::Error + Send + Sync>| Error::Unreadable {
-            name: "`within`".into(),
-            source,
-        };
         let within = of
             .quantity
             .read_difference(text)
-            .map_err(|error| refuse(Box::new(error)))?;
+            .map_err(|error| Error::unreadable("`within`", error))?;
         if within.is_finite() && within >= 0.0 {
             return Ok(Some(within));
         }
-        Err(refuse(format!("{text} must be 0 or more").into()))
+        let source = format!("{text} must be 0 or more");
+        Err(Error::unreadable("`within`", source))
     }
 }

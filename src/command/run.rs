@@ -1,5 +1,6 @@
 //! Runs command lines and requests.
 
+use super::args::OutputOptions;
 use super::call::{Call, with_degrees};
 use super::host::Host;
 use super::output::{Answer, complain, explain};
@@ -39,7 +40,9 @@ pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
 pub fn call(call: &Call, host: Arc<dyn Host>) -> u8 {
     match call.command_line() {
         Ok(line) => run_words(line.words, host, &line.bare_angles),
-        Err(error) => within(program(), host, None, &[], || complain(&error, "", true)),
+        Err(error) => within(program(), host, OutputOptions::default(), &[], || {
+            complain(&error, "", true)
+        }),
     }
 }
 
@@ -50,7 +53,7 @@ fn run_words(words: Vec<OsString>, host: Arc<dyn Host>, bare_angles: &[f64]) -> 
         Err(error) => {
             let command = named_in(words.get(1..).unwrap_or_default());
             let is_json = words.iter().any(|word| word == "--json");
-            return within(program(), host, None, &words, || {
+            return within(program(), host, OutputOptions::default(), &words, || {
                 explain(error, command, is_json)
             });
         }
@@ -67,8 +70,8 @@ fn run_words(words: Vec<OsString>, host: Arc<dyn Host>, bare_angles: &[f64]) -> 
             complain(&error, name, is_json)
         }
     };
-    let shown = Some(request.output.clone());
-    within(program(), host, shown, &words, || {
+    let options = request.output.clone();
+    within(program(), host, options, &words, || {
         with_memory_files(files, work)
     })
 }

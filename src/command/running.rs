@@ -10,16 +10,16 @@ use crate::units::{Message, System};
 use clap::Command;
 use std::cell::RefCell;
 use std::ffi::OsString;
-use std::sync::{Arc, LazyLock, Mutex, PoisonError};
+use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError};
 
 /// A command with its host.
 pub struct Running {
     /// The program, with the options of all commands.
     pub program: &'static Command,
     pub host: Arc<dyn Host>,
-    shown: Option<OutputOptions>,
+    pub options: OutputOptions,
     /// The arguments, without the name of the program.
-    words: Vec<OsString>,
+    pub words: Vec<OsString>,
     /// Warnings from before the work of the command, about its automatic choices.
     early: Mutex<Vec<Message>>,
     /// Parameters that the answer leaves out, with the reasons.
@@ -47,12 +47,12 @@ impl Drop for PopOnDrop {
 pub fn within<T>(
     program: &'static Command,
     host: Arc<dyn Host>,
-    shown: Option<OutputOptions>,
+    options: OutputOptions,
     words: &[OsString],
     work: impl FnOnce() -> T,
 ) -> T {
     let words = words.get(1..).unwrap_or_default().to_vec();
-    let running = Running::of(program, host, shown, words);
+    let running = Running::of(program, host, options, words);
     RUNNING.with_borrow_mut(|all| all.push(Arc::new(running)));
     let _ended = PopOnDrop;
     work()
@@ -67,18 +67,7 @@ fn default_host() -> Arc<dyn Host> {
 /// The host of a thread without a command.
 #[cfg(not(feature = "cli"))]
 fn default_host() -> Arc<dyn Host> {
-    /// A host that discards what it receives.
-    struct Nobody;
-
-    impl Host for Nobody {
-        fn print(&self, _: &str) -> std::io::Result<()> {
-            Ok(())
-        }
-
-        fn say(&self, _: Kind, _: &str) {}
-    }
-
-    Arc::new(Nobody)
+    Arc::new(())
 }
 
 /// The innermost command of this thread. A thread without a command gets a command of the default
@@ -89,20 +78,27 @@ pub fn running() -> Arc<Running> {
     static NO_COMMAND: LazyLock<Command> = LazyLock::new(|| Command::new("longdrive"));
     RUNNING
         .with_borrow(|all| all.last().cloned())
-        .unwrap_or_else(|| Arc::new(Running::of(&NO_COMMAND, default_host(), None, vec![])))
+        .unwrap_or_else(|| {
+            Arc::new(Running::of(
+                &NO_COMMAND,
+                default_host(),
+                OutputOptions::default(),
+                vec![],
+            ))
+        })
 }
 
 impl Running {
     fn of(
         program: &'static Command,
         host: Arc<dyn Host>,
-        shown: Option<OutputOptions>,
+        options: OutputOptions,
         words: Vec<OsString>,
     ) -> Self {
         Self {
             program,
             host,
-            shown,
+            options,
             words,
             early: Mutex::default(),
             left_out: Mutex::default(),
@@ -110,81 +106,45 @@ impl Running {
         }
     }
 
-    /// The units that `--units` states, if any.
-    pub fn stated_system(&self) -> Option<System> {
-        self.shown.as_ref().and_then(|shown| shown.units)
-    }
-
     /// The units of the results.
     pub fn system(&self) -> System {
-        self.stated_system().unwrap_or_default()
-    }
-
-    pub fn is_quiet(&self) -> bool {
-        self.shown.as_ref().is_some_and(|shown| shown.quiet)
+        self.options.units.unwrap_or_default()
     }
 
     pub fn is_verbose(&self) -> bool {
-        self.shown.as_ref().is_some_and(|shown| shown.verbose) || self.host.receives_details()
+        self.options.verbose || self.host.receives_details()
     }
 
     /// The width and the detail of answers as text.
     pub fn text_options(&self) -> TextOptions {
         TextOptions {
             width: self.host.width(),
-            all: self.shown.as_ref().is_some_and(|shown| shown.all),
+            all: self.options.all,
             verbose: self.is_verbose(),
         }
     }
 
     /// True if tables are to fit a screen.
     pub fn is_for_a_screen(&self) -> bool {
-        self.host.is_screen() && !self.text_options().all
-    }
-
-    /// The arguments.
-    pub fn words(&self) -> &[OsString] {
-        &self.words
+        self.host.is_screen() && !self.options.all
     }
 
     /// Reports a remark or progress, unless `--quiet` is given.
     pub fn tell(&self, text: &str) {
-        if !self.is_quiet() {
+        if !self.options.quiet {
             let text = with_mentions_of(self.program, text, |mention| self.host.mention(mention));
             self.host.say(Kind::Note, &text);
         }
     }
 
-    /// Stores a warning. It comes first in the answer.
-    pub fn keep(&self, warning: Message) {
-        self.early
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .push(warning);
+    /// The warnings from before the work of the command. They come first in the answer.
+    pub fn early(&self) -> MutexGuard<'_, Vec<Message>> {
+        self.early.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The stored warnings.
-    pub fn kept(&self) -> Vec<Message> {
-        self.early
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .clone()
-    }
-
-    /// Stores a text about omitted results, for JSON.
-    pub fn leave_out(&self, text: &str) {
-        self.left_out
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .push(text.to_owned());
-    }
-
-    /// The texts that [`Self::leave_out`] stored.
-    pub fn left_out(&self) -> Vec<String> {
-        self.left_out
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .clone()
+    /// The texts about omitted results, for JSON.
+    pub fn left_out(&self) -> MutexGuard<'_, Vec<String>> {
+        self.left_out.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The text of the setup named `-`, which is read once.

@@ -1,6 +1,6 @@
 //! Searches, with their progress and checkpoints.
 
-use crate::command::args::{SearchArgs, WorkArgs};
+use crate::command::args::{OptimizeArgs, SearchArgs};
 use crate::command::files::Destination;
 use crate::command::host::{SharedProgress, Work};
 use crate::command::interrupt::{self, BEST_SO_FAR};
@@ -46,7 +46,6 @@ impl SearchArgs {
                 .collect::<Result<_>>()?,
         };
         let (of, sense) = self.sought()?;
-        let options = Options::default();
         let search = Search {
             of: of.into(),
             sense,
@@ -57,10 +56,7 @@ impl SearchArgs {
                 .map(|text| Constraint::read(text))
                 .collect::<Result<_>>()?,
             scenarios: Scenarios::one_drive(),
-            options: Options {
-                max_iterations: self.max_iterations.unwrap_or(options.max_iterations),
-                ..options
-            },
+            options: options(self.max_iterations),
         };
         tell_of_the_run(&search.outcomes());
         Ok(search)
@@ -76,7 +72,7 @@ impl SearchArgs {
             return Ok(vec![]);
         }
         let ranges = DefaultRanges::longest_drive(request, setup)?;
-        Ok(ranges.held().to_vec())
+        Ok(ranges.held)
     }
 
     /// The reason why there is nothing to vary without `--vary`; `None` otherwise.
@@ -115,10 +111,7 @@ impl SearchArgs {
             "a search has one goal; leave one of `maximize {most}` and `minimize {least}` out, or \
              take the command \"pareto\", which finds the best compromises of the two"
         );
-        Err(Error::Unreadable {
-            name: "`minimize`".into(),
-            source: source.into(),
-        })
+        Err(Error::unreadable("`minimize`", source))
     }
 
     /// The names of the stated options.
@@ -138,9 +131,9 @@ impl SearchArgs {
     }
 }
 
-impl WorkArgs {
+impl OptimizeArgs {
     /// Runs the search, with its progress on standard error.
-    pub fn run(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
+    pub fn optima(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
         let found = self.searched(setup, search, &self.follow(setup, search)?);
         interrupt::ends();
         found
@@ -228,7 +221,7 @@ pub fn write(
         ))]);
         return Ok(None);
     }
-    let toml = optimum_toml(optima, swings, request.source().preset())?;
+    let toml = optimum_toml(optima, swings, request.source.preset())?;
     output.write(request.with_stated_step(toml)?.as_bytes())?;
     let place = match swings {
         Some(_) => "with the best design",
@@ -238,6 +231,15 @@ pub fn write(
     Ok(Some(file.to_string()))
 }
 
+/// The options of a search with this limit of iterations, or with the default limit.
+pub fn options(max_iterations: Option<u64>) -> Options {
+    let options = Options::default();
+    Options {
+        max_iterations: max_iterations.unwrap_or(options.max_iterations),
+        ..options
+    }
+}
+
 /// The outcome in `text`, an option of a single drive. A goal over many swings needs their
 /// distribution.
 pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
@@ -245,12 +247,9 @@ pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
         true => {
             let source = format!(
                 "{text} is of many swings; give these too, with `swings FILE` or \
-                         `distribution NAME=KIND(…)`"
+                 `distribution NAME=KIND(…)`"
             );
-            Error::Unreadable {
-                name: option.into(),
-                source: source.into(),
-            }
+            Error::unreadable(option, source)
         }
         false => error,
     })

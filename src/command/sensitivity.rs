@@ -67,17 +67,16 @@ pub fn run(args: &Args) -> Result<Answer> {
     // the reasons for missing values in the table
     let unflown = found.first().map(|effects| unflown(&setup, &of, effects));
     warnings.add(unflown.into_iter().flatten());
-    let totals = best.as_ref().map(Totals::at).transpose()?;
-    warnings.add(totals.iter().flat_map(Totals::missing));
-    let slopes = totals
-        .as_ref()
-        .map(|totals| (totals.of, totals.slopes.as_slice()));
-    let report = EffectsReport::new(&found, best.as_ref(), slopes);
+    let slopes = best.as_ref().map(total_slopes).transpose()?;
+    warnings.add(slopes.iter().flat_map(|slopes| missing_slopes(slopes)));
+    let totals = best.as_ref().zip(slopes.as_deref());
+    let totals = totals.map(|(best, slopes)| (best.search.outcome(), slopes));
+    let report = EffectsReport::new(&found, best.as_ref(), totals);
     Ok(Answer::report(
         &report,
         &request.origin(),
         warnings.into_vec(),
-        request.is_json(),
+        request.is_json,
     ))
 }
 
@@ -85,12 +84,11 @@ pub fn run(args: &Args) -> Result<Answer> {
 fn find_optimum(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Option<Optimum>> {
     if !args.at_optimum {
         return match args.search.given().first() {
-            Some(option) => Err(Error::Unreadable {
-                name: (*option).into(),
-                source: "it is an option of the search for an optimum; add `at_optimum`, or leave \
-                         it out"
-                    .into(),
-            }),
+            Some(option) => Err(Error::unreadable(
+                *option,
+                "it is an option of the search for an optimum; add `at_optimum`, or leave \
+                 it out",
+            )),
             None => Ok(None),
         };
     }
@@ -107,40 +105,29 @@ fn find_optimum(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Op
     Ok(Some(found))
 }
 
-/// Total derivatives of an optimum: the varied parameters are re-optimized.
-struct Totals {
-    of: Outcome,
-    slopes: Vec<(&'static Parameter, Result<Sensitivity>)>,
+/// Total derivatives of an optimum by every parameter that is not varied and has an effect: the
+/// varied parameters are re-optimized.
+fn total_slopes(best: &Optimum) -> Result<Vec<(&'static Parameter, Result<Sensitivity>)>> {
+    let is_varied = |parameter: &Parameter| {
+        let mut varied = best.search.vary.iter();
+        varied.any(|vary| vary.parameter == parameter)
+    };
+    let runs = best.search.outcomes().iter().any(|of| of.needs_run());
+    let mut wrt = best.setup.variables();
+    wrt.retain(|parameter| !is_varied(parameter) && (runs || !parameter.affects_only_run()));
+    sensitivities(best, &wrt, &mut |_, _| ())
 }
 
-impl Totals {
-    /// The total derivatives by every parameter that is not varied and has an effect.
-    fn at(best: &Optimum) -> Result<Self> {
-        let is_varied = |parameter: &Parameter| {
-            let mut varied = best.search.vary.iter();
-            varied.any(|vary| vary.parameter == parameter)
-        };
-        let runs = best.search.outcomes().iter().any(|of| of.needs_run());
-        let mut wrt = best.setup.variables();
-        wrt.retain(|parameter| !is_varied(parameter) && (runs || !parameter.affects_only_run()));
-        Ok(Self {
-            of: best.search.outcome(),
-            slopes: sensitivities(best, &wrt, &mut |_, _| ())?,
-        })
-    }
-
-    /// The reasons for missing total derivatives.
-    fn missing(&self) -> Vec<Message> {
-        let reasons = self
-            .slopes
-            .iter()
-            .filter_map(|(parameter, slope)| Some((parameter.name, slope.as_ref().err()?)))
-            .map(|(name, error)| (name, error.to_string()));
-        by_reason(reasons)
-            .iter()
-            .map(|line| format!("no slope of the optimum by {line}").into())
-            .collect()
-    }
+/// The reasons for missing total derivatives.
+fn missing_slopes(slopes: &[(&'static Parameter, Result<Sensitivity>)]) -> Vec<Message> {
+    let reasons = slopes
+        .iter()
+        .filter_map(|(parameter, slope)| Some((parameter.name, slope.as_ref().err()?)))
+        .map(|(name, error)| (name, error.to_string()));
+    by_reason(reasons)
+        .iter()
+        .map(|line| format!("no slope of the optimum by {line}").into())
+        .collect()
 }
 
 /// The reason for each end of an uncertainty range at which there is no drive.

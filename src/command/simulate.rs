@@ -17,6 +17,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(&warnings);
     let drive = drive?;
     let report = DriveReport::new(&setup, &drive);
-    let answer = Answer::report(&report, &request.origin(), warnings, request.is_json());
+    let answer = Answer::report(&report, &request.origin(), warnings, request.is_json);
     Ok(answer.found(matches!(drive.flight, Flight::Landed(_))))
 }

@@ -6,8 +6,8 @@ use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, system, warn};
 use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
-use crate::command::search::write;
-use crate::optimize::{Options, Status};
+use crate::command::search::{options, write};
+use crate::optimize::Status;
 use crate::parameters::Vary;
 use crate::report::{OptimumReport, Origin, OverSwings, Reply, optimize_document};
 use crate::study::swings::{
@@ -30,43 +30,23 @@ impl SwingsArgs {
         self.swings.is_some() || !self.distribution.is_empty()
     }
 
-    /// An option that needs swings, if one is given.
-    fn stray(&self) -> Option<&'static str> {
-        let given = [
+    /// # Errors
+    /// [`Error::Unreadable`] if an option needs swings, but no swings are given.
+    pub fn refuse_stray(&self) -> Result<()> {
+        let options = [
             ("`correlation`", !self.correlation.is_empty()),
             ("`scenarios`", self.scenarios.is_some()),
             ("`seed`", self.seed.is_some()),
             ("`strokes`", self.strokes.is_some()),
         ];
-        given
-            .into_iter()
-            .find(|(_, is_given)| *is_given)
-            .map(|(name, _)| name)
-    }
-
-    /// # Errors
-    /// [`Error::Unreadable`] if an option needs swings, but no swings are given.
-    pub fn refuse_stray(&self) -> Result<()> {
-        match self.stray().filter(|_| !self.is_given()) {
-            Some(option) => {
+        let mut stray = options.into_iter().filter(|(_, is_stated)| *is_stated);
+        match stray.next().filter(|_| !self.is_given()) {
+            Some((option, _)) => {
                 let source = "it is about many swings; give these too, with `swings FILE` or \
                               `distribution NAME=KIND(…)`";
-                Err(Error::Unreadable {
-                    name: option.into(),
-                    source: source.into(),
-                })
+                Err(Error::unreadable(option, source))
             }
             None => Ok(()),
-        }
-    }
-
-    /// # Errors
-    /// [`Error::Unreadable`] if correlations are given, but no distributions.
-    pub fn refuse_correlation(&self) -> Result<()> {
-        if self.correlation.is_empty() {
-            Ok(())
-        } else {
-            self.refuse_stray()
         }
     }
 
@@ -124,10 +104,7 @@ impl SwingsArgs {
                     "{} gives the swings; write it into that file, or leave `swings` out",
                     file.display()
                 );
-                return Err(Error::Unreadable {
-                    name: option.into(),
-                    source: source.into(),
-                });
+                return Err(Error::unreadable(option, source));
             }
             return Swings::open(setup, file);
         }
@@ -184,7 +161,7 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     let found = found(args, &request, setup, swings, search)?;
     interrupt::ends();
     let origin = request.origin_of_search(&found.optima.best.search.vary);
-    let answer = if request.is_json() {
+    let answer = if request.is_json {
         Answer::json(&found.reply(&origin))
     } else {
         let document = optimize_document(&found.optima, &found.over, None, system());
@@ -203,10 +180,10 @@ pub fn found(
     search: Search,
 ) -> Result<SwingsOptimum> {
     tell_of_the_run(&search.of.outcomes());
-    let setup = request.for_many(setup, &ranges(&search))?;
+    let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
     let output = args.destination(request)?;
-    let follow = args.work.follow(&setup, &search)?;
-    let optima = args.work.searched(&setup, &search, &follow)?;
+    let follow = args.follow(&setup, &search)?;
+    let optima = args.searched(&setup, &search, &follow)?;
     let best = &optima.best;
     let stop = follow.0.interrupt;
     let is_found = best.solution.status == Status::Converged;
@@ -289,18 +266,13 @@ pub fn sought(
         strokes,
         std::iter::once(&of).chain(subject_to.iter().map(|limit: &Constraint| &limit.goal)),
     )?;
-    let options = Options::default();
-    let options = Options {
-        max_iterations: search.max_iterations.unwrap_or(options.max_iterations),
-        ..options
-    };
     Ok(Search {
         of,
         sense,
         vary,
         subject_to,
         scenarios: Scenarios::one_drive(),
-        options,
+        options: options(search.max_iterations),
     })
 }
 
@@ -312,10 +284,7 @@ pub fn refuse_idle_strokes<'a>(
     if strokes.is_some() && goals.all(|goal| goal.strokes().next().is_none()) {
         let source = "no goal uses strokes; write for example `minimize \"strokes(400yd)\"`, or \
                       leave it out";
-        return Err(Error::Unreadable {
-            name: "`strokes`".into(),
-            source: source.into(),
-        });
+        return Err(Error::unreadable("`strokes`", source));
     }
     Ok(())
 }
@@ -339,21 +308,13 @@ pub fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal>
             reason,
         } => {
             let source = format!("{reason}\n  {expression}\n  {}^", " ".repeat(column));
-            Error::Unreadable {
-                name: option.into(),
-                source: source.into(),
-            }
+            Error::unreadable(option, source)
         }
         error => error,
     })
 }
 
 /// Ranges of the drives in a search: ranges of the varied parameters and of the swings.
-pub fn ranges(search: &Search) -> Vec<Vary> {
-    swing_ranges(&search.vary, &search.scenarios)
-}
-
-/// Ranges of the varied parameters and of the swings.
 pub fn swing_ranges(vary: &[Vary], scenarios: &Scenarios) -> Vec<Vary> {
     let vary = vary.iter().copied();
     vary.chain(scenarios.ranges()).collect()

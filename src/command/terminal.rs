@@ -5,8 +5,7 @@
 //! - Files are complete or absent. A message names the files that were completed before.
 //! - A second Ctrl-C ends the program at once.
 
-use super::host::{Hold, Host, Kind};
-use super::host::{Progress, SharedProgress, Work};
+use super::host::{Host, Kind, Progress, SharedProgress, Work};
 use super::{colour, width};
 use crate::report::{Reply, remark};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -168,73 +167,61 @@ impl Host for Terminal {
         self.now().work = None;
     }
 
-    fn hold(&self) -> Box<dyn Hold + '_> {
-        Box::new(self.now())
+    fn hold(&self) -> Box<dyn FnOnce(&Path) + '_> {
+        let mut now = self.now();
+        Box::new(move |path| now.written.push(path.display().to_string()))
     }
 
     fn shows(&self, work: Work<'_>) -> SharedProgress {
-        Arc::new(Bar::of(work))
+        Arc::new(bar_of(work))
     }
 }
 
 /// A progress bar on standard error, if that is a terminal.
-struct Bar(ProgressBar);
-
-impl Bar {
-    fn of(work: Work<'_>) -> Self {
-        let bar = |parts, template: &str| {
-            let style = ProgressStyle::with_template(template);
-            let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
-            ProgressBar::new(parts).with_style(style)
-        };
-        Self(match work {
-            Work::Parts(of) => bar(0, &format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left")),
-            Work::Searches(all) => {
-                bar(all, "{bar:40} {pos}/{len} searches, {eta} left, best {msg}")
-            }
-            Work::Iterations => bar(0, "{msg}"),
-            Work::Uncounted(doing) => {
-                let spinner = ProgressBar::new_spinner().with_message(doing.to_owned());
-                spinner.enable_steady_tick(Duration::from_millis(200));
-                spinner
-            }
-        })
+fn bar_of(work: Work<'_>) -> ProgressBar {
+    let bar = |parts, template: &str| {
+        let style = ProgressStyle::with_template(template);
+        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+        ProgressBar::new(parts).with_style(style)
+    };
+    match work {
+        Work::Parts(of) => bar(0, &format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left")),
+        Work::Searches(all) => bar(all, "{bar:40} {pos}/{len} searches, {eta} left, best {msg}"),
+        Work::Iterations => bar(0, "{msg}"),
+        Work::Uncounted(doing) => {
+            let spinner = ProgressBar::new_spinner().with_message(doing.to_owned());
+            spinner.enable_steady_tick(Duration::from_millis(200));
+            spinner
+        }
     }
 }
 
-impl Progress for Bar {
+impl Progress for ProgressBar {
     fn set_length(&self, parts: u64) {
-        self.0.set_length(parts);
+        Self::set_length(self, parts);
     }
 
     fn set_position(&self, parts: u64) {
-        self.0.set_position(parts);
+        Self::set_position(self, parts);
     }
 
     fn inc(&self, parts: u64) {
-        self.0.inc(parts);
+        Self::inc(self, parts);
     }
 
     fn set_message(&self, message: String) {
-        self.0.set_message(message);
+        Self::set_message(self, message);
     }
 
     fn reset_eta(&self) {
-        self.0.reset_eta();
+        Self::reset_eta(self);
     }
 
     fn suspend(&self, work: &mut dyn FnMut()) {
-        self.0.suspend(work);
+        Self::suspend(self, work);
     }
 
     fn finish(&self) {
-        self.0.finish_and_clear();
-    }
-}
-
-impl Hold for MutexGuard<'_, Now> {
-    fn written(&mut self, files: &[&Path]) {
-        self.written
-            .extend(files.iter().map(|file| file.display().to_string()));
+        self.finish_and_clear();
     }
 }

@@ -91,7 +91,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         .iter()
         .all(|outcome| outcome.sampled.is_some());
     let report = UncertaintyReport::new(&found);
-    let answer = Answer::report(&report, &request.origin(), warnings, request.is_json());
+    let answer = Answer::report(&report, &request.origin(), warnings, request.is_json);
     Ok(answer.found(is_found))
 }
 

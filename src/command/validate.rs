@@ -1,11 +1,11 @@
 use crate::Result;
 use crate::command::args::OwnLaw;
-use crate::command::files::Rule;
+use crate::command::files::{Rule, ending};
 use crate::command::output::{Answer, system, tell};
 use crate::command::reproduce::{DOCUMENT, write};
 use crate::report::{Reply, Report, ValidationReport};
 use crate::study::validation::validation;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -33,17 +33,13 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<Answer> {
     let rule = Rule::new([], args.overwrite);
     let own = args.own.law()?;
-    let is_csv = |path: &Path| {
-        path.extension()
-            .is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
-    };
     let output = args.output.as_deref();
     let file = output
-        .filter(|path| is_csv(path))
+        .filter(|path| ending(path) == "csv")
         .map(|path| rule.file(path))
         .transpose()?;
     let folder = output
-        .filter(|path| !is_csv(path))
+        .filter(|path| ending(path) != "csv")
         .map(|path| rule.folder(path, &DOCUMENT))
         .transpose()?;
     let found = validation(own)?;

@@ -77,6 +77,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     // an interruption before this line still lets the command answer
     interrupt::ends();
     let report = CertificateReport::new(&certificate, &loops);
-    let answer = Answer::report(&report, &request.origin(), warnings, request.is_json());
+    let answer = Answer::report(&report, &request.origin(), warnings, request.is_json);
     Ok(answer.found(certificate.passed()))
 }

@@ -1,6 +1,7 @@
 //! Messages in the syntax of the command's `Host`, and advice on words that belong to no option.
 
-use super::mention::{Argument, Mention, with_mentions_of};
+use super::files::ending;
+use super::mention::{Mention, with_mentions_of};
 use super::running::running;
 use crate::error::Error;
 use crate::parameters::{Preset, Setup};
@@ -23,11 +24,11 @@ pub fn name_in_words_of_the_host(shown: &str) -> Option<String> {
         Some(option) => option.split([' ', '=']).next()?.replace('-', "_"),
         None => shown.trim_matches(['<', '>', '[', ']', '.']).to_lowercase(),
     };
-    let mention = Mention::Argument(Argument {
+    let mention = Mention::Argument {
         name: &name,
         value: None,
         takes_value: true,
-    });
+    };
     Some(running().host.mention(mention))
         .filter(|words| *words != mention.in_words_of_the_program())
 }
@@ -45,7 +46,7 @@ pub fn with_argument(error: Error) -> Error {
             column,
             reason,
         } if !expression.contains(['<', '>', '=']) => Error::Constraint {
-            reason: match running().words().iter().any(|word| word == "--subject-to") {
+            reason: match running().words.iter().any(|word| word == "--subject-to") {
                 true => format!("{reason}; {}", quotes_advice()),
                 false => reason,
             },
@@ -80,7 +81,7 @@ pub fn advice_on(left_over: &str) -> Option<String> {
 /// redirections, and for `>=` it writes a file named `=`.
 fn unquoted_constraint(left_over: &str) -> Option<String> {
     let running = running();
-    let words = running.words();
+    let words = &running.words;
     let left_over = words.iter().position(|word| word == left_over)?;
     let option = words[..left_over]
         .iter()
@@ -108,7 +109,7 @@ fn quotes_advice() -> String {
 fn joined(left_over: &str) -> Option<String> {
     let running = running();
     let is_behind = running
-        .words()
+        .words
         .windows(2)
         .any(|words| words[0] == "--tolerance" && words[1] == left_over);
     let is_length = Quantity::LENGTH.read(left_over).is_ok();
@@ -123,12 +124,12 @@ const TABLES: [&str; 6] = ["arrow", "arrows", "csv", "feather", "jsonl", "parque
 
 /// Advice on a table given as a setup, with the command's option for it.
 pub fn no_setup(file: &Path) -> Option<String> {
-    let kind = file.extension()?.to_ascii_lowercase();
-    if !TABLES.iter().any(|table| kind == *table) {
+    let kind = ending(file);
+    if !TABLES.contains(&kind.as_str()) {
         return None;
     }
     let running = running();
-    let advice = match running.words().first().and_then(|command| command.to_str()) {
+    let advice = match running.words.first().and_then(|command| command.to_str()) {
         Some("delivery") => "; give a table of shots with `shots FILE`",
         Some("sweep") => "; give a table of points with `points FILE`",
         Some("optimize" | "design" | "pareto" | "robust") => {
@@ -158,7 +159,7 @@ fn after_an_option(left_over: &str) -> Option<String> {
 fn in_quotes(left_over: &str) -> Option<String> {
     let running = running();
     let words: Vec<_> = running
-        .words()
+        .words
         .iter()
         .map(|word| word.to_string_lossy())
         .collect();

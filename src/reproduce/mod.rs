@@ -5,16 +5,14 @@
 
 mod delivery;
 mod mae494;
-mod overlay;
 mod winfield_tan;
 
 pub use delivery::{Delivery, LoftCarry};
 pub use mae494::{
     Average, ByLaunch, Constant, End, Energy, Landing, Landings, Launched, LongerDifference,
-    LoopLanding, Mae494, Method, Noise, Parametric, Peak, Regression, Row, Sawtooth, Searches,
-    ShorterStep, Slopes, Subsystems, mae494,
+    LoopLanding, LoopRow, Mae494, Method, Noise, Parametric, Peak, Regression, Row, Sawtooth,
+    Searches, ShorterStep, Slopes, Subsystems, loop_landing, mae494, while_loop,
 };
-pub use overlay::{LoopRow, loop_landing, while_loop};
 pub use winfield_tan::{
     Best, Decay, Fitted, FittedNumber, MISPRINTS, Mean, ShotComparison, SingleShot, WinfieldTan,
     winfield_tan,

@@ -6,10 +6,10 @@ use crate::common::close;
 use longdrive::report::figures::{
     At, Causes, OnMap, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
-use longdrive::report::plot::{Axis, Figure, Layer, Look, Measure, Shades, figure_csv, figure_svg};
+use longdrive::report::plot::{Axis, Figure, Hue, Layer, Look, Measure, figure_csv, figure_svg};
 use longdrive::study::certificate::certify;
 use longdrive::study::{Fineness, NamedDrive, Vary, effects, map, with_defaults};
-use longdrive::units::System;
+use longdrive::units::{System, TableUnits};
 use longdrive::{Error, Outcome, Setup, derivative, flight, impact};
 use std::path::Path;
 
@@ -102,7 +102,6 @@ fn figures() -> Vec<Figure> {
         vcurve_figure(
             &certificate.rows,
             &longdrive::reproduce::while_loop(&setup, &certificate.rows),
-            At::SetUp,
         ),
     ]
 }
@@ -269,13 +268,11 @@ fn a_label_at_the_end_of_an_axis_lies_within_the_picture() {
 #[test]
 fn every_series_differs_from_every_other_one() {
     let axis = || Axis::linear(Measure::plain("n")).exactly(0.0, 1.0);
-    let line = |hue: usize, is_dashed: bool| {
-        let of = if is_dashed {
-            Layer::dashed
-        } else {
-            Layer::line
-        };
-        of("one", hue, vec![[0.0, 0.0], [0.5, 0.8], [1.0, 1.0]])
+    let line = |hue: usize, is_dashed: bool| Layer::Line {
+        name: "one".into(),
+        hue: Hue::Series(hue),
+        is_dashed,
+        points: vec![[0.0, 0.0], [0.5, 0.8], [1.0, 1.0]],
     };
     let picture = |layer: Layer| {
         let figure = Figure::new("n", "t", axis(), axis()).with(layer);
@@ -317,12 +314,12 @@ fn pictures_are_whole_in_both_systems_light_and_dark() {
     for figure in figures() {
         let mut seen: Vec<String> = vec![];
         for system in System::ALL {
-            for shades in [Shades::Light, Shades::Dark] {
+            for is_dark in [false, true] {
                 let svg = figure_svg(
                     &figure,
                     &Look {
                         system,
-                        shades,
+                        is_dark,
                         ..Look::default()
                     },
                 )
@@ -338,7 +335,7 @@ fn pictures_are_whole_in_both_systems_light_and_dark() {
                     figure.name
                 );
                 let unit = if system == System::Us { "[yd]" } else { "[m]" };
-                let has_lengths = figure.x.measure.titled_si().contains("[m]");
+                let has_lengths = figure.x.measure.head(TableUnits::Si).contains("[m]");
                 assert_eq!(
                     words(&parsed).iter().any(|text| text.contains(unit)),
                     has_lengths,

@@ -10,5 +10,5 @@ mod setup;
 
 pub use number::{U32, refuse_threads, whole};
 pub use output::OutputOptions;
-pub use search::{OptimizeArgs, SearchArgs, SwingsArgs, WorkArgs};
+pub use search::{OptimizeArgs, SearchArgs, SwingsArgs};
 pub use setup::{DriveArgs, OwnLaw, SETUP, SetupArgs};

@@ -46,10 +46,10 @@ pub fn refuse_threads(threads: usize) -> Result<()> {
     if HAS_THREADS || threads <= 1 {
         return Ok(());
     }
-    Err(Error::Unreadable {
-        name: format!("`threads {threads}`"),
-        source: "there is one thread here; leave it out".into(),
-    })
+    Err(Error::unreadable(
+        format!("`threads {threads}`"),
+        "there is one thread here; leave it out",
+    ))
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
 /// Options of every command about its output.
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Default, clap::Args)]
 #[command(next_help_heading = "Options of every command")]
 pub struct OutputOptions {
     /// The units of results in texts, plots and pages [default: us; reproduce: the units of the

@@ -37,25 +37,6 @@ pub struct SearchArgs {
     pub max_iterations: Option<u64>,
 }
 
-/// Effort of a search.
-#[derive(clap::Args)]
-pub struct WorkArgs {
-    /// Search from this many starts, spread evenly over the ranges (the first is the setup's own),
-    /// and list the local optima.
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 1,
-        value_parser = whole::<u32>(1..=U32, "`starts 8`"),
-        allow_negative_numbers = true,
-    )]
-    pub starts: u32,
-
-    /// Save the search to this file after every iteration; if the file exists, continue from it.
-    #[arg(long, value_name = "FILE")]
-    pub checkpoint: Option<PathBuf>,
-}
-
 /// Swings that vary, for a design that is best over all of them.
 #[derive(clap::Args)]
 pub struct SwingsArgs {
@@ -113,8 +94,20 @@ pub struct OptimizeArgs {
     #[command(flatten)]
     pub swings: SwingsArgs,
 
-    #[command(flatten)]
-    pub work: WorkArgs,
+    /// Search from this many starts, spread evenly over the ranges (the first is the setup's own),
+    /// and list the local optima.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        value_parser = whole::<u32>(1..=U32, "`starts 8`"),
+        allow_negative_numbers = true,
+    )]
+    pub starts: u32,
+
+    /// Save the search to this file after every iteration; if the file exists, continue from it.
+    #[arg(long, value_name = "FILE")]
+    pub checkpoint: Option<PathBuf>,
 
     /// Write the setup at the optimum into this setup file.
     #[arg(long, short, value_name = "FILE")]

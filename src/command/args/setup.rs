@@ -18,55 +18,6 @@ pub struct DriveArgs {
     #[arg(long, value_name = "NAME=VALUE", help_heading = YOUR_DRIVE)]
     pub set: Vec<String>,
 
-    #[command(flatten)]
-    pub short_names: ShortNames,
-
-    /// Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
-    /// ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
-    /// spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
-    /// of the setup file.
-    #[arg(
-        long,
-        value_name = "NAME=VALUE,…",
-        value_delimiter = ',',
-        help_heading = YOUR_DRIVE
-    )]
-    pub launch: Vec<String>,
-}
-
-/// Arguments about the setup, of every command with drives.
-#[derive(Clone, clap::Args)]
-pub struct SetupArgs {
-    #[command(flatten)]
-    pub drive: DriveArgs,
-
-    /// Choose the cheapest method and time step with which every requested length is within this
-    /// length of its exact value (1um if no length is given). The choice is made once, before the
-    /// first drive. Commands that fly many drives (sweep, optimize, chart, calibrate, uncertainty,
-    /// report, maps) do this by default, for 1um, unless the setup or --set gives flight.method or
-    /// flight.step.
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        num_args = 0..=1,
-        default_missing_value = "1um",
-        require_equals = true,
-    )]
-    pub tolerance: Option<String>,
-
-    /// Integrate by flight.method and flight.step of the setup, even if the command would choose
-    /// others.
-    #[arg(long, conflicts_with = "tolerance")]
-    pub own_step: bool,
-
-    /// Print the answer as JSON (SI units and radians), and nothing else, to standard output.
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// Options that each set one parameter, as `--set` does.
-#[derive(Clone, clap::Args)]
-pub struct ShortNames {
     /// Set the club speed (swing.speed), e.g. 95mph.
     #[arg(
         long,
@@ -120,11 +71,23 @@ pub struct ShortNames {
         help_heading = YOUR_DRIVE
     )]
     pub altitude: Option<String>,
+
+    /// Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
+    /// ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
+    /// spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
+    /// of the setup file.
+    #[arg(
+        long,
+        value_name = "NAME=VALUE,…",
+        value_delimiter = ',',
+        help_heading = YOUR_DRIVE
+    )]
+    pub launch: Vec<String>,
 }
 
-impl ShortNames {
-    /// The given options, each with its parameter and value.
-    pub fn given(&self) -> impl Iterator<Item = (&'static str, &'static str, &str)> {
+impl DriveArgs {
+    /// The given options that set one parameter, each with its parameter and value.
+    pub fn short_names(&self) -> impl Iterator<Item = (&'static str, &'static str, &str)> {
         [
             ("speed", "swing.speed", &self.speed),
             ("attack", "swing.attack_angle", &self.attack),
@@ -136,6 +99,36 @@ impl ShortNames {
         .into_iter()
         .filter_map(|(option, parameter, value)| Some((option, parameter, value.as_deref()?)))
     }
+}
+
+/// Arguments about the setup, of every command with drives.
+#[derive(Clone, clap::Args)]
+pub struct SetupArgs {
+    #[command(flatten)]
+    pub drive: DriveArgs,
+
+    /// Choose the cheapest method and time step with which every requested length is within this
+    /// length of its exact value (1um if no length is given). The choice is made once, before the
+    /// first drive. Commands that fly many drives (sweep, optimize, chart, calibrate, uncertainty,
+    /// report, maps) do this by default, for 1um, unless the setup or --set gives flight.method or
+    /// flight.step.
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        num_args = 0..=1,
+        default_missing_value = "1um",
+        require_equals = true,
+    )]
+    pub tolerance: Option<String>,
+
+    /// Integrate by flight.method and flight.step of the setup, even if the command would choose
+    /// others.
+    #[arg(long, conflicts_with = "tolerance")]
+    pub own_step: bool,
+
+    /// Print the answer as JSON (SI units and radians), and nothing else, to standard output.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// A user's own law, in addition to the published laws.

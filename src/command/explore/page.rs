@@ -29,9 +29,6 @@ pub fn policy(page: &[u8]) -> Option<&str> {
 }
 
 /// The error of a command that cannot serve the explorer.
-pub fn refused(why: impl Into<String>) -> Error {
-    Error::Unreadable {
-        name: "explore".into(),
-        source: why.into().into(),
-    }
+pub fn refused(why: &str) -> Error {
+    Error::unreadable("explore", why)
 }

@@ -22,12 +22,17 @@ const CLOSING_TIME: Duration = Duration::from_secs(1);
 pub fn serve(state: &str) -> Result<()> {
     let wanted = SocketAddr::new(Ipv4Addr::LOCALHOST.into(), 0);
     let listener = Listener::bind(wanted)
-        .map_err(|error| refused(format!("no port of this machine is free: {error}")))?;
+        .map_err(|error| refused(&format!("no port of this machine is free: {error}")))?;
     let site = Site {
         port: listener.address.port(),
         path: random_path()?,
         page: PAGE,
-        policy: policy(PAGE).ok_or_else(no_policy)?,
+        policy: policy(PAGE).ok_or_else(|| {
+            refused(
+                "the page that is compiled in is not that of web/build; run web/build, and build \
+                 again",
+            )
+        })?,
     };
     let stop = interrupt::stops("ending");
     let address = format!("http://{}{}#{state}\n", listener.address, site.path);
@@ -44,13 +49,9 @@ pub fn serve(state: &str) -> Result<()> {
 fn random_path() -> Result<String> {
     let mut bytes = [0; 16];
     getrandom::fill(&mut bytes)
-        .map_err(|error| refused(format!("the system has no random numbers: {error}")))?;
+        .map_err(|error| refused(&format!("the system has no random numbers: {error}")))?;
     let digits = bytes.map(|byte| format!("{byte:02x}"));
     Ok(format!("/{}", digits.concat()))
-}
-
-fn no_policy() -> Error {
-    refused("the page that is compiled in is not that of web/build; run web/build, and build again")
 }
 
 /// Answers one request, and closes the connection.

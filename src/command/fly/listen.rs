@@ -46,10 +46,10 @@ fn both_given(file: &Path, why: &str) -> Error {
         "with `listen` the file is the setup of all messages, and {file} is not a setup ({why}); \
          to fly the shots of {file} leave `listen` out"
     );
-    Error::Unreadable {
-        name: format!("`listen` and the shots {file} are both given"),
-        source: source.into(),
-    }
+    Error::unreadable(
+        format!("`listen` and the shots {file} are both given"),
+        source,
+    )
 }
 
 pub fn run(args: &Args, port: u16) -> Result<Answer> {
@@ -76,7 +76,7 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
     counts.connections = listener.serve(&stop, TOO_MANY, |stream| {
         serve(stream, &flying, &stop, &counts)
     });
-    Ok(if request.is_json() {
+    Ok(if request.is_json {
         Answer::json(&Reply::done("fly", warnings.into_vec(), &counts))
     } else {
         Answer::text(format!(
@@ -172,8 +172,5 @@ fn refused(address: SocketAddr, error: &io::Error) -> Error {
         ErrorKind::Unsupported => "there is no network here; give a file of shots instead".into(),
         _ => format!("the system says: {error}"),
     };
-    Error::Unreadable {
-        name: format!("`listen {address}`"),
-        source: why.into(),
-    }
+    Error::unreadable(format!("`listen {address}`"), why)
 }

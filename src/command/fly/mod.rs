@@ -50,7 +50,7 @@ fn fly(args: &Args) -> Result<Answer> {
     let flying = flying(&request, &setup, &shots, &of)?;
     let mut warnings = Warnings::default();
     warnings.add(setup.warnings());
-    let mut remarks = Remarks::new(file);
+    let mut remarks = Remarks { file, all: vec![] };
     remarks.add(shots.remarks().iter().cloned());
     remarks.add(not_compared(&shots, &of, request.gives_ground()));
     let run = Run {
@@ -80,7 +80,7 @@ fn fly(args: &Args) -> Result<Answer> {
         stopped: is_stopped.then(|| stopped(&tally, &target)),
         nothing: nothing(&tally, &remarks.all),
     };
-    if request.is_json() {
+    if request.is_json {
         warnings.add(missing.nothing.iter().cloned().map(Message::from));
     }
     Ok(answer(
@@ -111,10 +111,7 @@ fn refuse_preset(file: &Path) -> Result<()> {
         "it is a setup; the shots come first, as in longdrive fly shots.csv {}",
         file.display()
     );
-    Err(Error::Unreadable {
-        name: file.display().to_string(),
-        source: source.into(),
-    })
+    Err(Error::unreadable(file.display().to_string(), source))
 }
 
 /// Opens the shots, and refuses settings that their columns replace.
@@ -153,11 +150,7 @@ struct Remarks<'a> {
     all: Vec<Message>,
 }
 
-impl<'a> Remarks<'a> {
-    fn new(file: &'a Path) -> Self {
-        Self { file, all: vec![] }
-    }
-
+impl Remarks<'_> {
     fn add(&mut self, remarks: impl IntoIterator<Item = Message>) {
         for remark in remarks {
             let text = remark.in_units(system());
@@ -290,7 +283,7 @@ fn answer(
         .filter(|_| stopped.is_none())
         .map(|file| file.display().to_string());
     let mut report = ShotsReport::new(tally, source, file, remarks);
-    if request.is_json() {
+    if request.is_json {
         let status = match (&stopped, &nothing) {
             (Some(_), _) => "interrupted",
             (None, Some(_)) => "no-answer",
@@ -311,7 +304,7 @@ fn answer(
     let answer = match target.file() {
         Some(file) if is_answered => Answer::text(format!("{text}wrote {}\n", file.display())),
         // standard output already has the rows
-        None if !target.is_silent() => {
+        None if !target.is_silent => {
             tell(&text);
             Answer::text(String::new())
         }

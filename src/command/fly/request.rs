@@ -25,7 +25,7 @@ pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
     let setup = *request.partial_setup();
     request.refuse_launch(
         &setup,
-        format!("{rows} give the launch of each ball; leave this out"),
+        &format!("{rows} give the launch of each ball; leave this out"),
     )?;
     request.refuse_club(&format!("{rows} are launches"))?;
     Ok(setup)

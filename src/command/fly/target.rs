@@ -1,5 +1,5 @@
 use super::args::{Args, FlyFormat};
-use crate::command::files::{Destination, Pieces, Rule, refused};
+use crate::command::files::{Destination, Pieces, Rule, ending, refused};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::report::ShotFormat;
@@ -19,19 +19,14 @@ pub struct Target {
     destination: Option<Destination>,
     pub format: RowFormat,
     /// True if no rows are written: JSON without a file is the summary only.
-    is_silent: bool,
+    pub is_silent: bool,
 }
 
 impl Target {
     pub fn new(args: &Args, shots: &Path, request: &Request) -> Result<Self> {
         let path = args.output.as_path();
         let is_standard = path == Path::new("-");
-        let ending = path
-            .extension()
-            .and_then(|ending| ending.to_str())
-            .unwrap_or_default()
-            .to_lowercase();
-        let format = match (args.format, ending.as_str()) {
+        let format = match (args.format, ending(path).as_str()) {
             (Some(FlyFormat::Csv), _) | (None, "csv") => RowFormat::Rows(ShotFormat::Csv),
             (Some(FlyFormat::LaunchMonitor), _) => RowFormat::Rows(ShotFormat::LaunchMonitor),
             (Some(FlyFormat::Jsonl), _) | (None, "jsonl" | "ndjson") => {
@@ -57,7 +52,7 @@ impl Target {
             }
         };
         #[cfg(feature = "parquet")]
-        if is_standard && format == RowFormat::Parquet && !request.is_json() {
+        if is_standard && format == RowFormat::Parquet && !request.is_json {
             return Err(refused(
                 path,
                 "Parquet needs a file; name one with `output`, or take `format csv` or jsonl",
@@ -75,7 +70,7 @@ impl Target {
             .then(|| Rule::new(inputs, args.overwrite).file(path))
             .transpose()?;
         Ok(Self {
-            is_silent: destination.is_none() && request.is_json(),
+            is_silent: destination.is_none() && request.is_json,
             destination,
             format,
         })
@@ -87,11 +82,6 @@ impl Target {
         destination
             .filter(|destination| !destination.is_in_memory())
             .map(Destination::path)
-    }
-
-    /// Returns true if no rows are written.
-    pub fn is_silent(&self) -> bool {
-        self.is_silent
     }
 
     /// Opens the destination and writes the first bytes.

@@ -4,7 +4,7 @@ use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::compare::Pair;
 use crate::command::pareto::GoalArgs;
 use crate::command::picture::Drawing;
-use crate::report::figures::{Causes, Coefficient, View};
+use crate::report::figures::{Causes, Coefficient, Over, View};
 use clap::Subcommand;
 
 #[derive(clap::Args)]
@@ -22,7 +22,16 @@ pub enum PlotKind {
     /// The optimum as a function of a parameter.
     Chart(PlotChart),
     /// The Pareto front of two goals, with its ends, its knee and the slope at the knee.
-    Pareto(PlotPareto),
+    Pareto {
+        #[command(flatten)]
+        setup_args: SetupArgs,
+
+        #[command(flatten)]
+        asked: GoalArgs,
+
+        #[command(flatten)]
+        drawing: Drawing,
+    },
     /// The effects of the uncertainties of parameters on an outcome.
     Tornado(PlotTornado),
     /// The difference between two drives, split into the parameters and launch conditions that
@@ -37,22 +46,19 @@ pub enum PlotKind {
     Fairway(PlotFairway),
     /// The club face from the front: the strike, the sweet spot, rings of carry lost, and the side
     /// to which the spin axis tilts.
-    Face(PlotFace),
+    Face {
+        #[command(flatten)]
+        setup_args: SetupArgs,
+
+        #[command(flatten)]
+        drawing: Drawing,
+    },
     /// Carry, lateral, ball speed and spin axis over the club face, for the drive as set up and for
     /// the optimum, or for two designs.
     Strike(PlotStrike),
     /// Carry over launch angle and backspin at the drive's ball speed, with the launches of the
     /// drive and of the optimum.
     Launch(PlotSearch),
-}
-
-/// Horizontal axis of a plot of laws.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum LawsOver {
-    /// Over the spin ratio.
-    SpinRatio,
-    /// Over the Reynolds number.
-    Reynolds,
 }
 
 #[derive(clap::Args)]
@@ -73,8 +79,8 @@ pub struct PlotLaws {
     pub show: Coefficient,
 
     /// The horizontal axis.
-    #[arg(long, value_enum, default_value_t = LawsOver::SpinRatio)]
-    pub over: LawsOver,
+    #[arg(long, value_enum, default_value_t = Over::SpinRatio)]
+    pub over: Over,
 
     /// The constant Reynolds number of a plot over the spin ratio [default: 1.5e5].
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
@@ -114,15 +120,6 @@ pub struct PlotFairway {
     /// default uncertainties of "longdrive sensitivity".
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
-}
-
-#[derive(clap::Args)]
-pub struct PlotFace {
-    #[command(flatten)]
-    pub setup_args: SetupArgs,
-
-    #[command(flatten)]
-    pub drawing: Drawing,
 }
 
 #[derive(clap::Args)]
@@ -173,18 +170,6 @@ pub struct PlotChart {
     /// The curve to draw: the outcome, or one of the parameters varied.
     #[arg(long, value_name = "NAME")]
     pub show: Option<String>,
-}
-
-#[derive(clap::Args)]
-pub struct PlotPareto {
-    #[command(flatten)]
-    pub setup_args: SetupArgs,
-
-    #[command(flatten)]
-    pub asked: GoalArgs,
-
-    #[command(flatten)]
-    pub drawing: Drawing,
 }
 
 #[derive(clap::Args)]

@@ -1,7 +1,7 @@
 //! Plots of a drive and its optimum: landings, launches, and strikes on the face.
 
-use super::args::{PlotFace, PlotFairway, PlotSearch, PlotStrike};
-use crate::command::args::SearchArgs;
+use super::args::{PlotFairway, PlotSearch, PlotStrike};
+use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, spinner, system, tell};
 use crate::command::picture::{Drawing, Target};
@@ -34,7 +34,6 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     target.written(
         &request,
         &setup,
-        &args.drawing,
         &figure,
         best.as_ref().map_or(vec![], at_optimum),
     )
@@ -55,27 +54,20 @@ pub fn launches(args: &PlotSearch) -> Result<Answer> {
     target.written(
         &request,
         &setup,
-        &args.drawing,
         &figure,
         best.as_ref().map_or(vec![], at_optimum),
     )
 }
 
-pub fn face(args: &PlotFace) -> Result<Answer> {
-    let request = args.setup_args.request()?;
-    let target = Target::new(&request, &args.drawing)?;
+pub fn face(setup_args: &SetupArgs, drawing: &Drawing) -> Result<Answer> {
+    let request = setup_args.request()?;
+    let target = Target::new(&request, drawing)?;
     let setup = request.for_many(request.setup()?, &[])?;
-    refuse_launch(&setup, &args.drawing)?;
+    refuse_launch(&setup, &target)?;
     let spinner = spinner("computing strikes");
     let face = Face::of(&setup)?;
     spinner.finish();
-    target.written(
-        &request,
-        &setup,
-        &args.drawing,
-        &face_figure(&face, system()),
-        vec![],
-    )
+    target.written(&request, &setup, &face_figure(&face, system()), vec![])
 }
 
 pub fn strikes(args: &PlotStrike) -> Result<Answer> {
@@ -91,18 +83,15 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
     if let (Some(_), [option, ..]) = (&after, given.as_slice()) {
         let source = "`after` gives the other design, so no optimum is searched for; leave one of the two \
              out";
-        return Err(Error::Unreadable {
-            name: (*option).into(),
-            source: source.into(),
-        });
+        return Err(Error::unreadable(*option, source));
     }
-    refuse_launch(&request.setup()?, &args.drawing)?;
+    refuse_launch(&request.setup()?, &target)?;
     let (setup, other, of_other) = match &after {
         Some(after) => {
             let other = after.for_many(after.setup()?, &[])?;
-            refuse_launch(&other, &args.drawing)?;
+            refuse_launch(&other, &target)?;
             let setup = request.for_many(request.setup()?, &[])?;
-            refuse_other_hand(&setup, &other, &args.drawing)?;
+            refuse_other_hand(&setup, &other, &target)?;
             let differs = beside_the_club(&setup, &other);
             (setup, Some((["before", "after"], other)), differs)
         }
@@ -130,40 +119,32 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
         doing: "draw",
         what: "design",
     })?;
-    target.written(&request, &setup, &args.drawing, &figure, of_other)
+    target.written(&request, &setup, &figure, of_other)
 }
 
 /// Refuses a drive given by its launch: it has no face.
-fn refuse_launch(setup: &Setup<f64>, drawing: &Drawing) -> Result<()> {
+fn refuse_launch(setup: &Setup<f64>, target: &Target<'_>) -> Result<()> {
     if !setup.launch.is_given() {
         return Ok(());
     }
-    let name = drawing.output.display().to_string();
     let reason = "the drive is given by its launch: no club strikes the ball, so there is no face \
                   to draw; give a swing and a club instead";
-    Err(Error::Plot {
-        name,
-        reason: reason.into(),
-    })
+    Err(target.refused(reason))
 }
 
 /// Refuses designs for golfers of different hands: the toe is on opposite sides.
-fn refuse_other_hand(before: &Setup<f64>, after: &Setup<f64>, drawing: &Drawing) -> Result<()> {
+fn refuse_other_hand(before: &Setup<f64>, after: &Setup<f64>, target: &Target<'_>) -> Result<()> {
     if before.golfer == after.golfer {
         return Ok(());
     }
-    let reason = format!(
+    Err(target.refused(format!(
         "the golfer is {} before and {} after, so the toe is on opposite sides; give both setups \
          the same golfer (`set` changes only the first design; in the setup file of `after` write \
          golfer = \"{}\")",
         before.golfer.name(),
         after.golfer.name(),
         before.golfer.name()
-    );
-    Err(Error::Plot {
-        name: drawing.output.display().to_string(),
-        reason,
-    })
+    )))
 }
 
 /// A warning if two designs differ in more than the club.

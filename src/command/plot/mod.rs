@@ -10,7 +10,7 @@ use crate::command::compare::warnings;
 use crate::command::names::{outcomes, sigmas, usual, variables};
 use crate::command::output::{Answer, bar, show, spinner, system, tell};
 use crate::command::pareto;
-use crate::command::picture::{Drawing, Target};
+use crate::command::picture::Target;
 use crate::command::request::Request;
 use crate::command::verify::tell_left_out;
 use crate::optimize::{Observer, Status};
@@ -29,8 +29,7 @@ use crate::study::{
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
 use args::{
-    LawsOver, PlotChart, PlotCompare, PlotKind, PlotLaws, PlotSearch, PlotTornado, PlotTrajectory,
-    PlotVcurve,
+    PlotChart, PlotCompare, PlotKind, PlotLaws, PlotSearch, PlotTornado, PlotTrajectory, PlotVcurve,
 };
 use drive::{at_optimum, face, fairway, launches, strikes};
 
@@ -39,13 +38,20 @@ pub fn run(args: &Args) -> Result<Answer> {
         PlotKind::Trajectory(args) => trajectory(args),
         PlotKind::Contour(args) => contour(args),
         PlotKind::Chart(args) => along(args),
-        PlotKind::Pareto(args) => pareto::draw(&args.setup_args, &args.asked, &args.drawing),
+        PlotKind::Pareto {
+            setup_args,
+            asked,
+            drawing,
+        } => pareto::draw(setup_args, asked, drawing),
         PlotKind::Tornado(args) => tornado(args),
         PlotKind::Compare(args) => difference(args),
         PlotKind::Vcurve(args) => vcurve(args),
         PlotKind::Laws(args) => laws(args),
         PlotKind::Fairway(args) => fairway(args),
-        PlotKind::Face(args) => face(args),
+        PlotKind::Face {
+            setup_args,
+            drawing,
+        } => face(setup_args, drawing),
         PlotKind::Strike(args) => strikes(args),
         PlotKind::Launch(args) => launches(args),
     }
@@ -59,15 +65,11 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
     flown.drive.landed()?;
     let figure = trajectory_figure(&[flown], args.view, system()).map_err(|error| match error {
         Error::Plot { reason, .. } if args.view == View::Top => {
-            let name = args.drawing.output.display().to_string();
-            Error::Plot {
-                name,
-                reason: format!("{reason}; take `view side`"),
-            }
+            target.refused(format!("{reason}; take `view side`"))
         }
         error => error,
     })?;
-    target.written(&request, &setup, &args.drawing, &figure, vec![])
+    target.written(&request, &setup, &figure, vec![])
 }
 
 fn contour(args: &PlotSearch) -> Result<Answer> {
@@ -79,11 +81,8 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
     let spinner = spinner("computing the map");
     let (best, map) = mapped(&setup, &search)?;
     if let Some(flat) = map.flat() {
-        let (name, what) = (args.drawing.output.display().to_string(), flat.to_string());
-        return Err(Error::Plot {
-            name,
-            reason: format!("{what}; vary what it depends on"),
-        });
+        let reason = format!("{flat}; vary what it depends on");
+        return Err(target.refused(reason));
     }
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
@@ -108,13 +107,7 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
         best,
         region: region.as_ref(),
     };
-    target.written(
-        &request,
-        &setup,
-        &args.drawing,
-        &map_figure(&map, &on, system()),
-        of_best,
-    )
+    target.written(&request, &setup, &map_figure(&map, &on, system()), of_best)
 }
 
 /// The [`Map`] around an optimum, or around the setup if the search finds none.
@@ -183,8 +176,8 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let own = optimum(&setup, search.clone(), Observer::default())?;
     let own = Some(&own).filter(|own| own.solution.status == Status::Converged);
     let figures = chart_figures(&chart, own, system());
-    let figure = figure_of(&figures, &search, shown, &args.drawing)?;
-    target.written(&request, &setup, &args.drawing, figure, chart.warnings())
+    let figure = figure_of(&figures, &search, shown, &target)?;
+    target.written(&request, &setup, figure, chart.warnings())
 }
 
 /// The varied parameter to plot; `None` for the outcome.
@@ -214,14 +207,11 @@ fn figure_of<'a>(
     figures: &'a ChartFigures,
     search: &Search,
     shown: Option<&'static Parameter>,
-    drawing: &Drawing,
+    target: &Target<'_>,
 ) -> Result<&'a Figure> {
     let mut held = figures.held.iter();
     if let Some((_, why)) = held.find(|(vary, _)| Some(vary.parameter) == shown) {
-        return Err(Error::Plot {
-            name: drawing.output.display().to_string(),
-            reason: format!("it does not change: {why}"),
-        });
+        return Err(target.refused(format!("it does not change: {why}")));
     }
     let moves = |vary: &&Vary| {
         let mut held = figures.held.iter();
@@ -263,12 +253,9 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
              model, all), or give `sigma`",
             of.name()
         );
-        return Err(Error::Plot {
-            name: args.drawing.output.display().to_string(),
-            reason,
-        });
+        return Err(target.refused(reason));
     };
-    target.written(&request, &setup, &args.drawing, &figure, vec![])
+    target.written(&request, &setup, &figure, vec![])
 }
 
 fn difference(args: &PlotCompare) -> Result<Answer> {
@@ -277,15 +264,11 @@ fn difference(args: &PlotCompare) -> Result<Answer> {
     let of = Outcome::named(&args.of)?;
     let comparison = args.pair.comparison(&requests)?;
     if !comparison.differs() {
-        let reason = "drives a and b are equal, so there is nothing to draw".into();
-        return Err(Error::Plot {
-            name: args.drawing.output.display().to_string(),
-            reason,
-        });
+        return Err(target.refused("drives a and b are equal, so there is nothing to draw"));
     }
     let warnings = warnings(&comparison);
     let figure = difference_figure(&comparison.of(of)?, system());
-    target.put(args.pair.setup_args.json, &args.drawing, &figure, warnings)
+    target.put(args.pair.setup_args.json, &figure, warnings)
 }
 
 fn vcurve(args: &PlotVcurve) -> Result<Answer> {
@@ -319,11 +302,9 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     target.written(
         &request,
         &setup,
-        &args.drawing,
         &vcurve_figure(
             asked.filter_map(row),
             &while_loop(&setup, &certificate.rows),
-            At::SetUp,
         ),
         vec![],
     )
@@ -333,13 +314,10 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = Target::new(&request, &args.drawing)?;
     let setup = request.setup()?;
-    let over = args.over()?;
+    let constant = args.constant()?;
     if AirState::of(&setup.air).density == 0.0 {
-        let reason = "there is no air, and so no drag and no lift; set air.density above 0".into();
-        return Err(Error::Plot {
-            name: args.drawing.output.display().to_string(),
-            reason,
-        });
+        let reason = "there is no air, and so no drag and no lift; set air.density above 0";
+        return Err(target.refused(reason));
     }
     let own = setup.law.table().map(|_| setup.law.name());
     let all = || Law::NAMES.iter().copied().chain(own);
@@ -355,11 +333,8 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
         .enumerate()
         .find(|(i, name)| asked[..*i].contains(name))
     {
-        let source = format!("'{name}' is named twice, as number {} too; keep one", i + 1).into();
-        return Err(Error::Unreadable {
-            name: "`laws`".into(),
-            source,
-        });
+        let source = format!("'{name}' is named twice, as number {} too; keep one", i + 1);
+        return Err(Error::unreadable("`laws`", source));
     }
     let laws = if asked.is_empty() {
         all().map(named).collect::<Result<Vec<_>>>()
@@ -367,45 +342,27 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
         asked.into_iter().map(named).collect()
     }?;
     target.put(
-        request.is_json(),
-        &args.drawing,
-        &laws_figure(&laws, &setup, over, args.show),
+        request.is_json,
+        &laws_figure(&laws, &setup, args.over, constant, args.show),
         vec![],
     )
 }
 
 impl PlotLaws {
-    /// The abscissa of the plot, and the fixed value of the other variable.
-    fn over(&self) -> Result<Over> {
+    /// The value of the variable that is constant.
+    fn constant(&self) -> Result<f64> {
         let unused = |name: &str, over: &str| {
             let source = format!(
                 "the laws are drawn over the {over} itself, so this is not used; leave it out, or \
                  take another `over`"
             );
-            Err(Error::Unreadable {
-                name: name.into(),
-                source: source.into(),
-            })
+            Err(Error::unreadable(name, source))
         };
         match self.over {
-            LawsOver::SpinRatio if self.spin_ratio.is_some() => {
-                unused("`spin_ratio`", "spin ratio")
-            }
-            LawsOver::Reynolds if self.reynolds.is_some() => {
-                unused("`reynolds`", "Reynolds number")
-            }
-            LawsOver::SpinRatio => Ok(Over::SpinRatio(held(
-                "`reynolds`",
-                &self.reynolds,
-                1.5e5,
-                [1.0, 1e7],
-            )?)),
-            LawsOver::Reynolds => Ok(Over::Reynolds(held(
-                "`spin_ratio`",
-                &self.spin_ratio,
-                0.1,
-                [0.0, 10.0],
-            )?)),
+            Over::SpinRatio if self.spin_ratio.is_some() => unused("`spin_ratio`", "spin ratio"),
+            Over::Reynolds if self.reynolds.is_some() => unused("`reynolds`", "Reynolds number"),
+            Over::SpinRatio => held("`reynolds`", &self.reynolds, 1.5e5, [1.0, 1e7]),
+            Over::Reynolds => held("`spin_ratio`", &self.spin_ratio, 0.1, [0.0, 10.0]),
         }
     }
 }
@@ -414,10 +371,7 @@ impl PlotLaws {
 /// outside of `least` to `most` is an error.
 fn held(name: &str, text: &Option<String>, default: f64, [least, most]: [f64; 2]) -> Result<f64> {
     let Some(text) = text else { return Ok(default) };
-    let unreadable = |e| Error::Unreadable {
-        name: name.into(),
-        source: Box::new(e),
-    };
+    let unreadable = |e| Error::unreadable(name, e);
     let value = Quantity::NUMBER.read(text).map_err(unreadable)?;
     if (least..=most).contains(&value) {
         return Ok(value);

@@ -21,9 +21,9 @@ use std::path::PathBuf;
 /// The setup of a command, with the settings of its command line.
 #[derive(Clone)]
 pub struct Request {
-    source: Source,
+    pub source: Source,
     /// The settings of the command line, in the order of its options: each parameter once.
-    stated: Vec<Setting>,
+    pub settings: Vec<Setting>,
     /// The source with the settings applied; parameters without a default may be missing.
     setup: Setup<f64>,
     /// The length of `--tolerance`, the maximum error of a length, m.
@@ -31,7 +31,7 @@ pub struct Request {
     /// True for `--own-step`.
     own_step: bool,
     /// True for an answer in JSON.
-    is_json: bool,
+    pub is_json: bool,
 }
 
 impl SetupArgs {
@@ -60,7 +60,7 @@ impl DriveArgs {
     /// If a setting cannot be read.
     pub fn settings(&self) -> Result<Vec<Setting>> {
         let mut settings = Setting::read_all("set", &self.set)?;
-        let short_names = self.short_names.given();
+        let short_names = self.short_names();
         settings
             .extend(short_names.map(|(option, parameter, value)| {
                 Setting::by_short_name(option, parameter, value)
@@ -76,22 +76,22 @@ impl Request {
     ///
     /// # Errors
     /// If two settings state one parameter, or if a setting does not apply to the source.
-    pub fn new(source: Source, stated: Vec<Setting>, args: &SetupArgs) -> Result<Self> {
+    pub fn new(source: Source, settings: Vec<Setting>, args: &SetupArgs) -> Result<Self> {
         let tolerance = args.tolerance.as_deref().map(read_tolerance).transpose()?;
         Ok(Self {
             tolerance,
             own_step: args.own_step,
             is_json: args.json,
-            ..Self::of_drive(source, stated)?
+            ..Self::of_drive(source, settings)?
         })
     }
 
-    fn of_drive(source: Source, stated: Vec<Setting>) -> Result<Self> {
-        refuse_duplicates(&stated)?;
+    fn of_drive(source: Source, settings: Vec<Setting>) -> Result<Self> {
+        refuse_duplicates(&settings)?;
         let mut request = Self {
             setup: *source.setup(),
             source,
-            stated,
+            settings,
             tolerance: None,
             own_step: false,
             is_json: false,
@@ -108,7 +108,7 @@ impl Request {
 
     fn apply_settings(&mut self) -> Result<()> {
         let (launch, settings): (Vec<_>, Vec<_>) = self
-            .stated
+            .settings
             .iter()
             .partition(|setting| setting.replaces_launch());
         let mut setup = self.setup;
@@ -223,19 +223,11 @@ impl Request {
         Ok(setup)
     }
 
-    /// The source of the setup.
-    pub fn source(&self) -> &Source {
-        &self.source
-    }
-
-    /// True for an answer in JSON.
-    pub fn is_json(&self) -> bool {
-        self.is_json
-    }
-
     /// The names of the parameters that the command line states, in the order of its options.
     pub fn stated(&self) -> impl Iterator<Item = &str> {
-        self.stated.iter().map(|setting| setting.parameter.as_str())
+        self.settings
+            .iter()
+            .map(|setting| setting.parameter.as_str())
     }
 
     /// True if the command line states the parameter.
@@ -245,7 +237,7 @@ impl Request {
 
     /// The setup as a title: "tour-average, swing.speed=95mph".
     pub fn title(&self) -> String {
-        let settings = self.stated.iter();
+        let settings = self.settings.iter();
         let settings = settings.map(|setting| format!(", {}={}", setting.parameter, setting.value));
         self.source.title() + &settings.collect::<String>()
     }
@@ -279,16 +271,11 @@ impl Request {
         }
     }
 
-    /// The settings of the command line, in the order of its options.
-    pub fn settings(&self) -> &[Setting] {
-        &self.stated
-    }
-
     /// The arguments that give this setup to another command: the source and its settings, except
     /// the settings of the parameters `without`.
     pub fn as_arguments(&self, without: &[&Parameter]) -> Vec<String> {
         let mut words = vec![self.source.argument.clone()];
-        for setting in &self.stated {
+        for setting in &self.settings {
             if without
                 .iter()
                 .all(|parameter| parameter.name != setting.parameter)
@@ -301,29 +288,22 @@ impl Request {
     }
 
     /// Refuses a setup that gives the launch; `why` is the reason, with advice.
-    pub fn refuse_launch(&self, setup: &Setup<f64>, why: impl Into<String>) -> Result<()> {
+    pub fn refuse_launch(&self, setup: &Setup<f64>, why: &str) -> Result<()> {
         if !setup.launch.is_given() {
             return Ok(());
         }
-        Err(Error::Unreadable {
-            name: self.launch_from(),
-            source: why.into().into(),
-        })
-    }
-
-    /// The option or file that states the launch: "--launch", "the launch in mine.toml".
-    pub fn launch_from(&self) -> String {
         let of_launch = || {
-            let settings = self.stated.iter();
+            let settings = self.settings.iter();
             settings.filter(|setting| setting.is_of_launch())
         };
-        of_launch()
+        let stated = of_launch()
             .find(|setting| setting.replaces_launch())
-            .or(of_launch().next())
-            .map_or_else(
-                || format!("the launch in {}", self.source.name()),
-                Setting::argument_of_launch,
-            )
+            .or(of_launch().next());
+        let name = match stated {
+            Some(setting) => setting.argument_of_launch(),
+            None => format!("the launch in {}", self.source.name()),
+        };
+        Err(Error::unreadable(name, why))
     }
 
     /// Returns true if a setup file or a setting gives the ground of the roll-out.
@@ -349,7 +329,7 @@ impl Request {
     pub fn inputs(&self) -> impl Iterator<Item = PathBuf> {
         let of_source = self.source.setup().law.table();
         let of_setting = self
-            .stated
+            .settings
             .iter()
             .filter(|setting| setting.parameter == TABLE);
         let file = self.source.file().map(PathBuf::from);
@@ -374,7 +354,7 @@ impl Request {
                     .is_ok_and(Parameter::is_of_strike)
         };
         match self
-            .stated
+            .settings
             .iter()
             .find(|setting| is_of_club(&setting.parameter))
         {
@@ -383,10 +363,7 @@ impl Request {
                     "{why}: the parameters of swing, club, strike and impact are not used; leave \
                      it out, or give the drive by its club"
                 );
-                Err(Error::Unreadable {
-                    name: setting.named(),
-                    source: source.into(),
-                })
+                Err(Error::unreadable(setting.named(), source))
             }
             None => Ok(()),
         }
@@ -403,11 +380,11 @@ impl Request {
                 .iter()
                 .any(|parameter| parameter.name == setting.parameter)
         };
-        match self.stated.iter().find(is_unused) {
-            Some(setting) => Err(Error::Unreadable {
-                name: setting.named(),
-                source: format!("{why}, so this one is not used; leave it out").into(),
-            }),
+        match self.settings.iter().find(is_unused) {
+            Some(setting) => Err(Error::unreadable(
+                setting.named(),
+                format!("{why}, so this one is not used; leave it out"),
+            )),
             None => Ok(()),
         }
     }
@@ -441,13 +418,13 @@ impl Request {
 
     fn refuse_given_twice(&self, setup: &Setup<f64>, more: &[&'static Parameter]) -> Result<()> {
         let is_unset = |parameter: &Parameter| {
-            self.stated
+            self.settings
                 .iter()
                 .any(|setting| setting.parameter == parameter.name && setting.is_unset())
         };
         let in_file = self.source.given_in_file().iter().copied();
         let by_settings = self
-            .stated
+            .settings
             .iter()
             .filter(|setting| !setting.is_unset())
             .filter_map(|setting| setup.parameter(&setting.parameter).ok());
@@ -465,7 +442,7 @@ impl Request {
     /// determine NAME.
     fn refuse_idle_unset(&self, setup: &Setup<f64>, more: &[&'static Parameter]) -> Result<()> {
         let mut setup = *setup;
-        for setting in self.stated.iter().filter(|setting| setting.is_reset()) {
+        for setting in self.settings.iter().filter(|setting| setting.is_reset()) {
             let follows = more
                 .iter()
                 .any(|other| follows_from(&setting.parameter, other.name));
@@ -551,15 +528,16 @@ impl OwnLaw {
         if settings.is_empty() {
             return Ok(None);
         }
-        let refused = || Error::Unreadable {
-            name: settings
-                .iter()
-                .map(Setting::to_string)
-                .collect::<Vec<_>>()
-                .join(" "),
-            source: "this command uses every law as published; `set` only adds your own table and \
-                     its factors: `set aero.table=mine.csv`"
-                .into(),
+        let refused = || {
+            Error::unreadable(
+                settings
+                    .iter()
+                    .map(Setting::to_string)
+                    .collect::<Vec<_>>()
+                    .join(" "),
+                "this command uses every law as published; `set` only adds your own table and \
+                 its factors: `set aero.table=mine.csv`",
+            )
         };
         let mut setup = Setup::default();
         let pairs = settings

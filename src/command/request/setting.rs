@@ -18,20 +18,6 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// Reads `NAME=VALUE`, the value of an option such as `--set` or `--set-a`.
-    ///
-    /// # Errors
-    /// [`Error::Unreadable`] if `text` has no `=`.
-    fn read(argument: &'static str, text: &str) -> Result<Self> {
-        let (name, value) = split(argument, text, "club.loft=10.5deg")?;
-        Ok(Self {
-            argument,
-            name: name.into(),
-            parameter: name.into(),
-            value: value.into(),
-        })
-    }
-
     /// A launch condition with its value, from a separate option (`--ball-speed 167mph`) or from
     /// `--launch`.
     ///
@@ -67,10 +53,16 @@ impl Setting {
     /// # Errors
     /// [`Error::Unreadable`] if one of `texts` has no `=`.
     pub fn read_all(argument: &'static str, texts: &[String]) -> Result<Vec<Self>> {
-        texts
-            .iter()
-            .map(|text| Self::read(argument, text))
-            .collect()
+        let read = |text: &String| {
+            let (name, value) = split(argument, text, "club.loft=10.5deg")?;
+            Ok(Self {
+                argument,
+                name: name.into(),
+                parameter: name.into(),
+                value: value.into(),
+            })
+        };
+        texts.iter().map(read).collect()
     }
 
     /// Reads the texts of an option such as `--launch`.
@@ -158,10 +150,10 @@ pub fn refuse_duplicates(settings: &[Setting]) -> Result<()> {
             } else {
                 setting.parameter.clone()
             };
-            return Err(Error::Unreadable {
-                name: setting.to_string(),
-                source: format!("{earlier} gives {what} too; keep one of the two").into(),
-            });
+            return Err(Error::unreadable(
+                setting.to_string(),
+                format!("{earlier} gives {what} too; keep one of the two"),
+            ));
         }
     }
     Ok(())
@@ -174,30 +166,23 @@ pub fn refuse_duplicates(settings: &[Setting]) -> Result<()> {
 pub fn read_tolerance(text: &str) -> Result<f64> {
     let tolerance = Quantity::LENGTH
         .read(text)
-        .map_err(|error| bad_tolerance(error.to_string()))?;
+        .map_err(|error| Error::unreadable("`tolerance`", error))?;
     if tolerance > 0.0 && tolerance.is_finite() {
         return Ok(tolerance);
     }
-    Err(bad_tolerance(format!(
-        "\"{text}\" is no tolerance; give a length above 0, for example 1um"
-    )))
-}
-
-/// The error for an invalid tolerance.
-pub fn bad_tolerance(reason: String) -> Error {
-    Error::Unreadable {
-        name: "`tolerance`".into(),
-        source: reason.into(),
-    }
+    let source = format!("\"{text}\" is no tolerance; give a length above 0, for example 1um");
+    Err(Error::unreadable("`tolerance`", source))
 }
 
 /// Splits `NAME=VALUE`.
 fn split<'a>(argument: &str, text: &'a str, example: &str) -> Result<(&'a str, &'a str)> {
     text.split_once('=')
         .map(|(name, value)| (name.trim(), value.trim()))
-        .ok_or_else(|| Error::Unreadable {
-            name: format!("`{argument} {text}`"),
-            source: format!("write NAME=VALUE, for example {example}").into(),
+        .ok_or_else(|| {
+            Error::unreadable(
+                format!("`{argument} {text}`"),
+                format!("write NAME=VALUE, for example {example}"),
+            )
         })
 }
 

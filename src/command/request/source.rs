@@ -165,10 +165,7 @@ fn read_standard_input() -> Result<SetupFile> {
             "it is empty; give a setup in TOML, or name a preset ({}) in place of -",
             Preset::names()
         );
-        return Err(Error::Unreadable {
-            name: STANDARD_INPUT_NAME.into(),
-            source: source.into(),
-        });
+        return Err(Error::unreadable(STANDARD_INPUT_NAME, source));
     }
     SetupFile::read(&text, STANDARD_INPUT_NAME)
 }

@@ -1,13 +1,12 @@
 //! Integration method and step of a request: stated, for a tolerance, or chosen for many drives.
 
 use super::Request;
-use super::setting::{Setting, bad_tolerance};
 use crate::command::output::{tell, warn_early};
 use crate::integration::{Accuracy, StepChoice, of_the_flight};
 use crate::parameters::{Vary, is_of_step};
 use crate::report::{setup_toml, with_step_of};
 use crate::units::counted;
-use crate::{Outcome, Result, Setup};
+use crate::{Error, Outcome, Result, Setup};
 use std::sync::atomic::AtomicBool;
 
 impl Request {
@@ -67,12 +66,14 @@ impl Request {
         let Some(tolerance) = self.tolerance else {
             return Ok(None);
         };
-        if let Some(setting) = self.setting_of_step() {
-            return Err(bad_tolerance(format!(
+        let mut settings = self.settings.iter();
+        if let Some(setting) = settings.find(|setting| is_of_step(&setting.parameter)) {
+            let source = format!(
                 "it chooses method and step, and {} states one of them; leave out one of these \
                  options",
                 setting.named()
-            )));
+            );
+            return Err(Error::unreadable("`tolerance`", source));
         }
         let choice = StepChoice::Within(tolerance);
         let found = choice.for_ranges(setup, ranges, of, &AtomicBool::new(false))?;
@@ -102,11 +103,5 @@ impl Request {
         }
         let stated = setup_toml(self.source.setup(), self.source.preset(), &[], &[])?;
         Ok(with_step_of(&stated, &toml))
-    }
-
-    /// The first setting of flight.method or flight.step.
-    fn setting_of_step(&self) -> Option<&Setting> {
-        let mut settings = self.stated.iter();
-        settings.find(|setting| is_of_step(&setting.parameter))
     }
 }

@@ -96,10 +96,10 @@ fn available_space(_: &Path) -> Option<u64> {
 fn read_size(text: &str) -> Result<f64> {
     let size: ByteSize = text.trim().parse().unwrap_or_default();
     if size.as_u64() == 0 {
-        return Err(Error::Unreadable {
-            name: format!("`max_size {text}`"),
-            source: "write a size like 500MB, 50GB or 1.5TB".into(),
-        });
+        return Err(Error::unreadable(
+            format!("`max_size {text}`"),
+            "write a size like 500MB, 50GB or 1.5TB",
+        ));
     }
     Ok(size.as_u64() as f64)
 }

@@ -29,7 +29,8 @@ use std::sync::atomic::AtomicBool;
 use target::{Output, Target};
 
 pub fn run(args: &Args) -> Result<Answer> {
-    if let Some(folder) = folder_of_parts(args) {
+    let folder = args.part.and(Some(args.output.as_path()));
+    if let Some(folder) = args.check.as_deref().or(folder) {
         return of_parts(args, folder);
     }
     refuse_options_of_parts(args)?;
@@ -56,8 +57,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     let file = target
         .part()
         .filter(|_| !is_complete)
-        .unwrap_or(&args.output);
-    let summary = SweepSummary::new(total, counts, notes, file);
+        .unwrap_or_else(|| args.output.clone());
+    let summary = SweepSummary::new(total, counts, notes, &file);
     warnings.add(counts.beyond().warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
@@ -76,7 +77,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     if is_answered && !all_landed(&counts) && target.is_standard_output() {
         tell(&summary.text(None));
     }
-    let answer = if request.is_json() {
+    let answer = if request.is_json {
         let reply = Reply::done("sweep", warnings.into_vec(), &summary);
         Answer::json(&ended(reply, is_complete, nothing))
     } else if is_complete && !target.is_standard_output() {
@@ -85,12 +86,6 @@ pub fn run(args: &Args) -> Result<Answer> {
         Answer::text(String::new())
     };
     Ok(answer.found(is_answered))
-}
-
-/// The folder, if a part is written or the parts are checked.
-fn folder_of_parts(args: &Args) -> Option<&Path> {
-    let folder = args.part.and(Some(args.output.as_path()));
-    args.check.as_deref().or(folder)
 }
 
 /// The reply with its status; `nothing` is the reason if no drive has an outcome.

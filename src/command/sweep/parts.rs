@@ -84,7 +84,7 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
     ));
     let there = (!is_new)
         .then(|| "it existed already, complete and of the same sweep, and is kept".to_owned());
-    if request.is_json() {
+    if request.is_json {
         let body = WrittenPart {
             folder: folder.display().to_string(),
             manifest,
@@ -115,7 +115,7 @@ fn stopped(PartOf { part, parts }: PartOf, request: &Request) -> Answer {
         "stopped: nothing of part {part} of {parts} is kept; the same command begins it again"
     );
     tell(&note);
-    let answer = if request.is_json() {
+    let answer = if request.is_json {
         Answer::json(&Reply::refused(Some("sweep"), "interrupted", note))
     } else {
         Answer::text(String::new())

@@ -28,82 +28,65 @@ const BLOCKS: u64 = 16;
 /// `FILE`. It always contains whole rows. The journal counts only rows that equal the rows of an
 /// uninterrupted run, byte for byte.
 pub struct ResumableFile<'a> {
-    files: Files,
+    /// The path of the complete file.
+    path: PathBuf,
+    /// The open file.
     file: File,
     journal: Journal,
     writer: &'a Writer,
     /// Number of rows in the file.
+    pub rows: u64,
     /// Number of bytes in the file.
-    rows: u64,
-    /// Status counts of the rows in the file.
     bytes: u64,
-    status_counts: StatusCounts,
+    /// Status counts of the rows in the file.
+    pub status_counts: StatusCounts,
     /// Number of rows in the journal. A resumed sweep continues after these rows.
-    safe: u64,
+    pub safe: u64,
     /// Number of blocks since the last line of the journal.
-    /// Time of the last line of the journal.
     since: u64,
+    /// Time of the last line of the journal.
     last: Option<Instant>,
+    /// The written row groups of a Parquet file, each with the bytes, rows and statuses before it.
     #[cfg(feature = "parquet")]
-    groups: Groups,
-}
-
-/// Row groups of a Parquet file.
-#[cfg(feature = "parquet")]
-#[derive(Default)]
-struct Groups {
-    /// The written groups, each with the bytes, rows and statuses before it.
-    placed: Vec<(PlacedGroup, u64, u64, StatusCounts)>,
+    groups: Vec<(PlacedGroup, u64, u64, StatusCounts)>,
     /// Blocks of the next row group.
+    #[cfg(feature = "parquet")]
     pending: Vec<Block>,
 }
 
-/// The files of a sweep.
-#[derive(Clone, Debug)]
-pub struct Files {
-    /// The path of the complete file.
-    pub whole: PathBuf,
-    /// The path of the incomplete file, `FILE.part`.
-    pub part: PathBuf,
+/// The path of an incomplete file, `FILE.part`.
+pub fn part_of(path: &Path) -> PathBuf {
+    let mut part = path.as_os_str().to_owned();
+    part.push(".part");
+    part.into()
 }
 
-impl Files {
-    pub fn of(whole: &Path) -> Self {
-        let mut part = whole.as_os_str().to_owned();
-        part.push(".part");
-        Self {
-            whole: whole.into(),
-            part: part.into(),
-        }
+/// Refuses to lose the rows of an earlier sweep, or to replace a file that no sweep wrote.
+pub fn check(path: &Path, resume: bool, overwrite: bool) -> Result<()> {
+    let journal = Journal::path(path);
+    if !journal.exists() {
+        let part = part_of(path);
+        return match (part.exists(), resume && path.exists()) {
+            (true, _) => Err(refused(
+                &part,
+                "it exists, and it is not known which sweep wrote it; move it away",
+            )),
+            (_, true) => Err(nothing_left(path)),
+            _ => Ok(()),
+        };
     }
-
-    /// Refuses to lose the rows of an earlier sweep, or to replace a file that no sweep wrote.
-    pub fn check(&self, resume: bool, overwrite: bool) -> Result<()> {
-        let journal = Journal::path(&self.whole);
-        if !journal.exists() {
-            let part = &self.part;
-            return match (part.exists(), resume && self.whole.exists()) {
-                (true, _) => Err(refused(
-                    part,
-                    "it exists, and it is not known which sweep wrote it; move it away",
-                )),
-                (_, true) => Err(nothing_left(&self.whole)),
-                _ => Ok(()),
-            };
-        }
-        if !Journal::is_one(&journal).map_err(|error| unwritable(&self.whole, &error))? {
-            return Err(refused(
-                &journal,
-                "it exists, and is not the journal of a sweep; move it away",
-            ));
-        }
-        if !resume && !overwrite {
-            let reason = "an earlier sweep into it did not end; `resume` continues it, `overwrite` \
-                          starts again";
-            return Err(refused(&self.whole, reason));
-        }
-        Ok(())
+    if !Journal::is_one(&journal).map_err(|error| unwritable(path, &error))? {
+        return Err(refused(
+            &journal,
+            "it exists, and is not the journal of a sweep; move it away",
+        ));
     }
+    if !resume && !overwrite {
+        let reason = "an earlier sweep into it did not end; `resume` continues it, `overwrite` \
+                      starts again";
+        return Err(refused(path, reason));
+    }
+    Ok(())
 }
 
 fn nothing_left(path: &Path) -> Error {
@@ -117,34 +100,33 @@ fn nothing_left(path: &Path) -> Error {
 
 impl<'a> ResumableFile<'a> {
     /// Begins or continues the file. The destination must have been checked.
-    pub fn open(files: Files, writer: &'a Writer, resume: bool, overwrite: bool) -> Result<Self> {
-        if resume && Journal::path(&files.whole).exists() {
-            return Self::go_on(files, writer);
+    pub fn open(path: PathBuf, writer: &'a Writer, resume: bool, overwrite: bool) -> Result<Self> {
+        if resume && Journal::path(&path).exists() {
+            return Self::go_on(path, writer);
         }
-        let unwritable = |error: io::Error| unwritable(&files.whole, &error);
+        let unwritable = |error: io::Error| unwritable(&path, &error);
         // create the journal first: rows without a journal could not be identified
-        let journal =
-            Journal::begin(&files.whole, &writer.identity, overwrite).map_err(unwritable)?;
+        let journal = Journal::begin(&path, &writer.identity, overwrite).map_err(unwritable)?;
         // another sweep may have completed the file since the check
-        if !overwrite && files.whole.exists() {
+        if !overwrite && path.exists() {
             journal.remove().map_err(unwritable)?;
-            return Err(exists(&files.whole));
+            return Err(exists(&path));
         }
         let rows = OpenOptions::new()
             .write(true)
             .create(true)
             .truncate(true)
-            .open(&files.part);
+            .open(part_of(&path));
         let file = rows.map_err(|error| {
             let _ = journal.remove();
             unwritable(error)
         })?;
-        Self::at_the_beginning(files, file, journal, writer).begun()
+        Self::at_the_beginning(path, file, journal, writer).begun()
     }
 
-    fn at_the_beginning(files: Files, file: File, journal: Journal, writer: &'a Writer) -> Self {
+    fn at_the_beginning(path: PathBuf, file: File, journal: Journal, writer: &'a Writer) -> Self {
         Self {
-            files,
+            path,
             file,
             journal,
             writer,
@@ -155,7 +137,9 @@ impl<'a> ResumableFile<'a> {
             since: 0,
             last: None,
             #[cfg(feature = "parquet")]
-            groups: Groups::default(),
+            groups: vec![],
+            #[cfg(feature = "parquet")]
+            pending: vec![],
         }
     }
 
@@ -164,8 +148,7 @@ impl<'a> ResumableFile<'a> {
         Ok(self)
     }
 
-    fn go_on(files: Files, writer: &'a Writer) -> Result<Self> {
-        let path = files.whole.clone();
+    fn go_on(path: PathBuf, writer: &'a Writer) -> Result<Self> {
         let unusable =
             |error: io::Error| refused(&path, format!("its sweep cannot be resumed ({error})"));
         // a kill may have come between the creation of the journal and the first row
@@ -173,7 +156,7 @@ impl<'a> ResumableFile<'a> {
             .write(true)
             .create(true)
             .truncate(false)
-            .open(&files.part)
+            .open(part_of(&path))
             .map_err(unusable)?;
         let length = file.metadata().map_err(unusable)?.len();
         let Some((journal, identity, entries)) =
@@ -188,13 +171,13 @@ impl<'a> ResumableFile<'a> {
             );
             return Err(refused(&path, reason));
         }
-        if !journal.overwrite && files.whole.exists() {
+        if !journal.overwrite && path.exists() {
             let reason = "it exists, and the sweep into it was begun without `overwrite`; move it \
                           away, then repeat the \
                           same command with `resume`";
             return Err(refused(&path, reason));
         }
-        let mut kept = Self::at_the_beginning(files, file, journal, writer);
+        let mut kept = Self::at_the_beginning(path.clone(), file, journal, writer);
         if let Some(last) = entries.last() {
             (kept.rows, kept.bytes, kept.status_counts) =
                 (last.rows, last.bytes, last.status_counts());
@@ -202,8 +185,7 @@ impl<'a> ResumableFile<'a> {
         }
         #[cfg(feature = "parquet")]
         if let Table::Parquet(table) = &writer.table {
-            kept.groups
-                .restore(table, &entries, table.head().len() as u64)?;
+            kept.restore_groups(table, &entries)?;
         }
         kept.cut().map_err(unusable)?;
         tell(&format!("resuming after {}", counted(kept.rows, "row")));
@@ -212,19 +194,6 @@ impl<'a> ResumableFile<'a> {
         } else {
             Ok(kept)
         }
-    }
-
-    pub fn rows(&self) -> u64 {
-        self.rows
-    }
-
-    /// Number of rows after which a resumed sweep continues.
-    pub fn safe(&self) -> u64 {
-        self.safe
-    }
-
-    pub fn status_counts(&self) -> StatusCounts {
-        self.status_counts
     }
 
     pub fn take(&mut self, rows: Rows) -> Result<()> {
@@ -243,8 +212,8 @@ impl<'a> ResumableFile<'a> {
                 let Table::Parquet(table) = &self.writer.table else {
                     return Ok(());
                 };
-                self.groups.pending.push(block);
-                if self.groups.pending.len() == table.blocks_of_group() {
+                self.pending.push(block);
+                if self.pending.len() == table.blocks_of_group() {
                     let metadata = self.write_group(table)?;
                     self.keep(&metadata)?;
                 }
@@ -259,7 +228,7 @@ impl<'a> ResumableFile<'a> {
         #[cfg(feature = "parquet")]
         if let Table::Parquet(table) = &self.writer.table {
             // after a disk error there may be no space for these rows
-            let rest = if self.groups.pending.is_empty() {
+            let rest = if self.pending.is_empty() {
                 Ok(())
             } else {
                 self.write_group(table).map(|_| ())
@@ -273,8 +242,8 @@ impl<'a> ResumableFile<'a> {
         if is_complete {
             let in_place = || {
                 self.file.sync_all()?;
-                let part = TempPath::try_from_path(&self.files.part)?;
-                persist(part, &self.files.whole, self.journal.overwrite).map_err(|failed| {
+                let part = TempPath::try_from_path(part_of(&self.path))?;
+                persist(part, &self.path, self.journal.overwrite).map_err(|failed| {
                     // keep the file: it has all rows
                     let _ = failed.path.keep();
                     failed.error
@@ -303,10 +272,8 @@ impl<'a> ResumableFile<'a> {
     }
 
     fn failed(&self, error: &io::Error) -> Error {
-        let (rows, part) = (
-            counted(self.rows, "complete row"),
-            self.files.part.display(),
-        );
+        let rows = counted(self.rows, "complete row");
+        let part = part_of(&self.path);
         let (what, remedy) = match error.kind() {
             ErrorKind::AlreadyExists => (
                 "it was made by another program while the sweep ran".into(),
@@ -318,10 +285,11 @@ impl<'a> ResumableFile<'a> {
             ),
         };
         let reason = format!(
-            "{what}; {part} keeps its first {rows}; {remedy}, then repeat the same command with \
-             `resume`"
+            "{what}; {} keeps its first {rows}; {remedy}, then repeat the same command with \
+             `resume`",
+            part.display()
         );
-        refused(&self.files.whole, reason)
+        refused(&self.path, reason)
     }
 
     /// Records the written rows in the journal.
@@ -340,12 +308,12 @@ impl<'a> ResumableFile<'a> {
 impl ResumableFile<'_> {
     /// Writes the pending blocks as a row group and returns its metadata.
     fn write_group(&mut self, table: &SweepParquet) -> Result<Vec<u8>> {
-        let blocks = std::mem::take(&mut self.groups.pending);
+        let blocks = std::mem::take(&mut self.pending);
         let ParquetGroup { bytes, metadata } = table.group(&blocks)?;
         let (at, before) = (self.bytes, (self.rows, self.status_counts));
         self.append(&bytes)?;
-        let placed = table.place(&metadata, at, self.groups.placed.len())?;
-        self.groups.placed.push((placed, at, before.0, before.1));
+        let placed = table.place(&metadata, at, self.groups.len())?;
+        self.groups.push((placed, at, before.0, before.1));
         for block in &blocks {
             self.rows += block.rows() as u64;
             self.status_counts.add(block);
@@ -360,7 +328,6 @@ impl ResumableFile<'_> {
         loop {
             let groups: Vec<_> = self
                 .groups
-                .placed
                 .iter()
                 .map(|(group, ..)| group.clone())
                 .collect();
@@ -368,7 +335,7 @@ impl ResumableFile<'_> {
             let Err(error) = self.file.write_all(&foot) else {
                 break;
             };
-            let Some((_, at, rows, status_counts)) = self.groups.placed.pop() else {
+            let Some((_, at, rows, status_counts)) = self.groups.pop() else {
                 return Err(self.failed(&error));
             };
             (self.bytes, self.rows, self.status_counts) = (at, rows, status_counts);
@@ -380,16 +347,13 @@ impl ResumableFile<'_> {
         // with row groups removed, the file is incomplete
         no_room.map_or(Ok(()), |error| Err(self.failed(&error)))
     }
-}
 
-#[cfg(feature = "parquet")]
-impl Groups {
     /// Restores the row groups that the journal records.
-    fn restore(&mut self, table: &SweepParquet, entries: &[Entry], head: u64) -> Result<()> {
-        let mut before = (head, 0, StatusCounts::default());
+    fn restore_groups(&mut self, table: &SweepParquet, entries: &[Entry]) -> Result<()> {
+        let mut before = (table.head().len() as u64, 0, StatusCounts::default());
         for entry in entries {
-            let placed = table.place(&entry.group(), before.0, self.placed.len())?;
-            self.placed.push((placed, before.0, before.1, before.2));
+            let placed = table.place(&entry.group(), before.0, self.groups.len())?;
+            self.groups.push((placed, before.0, before.1, before.2));
             before = (entry.bytes, entry.rows, entry.status_counts());
         }
         Ok(())

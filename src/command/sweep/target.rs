@@ -1,8 +1,8 @@
 use super::args::{Args, Format};
-use super::resumable::{Files, ResumableFile};
+use super::resumable::{ResumableFile, check, part_of};
 use super::rows::{Content, Rows, Writer};
 use crate::batch::StatusCounts;
-use crate::command::files::{Rule, refused, unwritable};
+use crate::command::files::{Rule, ending, refused, unwritable};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::external_errors::write_error_text;
@@ -16,8 +16,8 @@ use std::path::{Path, PathBuf};
 pub struct Target {
     /// The path as typed.
     path: PathBuf,
-    /// The files of the sweep, if the destination is a file.
-    files: Option<Files>,
+    /// The file, if the destination stores its bytes.
+    file: Option<PathBuf>,
     pub format: Format,
 }
 
@@ -25,7 +25,7 @@ impl Target {
     pub fn new(args: &Args, request: &Request) -> Result<Self> {
         let target = Self {
             path: args.output.clone(),
-            files: None,
+            file: None,
             format: Format::Csv,
         };
         let refuse = |reason: &str| Err(refused(&target.path, reason));
@@ -43,7 +43,7 @@ impl Target {
             );
         }
         let format = target.format_of(args)?;
-        if target.is_standard_output() && request.is_json() {
+        if target.is_standard_output() && request.is_json {
             return refuse(
                 "standard output cannot hold both the rows and the summary of `json`; name a file \
                  with `output`",
@@ -70,26 +70,22 @@ impl Target {
                  jsonl",
             );
         }
-        let files = destination.is_file().then(|| Files::of(destination.path()));
-        if let Some(files) = &files {
-            files.check(args.resume, args.overwrite)?;
+        let file = destination
+            .is_file()
+            .then(|| destination.path().to_path_buf());
+        if let Some(file) = &file {
+            check(file, args.resume, args.overwrite)?;
         }
         Ok(Self {
             format,
-            files,
+            file,
             ..target
         })
     }
 
     /// The format of `--format`, or else of the file name extension.
     fn format_of(&self, args: &Args) -> Result<Format> {
-        let ending = self
-            .path
-            .extension()
-            .and_then(|ending| ending.to_str())
-            .unwrap_or_default()
-            .to_lowercase();
-        Ok(match (args.format, ending.as_str()) {
+        Ok(match (args.format, ending(&self.path).as_str()) {
             (Some(format), _) => format,
             (None, "csv") => Format::Csv,
             (None, "jsonl" | "ndjson") => Format::Jsonl,
@@ -122,20 +118,20 @@ impl Target {
     }
 
     /// The path of the incomplete file.
-    pub fn part(&self) -> Option<&Path> {
-        self.files.as_ref().map(|files| files.part.as_path())
+    pub fn part(&self) -> Option<PathBuf> {
+        self.file.as_deref().map(part_of)
     }
 
     /// The file, if the destination stores its bytes.
     pub fn file(&self) -> Option<&Path> {
-        self.files.as_ref().map(|files| files.whole.as_path())
+        self.file.as_deref()
     }
 
     /// Begins the output, or continues an interrupted output.
     pub fn open<'a>(&self, writer: &'a Writer, args: &Args) -> Result<Output<'a>> {
-        if let Some(files) = &self.files {
+        if let Some(file) = &self.file {
             return Ok(Output::Resumable(Box::new(ResumableFile::open(
-                files.clone(),
+                file.clone(),
                 writer,
                 args.resume,
                 args.overwrite,
@@ -195,7 +191,7 @@ impl Output<'_> {
     /// Number of rows from an earlier run.
     pub fn rows(&self) -> u64 {
         match self {
-            Self::Resumable(file) => file.rows(),
+            Self::Resumable(file) => file.rows,
             Self::Stream(_) => 0,
         }
     }
@@ -203,14 +199,14 @@ impl Output<'_> {
     /// Number of rows after which a resumed sweep continues.
     pub fn safe(&self) -> u64 {
         match self {
-            Self::Resumable(file) => file.safe(),
+            Self::Resumable(file) => file.safe,
             Self::Stream(_) => 0,
         }
     }
 
     pub fn status_counts(&self) -> StatusCounts {
         match self {
-            Self::Resumable(file) => file.status_counts(),
+            Self::Resumable(file) => file.status_counts,
             Self::Stream(stream) => stream.status_counts,
         }
     }

@@ -5,13 +5,14 @@ use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, Measure};
 use crate::units::significant;
 use std::f64::consts::PI;
 
-/// The horizontal axis of a plot of laws; the other variable is constant.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Horizontal axis of a plot of laws. The other variable is constant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "commands", derive(clap::ValueEnum))]
 pub enum Over {
-    /// Over the spin ratio, at this Reynolds number.
-    SpinRatio(f64),
-    /// Over the Reynolds number, at this spin ratio.
-    Reynolds(f64),
+    /// Over the spin ratio.
+    SpinRatio,
+    /// Over the Reynolds number.
+    Reynolds,
 }
 
 /// The coefficient to draw.
@@ -51,9 +52,16 @@ const COEFFICIENTS: [f64; 2] = [0.0, 0.5];
 
 /// Laws of drag and lift as curves with measured points. The law of the setup has a colour, the
 /// others are grey. Curves are solid in the fitted range, and dashed outside of it or if it is
-/// unknown. Speeds and spins are for the ball and the air of a setup.
-pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coefficient) -> Figure {
-    let plot = LawPlot::new(setup, over, of);
+/// unknown. Speeds and spins are for the ball and the air of a setup. `constant` is the value of
+/// the variable that is not on the axis: the Reynolds number or the spin ratio.
+pub fn laws_figure(
+    laws: &[Law<f64>],
+    setup: &Setup<f64>,
+    over: Over,
+    constant: f64,
+    of: Coefficient,
+) -> Figure {
+    let plot = LawPlot::new(setup, over, constant, of);
     let mut figure = plot.empty();
     figure.line_names = LineNames::AtEnds;
     let is_used = |law: &&Law<f64>| law.name() == setup.law.name();
@@ -71,7 +79,8 @@ pub fn laws_figure(laws: &[Law<f64>], setup: &Setup<f64>, over: Over, of: Coeffi
     });
     figure.y = figure.y.exactly(low, high);
     figure.layers.extend(own);
-    let note = note(&figure, used.first().map(|law| law.name()), over);
+    let used = used.first().map(|law| law.name());
+    let note = note(&figure, used, &plot.constant_text());
     figure.noted(note)
 }
 
@@ -86,7 +95,7 @@ fn values(layers: &[Layer]) -> impl Iterator<Item = f64> {
         .filter(|value| value.is_finite())
 }
 
-fn note(figure: &Figure, used: Option<&str>, over: Over) -> String {
+fn note(figure: &Figure, used: Option<&str>, constant: &str) -> String {
     let mut notes = vec![];
     notes.extend(used.map(|name| format!("In colour: {name}, the law of the setup.")));
     notes.push(
@@ -96,9 +105,8 @@ fn note(figure: &Figure, used: Option<&str>, over: Over) -> String {
     let is_dots = |layer: &Layer| matches!(layer, Layer::Dots { .. });
     if figure.layers.iter().any(is_dots) {
         notes.push(format!(
-            "Points are measured values, within {:.0} % of {}.",
-            100.0 * NEAR,
-            over.constant()
+            "Points are measured values, within {:.0} % of {constant}.",
+            100.0 * NEAR
         ));
     }
     let [low, high] = figure.y.reach.unwrap_or(COEFFICIENTS);
@@ -116,29 +124,11 @@ fn note(figure: &Figure, used: Option<&str>, over: Over) -> String {
     notes.join(" ")
 }
 
-impl Over {
-    /// The name of the variable.
-    fn label(self) -> &'static str {
-        match self {
-            Self::SpinRatio(_) => "spin ratio",
-            Self::Reynolds(_) => "Reynolds number",
-        }
-    }
-
-    /// The constant variable with its value, as text.
-    fn constant(self) -> String {
-        match self {
-            Self::SpinRatio(reynolds) => {
-                format!("a Reynolds number of {}", significant(reynolds, 4))
-            }
-            Self::Reynolds(spin_ratio) => format!("a spin ratio of {}", significant(spin_ratio, 4)),
-        }
-    }
-}
-
 /// The axes of a plot of laws, with the ball and the air.
 struct LawPlot {
     over: Over,
+    /// The value of the other variable.
+    constant: f64,
     of: Coefficient,
     /// Radius of the ball, m.
     radius: f64,
@@ -149,18 +139,28 @@ struct LawPlot {
 }
 
 impl LawPlot {
-    fn new(setup: &Setup<f64>, over: Over, of: Coefficient) -> Self {
+    fn new(setup: &Setup<f64>, over: Over, constant: f64, of: Coefficient) -> Self {
         let air = AirState::of(&setup.air);
         let radius = setup.ball.radius;
         Self {
             over,
+            constant,
             of,
             radius,
             per_speed: air.density * 2.0 * radius / air.viscosity,
             range: match over {
-                Over::SpinRatio(_) => SPIN_RATIOS,
-                Over::Reynolds(_) => REYNOLDS,
+                Over::SpinRatio => SPIN_RATIOS,
+                Over::Reynolds => REYNOLDS,
             },
+        }
+    }
+
+    /// The constant variable with its value, as text.
+    fn constant_text(&self) -> String {
+        let value = significant(self.constant, 4);
+        match self.over {
+            Over::SpinRatio => format!("a Reynolds number of {value}"),
+            Over::Reynolds => format!("a spin ratio of {value}"),
         }
     }
 
@@ -170,13 +170,16 @@ impl LawPlot {
             Coefficient::Drag => ("C_D", "Drag"),
             Coefficient::Lift => ("C_L", "Lift"),
         };
-        let label = self.over.label();
+        let label = match self.over {
+            Over::SpinRatio => "spin ratio",
+            Over::Reynolds => "Reynolds number",
+        };
         let name = format!(
             "laws-{}-{}",
             words.to_lowercase(),
             label.replace(' ', "-").to_lowercase()
         );
-        let constant = self.over.constant();
+        let constant = self.constant_text();
         Figure::new(
             name,
             format!("{words} coefficient over the {label}, at {constant}"),
@@ -188,8 +191,8 @@ impl LawPlot {
     /// The stream at a value of the horizontal axis.
     fn stream(&self, at: f64) -> Stream<f64> {
         let (spin_ratio, reynolds) = match self.over {
-            Over::SpinRatio(reynolds) => (at, reynolds),
-            Over::Reynolds(spin_ratio) => (spin_ratio, at),
+            Over::SpinRatio => (at, self.constant),
+            Over::Reynolds => (self.constant, at),
         };
         let speed = reynolds / self.per_speed;
         let spin = spin_ratio * speed / self.radius;
@@ -198,7 +201,7 @@ impl LawPlot {
 
     /// The curve of a law with its measured points.
     fn layers(&self, law: &Law<f64>, hue: Hue) -> Vec<Layer> {
-        let mut layers = Curve::new(self, law).layers(self, law, hue);
+        let mut layers = self.curve(law, hue);
         let points = self.measured_points(law);
         if !points.is_empty() {
             layers.push(Layer::Dots {
@@ -218,56 +221,25 @@ impl LawPlot {
         measured(law, &law.fitted(), self.per_speed, self.radius)
             .into_iter()
             .filter_map(|point| {
-                let (x, other, constant) = match self.over {
-                    Over::SpinRatio(constant) => (point.spin_ratio?, point.reynolds, constant),
-                    Over::Reynolds(constant) => (point.reynolds?, point.spin_ratio, constant),
+                let (x, other) = match self.over {
+                    Over::SpinRatio => (point.spin_ratio?, point.reynolds),
+                    Over::Reynolds => (point.reynolds?, point.spin_ratio),
                 };
-                let is_near = other.is_none_or(|other| (other - constant).abs() <= NEAR * constant);
+                let is_near =
+                    other.is_none_or(|other| (other - self.constant).abs() <= NEAR * self.constant);
                 let value = point.values[which]?;
                 (is_near && (low..=high).contains(&x)).then_some([x, value])
             })
             .collect()
     }
-}
 
-/// A coefficient of a law.
-struct Curve {
-    /// Points within the fitted range of the law.
-    within: Vec<[f64; 2]>,
-    /// Points outside of the fitted range, or all points if it is unknown.
-    beyond: Vec<[f64; 2]>,
-}
-
-impl Curve {
-    fn new(plot: &LawPlot, law: &Law<f64>) -> Self {
-        let [low, high] = plot.range;
+    /// The solid line of a law within its fitted range, and the dashed line outside of it, or
+    /// everywhere if the range is unknown. A line without points is omitted.
+    fn curve(&self, law: &Law<f64>, hue: Hue) -> Vec<Layer> {
         let fitted = law.fitted();
-        let is_known = fitted.ranges().iter().any(|(.., range)| range.is_some());
-        let points: Vec<([f64; 2], bool)> = (0..=STEPS)
-            .map(|k| {
-                let at = low + (high - low) * k as f64 / STEPS as f64;
-                let stream = plot.stream(at);
-                let Coefficients { drag, lift } = law.coefficients(stream);
-                let is_within = is_known
-                    && fitted.holds([
-                        stream.spin_ratio(),
-                        stream.spin,
-                        stream.reynolds(),
-                        stream.speed,
-                    ]);
-                ([at, [drag, lift][plot.of as usize]], is_within)
-            })
-            .collect();
-        Self {
-            within: pieces(&points, true),
-            beyond: pieces(&points, false),
-        }
-    }
-
-    /// The solid and the dashed line. A line without points is omitted.
-    fn layers(self, plot: &LawPlot, law: &Law<f64>, hue: Hue) -> Vec<Layer> {
-        let fitted = law.fitted();
-        let [first, last] = plot.range.map(|at| plot.stream(at));
+        let points = self.points(law, &fitted);
+        let (within, beyond) = (pieces(&points, true), pieces(&points, false));
+        let [first, last] = self.range.map(|at| self.stream(at));
         let range = [
             [first.spin_ratio(), last.spin_ratio()],
             [first.spin, last.spin],
@@ -275,15 +247,15 @@ impl Curve {
             [first.speed, last.speed],
         ];
         // a law without a solid line has its plain name in the legend
-        let suffix = if self.within.is_empty() {
+        let suffix = if within.is_empty() {
             String::new()
         } else {
             format!(" ({})", fitted.continuation(fitted.exceeded_ends(range)))
         };
         let name = law.name();
         let lines = [
-            (name.to_owned(), false, self.within),
-            (format!("{name}{suffix}"), true, self.beyond),
+            (name.to_owned(), false, within),
+            (format!("{name}{suffix}"), true, beyond),
         ];
         let lines = lines.into_iter().filter(|(.., points)| !points.is_empty());
         lines
@@ -294,6 +266,26 @@ impl Curve {
                 points,
             })
             .collect()
+    }
+
+    /// The points of a law's curve, each with true if it is within the fitted range.
+    fn points(&self, law: &Law<f64>, fitted: &Fitted) -> Vec<([f64; 2], bool)> {
+        let [low, high] = self.range;
+        let is_known = fitted.ranges().iter().any(|(.., range)| range.is_some());
+        let point = |k: usize| {
+            let at = low + (high - low) * k as f64 / STEPS as f64;
+            let stream = self.stream(at);
+            let Coefficients { drag, lift } = law.coefficients(stream);
+            let is_within = is_known
+                && fitted.holds([
+                    stream.spin_ratio(),
+                    stream.spin,
+                    stream.reynolds(),
+                    stream.speed,
+                ]);
+            ([at, [drag, lift][self.of as usize]], is_within)
+        };
+        (0..=STEPS).map(point).collect()
     }
 }
 

@@ -2,7 +2,7 @@ use super::At;
 use crate::parameters::Parameter;
 use crate::report::plot::{Axis, Bar, Figure, Hue, Layer, Measure};
 use crate::report::shown::{self, is_rounding, spread};
-use crate::study::{Effect, Effects, Sigma};
+use crate::study::{self, Effect, Effects, Sigma};
 use crate::units::{System, counted};
 
 /// Bars shorter than this fraction of the longest are combined in one row.
@@ -55,33 +55,19 @@ impl Causes {
     }
 }
 
-/// The effect of an uncertainty, at both ends of its bar.
-struct Ends {
-    sigma: Sigma,
-    first_order: f64,
-    lower: f64,
-    higher: f64,
-    /// True if both ends are from computed drives. Otherwise the first-order effect replaces a
-    /// missing end.
-    is_flown: bool,
+/// The changes of the outcome at both ends of an uncertainty. The first-order effect replaces the
+/// change of a drive that does not fly.
+fn ends(effect: &study::Bar) -> [f64; 2] {
+    let [lower, higher] = effect.flown;
+    [
+        lower.unwrap_or(-effect.first_order),
+        higher.unwrap_or(effect.first_order),
+    ]
 }
 
-impl Ends {
-    fn of(effect: &Effect) -> Option<Self> {
-        let bar = effect.bar?;
-        let [lower, higher] = bar.flown;
-        Some(Self {
-            sigma: bar.sigma,
-            first_order: bar.first_order,
-            lower: lower.unwrap_or(-bar.first_order),
-            higher: higher.unwrap_or(bar.first_order),
-            is_flown: lower.is_some() && higher.is_some(),
-        })
-    }
-
-    fn size(&self) -> f64 {
-        self.lower.abs().max(self.higher.abs())
-    }
+fn size(effect: &study::Bar) -> f64 {
+    let [lower, higher] = ends(effect);
+    lower.abs().max(higher.abs())
 }
 
 /// The effects of standard uncertainties on an outcome, as bars, the largest on top. Each bar is
@@ -89,29 +75,26 @@ impl Ends {
 /// are in the units of `system`. `None` if none of these causes has an effect.
 pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System) -> Option<Figure> {
     let is_cause = |effect: &&Effect| causes.has(effect.parameter);
-    let mut ranked: Vec<Ends> = effects
+    let mut ranked: Vec<study::Bar> = effects
         .effects
         .iter()
         .filter(is_cause)
-        .filter_map(Ends::of)
+        .filter_map(|effect| effect.bar)
         .collect();
-    ranked.sort_by(|a, b| b.size().total_cmp(&a.size()));
-    let longest = ranked
-        .first()
-        .map(Ends::size)
-        .filter(|longest| *longest > 0.0)?;
+    ranked.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    let longest = ranked.first().map(size).filter(|longest| *longest > 0.0)?;
     let measure = Measure::outcome(effects.of);
     // bars that are too short to see
     let seen = ranked
         .iter()
-        .take_while(|ends| ends.size() > SMALL * longest)
+        .take_while(|effect| size(effect) > SMALL * longest)
         .count()
         .min(MOST);
     let folded = ranked.split_off(seen);
-    let name = |ends: &Ends| {
+    let name = |effect: &study::Bar| {
         let Sigma {
             parameter, value, ..
-        } = ends.sigma;
+        } = effect.sigma;
         format!(
             "{} ± {}",
             Measure::parameter(parameter).label,
@@ -121,7 +104,7 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System)
     let mut names: Vec<String> = ranked.iter().map(name).collect();
     let together = folded
         .iter()
-        .map(|ends| ends.first_order)
+        .map(|effect| effect.first_order)
         .fold(0.0, f64::hypot);
     if !folded.is_empty() {
         let of = effects.of;
@@ -140,11 +123,11 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System)
         label: format!("change of {}", measure.label),
         ..measure.clone()
     });
-    let bars = |name: &str, hue: Hue, to: fn(&Ends) -> f64| {
-        let bars = ranked.iter().enumerate().map(|(place, ends)| Bar {
+    let bars = |name: &str, hue: Hue, end: usize| {
+        let bars = ranked.iter().enumerate().map(|(place, effect)| Bar {
             place,
             from: 0.0,
-            to: to(ends),
+            to: ends(effect)[end],
         });
         Layer::Bars {
             name: name.into(),
@@ -158,8 +141,8 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System)
         x,
         Axis::names(names),
     )
-    .with(bars("parameter lower", Hue::Series(3), |ends| ends.lower))
-    .with(bars("parameter higher", Hue::Series(2), |ends| ends.higher));
+    .with(bars("parameter lower", Hue::Series(3), 0))
+    .with(bars("parameter higher", Hue::Series(2), 1));
     Some(figure.noted(note(effects, causes, at, &ranked, &folded, system)))
 }
 
@@ -167,8 +150,8 @@ fn note(
     effects: &Effects,
     causes: Causes,
     at: At,
-    ranked: &[Ends],
-    folded: &[Ends],
+    ranked: &[study::Bar],
+    folded: &[study::Bar],
     system: System,
 ) -> String {
     let measure = Measure::outcome(effects.of);
@@ -204,7 +187,8 @@ fn note(
         }
         Causes::All => {}
     }
-    let straight = ranked.iter().filter(|ends| !ends.is_flown).count();
+    let is_straight = |effect: &&study::Bar| effect.flown.iter().any(Option::is_none);
+    let straight = ranked.iter().filter(is_straight).count();
     if straight > 0 {
         let bars = counted(straight as u64, "bar");
         note += &format!(
@@ -214,7 +198,7 @@ fn note(
     if !folded.is_empty() {
         let names: Vec<String> = folded
             .iter()
-            .map(|ends| Measure::parameter(ends.sigma.parameter).label)
+            .map(|effect| Measure::parameter(effect.sigma.parameter).label)
             .collect();
         note += &format!(" In the last row: {}.", names.join(", "));
     }

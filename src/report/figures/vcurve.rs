@@ -1,4 +1,3 @@
-use super::At;
 use crate::derivative::check::Point;
 use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
@@ -10,16 +9,12 @@ use crate::units::counted;
 /// Truncation dominates on the right, rounding on the left. Steps are relative to the parameter's
 /// size. Errors are relative to the derivative, or to outcome/size if the derivative is 0. For
 /// comparison, the plot has the differences of a while-loop that overshoots the ground.
-pub fn vcurve_figure<'a>(
-    rows: impl IntoIterator<Item = &'a Row>,
-    loops: &[LoopRow],
-    at: At,
-) -> Figure {
+pub fn vcurve_figure<'a>(rows: impl IntoIterator<Item = &'a Row>, loops: &[LoopRow]) -> Figure {
     let x = Axis::log(Measure::plain("step, relative"));
     let y = Axis::log(Measure::plain("error of the difference, relative"));
     let mut figure = Figure::new(
         "vcurve",
-        format!("Central differences against exact derivatives, {at}"),
+        "Central differences against exact derivatives, as set up",
         x,
         y,
     );

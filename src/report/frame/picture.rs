@@ -2,7 +2,7 @@
 
 use super::units::both;
 use crate::error::Result;
-use crate::report::plot::{Figure, Look, Shades, figure_csv, figure_svg};
+use crate::report::plot::{Figure, Look, figure_csv, figure_svg};
 use crate::units::System;
 use maud::{Markup, PreEscaped, html};
 
@@ -99,7 +99,7 @@ fn drawings(pair: &Pair) -> Result<Vec<(String, String)>> {
                 figure,
                 &Look {
                     system,
-                    shades: Shades::Light,
+                    is_dark: false,
                     width,
                 },
             )

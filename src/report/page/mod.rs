@@ -96,9 +96,10 @@ fn plots(findings: &Findings) -> Plots {
             .flatten()
             .collect(),
         // finite differences without any error, such as for a derivative of 0, have no curve
-        curves: Some(vcurve_figure(&findings.rows, &findings.loops, At::SetUp))
+        curves: Some(vcurve_figure(&findings.rows, &findings.loops))
             .filter(|figure| figure_svg(figure, &Look::default()).is_ok())
-            .map(|figure| alike(&figure))
+            // its texts have no units
+            .map(|figure| in_each(|_| figure.clone()))
             .into_iter()
             .collect(),
     }
@@ -120,11 +121,6 @@ fn strikes(findings: &Findings) -> Vec<Pair> {
         .map(<[Figure; 2]>::from)
         .into_iter()
         .collect()
-}
-
-/// The plot twice, because its texts have no units.
-fn alike(figure: &Figure) -> Pair {
-    in_each(|_| figure.clone())
 }
 
 fn mapped(findings: &Findings, map: &Map, system: System) -> Figure {

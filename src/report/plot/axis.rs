@@ -45,11 +45,6 @@ impl Measure {
         self.quantity.size_of(system.unit(self.unit)).unwrap_or(1.0)
     }
 
-    /// The number of the SI value 0 in the unit of a system: −273.15 for °C, 0 for lengths.
-    pub fn number_of_zero(&self, system: System) -> f64 {
-        self.quantity.number_in(0.0, system.unit(self.unit))
-    }
-
     /// An SI value in the unit of a system with the digits of a launch monitor: "251.1 yd".
     pub fn show(&self, value: f64, system: System) -> String {
         self.quantity.read_off(value, system.unit(self.unit))
@@ -74,11 +69,6 @@ impl Measure {
     /// The name with the unit of a system: `carry [yd]`, `club loft [°]`.
     pub fn titled(&self, system: System) -> String {
         with_unit(&self.label, &printed(system.unit(self.unit)))
-    }
-
-    /// The name with the SI unit: `carry [m]`.
-    pub fn titled_si(&self) -> String {
-        self.head(TableUnits::Si)
     }
 
     /// The name with the unit of a table: `carry [m]`.
@@ -122,10 +112,8 @@ pub struct Axis {
     pub measure: Measure,
     /// The scale.
     pub scale: Scale,
-    /// Minimum range, SI; the data may extend it.
+    /// The range, SI; data outside are not drawn. `None` for the range of the data.
     pub reach: Option<[f64; 2]>,
-    /// True if the axis ends exactly at `reach`; data outside are not drawn.
-    pub is_exact: bool,
 }
 
 impl Axis {
@@ -135,7 +123,6 @@ impl Axis {
             measure,
             scale: Scale::Linear,
             reach: None,
-            is_exact: false,
         }
     }
 
@@ -163,21 +150,12 @@ impl Axis {
         }
     }
 
-    /// Extends the range to at least `low` and `high`, SI.
-    #[must_use]
-    pub fn reaching(self, low: f64, high: f64) -> Self {
-        Self {
-            reach: Some([low, high]),
-            ..self
-        }
-    }
-
-    /// Sets the range to exactly `low` and `high`, SI.
+    /// Sets the range, SI.
     #[must_use]
     pub fn exactly(self, low: f64, high: f64) -> Self {
         Self {
-            is_exact: true,
-            ..self.reaching(low, high)
+            reach: Some([low, high]),
+            ..self
         }
     }
 }

@@ -98,7 +98,7 @@ impl Rows {
     }
 
     /// Draws the line at 0 and the names.
-    pub fn draw(&self, canvas: &mut Canvas, plane: &Plane<'_>) {
+    pub fn draw(&self, canvas: &mut Canvas, plane: &Plane) {
         let palette = canvas.palette;
         let [left, top, _, bottom] = plane.frame;
         if let Some(x) = plane.pixel_across(0.0) {
@@ -131,7 +131,7 @@ impl Rows {
     pub fn bars(
         &self,
         canvas: &mut Canvas,
-        plane: &Plane<'_>,
+        plane: &Plane,
         system: System,
         figure: &Figure,
         layer: usize,

@@ -65,18 +65,13 @@ impl Stroke {
 /// A picture in progress: each element covers those drawn before.
 pub(super) struct Canvas {
     pub palette: &'static Palette,
+    /// The height, pixels.
+    pub height: f64,
     /// The elements.
     pub svg: String,
 }
 
 impl Canvas {
-    pub fn new(palette: &'static Palette) -> Self {
-        Self {
-            palette,
-            svg: String::new(),
-        }
-    }
-
     fn draw(&mut self, element: Markup) {
         self.svg.push_str(&element.0);
         self.svg.push('\n');

@@ -22,10 +22,7 @@ pub(super) struct Ground {
 impl Field {
     /// The contour line of a value, SI. NaN points separate its pieces.
     pub fn line_at(&self, level: f64) -> Vec<[f64; 2]> {
-        if self.columns < 2 || self.rows() < 2 || self.values.iter().all(Option::is_none) {
-            return vec![];
-        }
-        let ground = outlined(self, &Refined::new(self), &[level]).pop();
+        let ground = Refined::new(self).and_then(|fine| outlined(self, &fine, &[level]).pop());
         let pieces = ground.map(|ground| ground.lines).unwrap_or_default();
         pieces.join(&[f64::NAN; 2])
     }
@@ -42,12 +39,8 @@ impl Field {
     }
 
     fn beyond(&self, level: f64, sign: f64) -> Vec<Vec<[f64; 2]>> {
-        if self.columns < 2 || self.rows() < 2 || self.values.iter().all(Option::is_none) {
-            return vec![];
-        }
-        let refined = Refined::new(self).over(sign);
-        outlined(self, &refined, &[level])
-            .pop()
+        Refined::new(self)
+            .and_then(|fine| outlined(self, &fine.over(sign), &[level]).pop())
             .map(|ground| ground.outlines)
             .unwrap_or_default()
     }
@@ -57,10 +50,9 @@ impl Field {
 pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
     let unit = field.measure.unit_size(system);
     let (columns, rows) = (field.columns, field.rows());
-    if columns < 2 || rows < 2 || field.values.iter().all(Option::is_none) {
+    let Some(refined) = Refined::new(field).map(|fine| fine.over(unit)) else {
         return vec![];
-    }
-    let refined = Refined::new(field).over(unit);
+    };
     let mut known: Vec<f64> = match &field.beside[..] {
         [] => refined.known().collect(),
         all => all.iter().map(|value| value / unit).collect(),

@@ -78,7 +78,7 @@ impl<'a> EndNames<'a> {
     }
 
     /// Writes each name beside the end of its line, as near as the other names allow.
-    pub fn draw(&self, canvas: &mut Canvas, plane: &Plane<'_>, figure: &Figure) {
+    pub fn draw(&self, canvas: &mut Canvas, plane: &Plane, figure: &Figure) {
         let [_, top, right, bottom] = plane.frame;
         let placed = self.names.iter();
         let placed = placed.filter_map(|name| Some((name, name.end(plane, figure)?)));
@@ -136,7 +136,7 @@ impl Name<'_> {
     }
 
     /// The right end of the line inside the axes, pixels.
-    fn end(&self, plane: &Plane<'_>, figure: &Figure) -> Option<[f64; 2]> {
+    fn end(&self, plane: &Plane, figure: &Figure) -> Option<[f64; 2]> {
         let points = figure.layers.iter().filter_map(|layer| match layer {
             Layer::Line { name, points, .. } if whole_name(figure, name) == self.whole => {
                 Some(plane.all(points))

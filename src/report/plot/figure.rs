@@ -212,16 +212,6 @@ impl Layer {
         }
     }
 
-    /// A dashed line.
-    pub fn dashed(name: impl Into<String>, hue: usize, points: Vec<[f64; 2]>) -> Self {
-        Self::Line {
-            name: name.into(),
-            hue: Hue::Series(hue),
-            is_dashed: true,
-            points,
-        }
-    }
-
     /// Points.
     pub fn dots(name: impl Into<String>, hue: usize, points: Vec<[f64; 2]>) -> Self {
         Self::Dots {

@@ -15,7 +15,7 @@ const FEW: usize = 40;
 pub(super) fn write_tooltips(
     canvas: &mut Canvas,
     figure: &Figure,
-    plane: &Plane<'_>,
+    plane: &Plane,
     system: System,
     grounds: &[Vec<Ground>],
 ) {

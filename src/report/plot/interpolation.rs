@@ -20,18 +20,21 @@ pub(super) struct Refined {
 
 impl Refined {
     /// The cubic Hermite interpolation of a field with gradients; the nodes of a field without
-    /// gradients. The field has at least 2 columns and 2 rows.
-    pub fn new(field: &Field) -> Self {
+    /// gradients. `None` for a field with fewer than 2 columns or 2 rows, or without values.
+    pub fn new(field: &Field) -> Option<Self> {
         let (columns, rows) = (field.columns, field.rows());
+        if columns < 2 || rows < 2 || field.values.iter().all(Option::is_none) {
+            return None;
+        }
         let values = continued(field);
         if field.gradients.is_empty() {
-            return Self {
+            return Some(Self {
                 times: 1,
                 columns,
                 rows,
                 values,
                 is_known: field.values.iter().map(Option::is_some).collect(),
-            };
+            });
         }
         let times = INTERVALS.div_ceil(columns.max(rows) - 1);
         let [across, up] = slopes(field, &values);
@@ -57,13 +60,13 @@ impl Refined {
         let is_known = points
             .clone()
             .map(|(column, row)| field.values[nearest(row) * columns + nearest(column)].is_some());
-        Self {
+        Some(Self {
             times,
             columns: fine[0],
             rows: fine[1],
             is_known: is_known.collect(),
             values: points.map(|(column, row)| by_column[column][row]).collect(),
-        }
+        })
     }
 
     /// The values divided by a unit.
@@ -195,7 +198,7 @@ mod tests {
 
     /// The largest difference between the interpolation and the function.
     fn error(nodes: usize, f: impl Fn(f64, f64) -> [f64; 3] + Copy) -> f64 {
-        let fine = Refined::new(&field(nodes, f));
+        let fine = Refined::new(&field(nodes, f)).unwrap();
         let at = |i: usize, count: usize| i as f64 / (count - 1) as f64;
         let off = |(i, value): (usize, &f64)| {
             let x = at(i % fine.columns, fine.columns);
@@ -211,7 +214,7 @@ mod tests {
             [value, 3.0 * x * x - 2.0 * y, -2.0 * x + 12.0 * y * y - 1.0]
         };
         assert!(error(4, cubic) < 1e-14, "{}", error(4, cubic));
-        assert!(Refined::new(&field(4, cubic)).columns > INTERVALS);
+        assert!(Refined::new(&field(4, cubic)).unwrap().columns > INTERVALS);
     }
 
     /// Halving the distance of the nodes divides the error by 16; the one-sided differences at the
@@ -232,7 +235,7 @@ mod tests {
         let mut field = field(5, plane);
         field.gradients[12] = None;
         (field.values[24], field.gradients[24]) = (None, None);
-        let fine = Refined::new(&field);
+        let fine = Refined::new(&field).unwrap();
         for (i, value) in fine.values.iter().enumerate() {
             let x = (i % fine.columns) as f64 / (fine.columns - 1) as f64;
             let y = (i / fine.columns) as f64 / (fine.rows - 1) as f64;

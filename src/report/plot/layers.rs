@@ -27,14 +27,14 @@ const DOT: f64 = 3.0;
 const HATCHES_APART: f64 = 11.0;
 
 /// The rectangle of the axes in the drawing area.
-pub(super) struct Plane<'a> {
-    pub x: &'a Drawn,
-    pub y: &'a Drawn,
+pub(super) struct Plane {
+    pub x: Drawn,
+    pub y: Drawn,
     /// Left, top, right and bottom, pixels.
     pub frame: [f64; 4],
 }
 
-impl Plane<'_> {
+impl Plane {
     /// The pixel of SI coordinates; `None` outside of the axes.
     pub fn pixel(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
         let [left, top, right, bottom] = self.frame;
@@ -45,8 +45,8 @@ impl Plane<'_> {
                 .then_some(from + part * (to - from))
         };
         Some([
-            along(self.x, x, left, right)?,
-            along(self.y, y, bottom, top)?,
+            along(&self.x, x, left, right)?,
+            along(&self.y, y, bottom, top)?,
         ])
     }
 
@@ -85,7 +85,7 @@ pub(super) fn is_area(layer: &Layer) -> bool {
 }
 
 /// Draws one layer; `grounds` are its contour regions, without their lines. Labels are drawn later.
-pub(super) fn draw(canvas: &mut Canvas, plane: &Plane<'_>, layer: &Layer, grounds: &[Ground]) {
+pub(super) fn draw(canvas: &mut Canvas, plane: &Plane, layer: &Layer, grounds: &[Ground]) {
     let hue = layer.named().1.unwrap_or(Hue::Ink);
     let color = canvas.palette.of(hue);
     match layer {
@@ -135,7 +135,7 @@ pub(super) fn draw(canvas: &mut Canvas, plane: &Plane<'_>, layer: &Layer, ground
 }
 
 /// The arrows of a field, except those that a label or mark would partly cover.
-pub(super) fn field_arrows(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &Figure) {
+pub(super) fn field_arrows(labels: &mut Labels<'_>, plane: &Plane, figure: &Figure) {
     for layer in &figure.layers {
         let Layer::Arrows { name, hue, arrows } = layer else {
             continue;
@@ -154,7 +154,7 @@ pub(super) fn field_arrows(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &
 }
 
 /// The arrows with both ends inside the axes, in pixels.
-fn pixels(plane: &Plane<'_>, arrows: &[[[f64; 2]; 2]]) -> impl Iterator<Item = [[f64; 2]; 2]> {
+fn pixels(plane: &Plane, arrows: &[[[f64; 2]; 2]]) -> impl Iterator<Item = [[f64; 2]; 2]> {
     arrows
         .iter()
         .filter_map(|[from, to]| Some([plane.pixel(*from)?, plane.pixel(*to)?]))
@@ -163,7 +163,7 @@ fn pixels(plane: &Plane<'_>, arrows: &[[[f64; 2]; 2]]) -> impl Iterator<Item = [
 /// Writes the levels of contours where there is space.
 pub(super) fn label(
     labels: &mut Labels<'_>,
-    plane: &Plane<'_>,
+    plane: &Plane,
     system: System,
     figure: &Figure,
     grounds: &[Vec<Ground>],
@@ -192,7 +192,7 @@ pub(super) fn label(
 /// possible to the middle: the ends of several lines are often close together.
 pub(super) fn place_on(
     labels: &Labels<'_>,
-    plane: &Plane<'_>,
+    plane: &Plane,
     places: &[[f64; 2]],
     text: &str,
     apart: f64,
@@ -205,16 +205,25 @@ pub(super) fn place_on(
             middle.wrapping_sub(i / 2 + 1)
         }
     });
-    let [left, top, right, bottom] = plane.frame;
-    let has_room = |at: &&[f64; 2]| {
-        let [low, high] = Labels::extent(text, **at);
-        let is_inside = low[0] >= left && high[0] <= right && low[1] >= top && high[1] <= bottom;
-        is_inside && labels.is_free([[low[0] - apart, low[1]], [high[0] + apart, high[1]]])
-    };
     outward
         .filter_map(|i| places.get(i))
-        .find(has_room)
+        .find(|at| has_room(labels, plane, text, **at, apart))
         .copied()
+}
+
+/// True if a label centred on a point is inside the frame and covers nothing, also not within
+/// `apart` pixels beside it.
+pub(super) fn has_room(
+    labels: &Labels<'_>,
+    plane: &Plane,
+    text: &str,
+    middle: [f64; 2],
+    apart: f64,
+) -> bool {
+    let [left, top, right, bottom] = plane.frame;
+    let [low, high] = Labels::extent(text, middle);
+    let is_inside = low[0] >= left && high[0] <= right && low[1] >= top && high[1] <= bottom;
+    is_inside && labels.is_free([[low[0] - apart, low[1]], [high[0] + apart, high[1]]])
 }
 
 /// Draws a region: hatched, or tinted with an outline.
@@ -234,14 +243,14 @@ pub(super) fn region(canvas: &mut Canvas, rings: &[Vec<[f64; 2]>], hue: Hue, is_
 }
 
 /// Draws the contour lines.
-pub(super) fn contour_lines(canvas: &mut Canvas, plane: &Plane<'_>, grounds: &[Ground]) {
+pub(super) fn contour_lines(canvas: &mut Canvas, plane: &Plane, grounds: &[Ground]) {
     let stroke = Stroke::new(canvas.palette.faint, 0.7);
     for line in grounds.iter().flat_map(|ground| &ground.lines) {
         canvas.line(&simplified(&plane.all(line)), stroke);
     }
 }
 
-fn ground(canvas: &mut Canvas, plane: &Plane<'_>, field: &Field, grounds: &[Ground]) {
+fn ground(canvas: &mut Canvas, plane: &Plane, field: &Field, grounds: &[Ground]) {
     let palette = canvas.palette;
     let shade = |i: usize| {
         // the shade of the middle between this level and the next

@@ -6,6 +6,7 @@ use super::bars::{Rows, with_room};
 use super::canvas::{LINE, TEXT};
 use super::end_names::EndNames;
 use super::figure::{Figure, Layer};
+use super::layers::Plane;
 use super::legend::{Entry, laid_out};
 use super::text_width::{text_width, wrapped};
 use super::ticks::Drawn;
@@ -33,8 +34,8 @@ pub(super) struct Layout<'a> {
     pub titles: Vec<String>,
     pub subtitles: Vec<String>,
     pub legend: Vec<Entry<'a>>,
-    pub x: Drawn,
-    pub y: Drawn,
+    /// The axes in their frame.
+    pub plane: Plane,
     /// The titles of the axes, wrapped into lines.
     pub x_title: Vec<String>,
     pub y_title: Vec<String>,
@@ -42,8 +43,6 @@ pub(super) struct Layout<'a> {
     pub rows: Option<Rows>,
     /// The names at the ends of lines.
     pub end_names: Option<EndNames<'a>>,
-    /// The frame of the axes: left, top, right and bottom, pixels.
-    pub frame: [f64; 4],
     pub height: f64,
 }
 
@@ -64,59 +63,43 @@ impl<'a> Layout<'a> {
         let titled = |drawn: &Drawn| wrapped(&typeset(&drawn.title()), room, TEXT, false);
         let rows = Rows::of(figure, width);
         let end_names = EndNames::of(figure, width);
-        let Axes {
-            x,
-            y,
-            left,
-            right,
-            tall,
-        } = axes(figure, system, width, rows.as_ref(), end_names.as_ref())
+        let mut plane = axes(figure, system, width, rows.as_ref(), end_names.as_ref())
             .map_err(|axis| failed(format!("it has no number that its {axis} axis can show")))?;
+        let [left, _, right, tall] = plane.frame;
         if right - left < LEAST {
             let least = (width + LEAST - (right - left)).ceil();
             return Err(failed(format!(
                 "a width of {width} pixels leaves no room for its axes; take {least} or more"
             )));
         }
-        let (x_title, y_title) = (titled(&x), titled(&y));
+        let (x_title, y_title) = (titled(&plane.x), titled(&plane.y));
         let top =
             (titles.len() + subtitles.len() + y_title.len()) as f64 * LINE + legend_height + 23.0;
-        let frame = [left, top, right, top + tall];
-        let height = (frame[3] + (1.0 + x_title.len() as f64) * LINE + 10.0).ceil();
+        plane.frame = [left, top, right, top + tall];
+        let height = (plane.frame[3] + (1.0 + x_title.len() as f64) * LINE + 10.0).ceil();
         Ok(Self {
             titles,
             subtitles,
             legend,
-            x,
-            y,
+            plane,
             x_title,
             y_title,
             rows,
             end_names,
-            frame,
             height,
         })
     }
 }
 
-/// The axes of a figure, with the horizontal ends and the height of their frame, pixels.
-struct Axes {
-    x: Drawn,
-    y: Drawn,
-    left: f64,
-    right: f64,
-    tall: f64,
-}
-
-/// The axes with the largest number of vertical ticks whose texts do not overlap. If an axis can
-/// show none of the values, the error names this axis.
+/// The axes with the largest number of vertical ticks whose texts do not overlap, in a frame with
+/// its top at 0. If an axis can show none of the values, the error names this axis.
 fn axes(
     figure: &Figure,
     system: System,
     width: f64,
     rows: Option<&Rows>,
     end_names: Option<&EndNames<'_>>,
-) -> std::result::Result<Axes, &'static str> {
+) -> std::result::Result<Plane, &'static str> {
     let ys = || coordinates(figure).map(|point| point[1]);
     let beside = end_names.map_or(0.0, |names| names.room);
     let mut found = Err("vertical");
@@ -132,12 +115,10 @@ fn axes(
             }
         };
         let is_apart = rows.is_some() || y.is_apart(tall, |_, _| LINE - 2.0);
-        found = Ok(Axes {
+        found = Ok(Plane {
             x,
             y,
-            left,
-            right,
-            tall,
+            frame: [left, 0.0, right, tall],
         });
         if is_apart {
             break;

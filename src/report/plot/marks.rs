@@ -2,7 +2,7 @@
 
 use super::canvas::{LINE, Labels, Stroke};
 use super::figure::{Figure, Layer, LineNames};
-use super::layers::{Plane, place_on, star};
+use super::layers::{Plane, has_room, place_on, star};
 use super::legend;
 use super::palette::Color;
 
@@ -35,7 +35,7 @@ const FAR: f64 = 1.5 * LINE;
 
 /// Draws the marks, then their labels. Marks whose label is also in the legend are drawn only if
 /// all of them have space for their labels.
-pub(super) fn write_marks(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &Figure) {
+pub(super) fn write_marks(labels: &mut Labels<'_>, plane: &Plane, figure: &Figure) {
     let marks = figure.layers.iter().filter_map(|layer| match layer {
         Layer::Mark { name, hue, at } => Some(Mark {
             name: name.clone(),
@@ -66,7 +66,7 @@ pub(super) fn write_marks(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &F
 }
 
 /// Draws marks with their labels if there is space for all labels.
-fn write_doubled(labels: &mut Labels<'_>, plane: &Plane<'_>, doubled: &[Mark], lines: &[[f64; 2]]) {
+fn write_doubled(labels: &mut Labels<'_>, plane: &Plane, doubled: &[Mark], lines: &[[f64; 2]]) {
     let before = labels.taken.len();
     labels
         .taken
@@ -141,7 +141,7 @@ fn merged(marks: Vec<Mark>) -> Vec<Mark> {
 
 /// Writes the labels without a symbol, moved sideways into the frame, where they cover no other
 /// label.
-pub(super) fn write_texts(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &Figure) {
+pub(super) fn write_texts(labels: &mut Labels<'_>, plane: &Plane, figure: &Figure) {
     for layer in &figure.layers {
         let Layer::Text { name, hue, at } = layer else {
             continue;
@@ -152,7 +152,7 @@ pub(super) fn write_texts(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &F
         let [left, _, right, _] = plane.frame;
         let half = Labels::extent(name, [0.0, 0.0])[1][0];
         let middle = [x.min(right - half).max(left + half), y];
-        if is_free(labels, plane, name, &middle) {
+        if has_room(labels, plane, name, middle, 0.0) {
             labels.write(name, middle, labels.canvas.palette.of(*hue), false);
         }
     }
@@ -162,7 +162,7 @@ pub(super) fn write_texts(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &F
 /// two.
 fn write_near(
     labels: &mut Labels<'_>,
-    plane: &Plane<'_>,
+    plane: &Plane,
     name: &str,
     at: [f64; 2],
     color: Color,
@@ -179,7 +179,7 @@ fn write_near(
 
 /// Equidistant points along the lines of a figure, in pixels. They are so dense that no label fits
 /// between them.
-fn lines(plane: &Plane<'_>, figure: &Figure) -> Vec<[f64; 2]> {
+fn lines(plane: &Plane, figure: &Figure) -> Vec<[f64; 2]> {
     const STEP: f64 = 3.0;
     let lines = figure.layers.iter().filter_map(|layer| match layer {
         Layer::Line { points, .. } => Some(plane.pieces(points)),
@@ -206,22 +206,11 @@ fn lines(plane: &Plane<'_>, figure: &Figure) -> Vec<[f64; 2]> {
     places
 }
 
-/// True if a label centred on a point is inside the frame and covers nothing.
-fn is_free(labels: &Labels<'_>, plane: &Plane<'_>, name: &str, middle: &[f64; 2]) -> bool {
-    let [left, top, right, bottom] = plane.frame;
-    let [low, high] = Labels::extent(name, *middle);
-    low[0] >= left
-        && high[0] <= right
-        && low[1] >= top
-        && high[1] <= bottom
-        && labels.is_free([low, high])
-}
-
 /// The middle of a label in a free position next to its mark, or above or below it. The label
 /// covers the least of the lines, and is nearer to its own mark than to other marks.
 fn beside(
     labels: &Labels<'_>,
-    plane: &Plane<'_>,
+    plane: &Plane,
     Mark { name, at, .. }: &Mark,
     others: &[Mark],
     lines: &[[f64; 2]],
@@ -258,7 +247,7 @@ fn beside(
         others.all(|other| distance(other.at, extent) > least)
     };
     // the first of the positions with the lowest cost
-    all.filter(|(middle, _)| is_free(labels, plane, name, middle) && is_clear(middle))
+    all.filter(|(middle, _)| has_room(labels, plane, name, *middle, 0.0) && is_clear(middle))
         .min_by_key(|(middle, cost)| 2 * hidden(middle) + cost)
         .map(|(middle, _)| middle)
 }
@@ -270,7 +259,7 @@ fn distance(at: [f64; 2], [low, high]: [[f64; 2]; 2]) -> f64 {
 }
 
 /// The nearest free middle of a label in the frame. In a full frame, the label covers something.
-fn nearest(labels: &Labels<'_>, plane: &Plane<'_>, name: &str, at: [f64; 2]) -> [f64; 2] {
+fn nearest(labels: &Labels<'_>, plane: &Plane, name: &str, at: [f64; 2]) -> [f64; 2] {
     const STEP: f64 = 8.0;
     let [left, top, right, bottom] = plane.frame;
     let [wide, tall] = Labels::extent(name, [0.0, 0.0])[1];
@@ -281,7 +270,7 @@ fn nearest(labels: &Labels<'_>, plane: &Plane<'_>, name: &str, at: [f64; 2]) -> 
     let nodes = (0..across)
         .flat_map(|i| (0..up).map(move |j| [left + STEP * i as f64, top + STEP * j as f64]));
     let distance = |node: &[f64; 2]| (node[0] - at[0]).hypot(node[1] - at[1]);
-    let free = nodes.filter(|node| is_free(labels, plane, name, node));
+    let free = nodes.filter(|node| has_room(labels, plane, name, *node, 0.0));
     free.min_by(|a, b| distance(a).total_cmp(&distance(b)))
         .unwrap_or([
             at[0].min(right - wide).max(left + wide),
@@ -295,7 +284,7 @@ const APART: f64 = 8.0;
 
 /// Writes the names of lines on the lines, if the figure has them there. A name without
 /// space on its line is written next to it.
-pub(super) fn write_line_names(labels: &mut Labels<'_>, plane: &Plane<'_>, figure: &Figure) {
+pub(super) fn write_line_names(labels: &mut Labels<'_>, plane: &Plane, figure: &Figure) {
     let is_on_lines = figure.line_names == LineNames::OnLines;
     for layer in figure.layers.iter().filter(|_| is_on_lines) {
         let Layer::Line {

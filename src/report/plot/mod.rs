@@ -29,7 +29,6 @@ mod layout;
 mod legend;
 mod marks;
 mod palette;
-mod panels;
 #[cfg(feature = "png")]
 mod png;
 mod simplify;
@@ -40,8 +39,7 @@ mod ticks;
 pub use axis::{Axis, Measure, Scale};
 pub use csv::{figure_csv, figure_csv_in};
 pub use figure::{Bar, Field, Figure, Hue, Layer, LineNames};
-pub use panels::figure_svg;
 #[cfg(feature = "png")]
 pub use png::figure_png;
-pub use svg::{Look, Shades, dark_rules};
+pub use svg::{Look, dark_rules, figure_svg};
 pub(in crate::report) use ticks::nice_step;

@@ -1,6 +1,5 @@
 use super::figure::Figure;
-use super::panels::figure_svg;
-use super::svg::Look;
+use super::svg::{Look, figure_svg};
 use crate::error::{Error, Result};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};

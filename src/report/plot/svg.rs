@@ -1,3 +1,5 @@
+//! The picture of a figure, with its further views below.
+
 use super::canvas::{Anchor, Canvas, Font, LINE, Labels, Stroke, TEXT};
 use super::contour::grounds;
 use super::figure::{Figure, Layer};
@@ -5,22 +7,26 @@ use super::hover::write_tooltips;
 use super::layers::{Plane, contour_lines, draw, field_arrows, is_area, label};
 use super::layout::{Layout, MARGIN, NUMBER, TITLE};
 use super::marks::{write_line_names, write_marks, write_texts};
-use super::palette::{DARK, LIGHT, Palette};
+use super::palette::{DARK, LIGHT};
 use super::ticks::Drawn;
 use crate::error::Result;
-use crate::units::System;
+use crate::units::{System, typeset};
+use maud::{PreEscaped, html};
 use std::fmt::Write;
 
 /// Length of a tick, pixels.
 const TICK: f64 = 4.0;
+
+/// Minimum width of a view in a row with other views, pixels.
+const LEAST_BESIDE: u32 = 280;
 
 /// The appearance of a plot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Look {
     /// The units of the axes.
     pub system: System,
-    /// The colours.
-    pub shades: Shades,
+    /// True for the colours of a dark page; false for those of a bright page and of print.
+    pub is_dark: bool,
     /// The width, pixels. The text size does not depend on it.
     pub width: u32,
 }
@@ -30,34 +36,57 @@ impl Default for Look {
     fn default() -> Self {
         Self {
             system: System::Us,
-            shades: Shades::Light,
+            is_dark: false,
             width: 480,
         }
     }
 }
 
-/// The colours of a plot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shades {
-    /// For a bright page and for print.
-    Light,
-    /// For a dark page.
-    Dark,
-}
-
-impl Shades {
-    fn palette(self) -> &'static Palette {
-        match self {
-            Self::Light => &LIGHT,
-            Self::Dark => &DARK,
+/// A plot as self-contained SVG, without references to other files. Its colours are attributes,
+/// which [`dark_rules`] can change on a page. Browsers show the values of points
+/// and lines as tooltips.
+///
+/// # Errors
+/// [`Error::Plot`](crate::Error::Plot) if no part of the plot can be shown on its axes.
+pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
+    let columns = figure
+        .columns
+        .min((look.width / LEAST_BESIDE) as usize)
+        .max(1);
+    let each = Look {
+        width: look.width / columns as u32,
+        ..*look
+    };
+    let panels: Vec<Canvas> = std::iter::once(figure)
+        .chain(&figure.panels)
+        .map(|one| panel(one, &each))
+        .collect::<Result<_>>()?;
+    let heights = panels
+        .chunks(columns)
+        .map(|row| row.iter().map(|panel| panel.height).fold(0.0, f64::max));
+    let (width, height) = (f64::from(look.width), heights.clone().sum::<f64>());
+    let mut top = 0.0;
+    let mut views = vec![];
+    for (row, height) in panels.chunks(columns).zip(heights) {
+        for (i, panel) in row.iter().enumerate() {
+            let left = i as f64 * f64::from(each.width);
+            let body = PreEscaped(&panel.svg);
+            views.push(if top == 0.0 && left == 0.0 {
+                html! { (body) }
+            } else {
+                html! { g transform={ "translate(" (left) " " (top) ")" } { (body) } }
+            });
         }
+        top += height;
     }
-}
-
-/// A drawn figure: SVG elements and their height, pixels.
-pub(super) struct Panel {
-    pub body: String,
-    pub height: f64,
+    let svg = html! {
+        svg width=(width) height=(height) viewBox={ "0 0 " (width) " " (height) } role="img"
+            aria-label=(typeset(&figure.title)) xmlns="http://www.w3.org/2000/svg" {
+            "\n" desc { (typeset(&figure.note)) } "\n"
+            @for view in views { (view) }
+        }
+    };
+    Ok(svg.0 + "\n")
 }
 
 /// Draws a figure without its further views.
@@ -65,27 +94,24 @@ pub(super) struct Panel {
 /// # Errors
 /// [`Error::Plot`](crate::Error::Plot) if no part of the figure can be shown on its axes, or if the
 /// width is too small for them.
-pub(super) fn panel(figure: &Figure, look: &Look) -> Result<Panel> {
+fn panel(figure: &Figure, look: &Look) -> Result<Canvas> {
     let layout = Layout::new(figure, look.system, look.width)?;
-    let mut canvas = Canvas::new(look.shades.palette());
+    let mut canvas = Canvas {
+        palette: if look.is_dark { &DARK } else { &LIGHT },
+        height: layout.height,
+        svg: String::new(),
+    };
     let size = [f64::from(look.width), layout.height];
     canvas.rectangle([0.0, 0.0], size, canvas.palette.ground, 1.0);
     write_texts_around(&mut canvas, &layout);
     draw_inside(&mut canvas, figure, look.system, &layout);
-    Ok(Panel {
-        body: canvas.svg,
-        height: layout.height,
-    })
+    Ok(canvas)
 }
 
 /// Draws the axes, the layers and their labels.
 fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &Layout<'_>) {
-    let plane = Plane {
-        x: &layout.x,
-        y: &layout.y,
-        frame: layout.frame,
-    };
-    draw_axes(canvas, &plane, figure);
+    let plane = &layout.plane;
+    draw_axes(canvas, plane, figure);
     // computed once for drawing, labels and tooltips
     let contours = |layer: &Layer| match layer {
         Layer::Contours(field) => grounds(field, system),
@@ -95,38 +121,38 @@ fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &La
     let layers = || figure.layers.iter().zip(&grounds);
     let (areas, others): (Vec<_>, Vec<_>) = layers().partition(|(layer, _)| is_area(layer));
     for (layer, grounds) in areas {
-        draw(canvas, &plane, layer, grounds);
+        draw(canvas, plane, layer, grounds);
     }
     for grounds in &grounds {
-        contour_lines(canvas, &plane, grounds);
+        contour_lines(canvas, plane, grounds);
     }
     for (layer, grounds) in others {
-        draw(canvas, &plane, layer, grounds);
+        draw(canvas, plane, layer, grounds);
     }
     if let Some(rows) = &layout.rows {
-        rows.draw(canvas, &plane);
+        rows.draw(canvas, plane);
         for layer in 0..figure.layers.len() {
-            rows.bars(canvas, &plane, system, figure, layer);
+            rows.bars(canvas, plane, system, figure, layer);
         }
     }
     let mut labels = Labels {
         canvas,
         taken: vec![],
     };
-    write_marks(&mut labels, &plane, figure);
-    write_texts(&mut labels, &plane, figure);
-    write_line_names(&mut labels, &plane, figure);
+    write_marks(&mut labels, plane, figure);
+    write_texts(&mut labels, plane, figure);
+    write_line_names(&mut labels, plane, figure);
     if let Some(names) = &layout.end_names {
-        names.draw(labels.canvas, &plane, figure);
+        names.draw(labels.canvas, plane, figure);
     }
-    label(&mut labels, &plane, system, figure, &grounds);
-    field_arrows(&mut labels, &plane, figure);
-    write_tooltips(canvas, figure, &plane, system, &grounds);
+    label(&mut labels, plane, system, figure, &grounds);
+    field_arrows(&mut labels, plane, figure);
+    write_tooltips(canvas, figure, plane, system, &grounds);
 }
 
 /// Writes the title, the line below it, the legend and the titles of the axes.
 fn write_texts_around(canvas: &mut Canvas, layout: &Layout<'_>) {
-    let [_, upper, right, bottom] = layout.frame;
+    let [_, upper, right, bottom] = layout.plane.frame;
     let bold = Font {
         size: TITLE,
         color: canvas.palette.ink,
@@ -154,7 +180,7 @@ fn write_texts_around(canvas: &mut Canvas, layout: &Layout<'_>) {
 }
 
 /// Draws the axes with their ticks, and the grid except under a map.
-fn draw_axes(canvas: &mut Canvas, plane: &Plane<'_>, figure: &Figure) {
+fn draw_axes(canvas: &mut Canvas, plane: &Plane, figure: &Figure) {
     let [left, top, right, bottom] = plane.frame;
     let palette = canvas.palette;
     let mesh = Stroke::new(palette.mesh, 0.8);
@@ -163,8 +189,8 @@ fn draw_axes(canvas: &mut Canvas, plane: &Plane<'_>, figure: &Figure) {
     let is_map = |layer: &Layer| matches!(layer, Layer::Contours(_));
     let has_grid = !figure.layers.iter().any(is_map);
     let part = |drawn: &Drawn, tick: f64| (tick - drawn.low) / (drawn.high - drawn.low);
-    let x_of = |tick: &f64| left + part(plane.x, *tick) * (right - left);
-    let y_of = |tick: &f64| bottom - part(plane.y, *tick) * (bottom - top);
+    let x_of = |tick: &f64| left + part(&plane.x, *tick) * (right - left);
+    let y_of = |tick: &f64| bottom - part(&plane.y, *tick) * (bottom - top);
     if has_grid {
         for x in plane.x.ticks.iter().map(x_of) {
             canvas.line(&[[x, top], [x, bottom]], mesh);

@@ -35,7 +35,10 @@ impl Drawn {
             axis: axis.clone(),
             system,
             unit,
-            zero: axis.measure.number_of_zero(system),
+            zero: axis
+                .measure
+                .quantity
+                .number_in(0.0, system.unit(axis.measure.unit)),
             low: 0.0,
             high: 1.0,
             ticks: vec![],
@@ -46,11 +49,9 @@ impl Drawn {
             (drawn.low, drawn.high) = (names.len() as f64 - 0.5, -0.5);
             return (!names.is_empty()).then_some(drawn);
         }
-        let reach = axis.reach.into_iter().flatten();
-        let values: Vec<f64> = if axis.is_exact {
-            reach.collect()
-        } else {
-            values.chain(reach).collect()
+        let values: Vec<f64> = match axis.reach {
+            Some(ends) => ends.to_vec(),
+            None => values.collect(),
         };
         let mut places = values.into_iter().filter_map(|value| drawn.place(value));
         let first = places.next()?;
@@ -81,7 +82,7 @@ impl Drawn {
     fn even(&mut self, count: usize) {
         let step = nice_step((self.high - self.low) / count as f64);
         self.decimals = (-step.log10().floor()).max(0.0) as usize;
-        if !self.axis.is_exact {
+        if self.axis.reach.is_none() {
             // extend to the next tick, unless the data end just below a tick
             let slack = 1e-9;
             self.low = (self.low / step + slack).floor() * step;
@@ -93,7 +94,7 @@ impl Drawn {
     }
 
     fn decades(&mut self, count: usize) {
-        if !self.axis.is_exact {
+        if self.axis.reach.is_none() {
             (self.low, self.high) = (self.low.floor(), self.high.ceil());
         }
         let (from, to) = (

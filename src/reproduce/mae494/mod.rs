@@ -26,8 +26,7 @@ pub use parametric::{Constant, Parametric};
 pub use regression::{Peak, Regression};
 pub use searches::{End, Searches};
 pub use tables::Row;
-pub use while_loop::LoopLanding;
-pub(super) use while_loop::fly_past_the_ground;
+pub use while_loop::{LoopLanding, LoopRow, loop_landing, while_loop};
 
 use crate::error::Result;
 use crate::parameters::Setup;

@@ -2,11 +2,14 @@
 //! of this library uses this loop.
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
-use crate::atmosphere::AirState;
+use crate::atmosphere::{AirState, in_effect};
+use crate::derivative::check::{Check, Demand, Ladder, STEPS};
+use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::impact::strike;
 use crate::number::Vector;
-use crate::parameters::Setup;
+use crate::parameters::{Parameter, Setup};
+use crate::study::certificate::Row;
 use std::f64::consts::PI;
 
 /// Landing point of the report's flight loop.
@@ -24,7 +27,7 @@ pub struct LoopLanding {
 ///
 /// # Errors
 /// The errors of [`strike`]; [`Error::NoFlight`] if the ball is airborne at the time limit.
-pub(in super::super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
+pub(super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
     let launch = strike(setup)?.launch;
     let air = AirState::of(&setup.air);
     let area = PI * setup.ball.radius * setup.ball.radius;
@@ -62,4 +65,116 @@ pub(in super::super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Re
         overshot: here.z,
         interpolated: before.z + part * (here.z - before.z),
     })
+}
+
+/// Finite differences of the MAE 494 report's flight loop, for a parameter of a certificate.
+#[derive(Clone, Debug)]
+pub struct LoopRow {
+    /// The parameter.
+    pub parameter: &'static Parameter,
+    /// Characteristic size of the parameter, which scales the difference steps.
+    pub scale: f64,
+    /// Differences of the loop's carry compared with the exact derivative.
+    pub check: Check,
+}
+
+impl LoopRow {
+    /// Difference of the loop's carry at the step nearest to 1e-8 of `scale`, a step that
+    /// optimizers use.
+    pub fn small_difference(&self) -> Option<f64> {
+        let distance = |step: f64| (step / self.scale / 1e-8).ln().abs();
+        let nearest = self
+            .check
+            .curve
+            .iter()
+            .min_by(|a, b| distance(a.step).total_cmp(&distance(b.step)));
+        nearest.map(|point| point.difference)
+    }
+
+    /// True if [`small_difference`](Self::small_difference) has the wrong sign.
+    pub fn has_wrong_sign(&self) -> bool {
+        self.small_difference()
+            .is_some_and(|difference| difference * self.check.exact < 0.0)
+    }
+}
+
+/// Allowed range of the loop's step, s. A shorter step takes too long; a longer step gives too few
+/// points.
+const LOOP_STEPS: [f64; 2] = [1e-4, 1.0];
+
+/// True for a setup that the report's loop models: no wind, no spin damping, and a ground at the
+/// height of the tee.
+fn is_modelled(setup: &Setup<f64>) -> bool {
+    let wind = in_effect(setup).wind;
+    let is_calm = [wind.up, wind.right, wind.downrange] == [0.0; 3];
+    is_calm && setup.aero.spin_damping.is_none() && setup.ground.height == 0.0
+}
+
+/// The landing of the report's loop in steps of `step` s.
+///
+/// ```
+/// use longdrive::{Setup, reproduce::loop_landing};
+/// let landing = loop_landing(&Setup::preset("mae494").unwrap(), 0.01).unwrap();
+/// // the exact carry is 114.313 m; the loop ends at the first step below the ground
+/// assert!(landing.overshot > landing.interpolated && landing.overshot < 116.0);
+/// ```
+///
+/// # Errors
+/// [`Error::OutOfRange`] if `step` is outside 0.0001 s to 1 s; [`Error::Undefined`] if the loop
+/// does not model the setup (a stated launch, wind, spin damping, or a ground that is not level
+/// with the tee); errors of [`strike`](crate::impact::strike); [`Error::NoFlight`] without a
+/// landing.
+pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
+    let [least, most] = LOOP_STEPS;
+    if !(least..=most).contains(&step) {
+        return Err(Error::OutOfRange {
+            name: "the step of the loop".into(),
+            value: format!("{step} s"),
+            range: format!("{least} s .. {most} s"),
+            advice: "the report's step is 0.01 s".into(),
+        });
+    }
+    if setup.launch.is_given() || !is_modelled(setup) {
+        return Err(Error::Undefined {
+            what: "the while-loop".into(),
+            reason: "it has a swing, and neither wind, spin damping nor a ground below the tee; \
+                     reset wind.*, aero.spin_damping and ground.height"
+                .into(),
+        });
+    }
+    setup.validate()?;
+    fly_past_the_ground(setup, step)
+}
+
+/// Differences of the report's loop for each carry row of a certificate. Empty if the loop does not
+/// model the setup: wind, spin damping, or a ground that is not level with the tee.
+pub fn while_loop(setup: &Setup<f64>, rows: &[Row]) -> Vec<LoopRow> {
+    if !is_modelled(setup) {
+        return vec![];
+    }
+    let known = |row: &&Row| {
+        row.of == Outcome::Carry
+            && !row.parameter.name.starts_with("wind")
+            && row.parameter.name != "ground.height"
+    };
+    rows.iter()
+        .filter(known)
+        .filter_map(|row| {
+            let (parameter, scale) = (row.parameter, row.ladder.scale);
+            let mut carry = |x: f64| {
+                let mut moved = *setup;
+                let flown = moved
+                    .set_value(parameter, Some(x))
+                    .and_then(|()| moved.validate())
+                    .and_then(|()| fly_past_the_ground(&moved, setup.flight.step));
+                vec![flown.map_or(f64::NAN, |stop| stop.overshot)]
+            };
+            let ladder = Ladder::sample(setup.value(parameter)?, scale, STEPS, &mut carry).pop()?;
+            Some(LoopRow {
+                parameter,
+                scale,
+                check: ladder.judge(row.first.exact, Demand::FIRST),
+            })
+        })
+        .collect()
 }

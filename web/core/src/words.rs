@@ -1,6 +1,6 @@
 //! Arguments and commands in messages, in the words of the page.
 
-use longdrive::command::{Argument, Mention, with_mentions};
+use longdrive::command::{Mention, with_mentions};
 
 /// A message with arguments in the syntax of the page: fields, without hyphens.
 pub fn in_page_words(message: &str) -> String {
@@ -11,12 +11,12 @@ pub fn in_page_words(message: &str) -> String {
 pub fn page_words(mention: Mention<'_>) -> String {
     match mention {
         Mention::Command(name) => format!("\"{name}\""),
-        Mention::Argument(Argument {
+        Mention::Argument {
             name: "set",
             value: Some(setting),
             ..
-        }) => setting.replacen('=', " = ", 1),
-        Mention::Argument(Argument { name, value, .. }) => {
+        } => setting.replacen('=', " = ", 1),
+        Mention::Argument { name, value, .. } => {
             let name = name.replace('_', " ");
             value.map_or(name.clone(), |value| format!("{name} {value}"))
         }
