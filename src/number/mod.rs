@@ -37,7 +37,7 @@
 
 mod compiled;
 mod dual;
-mod inlining;
+mod inlined;
 mod jet;
 mod lanes;
 mod level;
@@ -48,7 +48,7 @@ mod taylor;
 mod vector;
 
 pub(crate) use compiled::{MOST_PER_LANE, OverNumbers, over_directions, over_drives};
-pub(crate) use inlining::inlined;
+pub(crate) use inlined::inlined;
 pub(crate) use jet::Derivatives;
 pub use jet::{Jet, Mixed};
 pub(crate) use lanes::{Lanes, in_lane};
@@ -158,7 +158,7 @@ pub trait Numbers:
     /// number type. (`FnMut`: a `FnOnce` would be called through a shim without the attribute.)
     #[inline(always)]
     fn not_inlined<R>(work: impl FnMut() -> R) -> R {
-        inlining::plain::not_inlined(work)
+        inlined::plain::not_inlined(work)
     }
 
     /// Sine sin x.

@@ -9,7 +9,7 @@ mod registers;
 
 use super::Lanes;
 #[cfg(target_arch = "x86_64")]
-use super::{inlined, inlining};
+use super::inlined;
 use std::fmt;
 
 /// Instruction set for computing drives. Each level is a separate copy of the code. Results of
@@ -119,7 +119,7 @@ impl Level {
             #[cfg(target_arch = "x86_64")]
             // SAFETY: the processor has these features
             Self::Avx2 => unsafe {
-                inlining::avx2::not_inlined(inlined!(|| task.run::<registers::Pack4>()))
+                inlined::avx2::not_inlined(inlined!(|| task.run::<registers::Pack4>()))
             },
             #[cfg(target_arch = "aarch64")]
             Self::Neon => task.run::<registers::Pack2>(),
@@ -148,7 +148,7 @@ impl Level {
             let mut task = task;
             // SAFETY: the processor has these features
             return unsafe {
-                inlining::avx512::not_inlined(inlined!(|| task.run::<registers::Pack8>()))
+                inlined::avx512::not_inlined(inlined!(|| task.run::<registers::Pack8>()))
             };
         }
         self.run_one_drive(task)

@@ -1,4 +1,4 @@
-/// Declares a lane type for a register. `not_inlined`: module of `number/inlining.rs` for its
+/// Declares a lane type for a register. `not_inlined`: module of `number/inlined.rs` for its
 /// instructions, `plain` for baseline instructions. `fused`: a b + c, rounded once if a fused
 /// operation is as fast. `least`: minimum and maximum of two numbers, NaN if the second is NaN.
 /// `power`: 2ᵏ, from `k + ROUNDER`. `below`: comparison as a bit mask, lane 0 lowest. `select`:
@@ -151,7 +151,7 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn not_inlined<R>(work: impl FnMut() -> R) -> R {
-                unsafe { crate::number::inlining::$not_inlined::not_inlined(work) }
+                unsafe { crate::number::inlined::$not_inlined::not_inlined(work) }
             }
             #[inline(always)]
             fn mul_add(self, a: Self, b: Self) -> Self {
