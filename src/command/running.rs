@@ -3,8 +3,6 @@
 use super::args::OutputOptions;
 use super::host::{Host, Kind};
 use super::mention::with_mentions_of;
-#[cfg(feature = "cli")]
-use super::terminal::Terminal;
 use crate::report::TextOptions;
 use crate::units::{Message, System};
 use clap::Command;
@@ -51,61 +49,44 @@ pub fn within<T>(
     words: &[OsString],
     work: impl FnOnce() -> T,
 ) -> T {
-    let words = words.get(1..).unwrap_or_default().to_vec();
-    let running = Running::of(program, host, options, words);
+    let running = Running {
+        program,
+        host,
+        options,
+        words: words.get(1..).unwrap_or_default().to_vec(),
+        ..Running::default()
+    };
     RUNNING.with_borrow_mut(|all| all.push(Arc::new(running)));
     let _ended = PopOnDrop;
     work()
 }
 
-/// The host of a thread without a command.
-#[cfg(feature = "cli")]
-fn default_host() -> Arc<dyn Host> {
-    Arc::new(Terminal::default())
-}
-
-/// The host of a thread without a command.
-#[cfg(not(feature = "cli"))]
-fn default_host() -> Arc<dyn Host> {
-    Arc::new(())
-}
-
-/// The innermost command of this thread. A thread without a command gets a command of the default
-/// host.
-/// Threads that a command starts must get its `Running` explicitly.
+/// The innermost command of this thread. Threads that a command starts must get its `Running`
+/// explicitly.
 pub fn running() -> Arc<Running> {
-    /// The program of a thread without a command: it has no options.
-    static NO_COMMAND: LazyLock<Command> = LazyLock::new(|| Command::new("longdrive"));
     RUNNING
         .with_borrow(|all| all.last().cloned())
-        .unwrap_or_else(|| {
-            Arc::new(Running::of(
-                &NO_COMMAND,
-                default_host(),
-                OutputOptions::default(),
-                vec![],
-            ))
-        })
+        .unwrap_or_default()
 }
 
-impl Running {
-    fn of(
-        program: &'static Command,
-        host: Arc<dyn Host>,
-        options: OutputOptions,
-        words: Vec<OsString>,
-    ) -> Self {
+/// What a thread without a command has: a program without options, and a host that discards what it
+/// receives.
+impl Default for Running {
+    fn default() -> Self {
+        static NO_COMMAND: LazyLock<Command> = LazyLock::new(|| Command::new("longdrive"));
         Self {
-            program,
-            host,
-            options,
-            words,
+            program: &NO_COMMAND,
+            host: Arc::new(()),
+            options: OutputOptions::default(),
+            words: vec![],
             early: Mutex::default(),
             left_out: Mutex::default(),
             input: Mutex::default(),
         }
     }
+}
 
+impl Running {
     /// The units of the results.
     pub fn system(&self) -> System {
         self.options.units.unwrap_or_default()

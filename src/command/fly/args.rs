@@ -101,4 +101,7 @@ pub enum FlyFormat {
     /// Apache Parquet, in SI: the stated values, the predictions and the original row.
     #[cfg(feature = "parquet")]
     Parquet,
+    /// Six columns of fixed width, the default for a terminal.
+    #[value(skip)]
+    Screen,
 }

@@ -17,14 +17,15 @@ use crate::input_file;
 use crate::parameters::{Law, Preset};
 #[cfg(feature = "parquet")]
 use crate::report::ShotParquet;
-use crate::report::{Ending, Report, ShotWriter, ShotsReport};
+use crate::report::{Ending, Report, ShotFormat, ShotWriter, ShotsReport};
 use crate::shots::{Flying, ShotStatistics, Shots};
 use crate::table::{ASSUMED_UNITS, CONDITIONS, RowFilter};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
+use args::FlyFormat;
 use request::{asked, followed, setup};
 use std::path::Path;
-use target::{Output, RowFormat, Target};
+use target::{Output, Target};
 
 pub fn run(args: &Args) -> Result<Answer> {
     match args.listen {
@@ -202,20 +203,14 @@ fn written(
     run: &Run<'_>,
 ) -> Result<(ShotStatistics, Output)> {
     let of = flying.outcomes();
-    match target.format {
-        RowFormat::Rows(format) => {
-            let writer = ShotWriter::new(format, shots, of, system());
-            let mut output = target.open(&writer.head())?;
-            let tally = flying.fly(
-                shots,
-                run,
-                |flown| writer.rows(&flown),
-                |bytes| output.write(&bytes),
-            )?;
-            Ok((tally, output))
-        }
+    let format = match target.format {
+        FlyFormat::Csv => ShotFormat::Csv,
+        FlyFormat::LaunchMonitor => ShotFormat::LaunchMonitor,
+        FlyFormat::Jsonl => ShotFormat::JsonLines,
+        FlyFormat::OpenConnect => ShotFormat::OpenConnect,
+        FlyFormat::Screen => ShotFormat::Screen,
         #[cfg(feature = "parquet")]
-        RowFormat::Parquet => {
+        FlyFormat::Parquet => {
             let mut writer = ShotParquet::new(shots, of)?;
             let mut output = target.open(&writer.head())?;
             let tally = flying.fly(
@@ -225,9 +220,18 @@ fn written(
                 |flown| output.write(&writer.take(flown)?),
             )?;
             output.write(&writer.finish()?)?;
-            Ok((tally, output))
+            return Ok((tally, output));
         }
-    }
+    };
+    let writer = ShotWriter::new(format, shots, of, system());
+    let mut output = target.open(&writer.head())?;
+    let tally = flying.fly(
+        shots,
+        run,
+        |flown| writer.rows(&flown),
+        |bytes| output.write(&bytes),
+    )?;
+    Ok((tally, output))
 }
 
 /// Reasons for missing rows.

@@ -2,22 +2,13 @@ use super::args::{Args, FlyFormat};
 use crate::command::files::{Destination, Pieces, Rule, ending, refused};
 use crate::command::request::Request;
 use crate::command::running::running;
-use crate::report::ShotFormat;
 use crate::{Error, Result};
 use std::path::Path;
-
-/// Format of the rows.
-#[derive(Clone, Copy, PartialEq)]
-pub enum RowFormat {
-    Rows(ShotFormat),
-    #[cfg(feature = "parquet")]
-    Parquet,
-}
 
 /// The destination of the rows.
 pub struct Target {
     destination: Option<Destination>,
-    pub format: RowFormat,
+    pub format: FlyFormat,
     /// True if no rows are written: JSON without a file is the summary only.
     pub is_silent: bool,
 }
@@ -27,20 +18,14 @@ impl Target {
         let path = args.output.as_path();
         let is_standard = path == Path::new("-");
         let format = match (args.format, ending(path).as_str()) {
-            (Some(FlyFormat::Csv), _) | (None, "csv") => RowFormat::Rows(ShotFormat::Csv),
-            (Some(FlyFormat::LaunchMonitor), _) => RowFormat::Rows(ShotFormat::LaunchMonitor),
-            (Some(FlyFormat::Jsonl), _) | (None, "jsonl" | "ndjson") => {
-                RowFormat::Rows(ShotFormat::JsonLines)
-            }
-            (Some(FlyFormat::OpenConnect), _) | (None, "json") => {
-                RowFormat::Rows(ShotFormat::OpenConnect)
-            }
-            (None, _) if is_standard && running().is_for_a_screen() => {
-                RowFormat::Rows(ShotFormat::Screen)
-            }
-            (None, _) if is_standard => RowFormat::Rows(ShotFormat::Csv),
+            (Some(format), _) => format,
+            (None, "csv") => FlyFormat::Csv,
+            (None, "jsonl" | "ndjson") => FlyFormat::Jsonl,
+            (None, "json") => FlyFormat::OpenConnect,
+            (None, _) if is_standard && running().is_for_a_screen() => FlyFormat::Screen,
+            (None, _) if is_standard => FlyFormat::Csv,
             #[cfg(feature = "parquet")]
-            (Some(FlyFormat::Parquet), _) | (None, "parquet") => RowFormat::Parquet,
+            (None, "parquet") => FlyFormat::Parquet,
             #[cfg(not(feature = "parquet"))]
             (None, "parquet") => return Err(refused(path, crate::features::how_to_get("parquet"))),
             (None, _) => {
@@ -52,7 +37,7 @@ impl Target {
             }
         };
         #[cfg(feature = "parquet")]
-        if is_standard && format == RowFormat::Parquet && !request.is_json {
+        if is_standard && format == FlyFormat::Parquet && !request.is_json {
             return Err(refused(
                 path,
                 "Parquet needs a file; name one with `output`, or take `format csv` or jsonl",

@@ -138,10 +138,10 @@ fn write_rows(
     let total = points.rows();
     let bar = bar("drives");
     bar.set_length(total);
-    bar.set_position(output.rows());
+    bar.set_position(output.safe());
     bar.reset_eta();
     let run = Run {
-        first_row: output.rows(),
+        first_row: output.safe(),
         threads: args.threads,
         stop: Some(stop),
         ..Run::default()

@@ -35,7 +35,7 @@ pub struct ResumableFile<'a> {
     journal: Journal,
     writer: &'a Writer,
     /// Number of rows in the file.
-    pub rows: u64,
+    rows: u64,
     /// Number of bytes in the file.
     bytes: u64,
     /// Status counts of the rows in the file.

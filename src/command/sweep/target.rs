@@ -188,15 +188,7 @@ impl Stream {
 }
 
 impl Output<'_> {
-    /// Number of rows from an earlier run.
-    pub fn rows(&self) -> u64 {
-        match self {
-            Self::Resumable(file) => file.rows,
-            Self::Stream(_) => 0,
-        }
-    }
-
-    /// Number of rows after which a resumed sweep continues.
+    /// Number of rows after which a sweep continues: at the start, those of an earlier run.
     pub fn safe(&self) -> u64 {
         match self {
             Self::Resumable(file) => file.safe,
