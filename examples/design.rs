@@ -11,7 +11,7 @@ use longdrive::{Outcome, Result, Setup};
 
 fn main() -> Result<()> {
     let mut setup = Setup::preset("modern-driver")?;
-    // the weight is part of the 204 g, and starts at the centre of mass of the rest
+    // the head of 204 g includes the weight, which starts at the centre of mass of the other 189 g
     setup.set_all([
         ("club.loft", "12 deg"),
         ("club.mass", "189 g"),

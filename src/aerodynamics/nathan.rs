@@ -50,7 +50,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
             authors: "Nathan",
             year: Some(2023),
             ball: Some("an average of several"),
-            source: "TrajectoryCalculatorGolf-v2, a worksheet; as others transcribe it, \
+            source: "TrajectoryCalculatorGolf-v2, a worksheet; transcribed by others, \
                      docs/sources.md",
         }
     }

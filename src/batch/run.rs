@@ -21,8 +21,8 @@ pub struct Run<'a> {
     /// Number of threads, limited to the number of chunks and 256 (0: one per processor, or one for
     /// a single chunk).
     pub threads: usize,
-    /// Interrupt flag: once true, the run ends after the chunks in flight, or before them if a
-    /// flight has thousands of steps.
+    /// Interrupt flag: once true, no further chunk begins, and the run ends with the chunks in
+    /// flight. Flights of thousands of steps are interrupted too.
     pub stop: Option<&'a AtomicBool>,
 }
 
@@ -103,7 +103,7 @@ impl Batch {
         };
         let given = format!("points of {}", named(of_points));
         let reason = format!(
-            "the batch is of {}; give points of these, in this order",
+            "the parameters of the batch are {}; give points of these parameters, in this order",
             named(self.parameters())
         );
         Err(Error::Together { given, reason })

@@ -116,7 +116,7 @@ impl Outcome {
              ground.side_slope) for ground.rolling and ground.friction, or falls away more steeply \
              than the ball comes down"
         } else {
-            "the direction it measures does not exist (vertical, or without spin)"
+            "its direction does not exist: the launch is vertical, or the ball does not spin"
         }
     }
 

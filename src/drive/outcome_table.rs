@@ -418,7 +418,7 @@ outcomes! {
         sign: Sign::Positive,
         instrument: Some(Instrument {
             sigma: "0.02",
-            source: "assumed: {1 mph} of the ball and {1.5 mph} of the club, of a ratio of 1.48",
+            source: "assumed: {1 mph} of ball speed and {1.5 mph} of club speed, for a ratio of 1.48",
             plausible: None,
             heads: &["smash factor", "smash", "smash fac"],
         }),

@@ -157,7 +157,7 @@ impl Drive<f64> {
         );
         let message = yards(message, ours).words(" here, and by ");
         let message = yards(message, least).words(" to ");
-        Some(yards(message, most).words(" in published rules for air and ball"))
+        Some(yards(message, most).words(" by published rules for air and ball together"))
     }
 
     /// Warning about a strike outside the face of any conforming head.

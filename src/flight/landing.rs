@@ -143,7 +143,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         flying
     }
 
-    /// Events that the step up to time `end` may contain, from its nodes.
+    /// Events that the step up to time `end` may contain, found from the two nodes of the step.
     #[inline(always)]
     fn step_events(
         &self,

@@ -328,7 +328,7 @@ impl<T: Number> Collision<T> {
     }
 }
 
-// first rows and columns of the blocks of the 15 × 15 system
+// index of the first row or column of each block of the 15 × 15 system
 const CLUB_VELOCITY: usize = 0;
 const CLUB_SPIN: usize = 3;
 const BALL_VELOCITY: usize = 6;
@@ -372,8 +372,8 @@ impl<T: Number> SpeedSystem<T> {
         }
     }
 
-    /// Adds the equations of the separation along the normal and the tangents (eq. 7):
-    /// −(coefficient) × approach.
+    /// Adds the equations of the separation velocity along the normal and the tangents (eq. 7): it
+    /// is −(coefficient) × approach velocity.
     fn add_separation(&mut self, collision: &Collision<T>, directions: &[Vector<T>; 3]) {
         let Self { a, b } = self;
         let approach = collision.approach();

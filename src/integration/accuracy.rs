@@ -47,8 +47,8 @@ const SHORTEST_REFERENCE: f64 = 1e-3;
 const INSIDE: u64 = 64;
 /// Number of drives tested first. If a step fails for one of them, the other drives are not tested.
 const FIRST: usize = 16;
-/// Largest number of parameters whose range ends are combined; all further parameters keep the
-/// setup's value.
+/// Largest number of parameters whose range ends are combined. Any further parameter keeps the
+/// value of the setup.
 const COMBINED: usize = 4;
 /// Number of slightly shorter steps tested per drive, because the error depends on the position of
 /// the landing within the last step.
@@ -128,7 +128,7 @@ type FailingDrive = (usize, Option<(Outcome, f64)>);
 
 /// The drives compared.
 struct Sample<'s> {
-    /// The batch of the lengths, with the method of the choice.
+    /// The batch whose outcomes are the lengths, with the integration method of all choices.
     batch: Batch,
     points: Vec<f64>,
     /// Points not tested yet.
@@ -165,7 +165,7 @@ impl<'s> Sample<'s> {
             }
         };
         let still = [own(setup.variable("gravity")?)];
-        // the caller reports duplicate ranges
+        // ignore duplicate ranges here: the caller reports them
         let ranges = ranges
             .iter()
             .enumerate()

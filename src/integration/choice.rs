@@ -66,7 +66,8 @@ impl StepChoice {
     pub fn for_setup_until(self, setup: &Setup<f64>, stop: &AtomicBool) -> Result<Integration> {
         setup.validate()?;
         let mut found = self.for_ranges(setup, &[], &of_the_flight(), stop)?;
-        // the error of the choice is this fraction of the tolerance
+        // this defect belongs to an error of at most `SAFETY` times the tolerance; a single drive
+        // may use the whole tolerance
         found.largest_defect /= SAFETY;
         Ok(found)
     }

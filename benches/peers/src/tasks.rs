@@ -88,7 +88,7 @@ const TABLE_2: [f64; 13] = [
 ];
 
 /// The optima of Winfield & Tan: the optimum over both angles, from 10° of loft and 0° of attack
-/// angle, and the optima of their tables, each search from the optimum before.
+/// angle, and the optima of their tables, where each search starts from the previous optimum.
 fn winfield_tan(within: Option<f64>) -> Result<Ready> {
     let mut setup = Setup::preset("winfield-tan")?;
     let vary = ["club.loft=2deg..18deg", "swing.attack_angle=-10deg..30deg"];
@@ -139,7 +139,7 @@ pub enum Answer {
 }
 
 impl Answer {
-    /// Value, derivatives (for an optimum its position, deg), and other numbers.
+    /// Value, derivatives (for an optimum its position, deg), and a note.
     pub fn parts(self) -> (f64, Vec<f64>, String) {
         match self {
             Self::Drive(taylor) => {
@@ -170,7 +170,7 @@ impl Answer {
 /// A task for repetition.
 type Ready = Box<dyn Fn() -> Result<Answer>>;
 
-/// A task of a single drive, with all checks done once.
+/// The operation of a task of a single drive. Its arguments are checked here, once.
 pub fn ready(task: &str, by: &Discretisation) -> Result<Option<Ready>> {
     match task {
         "W&T" => return winfield_tan(None).map(Some),

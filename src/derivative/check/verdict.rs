@@ -36,8 +36,8 @@ impl Verdict {
 
 schema_of_names!(Verdict, "Verdict");
 
-/// Tolerance of a derivative, in error estimates of the differences. The estimates are rough: among
-/// ten thousand correct derivatives a few deviate by more than four.
+/// Tolerance of a derivative, as a multiple of the error estimate of the differences. The estimates
+/// are rough: a few of ten thousand correct derivatives deviate by more than four estimates.
 pub const BAR: f64 = 5.0;
 
 /// Threshold for negligible derivatives: a change of the variable by its whole scale changes the
@@ -97,11 +97,11 @@ pub struct Check {
     #[cfg_attr(test, schemars(with = "Number"))]
     pub exact: f64,
     /// The best numerical derivative, SI.
-    // `None` if there are too few values on both sides
+    // `None` if there are too few values for any side
     #[serde(rename = "best_difference", serialize_with = "crate::json::number")]
     #[cfg_attr(test, schemars(with = "Number"))]
     pub best: Option<Estimate>,
-    /// The difference between the two, SI.
+    /// The absolute difference between `exact` and `best_difference`, SI.
     #[serde(serialize_with = "crate::json::number")]
     #[cfg_attr(test, schemars(with = "Number"))]
     pub error: f64,
