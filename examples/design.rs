@@ -1,5 +1,5 @@
-//! The best position of a movable weight of 15 g for a golfer whose swings vary, under the limit of
-//! the Rules of Golf on the moment of inertia, and the price of this limit.
+//! The best position of a movable weight of 15 g for a golfer whose swings vary, if the Rules of
+//! Golf limit the moment of inertia; and the price of this limit.
 //!
 //! `cargo run --release --example design`
 

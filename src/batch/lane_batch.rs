@@ -248,7 +248,7 @@ impl LaneBatch<'_> {
 struct FlownLanes<'a, J: Lanes> {
     setup: &'a Setup<J>,
     launched: &'a LaunchState<J>,
-    /// Spin ratio, spin, Reynolds number and air speed at launch.
+    /// Spin ratio, spin, Reynolds number and airspeed at launch.
     stream: [J; 4],
     head: Option<&'a Head<J>>,
     landed: &'a Landed<J>,

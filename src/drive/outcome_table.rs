@@ -44,8 +44,8 @@ impl<T: Numbers, U, Read: Fn(T) -> U + Copy> OutcomeInputs<'_, T, Read> {
 }
 
 /// Ball speed: two radar units agree to about ±0.5 %
-/// (golflaunchlab.com/guides/golf-launch-monitor-accuracy, read in a stored copy; it names no
-/// test), 0.8 mph of 165 mph. Neither a maker's data sheet nor the numbers of Leach, Forrester,
+/// (golflaunchlab.com/guides/golf-launch-monitor-accuracy, read in a stored copy; the guide names
+/// no test), 0.8 mph of 165 mph. Neither a maker's data sheet nor the numbers of Leach, Forrester,
 /// Mears & Roberts (Measurement 112, 2017, 125–136) could be read.
 const AGREE: &str = "two radar units agree to about 0.5 % (golflaunchlab.com, a guide that names \
                      no test): {0.8 mph} of {165 mph}, rounded up";

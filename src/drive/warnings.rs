@@ -50,11 +50,15 @@ pub struct FlownRange {
 }
 
 impl Drive<f64> {
-    /// All warnings about a setup and its drive: the warnings about the setup, corners of the model
-    /// at this drive, a strike outside the largest face that the Rules of Golf allow, a flight
-    /// outside the ranges of the law, a step so long that the landing depends on it, and a
-    /// temperature that would change the ball too. The flight is computed again, so a search
-    /// requests the warnings for its result only.
+    /// All warnings about a setup and its drive:
+    ///
+    /// - warnings about the setup, and corners of the model at this drive;
+    /// - a strike outside the largest face that the Rules of Golf allow;
+    /// - a flight outside the ranges of the law;
+    /// - a step so long that the landing depends on it;
+    /// - a temperature that would also change the ball.
+    ///
+    /// The flight is computed again, so a search requests the warnings for its result only.
     pub fn warnings(&self, setup: &Setup<f64>) -> Vec<Message> {
         self.warnings_about(setup, &[])
     }

@@ -198,7 +198,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         lanes
     }
 
-    /// Records the apex at s of a step, and ends the flights that have never been above the ground.
+    /// Records the apex at s of a step. Ends the flights whose apex does not clear the ground, and
+    /// which have never been above it.
     #[inline(always)]
     fn record_apex(
         &self,

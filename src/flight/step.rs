@@ -6,7 +6,7 @@ use super::tableau::{MOST_STAGES, Tableau};
 use crate::aerodynamics::AerodynamicLaw;
 use crate::number::{Numbers, Vector, inlined};
 
-/// Steps of one flight with a fixed step.
+/// Computes the steps of one flight. All steps have the length h.
 pub(super) struct Stepper<'a, T, L> {
     inputs: &'a Inputs<T, L>,
     tableau: &'static Tableau,

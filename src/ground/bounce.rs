@@ -24,7 +24,7 @@ impl<T: Numbers> Motion<T> {
 
 /// Speed of the impact whose crater has the tilt θ_g, m/s: Penner (2002), p. 934.
 const SPEED: f64 = 18.6;
-/// Angle of incidence of this impact, rad.
+/// Angle of incidence of the impact whose crater has the tilt θ_g, rad.
 const INCIDENCE: f64 = 44.4 / 180.0 * PI;
 /// Start and width of the smooth clamp of the ratio of the tilt to the angle of incidence (H in eq.
 /// 19). The clamped ratio ends at 1, where the ball meets the crater head-on; above 1, Penner's φ −

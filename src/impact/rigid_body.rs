@@ -148,8 +148,8 @@ impl<T: Numbers> Collision<T> {
         }
     }
 
-    /// Columns of K (eqs. 9, 9a): K e = (1/M + 1/m) e − r_P × I_c⁻¹ (r_P × e) − (R²/I_b) n × (n × e)
-    /// is the decrease of the relative velocity of the contact points by an impulse e.
+    /// Columns of K (eqs. 9, 9a). K e is the decrease of the relative velocity of the contact
+    /// points by an impulse e: K e = (1/M + 1/m) e − r_P × I_c⁻¹ (r_P × e) − (R²/I_b) n × (n × e).
     #[inline(always)]
     fn columns(&self, inertia: &SymmetricFactors<T>) -> [Vector<T>; 3] {
         let inverse_mass = self.club_mass.recip() + self.ball_mass.recip();

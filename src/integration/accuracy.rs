@@ -57,10 +57,10 @@ const PHASES: u32 = 8;
 /// air).
 const ROUNDING: f64 = 1e-12;
 
-/// The longest step for which all lengths among the outcomes have errors below `tolerance` (m), for
-/// the setup and for drives at the ends of the ranges and inside them. The step is fixed in advance
-/// and independent of the drive, so outcomes stay smooth. Without a length among the outcomes,
-/// carry is tested.
+/// The longest step for which all lengths among the outcomes have errors below `tolerance` (m). The
+/// step is tested for the setup, and for drives at the ends of the ranges and inside them. The step
+/// is fixed in advance and independent of the drive, so outcomes stay smooth. Without a length
+/// among the outcomes, carry is tested.
 ///
 /// ```
 /// use longdrive::{Outcome, Setup, integration::accuracy};

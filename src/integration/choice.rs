@@ -30,7 +30,8 @@ pub enum StepChoice {
 pub struct Integration {
     /// The setup with the chosen method and step.
     pub setup: Setup<f64>,
-    /// The choice; `None` if the setup keeps its own method and step.
+    /// The chosen method and step with their error; `None` if the setup keeps its own method and
+    /// step.
     pub accuracy: Option<Accuracy>,
     /// Largest accepted defect of a drive (docs/model.md, eq. 16a), m; infinite for the setup's own
     /// step. Drives with a larger defect are repeated with shorter steps.

@@ -16,7 +16,7 @@ pub(crate) const SEA_LEVEL_TEMPERATURE: f64 = 288.15;
 pub(crate) const LAPSE_RATE: f64 = 0.0065;
 
 /// Two sets of parameters that describe the same quantity: if a parameter of `by` is set, the
-/// parameters of `replaced` follow from the set `by`.
+/// parameters of `replaced` follow from `by`.
 #[derive(Debug, PartialEq)]
 pub struct Ways {
     /// Name of the described quantity: `air`, `wind`.

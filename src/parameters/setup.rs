@@ -470,8 +470,8 @@ impl Setup<f64> {
         self.check_air(&[])
     }
 
-    /// Like [`validate`](Self::validate), for a setup whose launch, weather or wind is completed by
-    /// the columns of a table.
+    /// Like [`validate`](Self::validate), without the checks of launch, weather and wind, which the
+    /// columns of a table may complete.
     ///
     /// # Errors
     /// The errors of [`validate`](Self::validate).

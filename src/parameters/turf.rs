@@ -14,8 +14,8 @@ const HEIGHT: &str = "ground.height";
 
 const PENNER: &str = "Penner (2002)";
 const ROLLING: &str = "Penner (2001)";
-const FIRM: &str = "chosen beside TrackMan's chart of 2010: runs of its 60 drives within 6 yd \
-                    (rms), docs/sources.md";
+const FIRM: &str = "chosen to agree with TrackMan's chart of 2010: runs of its 60 drives within \
+                    6 yd (rms), docs/sources.md";
 const SOFT: &str =
     "assumed, so that a drive of the PGA tour runs 10 yd, as FlightScope states, docs/sources.md";
 const SOFT_ROLLING: &str =

@@ -33,8 +33,8 @@ impl Vary {
         Self::read_of(text, |name| setup.variable(name))
     }
 
-    /// Like [`read`](Self::read), for a parameter that need not have a value in the setup, since
-    /// each drive of a batch has its own.
+    /// Like [`read`](Self::read), for a parameter that need not have a value in the setup, because
+    /// each drive of a batch has its own value.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read) and [`Setup::column`].

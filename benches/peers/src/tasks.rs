@@ -82,7 +82,7 @@ pub fn two(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
 
 /// Lofts, deg, for which table 1 of Winfield & Tan (1994) gives the best attack angle.
 const TABLE_1: [f64; 9] = [5.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 15.0];
-/// Attack angles, deg, for which their table 2 gives the best loft.
+/// Attack angles, deg, for which table 2 of Winfield & Tan (1994) gives the best loft.
 const TABLE_2: [f64; 13] = [
     -10.0, -5.0, -4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 10.0,
 ];

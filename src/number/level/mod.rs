@@ -40,7 +40,8 @@ pub(crate) trait Task {
 }
 
 impl Level {
-    /// All levels, by register width. A processor has only the levels of its architecture.
+    /// All levels, in the order of register width. A processor has only the levels of its
+    /// architecture.
     pub const ALL: [Self; 5] = [
         Self::Baseline,
         Self::Neon,
