@@ -117,13 +117,13 @@ impl Drive<f64> {
         let step = Quantity::TIME.show(setup.flight.step, "s");
         let method = setup.method.name();
         let long = format!(
-            "flight.step = {step} is long for the method {method}: in steps of half the length the \
-             ball lands "
+            "flight.step = {step} is long for the method {method}: with steps of half this length \
+             the landing shifts by "
         );
         (shift > LARGEST_SHIFT).then(|| {
             Message::from(long)
                 .quantity(Quantity::LENGTH, "mm", shift, Digits::Significant(2))
-                .words(" from there; make flight.step shorter")
+                .words("; make flight.step shorter")
         })
     }
 

@@ -115,7 +115,7 @@ pub(super) fn accuracy_until(
     }
     let drive = worst.map_or_else(String::new, |missed| sample.describe(missed));
     let reason = format!(
-        "{drive} with method {} in steps of 4 ms; ask for more than that, or set flight.method and \
+        "{drive} with method {} in steps of 4 ms; give a larger tolerance, or set flight.method and \
          flight.step",
         METHOD.name()
     );
