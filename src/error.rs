@@ -439,7 +439,7 @@ fn no_strike(approach: f64) -> Message {
     )
 }
 
-/// The one of `names` that is most similar to a given name, and their similarity, 0 to 1.
+/// The name of `names` that is most similar to a given name, and their similarity, 0 to 1.
 pub(crate) fn nearest<'a>(
     name: &str,
     names: impl IntoIterator<Item = &'a str>,

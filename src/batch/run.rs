@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Rows of a chunk, the unit of work of one thread.
+/// Number of rows of a chunk, the unit of work of one thread.
 pub const CHUNK: usize = 1024;
 
 /// Options of a run.

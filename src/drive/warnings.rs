@@ -127,7 +127,7 @@ impl Drive<f64> {
         })
     }
 
-    /// The landing of the same launch with another setup; `None` without a landing.
+    /// The landing of this drive's launch in another setup; `None` without a landing.
     fn landed_with(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Option<Landed<f64>> {
         setup.flight.check_steps().ok()?;
         match Inputs::new(setup, &self.launch, false).fly(Some(stop), None) {

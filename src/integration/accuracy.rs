@@ -126,7 +126,7 @@ pub(super) fn accuracy_until(
 /// the drive does not land.
 type FailingDrive = (usize, Option<(Outcome, f64)>);
 
-/// The drives compared.
+/// The compared drives with their reference flights.
 struct Sample<'s> {
     /// The batch whose outcomes are the lengths, with the integration method of all choices.
     batch: Batch,

@@ -252,7 +252,7 @@ parameter_groups! {
         /// other weather is set.
         pressure: Option<T> = "air.pressure", "p", PRESSURE in "hPa",
             Range::from_to(22_000.0, 115_000.0),
-            "none", "density and viscosity are given; the range is that of the altitudes";
+            "none", "density and viscosity are given; the range follows from the altitudes";
         /// Altitude above sea level, from which the standard atmosphere gives the pressure; unset:
         /// 0 m if other weather is set.
         altitude: Option<T> = "air.altitude", "H", LENGTH in "ft",

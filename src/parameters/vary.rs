@@ -141,7 +141,7 @@ impl Vary {
         if low <= high {
             return Ok(());
         }
-        // without the space, as a single word of a command line
+        // without the space, so that the value is a single word of a command line
         let [low, high] = [low, high].map(|end| parameter.show(Some(end)).replacen(' ', "", 1));
         Err(self.refused(format!(
             "the range is reversed; did you mean {high}..{low}?"

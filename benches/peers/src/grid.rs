@@ -12,7 +12,7 @@ const AXES: [&str; 2] = [
     "swing.attack_angle=-10deg..10deg:1000",
 ];
 const SIDE: u64 = 1000;
-/// Stride of the rows and columns of the check sum, and of the timed rows.
+/// Stride of the rows and columns that enter the check sum, and of the timed rows.
 const EVERY: u64 = 25;
 /// The rows whose instructions are counted.
 const COUNTED: [u64; 2] = [250, 750];

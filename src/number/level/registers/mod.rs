@@ -57,7 +57,7 @@ mod tests {
         worst
     }
 
-    /// Functions that are not computed by libm.
+    /// Largest errors of the functions that registers compute without libm.
     struct Functions;
 
     impl Task for Functions {
