@@ -1,7 +1,7 @@
-//! Cost of derivatives and of the optimum, as ratios to the value, for the mae494 problem at step
-//! 0.01 s, loft 10°, attack angle 0°: the value is one drive of 276 steps.
+//! Times of derivatives and of the optimum, as ratios to the time of the value: one drive of mae494
+//! with 276 steps of 0.01 s, at loft 10° and attack angle 0°.
 //!
-//! `cargo bench --bench drive` measures all in one run and prints a table of ratios of the fastest
+//! `cargo bench --bench drive` measures all tasks in one run and prints the ratios of the fastest
 //! samples, because machines are shared and noisy.
 
 use criterion::Criterion;
@@ -14,7 +14,8 @@ use std::cell::RefCell;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// The twelve parameters of the peers' gradient: loft, attack, M, m, R, I_b, d, I_yy, e, V, ρ, δ.
+/// The twelve parameters by which the peer programs differentiate: loft, attack, M, m, R, I_b, d,
+/// I_yy, e, V, ρ, δ.
 const TWELVE: [&str; 12] = [
     "club.loft",
     "swing.attack_angle",
@@ -30,7 +31,7 @@ const TWELVE: [&str; 12] = [
     "aero.spin_decay",
 ];
 
-/// The fastest sample of each task, in order.
+/// The fastest sample of each task, in the order of measurement.
 #[derive(Default)]
 struct Fastest(RefCell<Vec<(String, Duration)>>);
 

@@ -1,8 +1,11 @@
-//! Time of the optimizer itself, without the functions: the published problems of `tests/problems`
-//! from their published starts. The second search of each problem copies the evaluations of the
-//! first from a list. `cargo bench --bench optimizer`.
+//! Time of the optimizer alone, without the time of the functions, for the published problems of
+//! `tests/problems` from their published starts. The timed searches read the function values from a
+//! list that an untimed first search has written. `cargo bench --bench optimizer`.
 
-#[expect(dead_code, reason = "published optima and points are for the tests")]
+#[expect(
+    dead_code,
+    reason = "only the tests use the published optima and points"
+)]
 #[path = "../tests/problems/mod.rs"]
 mod problems;
 
@@ -11,7 +14,7 @@ use problems::Case;
 use std::cell::{Cell, RefCell};
 use std::time::{Duration, Instant};
 
-/// Number of searches of each problem; the fastest counts, because machines are shared.
+/// Number of timed searches of each problem; the fastest counts, because machines are shared.
 const TIMES: u32 = 30;
 /// Largest number of variables of a small problem.
 const FEW: usize = 4;
@@ -90,8 +93,8 @@ fn main() {
         .chain(problems::more_garbow_hillstrom());
     let all: Vec<Measured> = cases.map(|case| measured(&case)).collect();
     println!(
-        "{:<48} {:>8} {:>10} {:>10} {:>10}   programs by [warm start, Clarabel, unpolished]",
-        "µs per iteration, the functions left out", "problems", "iterations", "median", "largest"
+        "{:<48} {:>8} {:>10} {:>10} {:>10}   QPs by [warm start, Clarabel, unpolished]",
+        "µs per iteration, without the functions", "problems", "iterations", "median", "largest"
     );
     for (size, is_small) in [("up to 4 variables", true), ("5 variables or more", false)] {
         let is_of_size = |one: &Measured| (one.variables <= FEW) == is_small;

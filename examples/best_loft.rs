@@ -10,7 +10,7 @@ use longdrive::study::{Goal, Search, Sense, Vary, optimum};
 use longdrive::{Outcome, Result, Setup};
 
 fn main() -> Result<()> {
-    // assumed spreads; a launch monitor gives yours: longdrive delivery --shots
+    // assumed spreads; `longdrive delivery --shots` computes yours from launch-monitor data
     let beginner = [
         "swing.speed=truncated(93.4 mph, 6 mph, 81.4 mph, 105.4 mph)",
         "swing.attack_angle=truncated(-1.6 deg, 4 deg, -9.6 deg, 6.4 deg)",

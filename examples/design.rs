@@ -1,5 +1,5 @@
-//! The best position of a movable weight of 15 g for a golfer whose swings vary, under the limit of
-//! the Rules of Golf on the moment of inertia, and the price of this limit.
+//! The best position of a movable weight of 15 g for a golfer whose swings vary, if the Rules of
+//! Golf limit the moment of inertia; and the price of this limit.
 //!
 //! `cargo run --release --example design`
 
@@ -11,7 +11,7 @@ use longdrive::{Outcome, Result, Setup};
 
 fn main() -> Result<()> {
     let mut setup = Setup::preset("modern-driver")?;
-    // the weight is part of the 204 g, and starts at the centre of mass of the rest
+    // the head of 204 g includes the weight, which starts at the centre of mass of the other 189 g
     setup.set_all([
         ("club.loft", "12 deg"),
         ("club.mass", "189 g"),

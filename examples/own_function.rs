@@ -1,5 +1,5 @@
-//! The optimizer without golf: a can of one litre with the smallest surface, under a limit of its
-//! height and then of its base.
+//! The optimizer without golf: a can of one litre with the smallest surface, first with any height,
+//! then with a height of at most 1 dm.
 //!
 //! `cargo run --release --example own_function`
 
@@ -35,12 +35,12 @@ fn main() -> longdrive::Result<()> {
             let (radius, height, price) = (can.x[0], can.x[1], can.upper_multipliers[1]);
             println!("  radius {radius:.9} dm, height {height:.9} dm, area {area:.9} dm²");
             println!(
-                "  price of a taller can {price:.6} dm² per dm, of more volume {:.6} dm² per dm³",
+                "  price of the height limit {price:.6} dm² per dm, of the volume {:.6} dm² per dm³",
                 -can.constraints[0].multiplier
             );
         }
     }
-    // by hand: without a limit the best can is as high as wide, h = 2 r = ∛(4/π)
+    // by hand: without a limit of the height, the best can is as high as wide, h = 2 r = ∛(4/π)
     println!("∛(4/π) = {:.9} dm", (4.0 / PI).cbrt());
     Ok(())
 }

@@ -145,7 +145,8 @@ fn the_loop(loops: &[LoopRow]) {
     println!("![V-curves of the smooth landing and of the loop](pictures/vcurve.svg)\n");
 }
 
-/// The worst outcome of each preset.
+/// Prints for each preset the worst of all outcomes: jumps, orders of convergence, and errors from
+/// the time step.
 fn smoothness(certificates: &[(&str, Certificate)]) {
     println!(
         "## Steps\n\nThe worst of all outcomes of each preset, in the step of the preset.\n\n\

@@ -1,8 +1,8 @@
-//! Separator of a table of text.
+//! The separator of the cells of a CSV table.
 
-/// Separator of the cells of a table, and the text after a line `sep=;`. The separator is stated in
-/// this line; otherwise it is the most frequent of tab, semicolon and comma in the line of column
-/// heads.
+/// The separator of the cells, and the text of the table. A first line such as `sep=;` states the
+/// separator and is removed. Otherwise the separator is the most frequent of tab, semicolon and
+/// comma in the line of column heads.
 pub(crate) fn detect_separator(text: &str) -> (u8, &str) {
     let text = text.trim_start_matches('\u{feff}');
     if let Some(rest) = text.strip_prefix("sep=") {

@@ -275,7 +275,7 @@ pub enum Error {
         /// The reason, and advice.
         reason: String,
     },
-    /// An answer that could not be written.
+    /// Output of a command that cannot be written.
     #[error("cannot write the answer: {}", write_error_text(.0))]
     Output(std::io::Error),
     /// A plot that cannot be drawn.
@@ -429,7 +429,8 @@ impl Error {
 /// Message for a face that does not approach the ball.
 fn no_strike(approach: f64) -> Message {
     Message::from(
-        "the club does not strike the ball: the contact point approaches along the face normal at ",
+        "the club does not strike the ball: the contact point approaches the ball along the face \
+         normal at ",
     )
     .quantity(Quantity::SPEED, "m/s", approach, Digits::Significant(5))
     .words(
@@ -438,7 +439,7 @@ fn no_strike(approach: f64) -> Message {
     )
 }
 
-/// The one of `names` that is most similar to a given name, and their similarity, 0 to 1.
+/// The name of `names` that is most similar to a given name, and their similarity, 0 to 1.
 pub(crate) fn nearest<'a>(
     name: &str,
     names: impl IntoIterator<Item = &'a str>,

@@ -48,7 +48,7 @@ pub fn exists(path: &Path) -> bool {
     is_in_memory(path) || path.exists()
 }
 
-/// The extension of a table in lower case. A file in memory whose name has none is CSV.
+/// The extension of a table in lower case. A file in memory without an extension is CSV.
 pub fn table_extension(path: &Path) -> String {
     match path.extension() {
         None if is_in_memory(path) => "csv".into(),

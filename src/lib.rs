@@ -53,7 +53,7 @@
 //! | numbers, quantity strings, errors | [`number`], [`units`], [`error`] |
 
 #![warn(clippy::missing_errors_doc, missing_docs)]
-// items used only by reports and commands
+// without the commands, some items have no user
 #![cfg_attr(not(feature = "commands"), allow(dead_code, unused_imports))]
 
 #[macro_use]

@@ -1,4 +1,4 @@
-//! Schemas of enums that JSON contains by name.
+//! JSON schemas of enums that are written as their names.
 
 /// Implements `JsonSchema` for an enum with `ALL` and `name()`: the names are the allowed strings.
 macro_rules! schema_of_names {

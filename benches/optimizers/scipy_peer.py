@@ -18,7 +18,8 @@ import numpy as np
 from scipy.optimize import Bounds, NonlinearConstraint, minimize
 
 TOLERANCE = 1e-10
-# tolerance for a solver that ends by the decrease of f, which is of second order in the error of x
+# tolerance for solvers that stop when the decrease of f is small: the decrease is of second order
+# in the error of x
 FALL = 1e-14
 ITERATIONS = 1000
 PATIENCE = 10.0
@@ -83,7 +84,7 @@ class Oracle:
         self.spent = 0.0
 
     def reading(self, read):
-        """The function x ↦ read(point at x), whose time is not SciPy's."""
+        """The function x ↦ read(point at x); its time does not count as SciPy's."""
 
         def function(x, *more):
             started = time.perf_counter()

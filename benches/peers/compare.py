@@ -34,8 +34,8 @@ TITLES = {
     "W&T": "23 optima, Winfield & Tan",
     "W&T-1um": "the 23 at 1 µm",
 }
-# operations whose instructions are counted; for T6, points of a repetition of a peer that computes
-# every attack angle, and of one that computes every 25th
+# operations of a run whose instructions are counted; for T6, repetitions: each computes GRID_POINTS
+# points, or SAMPLED_POINTS if the peer computes only every 25th attack angle
 OPERATIONS = {
     "T1": 10,
     "T2": 10,
@@ -51,10 +51,11 @@ OPERATIONS = {
 }
 GRID_POINTS, SAMPLED_POINTS = 2000, 80
 
-# docs/performance.md, limits: cycles of a single drive, and of a point of the grid
+# limits of docs/performance.md, in clock cycles: a single drive (least, most), and a point of the
+# grid
 LATENCY, GRID_CYCLES = (28700, 33100), 5050
 
-# results that every task must have, on the discretisation of the preset
+# expected results of every task, with the method and step of the preset
 CARRY, GRADIENT = 114.312855130798, [336.769746388603, 298.564796806673]
 HESSIAN = [-3068.07279459, -1950.16104589, -1588.91207472]
 OPTIMUM, PLACE = 153.333552730536, [14.6829225319, 10.0]
@@ -321,7 +322,7 @@ def everything(rows):
 
 
 def deviation(row, reference):
-    """The largest relative difference of value and derivatives."""
+    """The largest relative difference of value and derivatives from the reference."""
     if reference is None:
         return None
     pairs = [] if row["task"] == "T6" else [(row["value"], reference["value"])]
@@ -360,7 +361,7 @@ def precision(ladder):
 
 
 def wrong(rows):
-    """Messages about all results that differ from the published ones."""
+    """Messages about all results that differ from the expected results."""
     problems = []
 
     def expect(row, what, found, wanted, tolerance):
@@ -375,7 +376,8 @@ def wrong(rows):
                 continue  # short flights are off by more
             is_near = "at 1 µm" in row["peer"]
             if task == "T6":
-                # longdrive's sums without the row of loft 0, where carry has a corner (src/grid.rs)
+                # longdrive: compare the sums without the row of loft 0, where carry has a kink
+                # (src/grid.rs)
                 if row["peer"].startswith("longdrive"):
                     expect(
                         row,

@@ -81,8 +81,8 @@ impl Fitted {
             })
     }
 
-    /// How the law continues beyond `exceeded_ends`, the exceeded ends (below, above) of its
-    /// ranges: "extrapolated", "held", or "extrapolated or held".
+    /// The law's continuation beyond the exceeded ends (below, above) of its ranges:
+    /// "extrapolated", "held", or "extrapolated or held".
     pub(crate) fn continuation(&self, exceeded_ends: [[bool; 2]; 4]) -> &'static str {
         let exceeded = exceeded_ends
             .as_flattened()
@@ -101,7 +101,7 @@ impl Fitted {
         }
     }
 
-    /// The ends (below, above) of the ranges that are exceeded, from `flown`, the least and the
+    /// For each range, true for the ends (below, above) that `flown` exceeds: the least and the
     /// greatest value of each variable.
     pub(crate) fn exceeded_ends(&self, flown: [[f64; 2]; 4]) -> [[bool; 2]; 4] {
         let ranges = self

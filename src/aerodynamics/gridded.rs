@@ -62,7 +62,7 @@ fn value<T: Numbers>(variable: AxisVariable, stream: &Stream<T>) -> T {
     }
 }
 
-/// Coordinate along an axis, clamped beyond its ends; 0 without an axis.
+/// Coordinate along an axis, clamped beyond its ends; 0 if the grid has no such axis.
 #[inline(always)]
 fn coordinate<T: Numbers>(axis: &Option<Axis>, stream: &Stream<T>) -> T {
     let Some(Axis {

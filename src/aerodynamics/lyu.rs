@@ -63,7 +63,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Lyu<T> {
             authors: "Lyu, Kensrud, Smith & Tosaya",
             year: Some(2018),
             ball: Some("lift: mean of 13 balls; drag: one of them (KK)"),
-            source: "Proceedings 2(6), 238; as others transcribe it, docs/sources.md",
+            source: "Proceedings 2(6), 238; transcribed by others, docs/sources.md",
         }
     }
 }

@@ -167,7 +167,8 @@ mod tests {
         Stream::new(spin_ratio * speed / radius, speed, radius, 3000.0)
     }
 
-    /// Published C_D and C_L of both laws at Re = 1.5e5, within one unit of the last digit.
+    /// Published C_D and C_L of launch-monitor and ferguson at Re = 1.5e5, within one unit of the
+    /// last digit.
     #[test]
     fn published_values_of_launch_monitor_and_ferguson() {
         let spin_ratios = [0.08, 0.10, 0.15, 0.20, 0.25, 0.30];

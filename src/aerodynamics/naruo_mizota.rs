@@ -45,7 +45,7 @@ impl<T: Numbers> AerodynamicLaw<T> for NaruoMizota<T> {
             authors: "Naruo, Mizota & Shimozono",
             year: Some(2004),
             ball: Some("Bridgestone Skyway SD432"),
-            source: "wind tunnel; the polynomials as others transcribe them, docs/sources.md",
+            source: "wind tunnel; the polynomials are transcribed by others, docs/sources.md",
         }
     }
 }

@@ -8,9 +8,9 @@ const FALLS: [f64; 2] = [0.5, 1.0];
 /// Width of the rounded corners at both ends of `FALLS`, in Re/10⁵.
 const ROUNDED: f64 = 0.05;
 
-/// With r = Re/10⁵, C_D = cd_s s + c, with c = cd_low for r < 0.5, c = cd_high for r > 1 and c
-/// linear between, with corners rounded over 0.05 in r; C_L = cl_amp s^cl_exp. Nathan's calculator
-/// of golf trajectories, fitted to the averages of seven clubs.
+/// With r = Re/10⁵, C_D = cd_s s + c, where c is cd_low for r < 0.5, cd_high for r > 1, and linear
+/// between. Its corners are rounded over 0.05 in r. C_L = cl_amp s^cl_exp. Nathan's calculator of
+/// golf trajectories, fitted to the averages of seven clubs.
 impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
@@ -50,7 +50,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
             authors: "Nathan",
             year: Some(2023),
             ball: Some("an average of several"),
-            source: "TrajectoryCalculatorGolf-v2, a worksheet; as others transcribe it, \
+            source: "TrajectoryCalculatorGolf-v2, a worksheet; transcribed by others, \
                      docs/sources.md",
         }
     }

@@ -56,7 +56,7 @@ impl<T: Numbers> AerodynamicLaw<T> for UsgaItr<T> {
             authors: "USGA, Indoor Test Range",
             year: Some(2001),
             ball: Some("the test ball of the patent"),
-            source: "US patent 6186002; fit to its table as others transcribe it, docs/sources.md",
+            source: "US patent 6186002; fit to its table as transcribed by others, docs/sources.md",
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::parameters::WinfieldTan;
 
 /// v₀, m/s: middle of the speeds of the paper's flights.
 const MIDDLE: f64 = 50.0;
-/// About half the range of the speeds of the paper's flights, m/s.
+/// Scale of the speed in u, m/s: about half the range of the speeds of the paper's flights.
 const SPREAD: f64 = 20.0;
 
 /// With x = s √(v/v₀) and u = (v − v₀)/20 m/s: C_D = (cd0 + cd1 x + cd2 x² + cd3 x³)(1 + cd_v1 u +
@@ -45,7 +45,7 @@ impl<T: Numbers> AerodynamicLaw<T> for WinfieldTan<T> {
 
     fn published(&self) -> Published {
         Published {
-            authors: "Winfield & Tan, of curves by Aoyama (1990)",
+            authors: "Winfield & Tan, from curves by Aoyama (1990)",
             year: Some(1994),
             ball: None,
             source: "longdrive: recovered from the paper's tables, docs/validation.md",

@@ -85,7 +85,7 @@ impl StatusCounts {
         self.beyond.merge(other.beyond);
     }
 
-    /// Counts from a map of statuses and the validity counts.
+    /// Counts with these numbers of drives by status, and these numbers beyond the validity limits.
     pub fn of(counts: &BTreeMap<Status, u64>, beyond: ExceededCount) -> Self {
         Self {
             statuses: Status::ALL.map(|status| counts.get(&status).copied().unwrap_or_default()),

@@ -72,8 +72,8 @@ impl Batch {
 
     /// Computes the drives of a block in lane batches, and returns the rows that need scalar
     /// evaluation. These are all rows in two cases: if the inertia tensor is swept, because the
-    /// tensor must be checked in each row; or if a drive has so many parameters of differentiation
-    /// that it fills the lanes.
+    /// tensor must be checked in each row; or if there are so many parameters of differentiation
+    /// that a single drive fills the lanes.
     fn evaluate_in_lanes(&self, block: &mut Block, stop: &AtomicBool) -> Vec<usize> {
         if self.wrt.len() > 4 * MOST_PER_LANE
             || self
@@ -84,7 +84,7 @@ impl Batch {
             return (0..block.rows()).collect();
         }
         let mut scalar_rows = vec![];
-        // one iteration even without derivatives
+        // at least one iteration: without derivatives it computes the values
         for first in (0..self.wrt.len().max(1)).step_by(MOST_PER_LANE) {
             let wrt = &self.wrt[first..self.wrt.len().min(first + MOST_PER_LANE)];
             scalar_rows.extend(self.level.run_sweep(LaneBatch {

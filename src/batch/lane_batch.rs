@@ -220,7 +220,8 @@ impl LaneBatch<'_> {
         );
     }
 
-    /// Sets the parameters of differentiation to the setup's own values, with unit derivatives.
+    /// Sets the parameters of differentiation to the setup's own values, each with the derivative 1
+    /// in its own direction.
     #[inline(always)]
     fn seed_parameters<J: Lanes>(&self, setup: &mut Setup<J>) {
         setup.put(
@@ -247,14 +248,14 @@ impl LaneBatch<'_> {
 struct FlownLanes<'a, J: Lanes> {
     setup: &'a Setup<J>,
     launched: &'a LaunchState<J>,
-    /// Spin ratio, spin, Reynolds number and air speed at launch.
+    /// Spin ratio, spin, Reynolds number and airspeed at launch.
     stream: [J; 4],
     head: Option<&'a Head<J>>,
     landed: &'a Landed<J>,
 }
 
 impl<J: Lanes<Lane: Derivatives>> FlownLanes<'_, J> {
-    /// Quantities of a lane that outcomes are computed from.
+    /// Quantities from which the outcomes of a lane are computed.
     #[inline(always)]
     fn outcome_inputs(&self, lane: usize) -> OutcomeInputs<'_, J, impl Fn(J) -> J::Lane + Copy> {
         OutcomeInputs {

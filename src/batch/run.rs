@@ -7,22 +7,22 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Rows of a chunk, the unit of work of one thread.
+/// Number of rows of a chunk, the unit of work of one thread.
 pub const CHUNK: usize = 1024;
 
 /// Options of a run.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Run<'a> {
-    /// First row to compute (0). A multiple of [`CHUNK`] gives the same blocks as an uninterrupted
-    /// run.
+    /// First row to compute; 0 by default. A multiple of [`CHUNK`] gives the same blocks as an
+    /// uninterrupted run.
     pub first_row: u64,
-    /// End row, exclusive (`None`: after the last point).
+    /// End row, exclusive; by default `None`: after the last point.
     pub end_row: Option<u64>,
-    /// Number of threads, limited to the number of chunks and 256 (0: one per processor, or one for
-    /// a single chunk).
+    /// Number of threads; by default 0: one per processor, or one for a single chunk. At most 256,
+    /// and at most the number of chunks.
     pub threads: usize,
-    /// Interrupt flag: once true, the run ends after the chunks in flight, or before them if a
-    /// flight has thousands of steps.
+    /// Interrupt flag: once true, no further chunk begins, and the run ends with the chunks in
+    /// flight. Flights of thousands of steps are interrupted too.
     pub stop: Option<&'a AtomicBool>,
 }
 
@@ -103,7 +103,7 @@ impl Batch {
         };
         let given = format!("points of {}", named(of_points));
         let reason = format!(
-            "the batch is of {}; give points of these, in this order",
+            "the parameters of the batch are {}; give points of these parameters, in this order",
             named(self.parameters())
         );
         Err(Error::Together { given, reason })

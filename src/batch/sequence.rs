@@ -26,7 +26,7 @@ impl Sequence {
         refuse_repeated(&parameters)?;
         if over.len() > sobol::MOST_VARIABLES {
             let reason = format!(
-                "a sample can have at most {}; take out some `over`",
+                "a sample can vary at most {}; remove some of the ranges `over`",
                 sobol::MOST_VARIABLES
             );
             return Err(Error::SearchRange {

@@ -1,7 +1,7 @@
 //! Chain rule between impact and flight. Club and strike affect a flight only through the launch.
-//! If they have more parameters than the six components of the launch (velocity and spin), the
-//! flight is differentiated by the components and by its own parameters, and the chain rule
-//! combines the derivatives of impact and flight.
+//! The launch has six components: velocity and spin. If club and strike have more parameters, the
+//! flight is differentiated by the components and by its own parameters. The chain rule combines
+//! the derivatives of impact and flight.
 
 use super::Taylor;
 use super::pass::{COMPONENTS, Point, Stage};
@@ -10,9 +10,8 @@ use crate::error::Result;
 use crate::number::{Level, MOST_PER_LANE};
 use crate::parameters::Parameter;
 
-/// Division of the parameters into those that affect the launch and those that affect the flight at
-/// fixed launch. The flight is then differentiated by the launch and by its own parameters, and the
-/// chain rule combines this with the derivatives of the launch.
+/// Division of the parameters, for the chain rule, into parameters that affect the launch and
+/// parameters that affect the flight at fixed launch.
 #[derive(Clone, Debug)]
 pub(super) struct Split {
     /// Indices of the parameters of the launch: club, strike and ball, or a given launch.

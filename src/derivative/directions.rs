@@ -36,7 +36,7 @@ pub(super) fn pairs(variables: &[usize], entries: Entries) -> Vec<usize> {
 }
 
 impl Directions<'_> {
-    /// Splits the directions into passes: evaluations with one direction set per lane. Without
+    /// Splits the directions into passes: evaluations with one set of directions per lane. Without
     /// variables there is one pass, which computes the values.
     pub fn passes(self, level: Level) -> impl ExactSizeIterator<Item = Self> {
         let per_lane = if self.are_pairs { 2 } else { MOST_PER_LANE };

@@ -144,7 +144,8 @@ impl Evaluator {
         self.at_order(values, self.order, Some(stop))
     }
 
-    /// Outcomes with derivatives up to this order, at most the evaluator's own.
+    /// Outcomes with derivatives up to `order`, or up to the evaluator's own order if this is
+    /// lower.
     pub(crate) fn at_order(
         &self,
         values: &[f64],
@@ -178,7 +179,8 @@ impl Evaluator {
         self.unchecked(self.setup, &values, self.order, stop, progress)
     }
 
-    /// The step is halved until the defect of the integration is accepted.
+    /// Evaluates without a check of the parameters. The step is halved until the defect of the
+    /// integration is accepted.
     fn unchecked(
         &self,
         mut setup: Setup<f64>,

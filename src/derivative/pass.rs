@@ -97,7 +97,7 @@ impl Point<'_> {
             .err()
             .unwrap_or_else(|| Error::Undefined {
                 what: "the impact".into(),
-                reason: "the drive is at the limit at which the club strikes the ball".into(),
+                reason: "the strike is exactly at the limit between an impact and none".into(),
             })
     }
 }

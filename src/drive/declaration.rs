@@ -1,8 +1,8 @@
-//! Facts that the declaration of an outcome states.
+//! The declaration of an outcome, without its formula.
 
 use crate::units::{Digits, Message, Quantity};
 
-/// Facts about an outcome, beside its formula.
+/// Facts about an outcome, apart from its formula.
 pub(super) struct Declaration {
     /// Name in JSON and on the command line: `carry`.
     pub name: &'static str,

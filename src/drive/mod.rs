@@ -107,7 +107,7 @@ impl<T: Number> Drive<T> {
     }
 }
 
-/// Number of halvings that a limit of the defect allows.
+/// Largest number of halvings of the step; 0 if the defect is not limited.
 pub(crate) fn max_halvings(largest_defect: f64) -> u32 {
     if largest_defect.is_finite() {
         MAX_HALVINGS

@@ -116,7 +116,7 @@ impl Outcome {
              ground.side_slope) for ground.rolling and ground.friction, or falls away more steeply \
              than the ball comes down"
         } else {
-            "the direction it measures does not exist (vertical, or without spin)"
+            "its direction does not exist: the launch is vertical, or the ball does not spin"
         }
     }
 
@@ -179,9 +179,9 @@ impl Outcome {
         }
     }
 
-    /// The value of this outcome; `None` for an outcome of the flight without a landing, for an
-    /// outcome of the club without a club, and for a value that is not finite, such as an angle
-    /// whose direction does not exist (a vertical launch, no spin).
+    /// The value of this outcome. `None` for an outcome of the flight without a landing, for an
+    /// outcome of the club without a club, and for a value that is not finite. An angle is not
+    /// finite if its direction does not exist (a vertical launch, no spin).
     pub fn value(self, drive: &Drive<f64>) -> Option<f64> {
         self.of(drive).ok().filter(|value| value.is_finite())
     }

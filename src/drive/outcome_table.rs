@@ -43,24 +43,25 @@ impl<T: Numbers, U, Read: Fn(T) -> U + Copy> OutcomeInputs<'_, T, Read> {
     }
 }
 
-/// Ball speed: two radar units agree to about ±0.5 %
-/// (golflaunchlab.com/guides/golf-launch-monitor-accuracy, read in a stored copy; it names no
-/// test), 0.8 mph of 165 mph. Neither a maker's data sheet nor the numbers of Leach, Forrester,
+/// Uncertainty of ball speed: two radar units agree to about ±0.5 %
+/// (golflaunchlab.com/guides/golf-launch-monitor-accuracy, read in a stored copy; the guide names
+/// no test), 0.8 mph of 165 mph. Neither a maker's data sheet nor the numbers of Leach, Forrester,
 /// Mears & Roberts (Measurement 112, 2017, 125–136) could be read.
 const AGREE: &str = "two radar units agree to about 0.5 % (golflaunchlab.com, a guide that names \
                      no test): {0.8 mph} of {165 mph}, rounded up";
-/// Launch angles: no source found.
+/// Uncertainty of launch angles: no source was found.
 const TENTHS: &str = "assumed: three times the resolution of exports, 0.1°";
-/// Spin: no source found.
+/// Uncertainty of spin: no source was found.
 const OF_SPIN: &str = "assumed: 4 % of a driver's 2500 rpm";
-/// Distances: difference between launch monitors for the same launch.
+/// Uncertainty of distances: the difference between launch monitors for the same launch.
 const APART: &str =
     "launch monitors predict the same launch within about {3 yd} of each other (docs/sources.md)";
-/// Totals: differences between two monitors on the same shots (Bliss & Langdown 2026). Their ground
-/// models differ.
+/// Uncertainty of totals: the differences between two monitors on the same shots (Bliss & Langdown
+/// 2026). Their ground models differ.
 const RUNS: &str = "the totals of two monitors on the same shots differ by {11.5 yd} (one standard \
                     deviation): {8 yd} each, docs/sources.md";
-/// Apex height and descent angle: published averages are rounded to whole yards and degrees.
+/// Uncertainty of apex height and descent angle: published averages are rounded to whole yards and
+/// degrees.
 const ROUNDED: &str = "assumed: tables print whole units of length and whole degrees; indoors \
                        both are computed from the launch";
 
@@ -418,7 +419,7 @@ outcomes! {
         sign: Sign::Positive,
         instrument: Some(Instrument {
             sigma: "0.02",
-            source: "assumed: {1 mph} of the ball and {1.5 mph} of the club, of a ratio of 1.48",
+            source: "assumed: {1 mph} of ball speed and {1.5 mph} of club speed, for a ratio of 1.48",
             plausible: None,
             heads: &["smash factor", "smash", "smash fac"],
         }),

@@ -50,11 +50,15 @@ pub struct FlownRange {
 }
 
 impl Drive<f64> {
-    /// All warnings about a setup and its drive: the warnings about the setup, corners of the model
-    /// at this drive, a strike outside the largest face that the Rules of Golf allow, a flight
-    /// outside the ranges of the law, a step so long that the landing depends on it, and a
-    /// temperature that would change the ball too. The flight is computed again, so a search
-    /// requests the warnings for its result only.
+    /// All warnings about a setup and its drive:
+    ///
+    /// - warnings about the setup, and corners of the model at this drive;
+    /// - a strike outside the largest face that the Rules of Golf allow;
+    /// - a flight outside the ranges of the law;
+    /// - a step so long that the landing depends on it;
+    /// - a temperature that would also change the ball.
+    ///
+    /// The flight is computed again, so a search requests the warnings for its result only.
     pub fn warnings(&self, setup: &Setup<f64>) -> Vec<Message> {
         self.warnings_about(setup, &[])
     }
@@ -113,17 +117,17 @@ impl Drive<f64> {
         let step = Quantity::TIME.show(setup.flight.step, "s");
         let method = setup.method.name();
         let long = format!(
-            "flight.step = {step} is long for the method {method}: in steps of half the length the \
-             ball lands "
+            "flight.step = {step} is long for the method {method}: with steps of half this length \
+             the landing shifts by "
         );
         (shift > LARGEST_SHIFT).then(|| {
             Message::from(long)
                 .quantity(Quantity::LENGTH, "mm", shift, Digits::Significant(2))
-                .words(" from there; make flight.step shorter")
+                .words("; make flight.step shorter")
         })
     }
 
-    /// The landing of the same launch with another setup; `None` without a landing.
+    /// The landing of this drive's launch in another setup; `None` without a landing.
     fn landed_with(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Option<Landed<f64>> {
         setup.flight.check_steps().ok()?;
         match Inputs::new(setup, &self.launch, false).fly(Some(stop), None) {
@@ -157,7 +161,7 @@ impl Drive<f64> {
         );
         let message = yards(message, ours).words(" here, and by ");
         let message = yards(message, least).words(" to ");
-        Some(yards(message, most).words(" in published rules for air and ball"))
+        Some(yards(message, most).words(" by published rules for air and ball together"))
     }
 
     /// Warning about a strike outside the face of any conforming head.

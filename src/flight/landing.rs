@@ -143,7 +143,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         flying
     }
 
-    /// Events that the step up to time `end` may contain, from its nodes.
+    /// Events that the step up to time `end` may contain, found from the two nodes of the step.
     #[inline(always)]
     fn step_events(
         &self,
@@ -198,7 +198,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         lanes
     }
 
-    /// Records the apex at s of a step, and ends the flights that have never been above the ground.
+    /// Records the apex at s of a step. Ends the flights whose apex does not clear the ground, and
+    /// which have never been above it.
     #[inline(always)]
     fn record_apex(
         &self,

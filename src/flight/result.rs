@@ -90,7 +90,7 @@ pub enum NoFlight {
     Aloft {
         /// The time limit, s.
         time: f64,
-        /// Height at that time, m.
+        /// Height at the time limit, m.
         height: f64,
     },
 }
@@ -161,7 +161,8 @@ pub(crate) struct RequestedOutputs<'s> {
     pub stop: Option<&'s AtomicBool>,
 }
 
-/// Number of steps between two checks of the interrupt flag; they take about a millisecond.
+/// Number of steps between two checks of the interrupt flag; this number of steps takes about a
+/// millisecond.
 const STOP_INTERVAL: usize = 4096;
 
 impl RequestedOutputs<'_> {

@@ -46,7 +46,7 @@ pub(super) const MOST_STAGES: usize = 12;
 #[derive(Debug)]
 pub(super) struct Tableau {
     /// Largest relative change of the airspeed by drag and lift within a step. Larger changes are
-    /// not resolved by the stages, and much larger ones make the method unstable.
+    /// not resolved by the stages, and much larger changes make the method unstable.
     pub largest_relative_change: f64,
     /// Number of stages. The end of the step is an additional stage with the weights bⱼ.
     pub stages: usize,

@@ -24,7 +24,7 @@ impl<T: Numbers> Motion<T> {
 
 /// Speed of the impact whose crater has the tilt θ_g, m/s: Penner (2002), p. 934.
 const SPEED: f64 = 18.6;
-/// Angle of incidence of this impact, rad.
+/// Angle of incidence of the impact whose crater has the tilt θ_g, rad.
 const INCIDENCE: f64 = 44.4 / 180.0 * PI;
 /// Start and width of the smooth clamp of the ratio of the tilt to the angle of incidence (H in eq.
 /// 19). The clamped ratio ends at 1, where the ball meets the crater head-on; above 1, Penner's φ −
@@ -40,9 +40,9 @@ const RESTITUTION: [f64; 2] = [-0.0375 / 0.51, 0.000903 / 0.51];
 const CLAMP_SPEED: f64 = 18.0;
 /// Width of the smooth clamp of u, m/s: the clamped u ends at the minimum of e, 20.8 m/s.
 const CLAMP_WIDTH: f64 = 2.0 * (-RESTITUTION[0] / (2.0 * RESTITUTION[1]) - CLAMP_SPEED);
-/// Start of the transition from sticking to slipping: x in eq. 21.
+/// Value of x in eq. 21 at which the transition from sticking to slipping starts.
 const STICKS: f64 = 0.8;
-/// Width of the transition from sticking to slipping in x.
+/// Width in x of the transition from sticking to slipping.
 const SLIPS_OVER: f64 = 0.4;
 /// Margin, (m/s)², of the comparison of squared impulses per mass. A contact without slip sticks
 /// even without friction, because its slip has no direction.

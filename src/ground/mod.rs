@@ -57,8 +57,8 @@ pub(crate) struct Landing<T> {
 }
 
 /// Speed away from the ground, m/s, below which the ball stays on the ground. From twice this speed
-/// on it hops fully (eq. 22). Penner ends the bounces at a height of 5 mm, whose speed is between
-/// the two (0.31 m/s).
+/// on, the ball hops fully (eq. 22). Penner ends the bounces at a height of 5 mm, which corresponds
+/// to 0.31 m/s.
 const LEAST_HOP_SPEED: f64 = 0.2;
 /// Smallest speed along the ground, m/s. It keeps the speed's derivatives finite at rest.
 const LEAST_SPEED: f64 = 1e-6;

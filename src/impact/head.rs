@@ -78,9 +78,10 @@ impl<T: Numbers> Head<T> {
         pitched(loft.sin_cos(), Vector::new(-high, -toe, self.depth))
     }
 
-    /// Leading principal minors of the second moments of the mass, S = ½ tr I − I, each divided by
-    /// the power of tr S that makes it a moment of inertia. They are at least 0 for a rigid body; if
-    /// all are positive, I is positive definite and satisfies the triangle inequality.
+    /// Leading principal minors of S = ½ tr I − I, the second moments of the mass. Each minor is
+    /// divided by the power of tr S that gives it the dimension of a moment of inertia. They are at
+    /// least 0 for a rigid body; if all are positive, I is positive definite and satisfies the
+    /// triangle inequality.
     pub fn minors(&self) -> [T; 3] {
         let [[a, xy, xz], [_, b, yz], [.., c]] = self.inertia;
         let half = (a + b + c) * 0.5;

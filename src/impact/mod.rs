@@ -90,7 +90,7 @@ pub(crate) struct LaunchState<T: Numbers> {
 }
 
 impl<T: Numbers> LaunchState<T> {
-    /// The launch that a setup gives, or that its impact leads to.
+    /// The launch that a setup gives, or else the launch after its impact.
     #[inline(always)]
     pub fn new(setup: &Setup<T>) -> Self {
         T::not_inlined(inlined!(|| match Launch::given(setup) {

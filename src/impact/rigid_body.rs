@@ -148,8 +148,8 @@ impl<T: Numbers> Collision<T> {
         }
     }
 
-    /// Columns of K (eqs. 9, 9a): K e = (1/M + 1/m) e − r_P × I_c⁻¹ (r_P × e) − (R²/I_b) n × (n × e)
-    /// is the decrease of the relative velocity of the contact points by an impulse e.
+    /// Columns of K (eqs. 9, 9a). K e is the decrease of the relative velocity of the contact
+    /// points by an impulse e: K e = (1/M + 1/m) e − r_P × I_c⁻¹ (r_P × e) − (R²/I_b) n × (n × e).
     #[inline(always)]
     fn columns(&self, inertia: &SymmetricFactors<T>) -> [Vector<T>; 3] {
         let inverse_mass = self.club_mass.recip() + self.ball_mass.recip();
@@ -328,7 +328,7 @@ impl<T: Number> Collision<T> {
     }
 }
 
-// first rows and columns of the blocks of the 15 × 15 system
+// index of the first row or column of each block of the 15 × 15 system
 const CLUB_VELOCITY: usize = 0;
 const CLUB_SPIN: usize = 3;
 const BALL_VELOCITY: usize = 6;
@@ -372,8 +372,8 @@ impl<T: Number> SpeedSystem<T> {
         }
     }
 
-    /// Adds the equations of the separation along the normal and the tangents (eq. 7):
-    /// −(coefficient) × approach.
+    /// Adds the equations of the separation velocity along the normal and the tangents (eq. 7): it
+    /// is −(coefficient) × approach velocity.
     fn add_separation(&mut self, collision: &Collision<T>, directions: &[Vector<T>; 3]) {
         let Self { a, b } = self;
         let approach = collision.approach();

@@ -47,8 +47,8 @@ const SHORTEST_REFERENCE: f64 = 1e-3;
 const INSIDE: u64 = 64;
 /// Number of drives tested first. If a step fails for one of them, the other drives are not tested.
 const FIRST: usize = 16;
-/// Largest number of parameters whose range ends are combined; all further parameters keep the
-/// setup's value.
+/// Largest number of parameters whose range ends are combined. Any further parameter keeps the
+/// value of the setup.
 const COMBINED: usize = 4;
 /// Number of slightly shorter steps tested per drive, because the error depends on the position of
 /// the landing within the last step.
@@ -57,10 +57,10 @@ const PHASES: u32 = 8;
 /// air).
 const ROUNDING: f64 = 1e-12;
 
-/// The longest step for which all lengths among the outcomes have errors below `tolerance` (m), for
-/// the setup and for drives at the ends of the ranges and inside them. The step is fixed in advance
-/// and independent of the drive, so outcomes stay smooth. Without a length among the outcomes,
-/// carry is tested.
+/// The longest step for which all lengths among the outcomes have errors below `tolerance` (m). The
+/// step is tested for the setup, and for drives at the ends of the ranges and inside them. The step
+/// is fixed in advance and independent of the drive, so outcomes stay smooth. Without a length
+/// among the outcomes, carry is tested.
 ///
 /// ```
 /// use longdrive::{Outcome, Setup, integration::accuracy};
@@ -115,7 +115,7 @@ pub(super) fn accuracy_until(
     }
     let drive = worst.map_or_else(String::new, |missed| sample.describe(missed));
     let reason = format!(
-        "{drive} with method {} in steps of 4 ms; ask for more than that, or set flight.method and \
+        "{drive} with method {} in steps of 4 ms; give a larger tolerance, or set flight.method and \
          flight.step",
         METHOD.name()
     );
@@ -126,9 +126,9 @@ pub(super) fn accuracy_until(
 /// the drive does not land.
 type FailingDrive = (usize, Option<(Outcome, f64)>);
 
-/// The drives compared.
+/// The compared drives with their reference flights.
 struct Sample<'s> {
-    /// The batch of the lengths, with the method of the choice.
+    /// The batch whose outcomes are the lengths, with the integration method of all choices.
     batch: Batch,
     points: Vec<f64>,
     /// Points not tested yet.
@@ -165,7 +165,7 @@ impl<'s> Sample<'s> {
             }
         };
         let still = [own(setup.variable("gravity")?)];
-        // the caller reports duplicate ranges
+        // ignore duplicate ranges here: the caller reports them
         let ranges = ranges
             .iter()
             .enumerate()

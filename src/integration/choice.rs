@@ -30,7 +30,8 @@ pub enum StepChoice {
 pub struct Integration {
     /// The setup with the chosen method and step.
     pub setup: Setup<f64>,
-    /// The choice; `None` if the setup keeps its own method and step.
+    /// The chosen method and step with their error; `None` if the setup keeps its own method and
+    /// step.
     pub accuracy: Option<Accuracy>,
     /// Largest accepted defect of a drive (docs/model.md, eq. 16a), m; infinite for the setup's own
     /// step. Drives with a larger defect are repeated with shorter steps.
@@ -66,7 +67,8 @@ impl StepChoice {
     pub fn for_setup_until(self, setup: &Setup<f64>, stop: &AtomicBool) -> Result<Integration> {
         setup.validate()?;
         let mut found = self.for_ranges(setup, &[], &of_the_flight(), stop)?;
-        // the error of the choice is this fraction of the tolerance
+        // this defect belongs to an error of at most `SAFETY` times the tolerance; a single drive
+        // may use the whole tolerance
         found.largest_defect /= SAFETY;
         Ok(found)
     }

@@ -4,7 +4,7 @@ use super::tanh::tanh;
 use super::{Number, Numbers};
 use num_dual::DualNum;
 
-/// Functions with the same name in num-dual.
+/// Declares functions that num-dual has under the same name.
 macro_rules! num_dual_has {
     ($($function:ident)+) => {$(
         #[inline(always)]

@@ -206,8 +206,8 @@ pub trait Numbers:
             return power();
         }
         let is_nonzero = self.below(0.0) | (-self).below(0.0);
-        // at 0: two factors with an infinite product keep 0, but make the first nonzero
-        // derivative infinite
+        // at 0: the factor 2 · `f64::MAX` keeps the value 0, but makes the first nonzero derivative
+        // infinite
         Self::select_lazily(
             is_nonzero,
             power,

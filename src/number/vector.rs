@@ -12,7 +12,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 pub struct Vector<T> {
     /// Up.
     pub x: T,
-    /// Right of the target line, towards the toe of the club.
+    /// Right of the target line; in the head frame, towards the toe of the club.
     pub y: T,
     /// Downrange.
     pub z: T,

@@ -16,7 +16,7 @@ pub(crate) const SEA_LEVEL_TEMPERATURE: f64 = 288.15;
 pub(crate) const LAPSE_RATE: f64 = 0.0065;
 
 /// Two sets of parameters that describe the same quantity: if a parameter of `by` is set, the
-/// parameters of `replaced` follow from the set `by`.
+/// parameters of `replaced` follow from `by`.
 #[derive(Debug, PartialEq)]
 pub struct Ways {
     /// Name of the described quantity: `air`, `wind`.
@@ -70,7 +70,7 @@ impl Ways {
     }
 }
 
-/// The [`Ways`] in which two setups use different parameters.
+/// The quantities that the two setups describe by different parameters.
 pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Ways> {
     WAYS.iter()
         .filter(|ways| ways.given_in(a) != ways.given_in(b))
@@ -122,8 +122,8 @@ pub(super) fn instead(name: &str) -> String {
     })
 }
 
-/// Refuses a parameter of `names` that another parameter replaces, which is among `names` or
-/// already set. `names` are in the order in which they were given.
+/// Refuses a parameter of `names` if a parameter that replaces it is also in `names`, or already
+/// set. `names` are in the order in which they were given.
 ///
 /// # Errors
 /// [`Error::Together`] for such a parameter, with advice how to unset the parameter that was given
@@ -238,7 +238,7 @@ impl Setup<f64> {
         let row = self.parameter("air.temperature").ok()?;
         let standard = SEA_LEVEL_TEMPERATURE - LAPSE_RATE * altitude;
         let denser = 100.0 * (DEFAULT_TEMPERATURE / standard - 1.0);
-        let message = "air.altitude is given without air.temperature, which is ".into();
+        let message = "air.altitude is given without air.temperature, which is then ".into();
         let message = row.append_value(message, DEFAULT_TEMPERATURE);
         let message = message.words("; the standard atmosphere has ").quantity(
             Quantity::TEMPERATURE,
@@ -247,7 +247,7 @@ impl Setup<f64> {
             Digits::Significant(2),
         );
         Some(message.words(format!(
-            " there, with {denser:.0} % more air; state air.temperature too"
+            " there, where its air is {denser:.0} % denser; give air.temperature too"
         )))
     }
 

@@ -44,7 +44,7 @@ impl Golfer {
                     GOLFER,
                     name,
                     names,
-                    "a golfer is right or left, by the hand",
+                    "write right for a right-handed golfer, left for a left-handed one",
                 )
             })
     }
@@ -90,7 +90,7 @@ impl SpeedOf {
             .ok_or_else(|| {
                 let names = Self::ALL.iter().map(|point| point.name());
                 let advice =
-                    "the speed of the club is the speed of its centre-of-mass or its face-centre";
+                    "write centre-of-mass or face-centre, the point whose speed is swing.speed";
                 Error::unknown(SPEED_OF, name, names, advice)
             })
     }

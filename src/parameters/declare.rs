@@ -338,8 +338,9 @@ macro_rules! parameter_groups {
             /// The point of the head whose motion the swing states (`swing.speed_of`).
             pub speed_of: SpeedOf,
             /// True if `flight.method` or `flight.step` was stated, by [`set`](Setup::set), a
-            /// preset or a file. Otherwise [`StepChoice`](crate::integration::StepChoice) may choose
-            /// both, and setup files do not contain them. Set it with a field of the two.
+            /// preset or a file. Otherwise [`StepChoice`](crate::integration::StepChoice) may
+            /// choose both, and setup files do not contain them. Set it to true if you assign one
+            /// of the two fields.
             pub states_step: bool,
         }
 

@@ -65,8 +65,8 @@ impl SetupFile {
         }
     }
 
-    /// Parses the text of a setup file. `file` is its name in messages; paths in the text are
-    /// relative to its folder.
+    /// Parses the text of a setup file. `file` is the file's name in messages; paths in the text
+    /// are relative to the folder of `file`.
     ///
     /// # Errors
     /// The errors of [`Setup::from_toml`].
@@ -155,8 +155,8 @@ impl Setup<f64> {
         SetupFile::open(path).map(|file| file.setup)
     }
 
-    /// Parses the text of a setup file; `file` is its name in messages. Parameters that the file
-    /// does not give have the values of its `preset`, by default
+    /// Parses the text of a setup file; `file` is the file's name in messages. Parameters that the
+    /// file does not give have the values of its `preset`, by default
     /// [`DEFAULT_PRESET`](crate::parameters::DEFAULT_PRESET).
     ///
     /// ```

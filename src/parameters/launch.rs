@@ -61,7 +61,7 @@ impl Setup<f64> {
         match (has("backspin"), has("spin")) {
             _ if !has("ball_speed") => refuse("ball_speed is missing"),
             _ if !has("launch_angle") => refuse("launch_angle is missing"),
-            (false, false) => refuse("the spin is missing: give backspin, or spin"),
+            (false, false) => refuse("the spin is missing: give backspin, or spin (total spin)"),
             (true, true) => refuse(
                 "the spin is given twice: keep backspin, or spin, and unset the other (`set \
                  launch.spin=none`)",

@@ -137,7 +137,7 @@ pub static PRESETS: &[Preset] = &[
             entry(
                 "strike.high",
                 "-2.6 mm",
-                "chosen to agree with the spin, 3275 rpm: amateurs are taken to strike low",
+                "chosen to agree with the spin, 3275 rpm: amateurs are assumed to strike low",
             ),
             entry("club.loft", "10.5 deg", "assumed: the loft most sold"),
             entry(

@@ -12,8 +12,8 @@ use crate::units::{Message, Quantity, UnitError};
 use std::path::Path;
 
 /// Reason why a parameter of the club has no effect.
-pub(crate) const NO_CLUB: &str =
-    "no club strikes the ball, since its launch is given; name launch.launch_angle and the like";
+pub(crate) const NO_CLUB: &str = "no club strikes the ball, since its launch is given; name \
+                                  parameters of the launch, for example launch.launch_angle";
 
 const LISTING: &str = "`parameters()` lists them all";
 
@@ -120,8 +120,8 @@ impl Parameter {
         })
     }
 
-    /// The value as text in SI, and in the display unit if it differs. A temperature has the display
-    /// unit alone.
+    /// The value as text in SI, and in the display unit if it differs. A temperature is shown in
+    /// the display unit only.
     fn show_twice(&self, value: f64) -> String {
         let si = self.quantity.show(value, self.quantity.si);
         if self.quantity == Quantity::TEMPERATURE && value.is_finite() {
@@ -135,8 +135,8 @@ impl Parameter {
         }
     }
 
-    /// The value as `shown`, with the user's `text` appended if its unit is neither of the shown
-    /// units.
+    /// The value as `shown`, with the user's `text` appended if the unit of `text` is neither the
+    /// SI unit nor the display unit.
     fn with_given_text(&self, shown: String, text: &str) -> String {
         let is_another = |unit: &str| {
             ![self.quantity.si, self.unit]
@@ -151,8 +151,8 @@ impl Parameter {
         }
     }
 
-    /// The error for an unreadable text. For a word, such as a direction of the wind, the error
-    /// states the meaning of the parameter, which says what its numbers are.
+    /// The error for an unreadable text. If the text is a word, such as a direction of the wind,
+    /// the error quotes the documentation of the parameter, which says what its numbers mean.
     fn unreadable(&self, error: UnitError) -> Error {
         let is_word = |text: &str| text.starts_with(char::is_alphabetic);
         let source = match &error {
@@ -470,8 +470,8 @@ impl Setup<f64> {
         self.check_air(&[])
     }
 
-    /// Like [`validate`](Self::validate), for a setup whose launch, weather or wind is completed by
-    /// the columns of a table.
+    /// Like [`validate`](Self::validate), without the checks of launch, weather and wind, which the
+    /// columns of a table may complete.
     ///
     /// # Errors
     /// The errors of [`validate`](Self::validate).
@@ -485,7 +485,7 @@ impl Setup<f64> {
         self.club.check_inertia()
     }
 
-    /// Warnings about values that are accepted.
+    /// Warnings about questionable values, which are accepted.
     pub fn warnings(&self) -> Vec<Message> {
         let of_club = self
             .club
@@ -618,7 +618,7 @@ pub(crate) fn refuse_twice(wrt: &[&'static Parameter]) -> Result<()> {
     })
 }
 
-/// The error for a table with the name of another law.
+/// The error for a user's own table (`aero.table`) together with another law (`aero.law`).
 pub(super) fn table_beside(law: &str) -> Error {
     let reason = format!("a table is a law of its own, {LAW} = {TABLE_LAW}; keep one of the two");
     Error::Together {

@@ -252,7 +252,7 @@ parameter_groups! {
         /// other weather is set.
         pressure: Option<T> = "air.pressure", "p", PRESSURE in "hPa",
             Range::from_to(22_000.0, 115_000.0),
-            "none", "density and viscosity are given; the range is that of the altitudes";
+            "none", "density and viscosity are given; the range follows from the altitudes";
         /// Altitude above sea level, from which the standard atmosphere gives the pressure; unset:
         /// 0 m if other weather is set.
         altitude: Option<T> = "air.altitude", "H", LENGTH in "ft",
@@ -625,22 +625,22 @@ law_coefficients! { $
     /// cl_factor L(v, |ω|) (13.7 to 88.1 m/s, 2000 to 6000 rpm, held beyond; lift falls to 0 below
     /// 2000 rpm).
     "bearman-harvey": BearmanHarvey {
-        /// Factor of the drag coefficient of the grid.
+        /// Factor by which the drag coefficient read from the grid is multiplied.
         cd_factor: T = "aero.cd_factor", "cd_factor", NUMBER in "", Range::from_to(0.0, 100.0),
             "1", "Bearman & Harvey (1976), docs/sources.md";
-        /// Factor of the lift coefficient of the grid.
+        /// Factor by which the lift coefficient read from the grid is multiplied.
         cl_factor: T = "aero.cl_factor", "cl_factor", NUMBER in "", Range::FINITE,
             "1", "Bearman & Harvey (1976), docs/sources.md";
     }
 }
 
 parameter_struct! {
-    /// Factors of the coefficients of a user's own table.
+    /// Factors by which the coefficients of a user's own table are multiplied.
     TableFactors, Some(TABLE_LAW), {
-        /// Factor of the drag coefficient of the table.
+        /// Factor by which the drag coefficient of the table is multiplied.
         cd_factor: T = "aero.cd_factor", "cd_factor", NUMBER in "", Range::from_to(0.0, 100.0),
             "1", "your own table, unchanged";
-        /// Factor of the lift coefficient of the table.
+        /// Factor by which the lift coefficient of the table is multiplied.
         cl_factor: T = "aero.cl_factor", "cl_factor", NUMBER in "", Range::FINITE,
             "1", "your own table, unchanged";
     }

@@ -14,10 +14,10 @@ const HEIGHT: &str = "ground.height";
 
 const PENNER: &str = "Penner (2002)";
 const ROLLING: &str = "Penner (2001)";
-const FIRM: &str = "chosen beside TrackMan's chart of 2010: runs of its 60 drives within 6 yd \
-                    (rms), docs/sources.md";
+const FIRM: &str = "chosen to agree with TrackMan's chart of 2010: runs of its 60 drives within \
+                    6 yd (rms), docs/sources.md";
 const SOFT: &str =
-    "assumed, so that a drive of the PGA tour runs 10 yd, as FlightScope has it, docs/sources.md";
+    "assumed, so that a drive of the PGA tour runs 10 yd, as FlightScope states, docs/sources.md";
 const SOFT_ROLLING: &str =
     "assumed: half as much again as Penner (2001) fits on a fairway, docs/sources.md";
 const EMBEDS: &str = "the ball embeds";

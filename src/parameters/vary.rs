@@ -33,8 +33,8 @@ impl Vary {
         Self::read_of(text, |name| setup.variable(name))
     }
 
-    /// Like [`read`](Self::read), for a parameter that need not have a value in the setup, since
-    /// each drive of a batch has its own.
+    /// Like [`read`](Self::read), for a parameter that need not have a value in the setup, because
+    /// each drive of a batch has its own value.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read) and [`Setup::column`].
@@ -141,7 +141,7 @@ impl Vary {
         if low <= high {
             return Ok(());
         }
-        // without the space, as a single word of a command line
+        // without the space, so that the value is a single word of a command line
         let [low, high] = [low, high].map(|end| parameter.show(Some(end)).replacen(' ', "", 1));
         Err(self.refused(format!(
             "the range is reversed; did you mean {high}..{low}?"

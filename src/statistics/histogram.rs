@@ -158,7 +158,7 @@ impl Histogram {
     fn bin(&self, value: f64) -> usize {
         let ([low, high], last) = (self.range, self.counts.len() - 1);
         let mut at = (((value - low) / (high - low) * self.counts.len() as f64) as usize).min(last);
-        // correct the rounding of the quotient by the edges
+        // the edges decide, because the quotient is rounded
         while at > 0 && value < self.edge(at) {
             at -= 1;
         }

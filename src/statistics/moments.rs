@@ -39,7 +39,7 @@ impl Moments {
         if count == 0 {
             return Self::default();
         }
-        // relative to the first value, so that nearly equal numbers lose no digits
+        // subtract the first value, so that nearly equal numbers lose no digits
         let first = values.clone().next().unwrap_or_default();
         let mean = first + values.clone().map(|value| value - first).sum::<f64>() / count as f64;
         let squares = values

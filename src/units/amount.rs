@@ -13,7 +13,7 @@ impl Amount {
     /// Parses a number with a unit, or a plain number.
     ///
     /// # Errors
-    /// The reason.
+    /// A sentence with the reason, and advice.
     pub fn read(text: &str) -> Result<Self, String> {
         let (number, unit) = Quantity::NUMBER
             .split(text)
@@ -35,7 +35,7 @@ impl Amount {
         })
     }
 
-    /// The product with one SI unit of a quantity.
+    /// The product of this number and one SI unit of a quantity.
     pub fn times(self, by: Quantity) -> Self {
         Self {
             dimension: self.dimension.times(by.dimension, 1),

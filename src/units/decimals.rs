@@ -9,7 +9,7 @@ const DIGITS: usize = 5;
 /// Absolute value, in the displayed unit, below which a number is a rounding error.
 const NOISE: f64 = 1e-6;
 
-/// Absolute value above which numbers have a power of ten.
+/// Absolute value from which numbers are displayed with significant digits instead of decimals.
 const LARGE: f64 = 1e9;
 
 impl Quantity {
@@ -91,8 +91,8 @@ pub fn counted(count: u64, thing: &str) -> String {
     format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
 }
 
-/// A part of a count with its noun: "1 of 2 drives", "the only drive". The words after it must fit
-/// singular and plural.
+/// A part of a count with its noun: "1 of 2 drives", "the only drive". Words that follow this text
+/// must fit singular and plural.
 ///
 /// ```
 /// use longdrive::units::counted_of;
@@ -117,7 +117,8 @@ pub(crate) fn fixed(number: f64, decimals: usize) -> String {
     }
 }
 
-/// The text of a number, perhaps with a unit, with a plus sign if positive and not written as zero.
+/// The text of a number, perhaps with a unit, with a plus sign if the number is positive and its
+/// text is not zero.
 pub(crate) fn signed(number: f64, text: String) -> String {
     if number > 0.0 && !is_zero(leading_number(&text)) {
         format!("+{text}")

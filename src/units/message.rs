@@ -53,7 +53,8 @@ impl Message {
         self
     }
 
-    /// Appends a quantity with an SI value. [`System::unit`] converts its unit.
+    /// Appends a quantity with an SI value, and the unit for its text. [`System::unit`] gives the
+    /// unit of the other system.
     #[must_use]
     pub fn quantity(
         mut self,

@@ -44,7 +44,7 @@ pub struct Quantity {
     /// SI unit: "rad".
     pub si: &'static str,
     dimension: Dimension,
-    /// Usual units, separated by commas; the first one is for examples.
+    /// Usual units, separated by commas; the first unit is for examples.
     usual: &'static str,
     /// Decimals by display unit. A unit that is not listed has five significant digits.
     decimals: &'static [(&'static str, usize)],

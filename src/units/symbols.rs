@@ -25,7 +25,7 @@ impl Dimension {
 
 /// A unit symbol.
 pub(super) struct Symbol {
-    /// Spellings; the first one is for output.
+    /// Spellings; the first spelling is for output.
     pub names: &'static [&'static str],
     /// SI size.
     pub size: f64,

@@ -41,8 +41,8 @@ impl System {
     }
 
     /// The unit of this system for a unit of either system: yards for metres, miles per hour for
-    /// metres per second, and vice versa. A quantity in feet, such as an altitude, stays in feet.
-    /// Millimetres, for strikes on the face, belong to both systems.
+    /// metres per second, and vice versa. The US system keeps feet, for altitudes, and millimetres,
+    /// for strikes on the face.
     pub fn unit(self, unit: &'static str) -> &'static str {
         let mut pairs = Quantity::ALL.iter().flat_map(|known| known.metric_and_us);
         match self {
@@ -72,7 +72,7 @@ pub enum TableUnits {
     /// SI units and radians.
     #[default]
     Si,
-    /// The units of a system, which texts also use.
+    /// The units of this system, as in texts.
     Of(System),
 }
 
@@ -84,7 +84,7 @@ impl From<Option<System>> for TableUnits {
 }
 
 impl TableUnits {
-    /// The unit of a quantity that texts show in `unit`.
+    /// The unit of a column; `unit` is the unit of the quantity in texts.
     pub fn unit(self, quantity: Quantity, unit: &'static str) -> &'static str {
         match self {
             Self::Si => quantity.si,

@@ -373,7 +373,7 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
         ),
         (
             vec!["simulate", "--tolerance=1e-30m"],
-            vec!["ask for more than that"],
+            vec!["give a larger tolerance"],
         ),
         (
             vec!["simulate", "-"],

@@ -89,7 +89,8 @@ fn points_of_other_parameters_than_the_batch_are_refused_with_both_lists() {
         );
         let error = error.to_string();
         assert!(
-            error.contains(named) && error.contains("the batch is of club.loft, swing.speed"),
+            error.contains(named)
+                && error.contains("the parameters of the batch are club.loft, swing.speed"),
             "{error}"
         );
     }

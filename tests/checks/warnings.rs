@@ -114,7 +114,7 @@ fn a_step_that_changes_the_landing_has_a_warning_with_the_shift() {
     let shift = 1e3 * (carry("1s") - carry("0.5s")).abs();
     let told = &warnings("modern-driver", &[("flight.step", "1s")])[0];
     let said: f64 = told
-        .split("the ball lands ")
+        .split("the landing shifts by ")
         .nth(1)
         .and_then(|rest| rest.split(" mm").next())
         .unwrap()

@@ -1,4 +1,4 @@
-//! Runs a solver on a problem in a separate process, which may panic, abort or hang.
+//! Runs a solver on a problem in a separate process, because a solver may panic, abort or hang.
 
 use crate::all;
 use crate::oracle::Oracle;
@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
-/// A solver that takes longer has failed, s.
+/// Time limit of a solver, s. A solver that exceeds it counts as failed.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Repetitions; the fastest counts.
 const REPETITIONS: usize = 3;
@@ -94,7 +94,7 @@ pub fn run(solver: &str, problem: &str) -> Result<Outcome, Box<dyn Error>> {
     let status = child.wait()?;
     reader
         .join()
-        .map_err(|_| "the reader of a solver's output failed")?;
+        .map_err(|_| "the thread that reads the solver's output panicked")?;
     let why = if is_late {
         "more than 10 s".into()
     } else {

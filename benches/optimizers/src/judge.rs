@@ -1,9 +1,9 @@
 //! One judge for all solvers: does x meet the KKT conditions? It uses only x and the problem.
 //!
-//! Bounds and constraint limits within 1e-6 (relative to the limit, at least 1) are active. Their
+//! Bounds and constraint limits are active within 1e-6, relative to max(|limit|, 1). Their
 //! multipliers come from nonnegative least squares. Stationarity is relative, in each component, to
-//! the largest of the balancing terms, |f| and 1; violations are relative to the limit and 1;
-//! complementarity to |f| and 1.
+//! the largest of the balancing terms, |f| and 1. Violations are relative to max(|limit|, 1),
+//! complementarity to max(|f|, 1).
 
 use crate::nnls;
 use crate::oracle::evaluate;
@@ -40,8 +40,8 @@ impl Judgement {
     }
 }
 
-/// An active bound or limit (within the tolerance): ∇f + multiplier · slope + … = 0 with multiplier
-/// ≥ 0, or of any sign.
+/// An active bound or limit: its multiplier · slope is a term of the sum that balances ∇f. The
+/// multiplier is ≥ 0, or of any sign for an equality.
 struct Active {
     slope: Vec<f64>,
     is_equality: bool,
@@ -120,8 +120,9 @@ fn active_set(case: &Case, x: &[f64], at: &Evaluation) -> (Vec<Active>, f64) {
     (active, worst)
 }
 
-/// Stationarity and complementarity with the best multipliers, in two passes: the second weights
-/// each component by the sizes of the terms of the first.
+/// Stationarity and complementarity with the best multipliers, in three passes. Each pass weights
+/// the components by the sizes of the terms of the pass before; the pass with the smallest residual
+/// counts.
 fn multipliers_fit(active: &[Active], gradient: &[f64], value: f64) -> (f64, f64) {
     let n = gradient.len();
     let least = value.abs().max(1.0);
@@ -183,7 +184,7 @@ mod tests {
         assert!(residual("HS4", &[1.0, 0.0]) < 1e-14);
         assert!(residual("HS4", &[2.0, 0.0]) > 0.1);
         assert!(residual("HS4", &[1.0, 1.0]) > 0.1);
-        // HS45: f = 2 − Πx/120, minimal at the upper bounds; it decreases from the lower ones
+        // HS45: f = 2 − Πx/120 is minimal at the upper bounds, and decreases from the lower bounds
         assert!(residual("HS45", &[1.0, 2.0, 3.0, 4.0, 5.0]) < 1e-14);
         assert!(residual("HS45", &[0.0, 2.0, 3.0, 4.0, 5.0]) > 0.1);
     }

@@ -1,7 +1,7 @@
 //! Compares longdrive's optimizer with its peers on the published problems of tests/problems. See
 //! run.sh.
 
-#[expect(dead_code, reason = "the published points are for the tests")]
+#[expect(dead_code, reason = "only the tests use the published points")]
 #[path = "../../../tests/problems/mod.rs"]
 mod problems;
 

@@ -35,7 +35,8 @@ pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool]) -> DVector<f64> 
     DVector::from_fn(columns, |j, _| z[j] / size(j))
 }
 
-/// Solves least squares over the passive columns, and drops those whose sign would change.
+/// Solves least squares over the passive columns, and drops the columns whose unknown would change
+/// its sign.
 fn descend(
     a: &DMatrix<f64>,
     b: &DVector<f64>,

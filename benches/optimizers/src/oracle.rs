@@ -27,7 +27,7 @@ impl<'a> Oracle<'a> {
     }
 
     /// Evaluates the functions at `x` and passes them to `read`, which converts them for the
-    /// solver. Neither counts as the solver's time.
+    /// solver. Neither the evaluation nor `read` counts as the solver's time.
     pub fn read<R>(&self, x: &[f64], read: impl FnOnce(&Evaluation) -> R) -> R {
         let started = Instant::now();
         let at = self.evaluation(x);

@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 pub struct Outcome {
     pub solver: String,
     pub problem: String,
-    /// The solver's own status; the judge does not read it.
+    /// The status that the solver reports; the judge does not read it.
     pub status: String,
-    /// Its last point; empty if it failed.
+    /// The last point of the solver; empty if the solver failed.
     pub x: Vec<Option<f64>>,
     /// Points evaluated.
     pub evaluations: usize,
@@ -31,7 +31,7 @@ impl Outcome {
         }
     }
 
-    /// The point; null of JSON becomes NaN.
+    /// The point; `null` in JSON becomes NaN.
     pub fn point(&self) -> Vec<f64> {
         self.x.iter().map(|x| x.unwrap_or(f64::NAN)).collect()
     }

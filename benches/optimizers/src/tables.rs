@@ -51,7 +51,8 @@ impl Record<'_> {
             .sum()
     }
 
-    /// Median over the problems of the ratio of this solver to the other.
+    /// Median over the problems of the ratio of `of(outcome)` of this solver to that of the other
+    /// solver.
     fn ratio(&self, other: &Self, problems: &[&str], of: impl Fn(&Outcome) -> f64) -> f64 {
         let both = problems
             .iter()
@@ -67,7 +68,7 @@ impl Record<'_> {
     }
 }
 
-/// Writes `solvers.md`, `problems.md` and `outcomes.jsonl`, and prints the first.
+/// Writes `solvers.md`, `problems.md` and `outcomes.jsonl`, and prints `solvers.md`.
 pub fn write(cases: &[Case], outcomes: &[Outcome], directory: &Path) -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(directory)?;
     let records = records(cases, outcomes);

@@ -7,7 +7,7 @@ const BATCH: f64 = 2e-3;
 
 #[expect(
     unsafe_code,
-    reason = "CPU time, which the standard library does not tell, is asked of the system"
+    reason = "only the operating system reports CPU time, not the standard library"
 )]
 fn read(clock: libc::clockid_t) -> f64 {
     let mut time = libc::timespec {
@@ -29,7 +29,7 @@ pub fn process() -> f64 {
     read(libc::CLOCK_PROCESS_CPUTIME_ID)
 }
 
-/// Seconds of one operation: the fastest batch within `budget` seconds.
+/// Time of one operation, s: the fastest of the batches within `budget` seconds.
 pub fn fastest<R>(budget: f64, operation: impl Fn() -> R) -> f64 {
     black_box(operation());
     let start = thread();

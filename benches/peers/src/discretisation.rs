@@ -17,7 +17,7 @@ const LADDERS: [[f64; 7]; 2] = [
     [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3],
     [0.05, 0.1, 0.2, 0.4, 0.8, 1.2, 1.6],
 ];
-/// Largest error of the rows 'at 1 µm', m.
+/// Largest error of carry, m, in the rows 'at 1 µm' of docs/performance.md.
 const MICROMETRE: f64 = 1e-6;
 /// Number of equidistant steps, up to `LONGEST_STEP`, that are tried for the rows 'at 1 µm'.
 const STEPS: u32 = 200;
@@ -62,7 +62,7 @@ fn errors(found: &[Taylor], exact: &[Taylor]) -> [f64; 3] {
     errors
 }
 
-/// Seconds of value, gradient and Hessian.
+/// Computation times of value, gradient and Hessian, s.
 fn times(by: &Discretisation, budget: f64) -> Result<[f64; 3]> {
     let mut seconds = [f64::NAN; 3];
     for (seconds, task) in seconds.iter_mut().zip(["T1", "T2", "T3"]) {
@@ -73,8 +73,8 @@ fn times(by: &Discretisation, budget: f64) -> Result<[f64; 3]> {
     Ok(seconds)
 }
 
-/// The fastest method, with the largest step for which it and every smaller tried step have errors
-/// within 1 µm.
+/// Each method with the largest step up to which all tried steps have errors within 1 µm, the
+/// fastest method first.
 fn choose(
     error: impl Fn(&Discretisation) -> Result<f64>,
     time: impl Fn(&Discretisation) -> Result<f64>,
@@ -104,8 +104,8 @@ fn choose(
         .collect())
 }
 
-/// The fastest candidates within 1 µm. Single drives use the errors of the two drives; T6 uses the
-/// errors over the grid.
+/// The methods and steps within 1 µm, the fastest first. Single drives use the errors of the two
+/// drives; T6 uses the errors over the grid.
 pub fn one_micrometre() -> Result<Value> {
     let exact = taylors(&reference(), Order::Value)?;
     let single = choose(

@@ -12,7 +12,7 @@ const AXES: [&str; 2] = [
     "swing.attack_angle=-10deg..10deg:1000",
 ];
 const SIDE: u64 = 1000;
-/// Stride of the rows and columns of the check sum, and of the timed rows.
+/// Stride of the rows and columns that enter the check sum, and of the timed rows.
 const EVERY: u64 = 25;
 /// The rows whose instructions are counted.
 const COUNTED: [u64; 2] = [250, 750];
@@ -42,8 +42,8 @@ fn at(block: &Block, row: usize) -> [f64; 3] {
 pub struct Sums {
     pub all: f64,
     /// Sums without the row of loft 0. There the ball does not spin and the drag has a kink, so
-    /// carry has no derivative by loft: the peers compute the slope from above, longdrive a slope
-    /// between the two one-sided ones.
+    /// carry has no derivative by loft: the peers compute the slope from above, longdrive computes
+    /// a slope between the two one-sided slopes.
     pub spinning: f64,
 }
 
@@ -62,7 +62,7 @@ impl Sums {
     }
 }
 
-/// One row of the grid: a loft, all attack angles.
+/// Evaluates rows of the grid: a row is one loft with all attack angles.
 pub struct Rows {
     batch: Batch,
     axes: Vec<Axis>,
@@ -86,7 +86,7 @@ impl Rows {
         self.batch.evaluate(row * SIDE, black_box(points))
     }
 
-    /// The counted rows, `count` times.
+    /// Computes the counted rows `count` times.
     pub fn repeat(&self, count: u64) {
         for _ in 0..count {
             for row in COUNTED {
@@ -95,13 +95,13 @@ impl Rows {
         }
     }
 
-    /// Seconds per point of the middle row.
+    /// Computation time per point of the middle row, s.
     pub fn time_middle(&self) -> f64 {
         clock::fastest(PATIENCE, || self.evaluate(SIDE / 2)) / SIDE as f64
     }
 
-    /// Seconds per point over every 25th row, each row the fastest of some repetitions, and the
-    /// check sums.
+    /// Computation time per point, s, and the check sums, over every 25th row. The fastest of
+    /// several repetitions of each row counts.
     pub fn time(&self) -> (f64, Sums) {
         let (mut seconds, mut sums, mut rows) = (0.0, Sums::default(), 0.0);
         for row in (0..SIDE).step_by(EVERY as usize) {
@@ -124,7 +124,8 @@ impl Rows {
     }
 }
 
-/// Seconds per point and the check sums of the whole grid, in one complete call on one thread.
+/// Computation time per point, s, and the check sums of the whole grid, in one complete call on one
+/// thread.
 pub fn whole(by: &Discretisation) -> Result<(f64, Sums)> {
     let setup = mae494(by)?;
     let mut grid = Grid::new(axes(by)?)?;

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 const RUNS: usize = 20;
 
-/// Seconds of wall-clock time, the fastest of some runs.
+/// Wall-clock time of a command, s: the fastest of `RUNS` runs.
 pub fn time(command: &[&str]) -> Result<f64, Box<dyn Error>> {
     let (program, arguments) = command.split_first().ok_or("no command")?;
     let mut best = f64::INFINITY;

@@ -82,13 +82,13 @@ pub fn two(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
 
 /// Lofts, deg, for which table 1 of Winfield & Tan (1994) gives the best attack angle.
 const TABLE_1: [f64; 9] = [5.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 15.0];
-/// Attack angles, deg, for which their table 2 gives the best loft.
+/// Attack angles, deg, for which table 2 of Winfield & Tan (1994) gives the best loft.
 const TABLE_2: [f64; 13] = [
     -10.0, -5.0, -4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 10.0,
 ];
 
 /// The optima of Winfield & Tan: the optimum over both angles, from 10° of loft and 0° of attack
-/// angle, and the optima of their tables, each search from the optimum before.
+/// angle, and the optima of their tables, where each search starts from the previous optimum.
 fn winfield_tan(within: Option<f64>) -> Result<Ready> {
     let mut setup = Setup::preset("winfield-tan")?;
     let vary = ["club.loft=2deg..18deg", "swing.attack_angle=-10deg..30deg"];
@@ -139,7 +139,7 @@ pub enum Answer {
 }
 
 impl Answer {
-    /// Value, derivatives (for an optimum its position, deg), and other numbers.
+    /// Value, derivatives (for an optimum its position, deg), and a note.
     pub fn parts(self) -> (f64, Vec<f64>, String) {
         match self {
             Self::Drive(taylor) => {
@@ -170,7 +170,7 @@ impl Answer {
 /// A task for repetition.
 type Ready = Box<dyn Fn() -> Result<Answer>>;
 
-/// A task of a single drive, with all checks done once.
+/// The operation of a task of a single drive. Its arguments are checked here, once.
 pub fn ready(task: &str, by: &Discretisation) -> Result<Option<Ready>> {
     match task {
         "W&T" => return winfield_tan(None).map(Some),

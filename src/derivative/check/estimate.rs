@@ -34,9 +34,9 @@ pub struct Estimate {
     pub uncertainty: f64,
 }
 
-/// Best estimate of all runs of consecutive differences. The search proceeds from small steps to
-/// large ones, and ends when an estimate is as accurate as `enough`, or when a larger step
-/// contradicts a smaller one beyond both error estimates.
+/// Best estimate of all runs of consecutive differences, from small steps to large steps. The
+/// search ends when an estimate is as accurate as `enough`, or when two estimates differ by more
+/// than twice the sum of their uncertainties.
 pub(super) fn estimate(
     differences: &[Option<Difference>],
     side: Side,

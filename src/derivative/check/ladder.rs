@@ -1,13 +1,15 @@
 use super::estimate::{Estimate, Side, estimate};
 
-/// Steps 10^(-k/2) of a ladder, in units of the scale: from 1e-1 down to 1e-13, two per decade.
+/// Values of k for the steps 10^(-k/2) of a ladder, in units of the scale: from 1e-1 down to 1e-13,
+/// two per decade.
 pub const STEPS: std::ops::RangeInclusive<i32> = 2..=26;
 
-/// Steps for expensive functions: from 1e-1 to 1e-5, and three that show the rounding.
+/// Values of k for expensive functions: steps from 1e-1 to 1e-5, and three steps that show the
+/// rounding.
 pub const FEW_STEPS: [i32; 12] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 19, 20, 21];
 
-/// Smallest extrapolated step, relative to the scale. Smaller features of a function (a kink
-/// rounded off within a millionth) are not resolved.
+/// Smallest step used in an extrapolation, relative to the scale. Smaller features of a function (a
+/// kink rounded off within a millionth) are not resolved.
 pub(super) const LEAST_STEP: f64 = 1e-6;
 
 /// Smallest assumed size of a function, relative to the terms from which it is computed. For a

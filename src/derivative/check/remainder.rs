@@ -26,13 +26,14 @@ fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
         let above_rounding = |rung: &Rung| {
             let value = if sign > 0.0 { rung.above? } else { rung.below? };
             let remainder = (value - ladder.centre - polynomial(sign * rung.step)).abs();
-            // with cancellation, the rounding of the large parts also affects the change over a
+            // if large terms of the function cancel, their rounding also affects its change over a
             // step
             let of_the_change = rounding_of(ladder.rounded * rung.step / size);
             (remainder > ABOVE_ROUNDING * rounding.max(rounding_of(value)).max(of_the_change))
                 .then(|| ((rung.step / size).log10(), remainder.log10()))
         };
-        // consecutive steps from the smallest usable one; a zero of the remainder ends them
+        // consecutive steps, from the smallest step at which the remainder exceeds rounding; a zero
+        // of the remainder ends the sequence
         let left = ladder
             .rungs
             .iter()
@@ -43,7 +44,7 @@ fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
         points.reverse();
         (points.len() == FITTED).then(|| line_slope(&points))
     };
-    // terms of the remainder that cancel on one side add on the other
+    // the steeper side: terms of the remainder that cancel on one side add on the other side
     [1.0, -1.0]
         .into_iter()
         .filter_map(to_a_side)

@@ -36,12 +36,12 @@ impl Verdict {
 
 schema_of_names!(Verdict, "Verdict");
 
-/// Tolerance of a derivative, in error estimates of the differences. The estimates are rough: among
-/// ten thousand correct derivatives a few deviate by more than four.
+/// Tolerance of a derivative, as a multiple of the error estimate of the differences. The estimates
+/// are rough: a few of ten thousand correct derivatives deviate by more than four estimates.
 pub const BAR: f64 = 5.0;
 
-/// Threshold for negligible derivatives: a change of the variable by its whole scale changes the
-/// function by a smaller fraction of its size.
+/// Threshold for negligible derivatives: such a derivative changes the function by less than this
+/// fraction of its size if the variable changes by its whole scale.
 pub const NEXT_TO_NOTHING: f64 = 1e-2;
 
 /// Required accuracy of differences.
@@ -97,11 +97,11 @@ pub struct Check {
     #[cfg_attr(test, schemars(with = "Number"))]
     pub exact: f64,
     /// The best numerical derivative, SI.
-    // `None` if there are too few values on both sides
+    // `None` if there are too few values for any side
     #[serde(rename = "best_difference", serialize_with = "crate::json::number")]
     #[cfg_attr(test, schemars(with = "Number"))]
     pub best: Option<Estimate>,
-    /// The difference between the two, SI.
+    /// The absolute difference between `exact` and `best_difference`, SI.
     #[serde(serialize_with = "crate::json::number")]
     #[cfg_attr(test, schemars(with = "Number"))]
     pub error: f64,
@@ -206,9 +206,9 @@ impl Ladder {
         NEXT_TO_NOTHING * self.size / self.scale
     }
 
-    /// One-sided derivatives, if they differ by more than ten times their error estimates, by more
-    /// than 1e-4 of their size, and by more than the rounding of the function's terms over the
-    /// smallest step.
+    /// One-sided derivatives at a corner; `None` without a corner. There the two derivatives differ
+    /// by more than ten times their error estimates, by more than 1e-4 of their size, and by more
+    /// than the rounding of the function's terms over the smallest step.
     fn corner(&self) -> Option<[Option<f64>; 2]> {
         let (below, above) = (self.slope(Side::Below, 0.0)?, self.slope(Side::Above, 0.0)?);
         let distance = (above.value - below.value).abs();

@@ -40,7 +40,8 @@ pub(crate) trait Task {
 }
 
 impl Level {
-    /// All levels, by register width. A processor has only the levels of its architecture.
+    /// All levels, in the order of register width. A processor has only the levels of its
+    /// architecture.
     pub const ALL: [Self; 5] = [
         Self::Baseline,
         Self::Neon,
@@ -98,14 +99,15 @@ impl Level {
         }
     }
 
-    /// The level for a single drive: at most AVX2. Its directions seldom fill the lanes of AVX-512,
-    /// whose copy of this code would take a fifth of the compile time.
+    /// The level for a single drive: at most AVX2. The directions of a single drive seldom fill the
+    /// lanes of AVX-512, and a copy of this code for AVX-512 would take a fifth of the compile
+    /// time.
     pub(crate) fn of_one_drive(self) -> Self {
         self.min(Self::Avx2)
     }
 
-    /// Runs a task of one drive at this level, or at the widest lower level of this processor, at
-    /// most AVX2; with plain numbers if the level belongs to another architecture.
+    /// Runs a task of one drive at the lowest of this level, the widest level of this processor,
+    /// and AVX2. Plain numbers replace a level of another architecture.
     #[inline]
     #[cfg_attr(
         target_arch = "x86_64",

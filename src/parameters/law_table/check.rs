@@ -4,8 +4,8 @@ use super::grid::{Axis, AxisVariable, Grid};
 use super::read::{Fault, Node, Nodes};
 use super::surface::{Cell, Surface};
 
-/// Spin ratio below which the lift of a table without an axis of the spin falls to 0: slower spin
-/// than in any drive.
+/// Spin ratio below which the lift of a table without spin or spin ratio falls to 0. All drives
+/// have larger spin ratios.
 const FULL_LIFT: f64 = 0.02;
 
 /// Smallest distance of two lines of the grid, relative to the largest value. Closer lines are
@@ -142,7 +142,7 @@ fn full_grid<'a>(nodes: &'a Nodes, speeds: &[f64], spins: &[f64]) -> Result<Vec<
 /// An axis with its ends and the widths of its clamps.
 fn axis(variable: AxisVariable, lines: &[f64]) -> Axis {
     let last = lines.len() - 1;
-    // any width along a single line: the surface is constant
+    // a single line gives a constant surface, so any width will do
     let over = if last == 0 {
         [1.0; 2]
     } else {
@@ -187,9 +187,9 @@ fn check_between_nodes(
     Ok(())
 }
 
-/// Samples along one direction of a cell, 0 to 1 within it, and beyond it in the outermost cells.
-/// `at` is the index of its first line among `count` lines. `zero` is the coordinate of zero speed
-/// or spin, the smallest possible.
+/// Samples along one direction of a cell: 0 to 1 within the cell, and one beyond each end at which
+/// the cell is outermost. `at` is the index of the cell's first line among `count` lines. `zero` is
+/// the coordinate of zero speed or spin, the smallest possible coordinate.
 fn samples(at: usize, count: usize, zero: f64) -> impl Iterator<Item = f64> {
     const INTERVALS: usize = 8;
     let below = if at == 0 && count > 1 {

@@ -120,7 +120,7 @@ impl PartialEq for LawTable {
     }
 }
 
-/// The hash of the content: setups with different tables differ in their debug form.
+/// Writes the hash of the content, so that setups with different tables differ in their debug form.
 impl fmt::Debug for LawTable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:016x}", self.fingerprint)

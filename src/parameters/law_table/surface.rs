@@ -1,8 +1,8 @@
 //! Natural bicubic splines through a grid of numbers. The surface is C² in both directions.
 
-/// A cell of the grid: corner and reciprocal sizes (x, 1/width, y, 1/height), then for each of the
-/// two numbers the 16 coefficients of the powers of u and w, the coordinates in the cell from 0 to
-/// 1; for each power of u, four powers of w.
+/// A cell of the grid: its corner and reciprocal sizes (x, 1/width, y, 1/height), then 16
+/// coefficients for each of the two numbers. They multiply the powers of u and w, the coordinates
+/// in the cell from 0 to 1: for each power of u, four powers of w.
 pub(crate) type Cell = [f64; 36];
 
 /// Surfaces through two numbers at each node of a grid. They live until the program ends, and

@@ -1,5 +1,5 @@
-//! slsqp: NLopt's SLSQP in Rust. Its interface has inequalities only; an equality becomes two of
-//! them.
+//! slsqp: NLopt's SLSQP in Rust. Its interface has inequalities only; an equality becomes two
+//! inequalities.
 
 use super::{End, FALL, ITERATIONS};
 use crate::oracle::{Oracle, Row, rows, start};
