@@ -166,7 +166,7 @@ impl Verdict {
         }
     }
 
-    /// Appends text to the message.
+    /// Appends `more` to the message.
     pub fn with_text(mut self, more: &str) -> Self {
         self.message += more;
         self
