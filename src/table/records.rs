@@ -78,7 +78,7 @@ impl Lines {
         self.read += 1;
         if count as u64 == LONGEST && bytes.last() != Some(&self.end) {
             return Err(io::Error::other(format!(
-                "line {} is longer than 1 MiB; a table has shorter ones",
+                "line {} is longer than 1 MiB; a line of a table must be shorter",
                 self.read
             )));
         }
@@ -204,7 +204,7 @@ pub(super) fn is_open(text: &str, separator: u8) -> bool {
     let (mut is_quoted, mut begins, mut has_closed) = (false, true, false);
     for byte in text.bytes() {
         match byte {
-            // a doubled quote inside a cell reopens it
+            // a doubled quote closes a quoted cell and opens it again
             b'"' if is_quoted || begins || has_closed => {
                 (is_quoted, begins, has_closed) = (!is_quoted, false, is_quoted);
             }

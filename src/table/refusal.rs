@@ -1,4 +1,4 @@
-//! Rows that are rejected, or hold no shot.
+//! Rows that are rejected, and rows that contain no shot.
 
 /// Reason for rejecting a row.
 #[derive(Clone, Debug, PartialEq, Eq)]

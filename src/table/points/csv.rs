@@ -74,7 +74,8 @@ impl CsvRows {
                         .places_of(&self.columns.parameters)
                         .map_err(|missing| {
                             let reason = format!(
-                                "the head in line {} has no column of {missing}, as the first has",
+                                "the column heads in line {} lack {missing}, which the first \
+                                 column heads have",
                                 record.line
                             );
                             file.refused(String::new(), reason)

@@ -19,7 +19,8 @@ pub(super) trait Pieces: Sized {
 
     fn rewind(&mut self);
 
-    /// Remaining rows of the current piece, or rows of the next piece; 0 at the end.
+    /// Number of unread rows of the current piece; if there are none, the number of rows of the
+    /// next piece. 0 at the end.
     fn left(&mut self) -> Result<usize, String>;
 
     /// Next values of a column, at most the remaining rows.
