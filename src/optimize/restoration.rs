@@ -1,9 +1,9 @@
 //! Feasibility restoration from other points of the box.
 //!
-//! If no step of the linearised constraints, and no negative curvature, reduces the violation, the
-//! point may be a local minimum of the violation, or a point where gradient and curvature vanish
-//! together. Neither proves that the constraints are inconsistent. So the violation is also
-//! minimised from other points before the verdict "infeasible".
+//! A search may end where no step of the linearised constraints, and no negative curvature, reduces
+//! the violation. This point may be a local minimum of the violation, or a point where its gradient
+//! and curvature vanish together. Neither proves that the constraints are inconsistent. So the
+//! violation is also minimised from other points before the verdict "infeasible".
 
 use super::domain::Domain;
 use super::least_squares::{self, Rows};

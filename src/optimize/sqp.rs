@@ -62,9 +62,9 @@ impl Progress {
 }
 
 impl Sqp {
-    /// Iteration `number`: Nocedal & Wright (2006), algorithm 18.4, with the merit function φ = f +
-    /// ν‖v‖₂ of the constraint violations v, second-order corrections, and the trust-region update
-    /// of Conn, Gould & Toint (2000), algorithm 6.1.1.
+    /// Iteration `number`: Nocedal & Wright (2006), algorithm 18.4, with second-order corrections
+    /// and the trust-region update of Conn, Gould & Toint (2000), algorithm 6.1.1. The merit
+    /// function is φ = f + ν‖v‖₂ with the constraint violations v.
     fn iterate(
         &mut self,
         state: &mut State,

@@ -328,8 +328,8 @@ impl State {
         } else if reduction.is_good() && step.is_limited_by(self.radius) {
             self.radius = (GROW * self.radius).min(MAX_RADIUS);
         }
-        // reflected curvature is not curvature of f: it limits the step as a trust region does, and
-        // is relaxed as a trust region is
+        // reflected curvature is not curvature of f, but limits the step like a trust region:
+        // reduce it as long as the model predicts the reduction exactly
         let is_exact = step.is_reflected && reduction.is_exact();
         self.reflection = if is_exact {
             (SHRINK * self.reflection).max(MIN_REFLECTION)

@@ -99,7 +99,7 @@ impl Sqp {
             .or_else(|| progress_test(state.counters.stalled, predicted, largest));
         if let Some(stalled) = stalled {
             // inconsistent constraints: the merit function balances objective and violation, and no
-            // step reduces either further
+            // step reduces it further
             if step.is_some_and(|step| step.is_relaxed) && residual.feasibility > tolerance {
                 return Some(infeasible(state.violation()));
             }

@@ -136,7 +136,7 @@ impl Export {
         }
     }
 
-    /// Finds the columns of the origin of the spin and of the conditions.
+    /// Finds the columns that state the origin of the spin and the conditions.
     fn find_descriptions(&mut self) {
         let plain: Vec<String> = self
             .heads
@@ -158,8 +158,7 @@ impl Export {
     /// parameters that the first section does not have.
     ///
     /// # Errors
-    /// The name of a parameter without a column in this section. A missing air column is allowed:
-    /// the setup gives the air.
+    /// The name of a parameter without a column in this section.
     pub(super) fn align(
         &mut self,
         further: &[&'static Parameter],
@@ -196,7 +195,7 @@ impl Export {
                     column: column.clone(),
                 });
             }
-            // the club has no effect in a table of launches
+            // parameters of the club do not affect the flight of a launch: read them as club data
             Content::Note | Content::Input(_) => {
                 let below = read_units(self.units.as_deref(), at);
                 let format = Format {
@@ -437,8 +436,8 @@ fn read_units(units: Option<&[String]>, at: usize) -> Option<&str> {
     (!unit.is_empty()).then_some(unit)
 }
 
-/// The column for a head of the ball's rest position; `None` for any other head. `calibrate` ignores
-/// these columns, since the ground is unknown.
+/// The column for a head of the ball's rest position; `None` for any other head. `calibrate`
+/// ignores these columns, since the ground is unknown.
 fn total(
     setup: &Setup<f64>,
     name: &str,

@@ -74,8 +74,8 @@ pub(super) struct Chunk {
 }
 
 impl Shots {
-    /// Opens a file, and reads the rows of its table that `filter` selects, by default all rows; "-"
-    /// is standard input.
+    /// Opens a file ("-" is standard input). Reads the rows of its table that `filter` selects, by
+    /// default all rows.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read), errors of opening the file, and an error for a filter if
@@ -112,8 +112,8 @@ impl Shots {
     pub(crate) fn of_text(setup: &Setup<f64>, text: Text) -> Result<Self> {
         if is_json(&text.beginning) {
             if !text.filter.is_empty() {
-                let reason = "`only` selects rows of a table by a column, but these are JSON messages; leave \
-                     out `only`";
+                let reason = "`only` selects rows of a table by a column, but these are JSON \
+                     messages; leave out `only`";
                 return Err(text.name.refused(String::new(), reason));
             }
             let launch = LAUNCH

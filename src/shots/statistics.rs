@@ -17,8 +17,8 @@ pub const BANDS: [f64; 6] = [80.0, 100.0, 120.0, 140.0, 160.0, 180.0];
 /// One mile per hour, m/s.
 const MPH: f64 = 0.44704;
 
-/// Standard deviation of the difference of two instruments on the same drives, with its unit: a
-/// TrackMan 4 and a FlightScope Mevo+ on 58 drives (Bliss & Langdown 2026).
+/// Standard deviation of the difference between two instruments on the same drives, with its unit:
+/// a TrackMan 4 and a FlightScope Mevo+ on 58 drives (Bliss & Langdown 2026).
 pub const FLOOR: [(Outcome, f64, &str); 5] = [
     (Outcome::CarryDistance, 6.72, "yd"),
     (Outcome::Lateral, 10.7, "yd"),

@@ -13,7 +13,7 @@ const LONGEST: u64 = 1 << 20;
 /// line.
 const MOST_LINES: usize = 32;
 
-/// A row of a table, or a JSON object or other text in its place.
+/// A row of a table; or, in a stream of messages, a JSON object or other text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Record {
     /// Number of the record's first line, from 1.

@@ -22,8 +22,8 @@ const MOST_DAMPING: f64 = 1e20;
 /// Smallest damping. JᵀJ of the scaled columns is accurate to about 1e-16; with less damping,
 /// rounding would drive steps along directions in which the residuals do not change.
 const LEAST_DAMPING: f64 = 1e-12;
-/// If no step lowers the sum, a fit has converged if its undamped step is at most this fraction of
-/// the point and of the distance travelled (Moré 1978, MINPACK's `xtol`). The gradient is no
+/// Longest undamped step with which a fit counts as converged if no step lowers the sum. Relative
+/// to the point and the distance travelled (Moré 1978, MINPACK's `xtol`). The gradient is no
 /// criterion near a sum of 0, where the residuals are rounding errors.
 const SHORTEST: f64 = 1e-8;
 
@@ -489,8 +489,8 @@ impl FitState {
         let distance = length(&|i| x[i].abs().max((x[i] - self.initial_point[i]).abs()));
         (step <= SHORTEST * distance).then(|| {
             let message = format!(
-                "no step makes the sum smaller, and one without damping would move the point by \
-                 {:.1e} of itself: because of rounding the sum can fall no further",
+                "no step makes the sum smaller, and a step without damping would move the point by \
+                 only {:.1e} of its size: because of rounding the sum can fall no further",
                 if distance > 0.0 { step / distance } else { 0.0 }
             );
             Verdict {

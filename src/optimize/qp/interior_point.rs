@@ -82,7 +82,7 @@ struct StandardForm {
 }
 
 impl InteriorPoint {
-    /// Solves a program; `None` if its rows are infeasible within the bounds, and if Clarabel finds
+    /// Solves a program; `None` if its rows are infeasible within the bounds, or if Clarabel finds
     /// neither a solution nor a proof of infeasibility.
     pub fn solve(&mut self, program: &QuadraticProgram) -> Option<Answer> {
         let form = StandardForm::new(program);

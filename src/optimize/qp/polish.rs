@@ -196,10 +196,10 @@ impl QuadraticProgram {
         self.value(&step.d) <= at_zero + rounding
     }
 
-    /// Solves the program with the active bounds, rows and terms as equations:
-    /// B d plus Σ αₖ gradientₖ plus Σ μⱼ normalⱼ is 0 for the inactive variables, Σ αₖ = 1, and
-    /// offsetₖ + gradientₖ · d is equal for all active terms. Subtracting the first active term from
-    /// the others eliminates its multiplier and the equation Σ αₖ = 1.
+    /// Solves the program with the active bounds, rows and terms as equations: B d plus Σ αₖ
+    /// gradientₖ plus Σ μⱼ normalⱼ is 0 for the inactive variables, Σ αₖ = 1, and offsetₖ +
+    /// gradientₖ · d is equal for all active terms. Subtracting the first active term from the
+    /// others eliminates its multiplier and the equation Σ αₖ = 1.
     fn candidate(&self, active: &WorkingSet) -> Option<Candidate> {
         let unknowns = Unknowns::new(self, active)?;
         let mut d = DVector::from_fn(self.dimension(), |i, _| match active.bounds[i] {

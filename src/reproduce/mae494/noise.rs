@@ -208,9 +208,8 @@ fn loop_slopes(setup: &Setup<f64>, loft: f64, by: f64, step: f64) -> Result<[f64
 }
 
 impl Sawtooth {
-    /// Finds the jumps. A jump is a pair of neighbouring points at which the change of the loop's
-    /// carry minus the change of the smooth carry exceeds three times the change of the smooth
-    /// carry.
+    /// Finds the jumps. Two neighbouring points are a jump if the change of the loop's carry
+    /// differs from the change of the smooth carry by more than three times the smooth change.
     fn of(zoom: &[Landings]) -> Self {
         let jump = |pair: &[Landings]| {
             let smooth = pair[1].smooth - pair[0].smooth;

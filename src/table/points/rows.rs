@@ -36,6 +36,8 @@ pub(super) struct Table<R> {
 }
 
 impl<R: Rows> Table<R> {
+    /// Reads the whole table once.
+    ///
     /// # Errors
     /// Errors of an unreadable table.
     pub fn new(mut rows: R) -> Result<Self> {
@@ -92,7 +94,7 @@ impl<R: Rows> Table<R> {
 struct InvalidRows {
     /// The first invalid rows, each with the reason.
     listed: Vec<String>,
-    /// Number of further rows.
+    /// Number of invalid rows that are not listed.
     others: u64,
 }
 
