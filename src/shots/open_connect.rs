@@ -45,7 +45,7 @@ fn units(message: &Map<String, Json>) -> Result<(&'static str, &'static str), Re
     }
 }
 
-/// The number with a key; `None` if the key is absent.
+/// The number stored under a key; `None` if the key is absent.
 fn number(of: &Map<String, Json>, group: &str, key: &str) -> Result<Option<f64>, Refusal> {
     match of.get(key) {
         None | Some(Json::Null) => Ok(None),

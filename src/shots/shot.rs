@@ -31,7 +31,7 @@ impl Origin {
         }
     }
 
-    /// Parses a cell: `Measured`, `Estimate`.
+    /// Parses the origin in a cell, such as `Measured` or `Estimate`.
     pub(super) fn read(cell: &str) -> Option<Self> {
         match cell.to_lowercase().as_str() {
             "measured" | "actual" => Some(Self::Measured),

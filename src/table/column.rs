@@ -39,7 +39,7 @@ pub(crate) struct Column {
     pub format: Format,
     /// True for an angle of an export without a unit, which is read in degrees.
     pub is_in_assumed_degrees: bool,
-    /// True for a launch condition with its dotted name.
+    /// True for a launch condition whose column head is its dotted name.
     pub is_dotted_condition: bool,
     /// True for an air column that the weather of the setup overrides.
     pub is_of_given_air: bool,

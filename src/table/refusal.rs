@@ -3,7 +3,7 @@
 /// Reason for rejecting a row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
-    /// Category for counting: "missing value".
+    /// Category for counting, such as "missing value".
     pub kind: &'static str,
     /// Reason with column and value.
     pub reason: String,
