@@ -269,7 +269,7 @@ def test_shots_come_back_row_by_row():
         }
     )
     assert [shot["flight"] for shot in said.shots] == ["landed", "refused"]
-    assert "every launch needs one" in said.shots[1]["reason"]
+    assert "every launch needs a spin" in said.shots[1]["reason"]
 
 
 def test_pictures_are_svg_and_are_saved(tmp_path):

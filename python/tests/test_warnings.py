@@ -162,9 +162,9 @@ def test_shots_of_which_none_flies_warn_with_the_units_that_were_taken() -> None
         (
             "carry [m]",
             -230.0,
-            "-251.5311 yd is no carry_distance of a drive, which is above 0; check its sign",
+            "-251.5311 yd cannot be the carry_distance of a drive, because this is always above 0; check its sign",
         ),
-        ("carry_distance [m]", -230.0, "is no carry_distance of a drive"),
+        ("carry_distance [m]", -230.0, "cannot be the carry_distance of a drive"),
         ("flight_time [s]", 0.0, "leave the cell empty where nothing was measured"),
     ],
 )

@@ -8,13 +8,15 @@ use super::scaling::{Point, Scaling};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-/// Largest distance of a point that is used, in units of the scale.
+/// Largest distance from the iterate to a point on another side, in units of the variables' scale.
+/// Farther points are dropped.
 const NEARBY: f64 = 0.05;
-/// Distance within which the expansion of another side is accurate enough to rule out further
-/// progress.
+/// Distance from the iterate up to which the expansion of another side is accurate enough to rule
+/// out further progress.
 const CLOSE: f64 = 1e-4;
 
-/// The nearest known point on each other side of nearby kinks, nearest first.
+/// Points on the other sides of kinks near the iterate: the nearest known point of each side.
+/// Sorted by distance, nearest first.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Bundle(Vec<Point>);
 
@@ -58,14 +60,14 @@ impl Bundle {
     }
 
     /// Terms of the piecewise model: the second-order expansion of each other side, in scaled
-    /// variables, moved to `at`. At this point each expansion is at most f, because at a kink that
-    /// stalls a search f is the maximum of its sides.
+    /// variables, expanded again about `at`. The value of each expansion at `at` is limited to f,
+    /// because at a kink that stalls a search f is the maximum of its sides.
     pub fn max_terms(&self, scaling: &Scaling, at: &Point, hessian: &DMatrix<f64>) -> Vec<MaxTerm> {
         if self.0.is_empty() {
             return vec![];
         }
-        // use the smallest known curvature: the rounded tip of a smoothed kink has a curvature that
-        // belongs to no side
+        // use the smallest known curvature for all sides: the rounded tip of a smoothed kink has a
+        // curvature that belongs to no side
         let mildest = |least: DMatrix<f64>, other: &Point| {
             let scale = &scaling.scale;
             let other = DMatrix::from_fn(scale.len(), scale.len(), |i, j| {

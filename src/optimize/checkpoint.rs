@@ -18,7 +18,7 @@ use std::sync::Mutex;
 pub enum Run {
     /// The search has ended.
     Done(Box<Solution>),
-    /// The search is between two iterations.
+    /// The search has not ended: its state between two iterations.
     #[serde(rename = "going")]
     Unfinished(Box<Snapshot>),
 }
@@ -33,7 +33,7 @@ pub struct Checkpoint {
 
 #[derive(Debug, Serialize, Deserialize)]
 struct Content {
-    /// Identifies the problem: any text that differs between problems.
+    /// Identifies the problem: a text that is different for every problem.
     question: String,
     runs: BTreeMap<usize, Run>,
 }
@@ -122,7 +122,7 @@ impl Checkpoint {
             let folder = folder_of(&self.path);
             let reason = match error.kind() {
                 ErrorKind::AlreadyExists => {
-                    "another search just created it; name another file".into()
+                    "another search has just created this file; name another file".into()
                 }
                 _ if !folder.is_dir() => format!(
                     "it cannot be written: there is no folder '{}'",

@@ -88,7 +88,7 @@ pub(crate) fn relative_distance(x: &[f64], predicted: &[f64], bounds: &Bounds) -
 
 /// Locates, within a tolerance, the first point at which `is_as_before` is false. `guess` predicts
 /// the location; `next` computes the point at a location from an earlier point. If `next` fails,
-/// the earliest known point at which `is_as_before` is false is returned.
+/// returns the earliest known point at which `is_as_before` is false.
 pub(crate) fn locate_change<P>(
     [mut before, mut after]: [P; 2],
     tolerance: f64,

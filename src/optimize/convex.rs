@@ -3,8 +3,8 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 /// Smallest eigenvalue after a reflection, relative to the largest eigenvalue.
 const FLOOR: f64 = 1e-8;
-/// Growth factor, from one attempt to the next, of the curvature that is added to the Hessian along
-/// the active normals. The first attempt adds the Hessian's size.
+/// The curvature added to the Hessian along the active normals grows by this factor from one
+/// attempt to the next. The first attempt adds the Hessian's size.
 const GROWTH: f64 = 4.0;
 /// Maximum number of attempts. More added curvature makes the sum numerically singular.
 const MOST_RAISES: u32 = 15;
@@ -12,8 +12,7 @@ const MOST_RAISES: u32 = 15;
 /// separates the eigenvalues of the active normals from the eigenvalues of the tangents.
 const APART: f64 = 100.0;
 
-/// Reflection that made a Hessian positive definite. Added curvature without a reflection is not
-/// recorded.
+/// Result of the convexification. Added curvature is recorded only if eigenvalues were reflected.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Convexified {
     /// Curvature added along each active unit normal before the reflection.
@@ -64,8 +63,8 @@ pub(super) fn convexify(
         });
     };
     let size = hessian.amax();
-    // some finite multiple of the normals' outer products makes the Hessian positive definite if it
-    // is positive definite on the tangents (Debreu 1952)
+    // if the Hessian is positive definite on the tangents, some finite multiple of the normals'
+    // outer products makes the sum positive definite (Debreu 1952)
     let mut raise = size;
     for _ in 0..MOST_RAISES {
         raised(convex, raise);
@@ -89,8 +88,8 @@ pub(super) fn convexify(
     }
 }
 
-/// The Hessian reflected on the tangents of the active constraints, with the Hessian's size as
-/// curvature along the normals of these constraints.
+/// The Hessian with its curvature on the tangents of the active constraints reflected. Along the
+/// normals of these constraints the curvature is set to the Hessian's size.
 fn reflected_along(
     hessian: &DMatrix<f64>,
     active: &[DVector<f64>],

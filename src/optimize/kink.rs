@@ -82,8 +82,8 @@ fn is_kink(scaling: &Scaling, at: &Point, i: usize, below: &Side, above: &Side) 
     }
     let (distance, jump) = (above.x - below.x, above.slope - below.slope);
     let is_significant = jump.abs() * scaling.scale[i] > 1e-6 * scaling.size(at);
-    // on a bound, one side is the rounded tip of the kink itself, and its curvature could explain
-    // any change
+    // on a bound, one of the two points lies on the rounded tip of the kink itself, whose curvature
+    // could explain any change
     let is_unexplained = |side: &Side| {
         !side.is_inside || (side.hessian[i][i] * distance - jump).abs() > 0.5 * jump.abs()
     };
@@ -95,8 +95,8 @@ fn is_kink(scaling: &Scaling, at: &Point, i: usize, below: &Side, above: &Side) 
         && is_unexplained(above)
 }
 
-/// True if a converged point may be a smoothed kink: the curvature changes the scaled derivative by
-/// the objective's size within a thousandth of the variable's scale.
+/// True if a converged point may be a smoothed kink: over a thousandth of the variable's scale, the
+/// curvature changes the scaled derivative by as much as the objective's size.
 pub(super) fn is_suspected(scaling: &Scaling, at: &Point) -> bool {
     let hessian = &at.f.objective.hessian;
     let curvature = |i: usize| hessian[i][i].abs() * scaling.scale[i] * scaling.scale[i];

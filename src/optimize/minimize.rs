@@ -127,9 +127,9 @@ fn run(
     ))
 }
 
-/// A kink on a bound towards which the objective falls is an optimum in that variable. Fixes such a
-/// variable on the bound, with the one-sided derivative as multiplier, and minimises over the other
-/// variables.
+/// Treats a kink on a bound towards which the objective falls: there the variable is optimal. Fixes
+/// the variable on the bound, with the one-sided derivative as multiplier, and minimises over the
+/// other variables.
 fn fix_on_bound(
     problem: &dyn Problem,
     domain: &Domain,
@@ -175,7 +175,7 @@ fn fix_on_bound(
     }
 }
 
-/// The solver with the progress of a snapshot.
+/// The solver, continued from the progress of a snapshot.
 fn resumed(solver: &Sqp, snapshot: Snapshot) -> Sqp {
     let mut solver = Sqp {
         progress: snapshot.progress,
@@ -242,7 +242,7 @@ impl Checkpoint<Sqp, SqpState> for SnapshotIo {
 struct IterationObserver(Box<dyn FnMut(&Iteration)>);
 
 impl IterationObserver {
-    /// An interrupted iteration has no numbers to show.
+    /// An interrupted iteration has no numbers, and is not shown.
     fn show(&mut self, state: &SqpState) {
         if let Some(iteration) = state.get_residuals() {
             (self.0)(iteration);

@@ -189,8 +189,8 @@ impl Model<'_> {
     }
 
     /// Step of least squared violation within the normal part of the trust region. If the
-    /// second-order model of the violation rises along it (for a step across a narrow valley, say),
-    /// the curvature of the constraints is added and the step computed again.
+    /// second-order model of the violation rises along this step (across a narrow valley, for
+    /// example), adds the curvature of the constraints and computes the step again.
     fn least_violation(&self, program: &QuadraticProgram, solver: &mut QpSolver) -> Step {
         let (n, m) = (program.low.len(), program.rows.len());
         let mut elastic = elastic(program, NORMAL_PART * self.radius);
@@ -281,7 +281,8 @@ impl Model<'_> {
         })
     }
 
-    /// Unit normals of the active bounds, of equations, and of constraints with multipliers.
+    /// Unit normals of the active bounds, of equality constraints, and of constraints with nonzero
+    /// multipliers.
     fn active_normals(&self) -> Vec<DVector<f64>> {
         let Self {
             scaling,
@@ -316,7 +317,8 @@ impl Model<'_> {
         -(program.max_terms[0].gradient.dot(d) + 0.5 * quadratic_form(self.hessian, d))
     }
 
-    /// Coordinate of the trial point at the end of a step.
+    /// Coordinate i of the trial point x + d. A coordinate within rounding of a bound is set to the
+    /// bound.
     fn trial_coordinate(&self, step: &Step, i: usize) -> f64 {
         let (bounds, scale) = (&self.scaling.domain.variables, self.scaling.scale[i]);
         let (x, d, low, high) = (self.point.x[i], step.d[i], bounds.low[i], bounds.high[i]);
@@ -330,7 +332,7 @@ impl Model<'_> {
         }
     }
 
-    /// Step d to a point, in scaled variables.
+    /// Step from the iterate to a point, in scaled variables.
     fn step_to(&self, x: &[f64]) -> DVector<f64> {
         DVector::from_fn(x.len(), |i, _| {
             (x[i] - self.point.x[i]) / self.scaling.scale[i]
@@ -350,7 +352,7 @@ fn zero_step(variables: usize, rows: usize) -> Step {
 }
 
 /// Elastic program: minimises ½‖e‖² + ½ SHORT ‖d‖², with a variable eⱼ for the violation of each
-/// row and |d| at most the available part of the radius.
+/// row and |dᵢ| at most `radius`.
 fn elastic(program: &QuadraticProgram, radius: f64) -> QuadraticProgram {
     let (n, m) = (program.low.len(), program.rows.len());
     let wide = |j: usize| {

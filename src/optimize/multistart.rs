@@ -21,8 +21,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct LocalMinimum {
     /// Result of the search.
     pub solution: Solution,
-    /// Numbers of the starts that ended here. Starts interrupted before their first evaluation are
-    /// grouped.
+    /// Numbers of the starts that ended here. All starts that were interrupted before their first
+    /// evaluation form one group.
     pub starts: Vec<usize>,
 }
 
@@ -39,7 +39,8 @@ pub struct Observers {
     pub checkpoint: Option<Arc<Checkpoint>>,
 }
 
-/// Largest distance of two equal optima in each variable, in units of the variable's scale.
+/// Two optima count as equal if they differ by at most this in each variable, in units of the
+/// variable's scale.
 const SAME: f64 = 1e-6;
 
 /// Starts spread evenly over the bounds: the given start, then points of the scrambled Sobol
@@ -55,7 +56,7 @@ pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f6
     let most = 1 << 16;
     if count > most || start.len() > sobol::MOST_VARIABLES {
         return Err(Error::Optimizer(format!(
-            "{} in {} cannot be spread; at most {most} starts in {} variables can",
+            "cannot spread {} over {}; give at most {most} starts and {} variables",
             counted(count as u64, "start"),
             counted(start.len() as u64, "variable"),
             sobol::MOST_VARIABLES
@@ -78,8 +79,8 @@ pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f6
         .collect())
 }
 
-/// Searches from every start in parallel. Returns the distinct local optima, best first, then other
-/// results. The order does not depend on the number of threads.
+/// Searches from every start in parallel. Returns the distinct local optima, best first, then the
+/// results of searches that found no optimum. The order does not depend on the number of threads.
 ///
 /// # Errors
 /// Errors of [`minimize`](super::minimize()); [`Error::Optimizer`] without starts, and for a
@@ -225,8 +226,8 @@ fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimum> {
 }
 
 /// Largest scaled derivative of each constraint at the results of all searches (1 if unknown): a
-/// common unit of violation. The searches themselves have different units, because each unit comes
-/// from the start of its search.
+/// common unit of violation. The unit γ of a search is no common unit, because it depends on the
+/// start.
 fn steepest(domain: &Domain, locals: &[LocalMinimum]) -> Vec<f64> {
     let mut steepest = vec![0.0_f64; domain.constraints.dimension()];
     for LocalMinimum { solution, .. } in locals {

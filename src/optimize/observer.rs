@@ -19,8 +19,8 @@ pub struct Observer {
     pub save: Option<Box<dyn FnMut(&Snapshot) -> Result<()>>>,
     /// Snapshot to resume from.
     pub resume: Option<Snapshot>,
-    /// True if every iteration contains the quadratic model at its iterate. This costs a copy of
-    /// the search's state and a quadratic program.
+    /// True if every iteration passed to the observer contains the quadratic model at the iterate.
+    /// This costs a copy of the search's state and the solution of a quadratic program.
     pub models: bool,
 }
 

@@ -50,7 +50,8 @@ impl Evaluation {
         if self.constraints.len() != m {
             let functions = counted(self.constraints.len() as u64, "constraint function");
             return Err(format!(
-                "it has {functions}, but limits for {m}; give a limit for each function"
+                "the problem has {functions}, but the domain has limits for {m}; give limits \
+                 for each function"
             ));
         }
         for function in self.functions() {

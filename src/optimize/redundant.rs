@@ -5,7 +5,8 @@
 use super::state::{Evaluate, State};
 use argmin::core::Error;
 
-/// Largest multiplier, relative to the gradient of f, that proves a KKT point.
+/// Limit for a multiplier, relative to the gradient of f. The KKT conditions prove no optimum if
+/// they hold only with a larger multiplier.
 const HUGE: f64 = 1e6;
 /// Maximum number of steps across redundant bounds in a search.
 const MOST_CROSSINGS: u32 = 10;

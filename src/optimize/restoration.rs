@@ -1,9 +1,9 @@
 //! Feasibility restoration from other points of the box.
 //!
-//! If no step of the linearised constraints, and no negative curvature, reduces the violation, the
-//! point may be a local minimum of the violation, or a point where gradient and curvature vanish
-//! together. Neither proves that the constraints are inconsistent. So the violation is also
-//! minimised from other points before the verdict "infeasible".
+//! A search may end where no step of the linearised constraints, and no negative curvature, reduces
+//! the violation. This point may be a local minimum of the violation, or a point where its gradient
+//! and curvature vanish together. Neither proves that the constraints are inconsistent. So the
+//! violation is also minimised from other points before the verdict "infeasible".
 
 use super::domain::Domain;
 use super::least_squares::{self, Rows};
@@ -19,10 +19,11 @@ const STARTS: u32 = 32;
 const ITERATIONS: u64 = 50;
 /// Maximum number of restorations in a search.
 const MAX_RESTORATIONS: u32 = 3;
-/// Largest ratio of the new to the current violation with which the search continues.
+/// The search continues from the new point if the ratio of the new to the current violation is at
+/// most this.
 const CONTINUE_BELOW: f64 = 0.99;
-/// Largest ratio of the new to the current violation with which an infeasible search moves to the
-/// new point before it ends. At a larger ratio the reduction is rounding.
+/// Before it ends, an infeasible search moves to the new point if the ratio of the new to the
+/// current violation is at most this. A smaller reduction is rounding.
 const MOVE_BELOW: f64 = 1.0 - 1e-6;
 
 impl State {

@@ -42,8 +42,8 @@ impl State {
         };
         self.counters.saddles += 1;
         let measure = |search: &Self, at: &Point| match goal {
-            // the Lagrangian falls along the tangents; the merit function falls only after a
-            // further step back onto the constraints
+            // use the Lagrangian, which falls along the tangents; the merit function falls only
+            // after a further step back onto the constraints
             Goal::Merit => search.lagrangian(at),
             Goal::Feasibility => 0.5 * norm(search.scaling.violations(&at.f)).powi(2),
         };

@@ -66,8 +66,8 @@ impl Residual {
     }
 }
 
-/// Variable with the largest first-order reduction of the Lagrangian if it moved by its distance
-/// from 0. A large reduction far from 0 shows divergence.
+/// The variable whose motion by its distance from 0 reduces the Lagrangian most, to first order. A
+/// large reduction far from 0 shows divergence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Outward {
     /// Index of the variable.
@@ -76,10 +76,10 @@ pub(super) struct Outward {
     pub at: f64,
     /// Distance from 0, in units of the variable's scale.
     pub distance: f64,
-    /// First-order reduction of the Lagrangian, relative to φ, if the variable moved by its
-    /// distance from 0, or to its bound if that is nearer.
+    /// First-order reduction of the Lagrangian, relative to φ, if the variable moves by its
+    /// distance from 0, or to its bound if the bound is nearer.
     pub rate: f64,
-    /// True if the Lagrangian falls away from 0 and no bound lies ahead.
+    /// True if the Lagrangian falls as the variable moves away from 0, and no bound lies ahead.
     pub is_open: bool,
 }
 
@@ -210,8 +210,8 @@ impl Scaling {
         }
     }
 
-    /// True if moving x further along its direction from 0 leads a constraint to a finite limit, to
-    /// first order.
+    /// True if moving x farther from 0, along the ray from 0 through x, approaches a finite limit
+    /// of a constraint, to first order.
     pub fn has_limit_ahead(&self, at: &Point) -> bool {
         /// Relative rounding error of a constraint's change.
         const ROUNDING: f64 = 1e-9;
@@ -239,7 +239,7 @@ impl Scaling {
         }
     }
 
-    /// Moves a value of variable i onto a bound that is within rounding.
+    /// Rounds a value of variable i to a bound that differs from it by rounding only.
     pub fn on_bound(&self, i: usize, x: f64) -> f64 {
         let (low, high) = (self.domain.variables.low[i], self.domain.variables.high[i]);
         let rounding = 4.0 * f64::EPSILON * self.scale[i].min(high - low);

@@ -109,8 +109,8 @@ fn size(solution: &Solution, scale: &[f64]) -> f64 {
     largest(&solution.gradient, scale).max(solution.value.unwrap_or_default().abs())
 }
 
-/// Hessian of the Lagrangian in scaled variables, with rounding errors set to 0, because the row of
-/// a variable without effect must not look like the curvature of an optimum.
+/// Hessian of the Lagrangian in scaled variables, with rounding errors set to 0. Otherwise the row
+/// of a variable without effect would look like the curvature of an isolated optimum.
 fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
     let least = ROUNDING * size(solution, scale);
     DMatrix::from_fn(scale.len(), scale.len(), |i, k| {
@@ -346,8 +346,8 @@ fn solve_refined(matrix: DMatrix<f64>, right: &DVector<f64>) -> Result<DVector<f
     Ok(refined)
 }
 
-/// First change of the active set, to first order, if the parameter changes by `delta`; and the
-/// fraction of `delta` at which the active set changes.
+/// First change of the active set if the parameter changes by `delta`, to first order. Also returns
+/// the fraction of `delta` at which this change occurs.
 pub fn first_event(
     solution: &Solution,
     domain: &Domain,
@@ -362,7 +362,8 @@ pub fn first_event(
         .min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// Distance to a change of the active set: of a value to its limit, or of a multiplier to 0.
+/// Distance to a change of the active set: the distance of a value from its limit, or of a
+/// multiplier from 0.
 struct Margin {
     distance: f64,
     /// Derivative of the distance by the parameter.
@@ -440,7 +441,7 @@ fn constraint_margins(
     margins
 }
 
-/// Margins of a value with a known derivative to its two limits.
+/// Margins between a value and its two limits, from the value and its derivative.
 fn limit_margins(
     limits: &Bounds,
     i: usize,

@@ -7,7 +7,7 @@ pub(crate) const MOST_VARIABLES: usize = sobol_burley::NUM_DIMENSIONS as usize;
 const LENGTH: u64 = 1 << 16;
 
 /// Coordinate of a point, in [0, 1). After each 65 536 points the sequence continues with another
-/// scrambling, and each block is evenly distributed.
+/// scrambling; the points of each such block are evenly distributed.
 pub(crate) fn coordinate(point: u64, variable: usize, seed: u32) -> f64 {
     let scrambling = seed.wrapping_add((point / LENGTH) as u32);
     f64::from(sobol_burley::sample(

@@ -39,7 +39,7 @@ pub struct Solution {
     pub kink: Option<Kink>,
     /// Iterations taken.
     pub iterations: u64,
-    /// Evaluations of the functions with their derivatives.
+    /// Number of evaluations of the functions with their derivatives.
     pub evaluations: u64,
     /// Work counters.
     pub effort: Effort,
@@ -189,7 +189,7 @@ impl Solution {
     }
 }
 
-/// Multipliers of the active bounds on one side: components of the Lagrangian's gradient.
+/// Multipliers of the active bounds on one side, from the components of the Lagrangian's gradient.
 /// `inward` is 1 for lower bounds and −1 for upper bounds.
 fn bound_multipliers(
     search: &State,

@@ -26,7 +26,7 @@ pub struct Sqp {
     pub(super) domain: Domain,
     pub(super) options: Options,
     pub(super) interrupt: Arc<AtomicBool>,
-    /// True if the model at each iterate is observed.
+    /// True if observers receive the quadratic model at each iterate.
     pub(super) has_models: bool,
     pub(super) progress: Progress,
 }
@@ -62,9 +62,9 @@ impl Progress {
 }
 
 impl Sqp {
-    /// Iteration `number`: Nocedal & Wright (2006), algorithm 18.4, with the merit function φ = f +
-    /// ν‖v‖₂ of the constraint violations v, second-order corrections, and the trust-region update
-    /// of Conn, Gould & Toint (2000), algorithm 6.1.1.
+    /// Iteration `number`: Nocedal & Wright (2006), algorithm 18.4, with second-order corrections
+    /// and the trust-region update of Conn, Gould & Toint (2000), algorithm 6.1.1. The merit
+    /// function is φ = f + ν‖v‖₂ with the constraint violations v.
     fn iterate(
         &mut self,
         state: &mut State,
@@ -113,7 +113,7 @@ impl Sqp {
         })
     }
 
-    /// The iterate in `state`, for observers, as the start of a search.
+    /// The iterate in `state` as observers receive it at the start of a search.
     fn iteration(&self, state: &State) -> Iteration {
         Iteration {
             number: 0,
@@ -247,7 +247,8 @@ impl<'a> Solver<&'a dyn Problem, SqpState> for Sqp {
     }
 }
 
-/// Writes an iteration to argmin's state. The iteration has the point, which argmin would copy.
+/// Writes an iteration to argmin's state. The point is stored in the iteration only, because argmin
+/// would copy it.
 fn with_iteration(info: SqpState, iteration: Iteration) -> SqpState {
     info.cost(iteration.value).residuals(iteration)
 }

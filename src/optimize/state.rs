@@ -74,7 +74,7 @@ pub(super) struct State {
     solver: QpSolver,
     pub counters: Counters,
     pub effort: Effort,
-    /// Reason from the last trial point at which the functions were undefined.
+    /// Last reason why the functions were undefined at a trial point.
     pub undefined_reason: Option<String>,
     #[serde(skip)]
     workspace: Workspace,
@@ -142,9 +142,9 @@ impl State {
                 .is_none_or(|active| active.has_dimensions(n, m))
     }
 
-    /// Trial step of the quadratic model. If the model contains another side of a kink, expanded
-    /// from a distant point, and therefore predicts no reduction, that side is dropped and the step
-    /// is computed again.
+    /// Trial step of the quadratic model. If the model predicts no reduction because it contains
+    /// another side of a kink, expanded from a distant point, drops that side and computes the step
+    /// again.
     pub fn trial_step(&mut self) -> TrialStep {
         loop {
             let step = self.solve_model(None);
@@ -156,7 +156,8 @@ impl State {
         }
     }
 
-    /// Step of the quadratic model, or the second-order correction after the trial point `tried`.
+    /// Step of the quadratic model; with `tried`, the second-order correction of the step to this
+    /// trial point.
     fn solve_model(&mut self, tried: Option<&Point>) -> TrialStep {
         let mut workspace = std::mem::take(&mut self.workspace);
         let mut hessian = std::mem::take(&mut workspace.hessian);
@@ -327,8 +328,8 @@ impl State {
         } else if reduction.is_good() && step.is_limited_by(self.radius) {
             self.radius = (GROW * self.radius).min(MAX_RADIUS);
         }
-        // reflected curvature is not curvature of f: it limits the step as a trust region does, and
-        // is relaxed as a trust region is
+        // reflected curvature is not curvature of f, but limits the step like a trust region:
+        // reduce it as long as the model predicts the reduction exactly
         let is_exact = step.is_reflected && reduction.is_exact();
         self.reflection = if is_exact {
             (SHRINK * self.reflection).max(MIN_REFLECTION)

@@ -166,7 +166,7 @@ impl Verdict {
         }
     }
 
-    /// Appends text to the message.
+    /// Appends `more` to the message.
     pub fn with_text(mut self, more: &str) -> Self {
         self.message += more;
         self
@@ -213,9 +213,9 @@ pub(super) fn rounding_test(
     })
 }
 
-/// True if a variable diverges. Far from 0 a small derivative alone does not prove stationarity
-/// (the derivative of −x³ is only 3/x of its value), so the derivative times the distance must also
-/// be a small fraction of φ.
+/// True if a variable diverges. Far from 0 a small derivative alone does not prove stationarity:
+/// the derivative of −x³ is only 3/x times the value of −x³. So the derivative times the distance
+/// from 0 must also be a small fraction of φ.
 pub(super) fn is_diverging(outward: Option<&Outward>, tolerance: f64) -> bool {
     /// Smallest distance from 0 at which a variable counts as far, in units of the scale.
     const FAR: f64 = 1e4;

@@ -53,7 +53,7 @@ impl Sqp {
         let is_suspected_kink = verdict.status == Status::StalledAtKink;
         let kink = self.find_kink(state, &verdict, evaluate)?;
         if is_suspected_kink && kink.is_none() {
-            // no kink was found: the extra terms of the model come from curvature, and are dropped
+            // no kink was found, so curvature caused the extra terms of the model: drop them
             state.kink_sides = Bundle::default();
             return Ok(());
         }
@@ -99,7 +99,7 @@ impl Sqp {
             .or_else(|| progress_test(state.counters.stalled, predicted, largest));
         if let Some(stalled) = stalled {
             // inconsistent constraints: the merit function balances objective and violation, and no
-            // step reduces either further
+            // step reduces it further
             if step.is_some_and(|step| step.is_relaxed) && residual.feasibility > tolerance {
                 return Some(infeasible(state.violation()));
             }
@@ -134,8 +134,8 @@ impl Sqp {
     }
 }
 
-/// Adds the kink, the reason of an undefined trial point, or missing second derivatives to the
-/// message.
+/// Adds to the message the kink, the reason why a trial point was undefined, or the note that
+/// second derivatives are missing.
 fn with_context(state: &State, verdict: Verdict, kink: Option<&Kink>) -> Verdict {
     let residual = state.residual.largest();
     if let Some(kink) = kink {

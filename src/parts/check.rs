@@ -20,7 +20,7 @@ pub enum FaultKind {
     OtherQuestion,
     /// A part of this sweep by another version of longdrive.
     OtherVersion,
-    /// A part of this sweep that a processor with another instruction set computed, or another C
+    /// A part of this sweep computed on a processor with another instruction set, or with another C
     /// library.
     OtherInstructions,
     /// A second copy of a part.
@@ -192,7 +192,7 @@ fn valid_parts(
             true => Fault {
                 file,
                 kind: FaultKind::Doubled,
-                reason: format!("it is part {part}, as {name} is too"),
+                reason: format!("it is a second copy of part {part}; the first is {name}"),
             },
             false => Fault {
                 file,
@@ -252,7 +252,8 @@ fn merge_parts(
     merged
 }
 
-/// The definition of the sweep that most files belong to, among those that agree with `wanted`.
+/// The definition of the sweep that most files belong to. Considers only files that agree with
+/// `wanted`.
 fn question(
     found: &[(String, Footer)],
     wanted: Option<&SweepDefinition>,
@@ -279,8 +280,8 @@ fn question(
         .values()
         .filter(|(_, of)| like_wanted(of))
         .max_by_key(|(count, _)| *count);
-    // no file agrees with `wanted`: use the number of parts, instructions and functions of another
-    // file
+    // no file agrees with `wanted`: complete `wanted` with the number of parts, instructions and
+    // functions of another file
     let of_none = || {
         found
             .first()

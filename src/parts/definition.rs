@@ -17,7 +17,7 @@ pub struct SweepDefinition {
     pub points: String,
     /// The outcomes, separated by commas.
     pub outcomes: String,
-    /// Parameters of the derivatives; empty for values only.
+    /// Parameters by which derivatives are computed; empty if there are only values.
     pub derivatives: String,
     /// The largest integration error (defect) of a drive, m (docs/model.md, eq. 16a); `inf` for the
     /// step of the setup.

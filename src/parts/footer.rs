@@ -36,7 +36,7 @@ pub struct Part {
     pub summary: Summary,
 }
 
-/// File of a part, with its content, which does not depend on threads or repetition.
+/// File of a part, with a description of its content. Neither depends on threads or on repetition.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Manifest {
@@ -97,7 +97,7 @@ impl Footer {
             || u64::try_from(rows) != Ok(part.rows)
             || ends.max() != Some(data)
         {
-            return Err("its footer does not belong to its rows".into());
+            return Err("its rows do not match its footer".into());
         }
         Ok(Self {
             question,

@@ -30,7 +30,7 @@ pub fn rows_of(part: u64, parts: u64, rows: u64) -> Result<Range<u64>> {
              {parts} does"
         ));
     }
-    // a part has at least one block
+    // at most one part per block, so that each part has a block
     let blocks = rows.div_ceil(CHUNK as u64);
     if parts > blocks {
         return refuse(format!(

@@ -133,7 +133,7 @@ impl Dataset {
             data: file.hash.clone().hex(),
             summary: content.summary,
         };
-        // strings and finite numbers always serialise
+        // serialisation cannot fail: the description has only strings and finite numbers
         let note = serde_json::to_string(&part).unwrap_or_default();
         let foot = self.table.foot_with(&content.groups, &[(PART, note)])?;
         file.write(&foot).map_err(unwritten)?;
@@ -186,7 +186,7 @@ impl Dataset {
         Ok(Some(content))
     }
 
-    /// Writes the waiting blocks as a row group.
+    /// Writes the buffered blocks as a row group.
     fn write_group(
         &self,
         file: &mut Unfinished,
@@ -220,8 +220,8 @@ impl Dataset {
             .map_err(|reason| format!("{reason}; {advice}"))
     }
 
-    /// Refuses a folder with a part of another sweep. For speed, reads only one file; `check` reads
-    /// all files.
+    /// Refuses a folder that contains a part of another sweep. For speed, reads one file only;
+    /// `check` reads all files.
     fn refuse_other_sweep(&self, folder: &Path, place: &Path) -> Result<()> {
         let entries = fs::read_dir(folder).map_err(|error| Error::Results {
             file: folder.display().to_string(),

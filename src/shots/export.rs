@@ -46,8 +46,8 @@ impl Export {
         shot
     }
 
-    /// The refusal by an earlier run of `fly`, if the row that `fly` wrote does not contain the
-    /// faulty value.
+    /// The refusal that an earlier run of `fly` wrote into the row. `None` if the row still
+    /// contains the faulty value: the new refusal `now` then names it.
     fn refused_before<S: AsRef<str>>(&self, row: &[S], now: &Refusal) -> Option<Refusal> {
         let [_, flight, reason, _] = row.get(self.added.clone())?.first_chunk()?;
         // for a row without valid cells, `fly` writes the whole row into the first cell
@@ -124,7 +124,7 @@ impl Export {
         shot
     }
 
-    /// Launch and further parameters of a row.
+    /// The launch parameters of a row, then the other parameters of the table.
     fn point<S: AsRef<str>>(&self, stated: &Conditions, row: &[S]) -> Result<Vec<f64>, Refusal> {
         let mut point = launch(
             stated,
@@ -147,7 +147,7 @@ impl Export {
                 value.map_err(|why| Refusal::new(Refusal::UNREADABLE, format!("{name}: {why}")))?;
             let Some(value) = value else {
                 let reason =
-                    format!("{name}: the cell is empty; every row of this column needs a value");
+                    format!("{name}: the cell is empty; this column needs a value in every row");
                 return Err(Refusal::new(Refusal::MISSING, reason));
             };
             point.push(within(parameter, value, name)?);
@@ -156,7 +156,7 @@ impl Export {
     }
 }
 
-/// True if a condition text states normalized values.
+/// True if a condition text says that the values are normalized.
 fn says_normalized(text: &str) -> bool {
     let word = b"normali";
     text.as_bytes()

@@ -10,7 +10,7 @@ use crate::drive::{ExceededLimits, Outcome};
 pub struct Flown {
     pub(super) of: Vec<Outcome>,
     pub(super) shots: Vec<Shot>,
-    /// Row of each shot in the block; `None` for a refused shot.
+    /// For each shot, its row in the block; `None` for a refused shot.
     pub(super) flights: Vec<Option<usize>>,
     pub(super) block: Block,
     /// True if roll-outs are compared.
@@ -56,7 +56,7 @@ impl Flown {
             .unwrap_or_default()
     }
 
-    /// Reason for a missing outcome.
+    /// Reason why a row has no predicted outcomes; `None` if the ball landed.
     pub fn reason(&self, row: usize) -> Option<&str> {
         match self.status(row) {
             None => self.shots[row]
@@ -72,7 +72,7 @@ impl Flown {
                 Some("the numbers of the flight overflow; take a smaller flight.step")
             }
             Some(Status::NoStrike | Status::OutOfRange) => {
-                Some("a value is outside of the range of its parameter")
+                Some("a parameter of the flight is outside of its range")
             }
         }
     }
@@ -82,9 +82,9 @@ impl Flown {
         self.block.outcome(self.flights[row]?, outcome)
     }
 
-    /// Predicted − measured, SI; `None` without a measurement. Lateral outcomes are compared unless
-    /// launch direction or spin axis is assumed, and outcomes of the roll-out only if the setup's
-    /// ground is declared to be the ground of the shots.
+    /// Predicted − measured, SI; `None` without a measurement. Lateral outcomes are not compared if
+    /// the launch direction or the spin axis is assumed. Outcomes of the roll-out are compared only
+    /// if the setup's ground is declared to be the ground of the shots.
     pub fn residual(&self, row: usize, outcome: usize) -> Option<f64> {
         let (of, shot) = (self.of[outcome], &self.shots[row]);
         let has_no_ground = of.needs_run() && !self.is_on_their_ground;

@@ -16,14 +16,14 @@ use std::sync::atomic::Ordering;
 #[derive(Clone, Debug)]
 pub struct Flying {
     batch: Batch,
-    /// True if the setup describes the ground of the shots, so that total, run and lateral total are
-    /// compared (false).
+    /// True if the setup describes the ground of the shots, so that total, run and lateral total
+    /// are compared (false).
     pub is_on_their_ground: bool,
 }
 
-/// Range of launches for the choice of method and step. It does not depend on the table, so that
-/// predictions do not depend on other rows. Drives outside the range get a smaller step if they
-/// need one.
+/// Range of launches for which the integration method and step are chosen. It does not depend on
+/// the table, so that the prediction for a row does not depend on other rows. A drive outside the
+/// range is computed with a smaller step if necessary.
 const USUAL: [(&str, f64, f64, &str); 5] = [
     ("launch.ball_speed", 60.0, 200.0, "mph"),
     ("launch.launch_angle", 2.0, 35.0, "deg"),
@@ -37,7 +37,7 @@ impl Flying {
     ///
     /// # Errors
     /// The errors of [`Batch::new`]; [`Error::Nothing`] without an outcome; [`Error::Unreadable`]
-    /// for a launch condition, which the rows state.
+    /// for a launch condition, because the rows already state it.
     pub fn new(setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Self> {
         Self::with(setup, shots.parameters(), of)
     }
@@ -61,7 +61,7 @@ impl Flying {
                     "it is a parameter of the club, but shots are flown from \
                                        their launch"
                 }
-                _ => "it is a launch condition, and each row states its own",
+                _ => "it is a launch condition, which each row states already",
             };
             let source = format!("{why}; name outcomes of the flight").into();
             return Err(Error::Unreadable {
@@ -75,7 +75,7 @@ impl Flying {
         })
     }
 
-    /// Ranges of launches for which method and step are chosen.
+    /// Ranges of launches for which the integration method and step are chosen.
     ///
     /// # Errors
     /// [`Error::Unknown`] for an unknown parameter, which does not occur.

@@ -31,15 +31,16 @@ pub struct Export {
     pub separator: u8,
     /// The column heads as written.
     pub heads: Vec<String>,
-    /// Units in a line below the column heads; `None` without this line.
+    /// Units in the line below the column heads; `None` if there is no such line.
     pub units: Option<Vec<String>>,
     pub(super) maker: Option<&'static str>,
     pub(super) read: Vec<Read>,
     /// Columns of the club: speed, attack angle, path, face angle.
     pub(super) club: [Option<(usize, Column)>; 4],
     pub(super) further: Vec<Further>,
-    /// Column with the origin of the spin, and column with the conditions of the values.
+    /// Column with the origin of the spin.
     pub(super) spin_type: Option<usize>,
+    /// Column with the conditions of the values.
     pub(super) condition: Option<usize>,
     /// Column with the name of the club.
     pub(super) club_name: Option<usize>,
@@ -48,7 +49,7 @@ pub struct Export {
     pub(super) decimal_mark: Option<DecimalMark>,
     /// Columns that an earlier run of `fly` added.
     pub(crate) added: Range<usize>,
-    /// Air density of the setup, for rows that state none.
+    /// Air density of the setup, for rows that do not state the air.
     pub(super) air: f64,
     pub(super) remarks: Vec<Message>,
 }
@@ -135,7 +136,7 @@ impl Export {
         }
     }
 
-    /// Finds the columns of the origin of the spin and of the conditions.
+    /// Finds the columns that state the origin of the spin and the conditions.
     fn find_descriptions(&mut self) {
         let plain: Vec<String> = self
             .heads
@@ -153,11 +154,11 @@ impl Export {
         self.condition = named(&["condition", "conditions"]);
     }
 
-    /// Sorts the further parameters in the order of the table's first section.
+    /// Sorts the parameters other than the launch in the order of the table's first section. Drops
+    /// parameters that the first section does not have.
     ///
     /// # Errors
-    /// The name of a parameter without a column in this section. A missing air column is allowed:
-    /// the setup gives the air.
+    /// The name of a parameter without a column in this section.
     pub(super) fn align(
         &mut self,
         further: &[&'static Parameter],
@@ -194,7 +195,7 @@ impl Export {
                     column: column.clone(),
                 });
             }
-            // the club has no effect in a table of launches
+            // parameters of the club do not affect the flight of a launch: read them as club data
             Content::Note | Content::Input(_) => {
                 let below = read_units(self.units.as_deref(), at);
                 let format = Format {
@@ -223,7 +224,7 @@ impl Export {
         self.read.iter().any(|read| read.of == of)
     }
 
-    /// Missing columns of a launch.
+    /// Returns an error if a column of the launch is missing.
     fn needs_a_launch(&self, columns: &[Column]) -> Result<(), String> {
         let mut missing = vec![];
         for (of, words) in [
@@ -312,19 +313,19 @@ impl Export {
         self.remarks.extend(remarks.into_iter().map(Message::from));
     }
 
-    /// Remark on repeated columns: only the first of them is used.
+    /// Remark on columns with the same meaning, of which only the first is used.
     fn given_twice(&self, columns: &[Column]) -> Option<String> {
         let twice = self.read.iter().flat_map(|first| {
             let is_again = |(at, column): &(usize, &Column)| {
                 *at != first.at && column.content == first.column.content
             };
             let again = columns.iter().enumerate().filter(is_again);
-            again.map(|(at, _)| format!("'{}' beside '{}'", self.heads[at], self.heads[first.at]))
+            again.map(|(at, _)| format!("'{}' repeats '{}'", self.heads[at], self.heads[first.at]))
         });
         let twice: Vec<String> = twice.collect();
         (!twice.is_empty()).then(|| {
             format!(
-                "given twice; the first is used, and not {}",
+                "columns given twice; only the first is used: {}",
                 twice.join(", ")
             )
         })
@@ -370,8 +371,8 @@ impl Export {
         self.stated_air().map(|air| air_of_rows(&air.column.head))
     }
 
-    /// Ignores the air of the export, because the setup gives the air explicitly. Returns true if
-    /// the export states the air.
+    /// Ignores the air of the export if the setup gives the air explicitly. Returns true if the
+    /// export states the air.
     pub(super) fn ignore_air(&mut self) -> bool {
         let mut further = self.further.iter();
         let Some(at) = further.position(|further| further.column.is_stated_air()) else {
@@ -397,7 +398,7 @@ impl Export {
     }
 }
 
-/// Interprets the columns of rest positions, which are unknown to `Head`.
+/// Interprets the columns of rest positions, which `Head` does not know.
 fn add_totals(setup: &Setup<f64>, head: &mut Head) -> Result<()> {
     if head.format.is_export {
         for at in 0..head.columns.len() {
@@ -429,14 +430,14 @@ fn added(columns: &[Column]) -> Range<usize> {
     from..from + of_outcomes
 }
 
-/// Unit of a column in the line below the column heads, without brackets.
+/// Unit of a column, from the line below the column heads, without brackets.
 fn read_units(units: Option<&[String]>, at: usize) -> Option<&str> {
     let unit = units?.get(at)?.trim_matches(['[', ']', '(', ')']);
     (!unit.is_empty()).then_some(unit)
 }
 
-/// The column for a head of the ball's rest position; `None` for any other head. `calibrate` ignores
-/// these columns, since the ground is unknown.
+/// The column for a head of the ball's rest position; `None` for any other head. `calibrate`
+/// ignores these columns, since the ground is unknown.
 fn total(
     setup: &Setup<f64>,
     name: &str,

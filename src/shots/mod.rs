@@ -28,7 +28,8 @@
 //!     })
 //!     .unwrap();
 //! assert!((carries[0].unwrap() / 0.9144 - 275.0).abs() < 8.0 && carries[1].is_none());
-//! assert_eq!(refused, [(3, "Ball Speed: the cell is empty; every launch needs one".to_owned())]);
+//! let reason = "Ball Speed: the cell is empty; every launch needs this value";
+//! assert_eq!(refused, [(3, reason.to_owned())]);
 //! assert_eq!((statistics.rows, statistics.flown), (2, 1));
 //! ```
 

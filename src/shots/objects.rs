@@ -10,9 +10,9 @@ const LONGEST: usize = 1 << 16;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
     Between,
-    /// In an object, with the number of open braces and brackets.
+    /// Within an object; the number is that of the open braces and brackets.
     Inside(usize),
-    /// In a string of an object; true after a backslash.
+    /// Within a string of an object; the flag is true after a backslash.
     Text(usize, bool),
     /// In other text, until the end of the line.
     Astray,

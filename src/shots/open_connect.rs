@@ -45,7 +45,7 @@ fn units(message: &Map<String, Json>) -> Result<(&'static str, &'static str), Re
     }
 }
 
-/// The number with a key; `None` if the key is absent.
+/// The number stored under a key; `None` if the key is absent.
 fn number(of: &Map<String, Json>, group: &str, key: &str) -> Result<Option<f64>, Refusal> {
     match of.get(key) {
         None | Some(Json::Null) => Ok(None),
@@ -59,7 +59,8 @@ fn number(of: &Map<String, Json>, group: &str, key: &str) -> Result<Option<f64>,
     }
 }
 
-/// Origin of a value in a message that `fly` wrote; all forms of the spin share one origin.
+/// Origin of a value in a message that `fly` wrote. All forms of the spin (spin, axis, backspin,
+/// sidespin) share one origin.
 fn origin(message: &Map<String, Json>, of: Outcome) -> Option<Origin> {
     let origins = message.get("Flight")?.get("Origins")?;
     let spins: &[Outcome] = if OF_SPIN.contains(&of) { &OF_SPIN } else { &[] };
@@ -70,7 +71,7 @@ fn origin(message: &Map<String, Json>, of: Outcome) -> Option<Origin> {
     Origin::read(named?.as_str()?)
 }
 
-/// True for values that `fly` assumed.
+/// True for a value that `fly` assumed because it was missing.
 fn is_assumed(message: &Map<String, Json>, of: Outcome) -> bool {
     // an assumed spin axis implies an assumed sidespin of 0
     let of = if of == Outcome::Sidespin {
@@ -84,7 +85,7 @@ fn is_assumed(message: &Map<String, Json>, of: Outcome) -> bool {
     origin.is_some_and(|origin| origin == ASSUMED)
 }
 
-/// Suggestion for a missing key: a similar unknown key of the ball.
+/// Suggestion for a missing key: an unknown key of the ball data with a similar name.
 fn suggestion(ball: &Map<String, Json>, key: &str) -> String {
     let unknown = ball
         .keys()
@@ -93,13 +94,13 @@ fn suggestion(ball: &Map<String, Json>, key: &str) -> String {
         nearest(&other.to_lowercase(), [key.to_lowercase().as_str()])
             .is_some_and(|(likeness, _)| likeness > 0.85)
     });
-    near.map(|other| format!(" (did you mean '{key}' where it has '{other}'?)"))
+    near.map(|other| format!(" (did you mean '{key}' instead of '{other}'?)"))
         .next()
         .unwrap_or_default()
 }
 
-/// Reads the shot of a message. A message without ball data, such as a heartbeat, is refused. In a
-/// line that `fly` wrote, exactly the parameters `further` have values.
+/// Reads the shot of a message. A message without ball data, such as a heartbeat, is refused. A
+/// line that `fly` wrote must have values of the parameters `further`, and of no others.
 pub(super) fn shot(record: Record, further: &[&'static Parameter]) -> Shot {
     let Record {
         line,

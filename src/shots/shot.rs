@@ -31,7 +31,7 @@ impl Origin {
         }
     }
 
-    /// Parses a cell: `Measured`, `Estimate`.
+    /// Parses the origin in a cell, such as `Measured` or `Estimate`.
     pub(super) fn read(cell: &str) -> Option<Self> {
         match cell.to_lowercase().as_str() {
             "measured" | "actual" => Some(Self::Measured),
@@ -76,7 +76,7 @@ pub(super) struct StatedOfClub<'a> {
 }
 
 impl Club {
-    /// Parameters of the values, in order.
+    /// Names of the parameters, in the order of the values.
     pub const NAMES: [&'static str; 4] = [
         "swing.speed",
         "swing.attack_angle",
@@ -133,16 +133,17 @@ pub struct Shot {
     pub club_name: Option<String>,
     /// Condition text of the export, verbatim.
     pub condition: Option<String>,
-    /// True if the export states normalized values; `None` without a statement.
+    /// True if the export states normalized values; `None` if it does not state whether they are
+    /// normalized.
     pub is_normalized: Option<bool>,
     /// Notes on assumed or unused values.
     pub notes: Vec<String>,
     /// True if direction or spin tilt is assumed, so that lateral results are not compared.
     pub is_straight_by_assumption: bool,
-    /// Input of the flight: launch (ball speed, launch angle, launch direction, backspin, sidespin),
-    /// then further parameters of the table, SI.
+    /// Input of the flight, SI: the launch (ball speed, launch angle, launch direction, backspin,
+    /// sidespin), then the other parameters of the table.
     pub(super) point: Result<Vec<f64>, Refusal>,
-    /// True if the row has exactly one cell per column.
+    /// True if the row has exactly one cell for each column head.
     pub(crate) has_cells_of_head: bool,
 }
 
@@ -208,7 +209,8 @@ pub(super) const LAUNCH: [&str; 5] = [
     "launch.sidespin",
 ];
 
-/// A further parameter of a table, with its column and the index of the column.
+/// A parameter of a table that is not part of the launch, with its column and the index of the
+/// column.
 #[derive(Clone, Debug)]
 pub(super) struct Further {
     pub at: usize,

@@ -13,7 +13,7 @@ pub(super) struct SignConventions {
 /// Minimum fraction of the rows that agree on a sign convention.
 const SHARE: f64 = 0.8;
 
-/// Minimum lateral curve, relative to the carry, that indicates a side.
+/// Minimum lateral curve, relative to the carry, from which the side of a curve is clear.
 const STRAIGHT: f64 = 0.01;
 
 impl SignConventions {
@@ -108,7 +108,7 @@ impl Signs {
     }
 }
 
-/// True if at least one row is true, and at least the fraction [`SHARE`] of all rows.
+/// True if at least one row is true, and the fraction of true rows is at least [`SHARE`].
 fn mostly(rows: impl Iterator<Item = bool>) -> bool {
     let (mut all, mut yes) = (0_u32, 0_u32);
     for row in rows {

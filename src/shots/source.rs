@@ -50,7 +50,7 @@ pub(super) struct TableRows {
     /// Column heads of the current section.
     export: Arc<Export>,
     is_begun: bool,
-    /// Further parameters of every row.
+    /// Parameters of every row other than the launch.
     further: Vec<&'static Parameter>,
     is_air_given: bool,
     /// Remarks on later sections.
@@ -62,7 +62,7 @@ pub(super) struct TableRows {
 pub struct Section {
     /// The column heads of the section.
     pub export: Arc<Export>,
-    /// True if the shots of this chunk are the first of a later section.
+    /// True if a section other than the first begins with this chunk.
     pub begins: bool,
 }
 
@@ -74,8 +74,8 @@ pub(super) struct Chunk {
 }
 
 impl Shots {
-    /// Opens a file, and reads the rows of its table that `filter` selects, by default all rows; "-"
-    /// is standard input.
+    /// Opens a file ("-" is standard input). Reads the rows of its table that `filter` selects, by
+    /// default all rows.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read), errors of opening the file, and an error for a filter if
@@ -112,8 +112,8 @@ impl Shots {
     pub(crate) fn of_text(setup: &Setup<f64>, text: Text) -> Result<Self> {
         if is_json(&text.beginning) {
             if !text.filter.is_empty() {
-                let reason =
-                    "`only` selects rows by a column, and messages have none; leave it out";
+                let reason = "`only` selects rows of a table by a column, but these are JSON \
+                     messages; leave out `only`";
                 return Err(text.name.refused(String::new(), reason));
             }
             let launch = LAUNCH
@@ -203,7 +203,7 @@ impl Shots {
         }
     }
 
-    /// Parameters of each row: the launch parameters, then the parameters of further columns.
+    /// Parameters of each row: the launch parameters, then the parameters of the other columns.
     pub fn parameters(&self) -> &[&'static Parameter] {
         &self.parameters
     }
@@ -294,7 +294,7 @@ impl TableRows {
         }
         export.align(&self.further).map_err(|missing| {
             let reason = format!(
-                "its head has no column of {missing}, as the first has; give the \
+                "its column heads lack {missing}, which the first section has; give the \
                                   sections the same columns, or separate files"
             );
             self.table
@@ -343,8 +343,8 @@ impl Rows {
 }
 
 impl Chunk {
-    /// Reads the shots of these rows, each with values of the parameters `further`, and their
-    /// section.
+    /// Reads the shots of these rows, each with values of the parameters `further`. Also returns
+    /// the section of the rows.
     pub fn shots(self, further: &[&'static Parameter]) -> (Vec<Shot>, Option<Section>) {
         let Self { section, records } = self;
         let shot = |record: Record| match &section {

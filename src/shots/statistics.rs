@@ -17,8 +17,8 @@ pub const BANDS: [f64; 6] = [80.0, 100.0, 120.0, 140.0, 160.0, 180.0];
 /// One mile per hour, m/s.
 const MPH: f64 = 0.44704;
 
-/// Standard deviation of the difference of two instruments on the same drives, with its unit: a
-/// TrackMan 4 and a FlightScope Mevo+ on 58 drives (Bliss & Langdown 2026).
+/// Standard deviation of the difference between two instruments on the same drives, with its unit:
+/// a TrackMan 4 and a FlightScope Mevo+ on 58 drives (Bliss & Langdown 2026).
 pub const FLOOR: [(Outcome, f64, &str); 5] = [
     (Outcome::CarryDistance, 6.72, "yd"),
     (Outcome::Lateral, 10.7, "yd"),
@@ -85,7 +85,7 @@ pub struct Band {
 /// Maximum number of clubs with statistics of their own.
 const MOST_CLUBS: usize = 40;
 
-/// The shots of a club, with the sums of each outcome.
+/// Statistics of the shots with one club: the sums of each outcome.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClubShots {
     /// Number of rows.
@@ -146,7 +146,7 @@ pub struct ShotStatistics {
     pub rows: u64,
     /// Number of rows whose ball landed.
     pub flown: u64,
-    /// Other rows, by kind of reason.
+    /// Rows that were refused, or whose ball did not land, by kind of reason.
     pub refused: BTreeMap<&'static str, Refused>,
     /// Residuals by ball speed.
     pub bands: Vec<Band>,
@@ -252,7 +252,7 @@ impl ShotStatistics {
         }
     }
 
-    /// The statistics of a club; `None` beyond the maximum number of clubs.
+    /// The statistics of a club; `None` for a new club if there are already [`MOST_CLUBS`].
     fn club(&mut self, name: &str) -> Option<&mut ClubShots> {
         if self.clubs.len() >= MOST_CLUBS && !self.clubs.contains_key(name) {
             return None;

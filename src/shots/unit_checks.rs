@@ -13,15 +13,16 @@ const LEAST: usize = 2;
 /// Minimum number of rows for a warning from ratios near 1.
 const LEAST_NEAR_ONE: usize = 5;
 
-/// Relative tolerance of a ratio.
+/// Relative tolerance between a median ratio and the ratio that a wrong unit gives.
 const NEAR: f64 = 0.06;
-/// Relative tolerance of a ratio near 1.
+/// Relative tolerance between a median ratio and the ratio that a wrong unit gives, if this ratio
+/// is near 1.
 const NEAR_ONE: f64 = 0.025;
 
-/// Minimum lateral distance that indicates a side, m.
+/// Minimum lateral distance from which the side of a ball is clear, m.
 const STRAIGHT: f64 = 3.0;
 
-/// Minimum fraction of rows with opposite sides.
+/// Minimum fraction of rows with opposite sides for a warning.
 const MOST_DISAGREE: f64 = 0.8;
 
 /// Pairs of units: values in the first unit may have been read in the second.
@@ -49,7 +50,8 @@ const SLOW: f64 = 22.0;
 pub(super) struct Comparison {
     /// Ratios predicted/measured of each outcome.
     ratios: Vec<Vec<f64>>,
-    /// Number of rows with clear sides, and number of rows with opposite sides.
+    /// Number of rows whose predicted and measured sides are clear, and number of those rows whose
+    /// sides are opposite.
     sides: [usize; 2],
     /// Measured carry over ball speed.
     carries: Vec<f64>,
@@ -113,7 +115,7 @@ impl Comparison {
         let mut warnings = vec![];
         if let Some(speed) = self.speed(of) {
             warnings.push(format!(
-                "{}: {speed}; state its unit in the head",
+                "{}: {speed}; state the unit in the head",
                 name(Outcome::BallSpeed)
             ));
         } else {
@@ -161,8 +163,8 @@ impl Comparison {
     }
 }
 
-/// Median of predicted/measured, and the pair of units that explains it, for values that were read
-/// in `unit`.
+/// Median of predicted/measured, and the pair of units that explains this ratio, for values that
+/// were read in `unit`.
 fn mistaken(
     quantity: Quantity,
     ratios: &[f64],

@@ -18,7 +18,7 @@ pub(super) fn is_written(message: &Map<String, Json>) -> bool {
         .all(|key| message.contains_key(*key))
 }
 
-/// True for a text whose first line was written by `fly`.
+/// True if `fly` wrote the first line of a text.
 pub(super) fn begins(beginning: &str) -> bool {
     let mut objects = Objects::default();
     objects.push(beginning.as_bytes());
@@ -31,7 +31,7 @@ pub(super) fn begins(beginning: &str) -> bool {
         .is_some_and(is_written)
 }
 
-/// Further parameters of a text that `fly` wrote, from the first flown line.
+/// Parameters other than the launch in a text that `fly` wrote, from the first flown line.
 pub(super) fn further(setup: &Setup<f64>, beginning: &str) -> Vec<&'static Parameter> {
     let mut objects = Objects::default();
     objects.push(beginning.as_bytes());
@@ -141,7 +141,7 @@ fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refus
     Ok(())
 }
 
-/// Launch and further parameters.
+/// The launch parameters, then the other parameters of the table.
 fn point(
     shot: &mut Shot,
     message: &Map<String, Json>,

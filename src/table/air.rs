@@ -10,7 +10,7 @@ use crate::units::Quantity;
 const RANGE: [f64; 2] = [0.6, 1.6];
 
 impl Column {
-    /// True for the air of an export, false for the parameter `air.density`.
+    /// True for an air column of an export, false for a column of the parameter `air.density`.
     pub fn is_stated_air(&self) -> bool {
         self.head != AIR
             && matches!(self.content, Content::Input(parameter) if parameter.name == AIR)
@@ -19,12 +19,12 @@ impl Column {
     /// Parses the air density of a row, SI.
     ///
     /// # Errors
-    /// A sentence if the cell states no density of a golf course.
+    /// A sentence if the cell states no density, or a density that does not occur on golf courses.
     pub fn stated_air(&self, cell: &str) -> Result<f64, String> {
         let name = &self.head;
         if self.is_weather {
             return density_in(cell)
-                .ok_or_else(|| format!("{name}: it states no altitude and temperature"));
+                .ok_or_else(|| format!("{name}: the cell states no altitude and temperature"));
         }
         let density = self.value(cell).map_err(|why| format!("{name}: {why}"))?;
         let density = density.ok_or_else(|| format!("{name}: the cell is empty"))?;
@@ -34,7 +34,7 @@ impl Column {
         }
         let shown = Quantity::DENSITY.show(density, "kg/m^3");
         Err(format!(
-            "{name}: {shown} is outside of what air has on a course, {low} to {high} kg/m^3"
+            "{name}: {shown} is outside of the range on golf courses, {low} to {high} kg/m^3"
         ))
     }
 }
@@ -81,12 +81,12 @@ pub(super) fn density_in(words: &str) -> Option<f64> {
 
 /// Message for exports that state the air of each row.
 pub(crate) fn air_of_rows(head: &str) -> String {
-    format!("the air is each row's, as the export states it: {head}")
+    format!("each shot flies in the air that the export states for its row: {head}")
 }
 
 /// Message for exports whose air the setup overrides.
 pub(crate) fn air_as_given(head: &str) -> String {
-    format!("the given air replaces the air of each row, which the export states: {head}")
+    format!("the given air replaces the air that the export states for each row: {head}")
 }
 
 /// Message for a row without usable air, whose shot flies in the air of the setup.

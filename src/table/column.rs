@@ -18,9 +18,9 @@ pub(crate) enum Content {
     Outcome(Outcome),
     /// The standard uncertainty of a measured outcome.
     Sigma(Outcome),
-    /// Names of stationary parameters, in which the carry is at its maximum.
+    /// Names of stationary parameters: at their values the carry is at its maximum.
     Stationary,
-    /// Standard uncertainty of the optimum's position.
+    /// Standard uncertainty of the location of the carry's maximum.
     SigmaStationary,
     /// A remark, ignored.
     Note,
@@ -39,9 +39,9 @@ pub(crate) struct Column {
     pub format: Format,
     /// True for an angle of an export without a unit, which is read in degrees.
     pub is_in_assumed_degrees: bool,
-    /// True for a launch condition with its dotted name.
+    /// True for a launch condition whose column head is its dotted name.
     pub is_dotted_condition: bool,
-    /// True for air that the weather of the setup overrides.
+    /// True for an air column that the weather of the setup overrides.
     pub is_of_given_air: bool,
     /// Handedness of the golfer.
     golfer: Golfer,
@@ -266,7 +266,7 @@ impl Column {
                 .is_some_and(|quantity| !quantity.si.is_empty())
     }
 
-    /// Assumes this unit if the table states none.
+    /// Assumes this unit if the table does not state the unit.
     #[must_use]
     pub fn in_unit(self, unit: &str) -> Self {
         if self.lacks_unit() {
@@ -387,9 +387,9 @@ impl Column {
         Ok(Some(if sign < 0.0 { -value } else { value }))
     }
 
-    /// The sign that converts a number to this program's convention. In launch monitors, path and
-    /// face, and cells with a side, are positive to the right for every golfer; in this program
-    /// they are positive outwards. In a turned column, positive values are to the left.
+    /// The sign that converts a number to this program's convention. Launch monitors count path and
+    /// face, and cells with a side, as positive to the right for every golfer; this program counts
+    /// them as positive outwards. In a turned column, positive values are to the left.
     fn sign(&self, side: Option<Side>) -> f64 {
         if self.is_turned && side.is_none() {
             return -1.0;
@@ -521,7 +521,7 @@ fn measured(outcome: Outcome) -> Outcome {
     }
 }
 
-/// True if another parameter of the setup overrides this one.
+/// True if the setup contains another parameter that overrides this one.
 fn is_replaced(setup: &Setup<f64>, name: &str) -> bool {
     setup
         .parameter(name)

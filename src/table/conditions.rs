@@ -37,8 +37,8 @@ pub(crate) type Stated = [Option<f64>; CONDITIONS.len()];
 /// Largest spin axis with backspin: tan 90° is infinite.
 const MOST_AXIS: f64 = std::f64::consts::FRAC_PI_2 - 1e-9;
 
-/// Relative difference between two spins that rounding explains: rounding a spin axis to whole
-/// degrees gives 0.9 %.
+/// Largest relative difference of two spins that rounding explains. For example, rounding a spin
+/// axis to whole degrees gives a difference of 0.9 %.
 const ROUNDING: f64 = 0.02;
 
 /// Removes redundant spin values. Keeps the first of these combinations that is present: spin with
@@ -54,7 +54,7 @@ pub(crate) fn without_redundant_spins(values: Stated) -> Stated {
     [speed, angle, direction, spin, backspin, sidespin, axis]
 }
 
-/// True for a row without a launch direction or without a spin tilt: its lateral results cannot be
+/// True for a row that lacks the launch direction or the spin tilt: its lateral results cannot be
 /// compared.
 pub(crate) fn is_straight_by_assumption(values: &Stated) -> bool {
     let [_, _, direction, _, _, sidespin, axis] = values;
@@ -70,7 +70,7 @@ pub(crate) fn contradiction(
 ) -> Option<String> {
     let used = without_redundant_spins(values);
     let (spin, axis) = (back.hypot(side), side.atan2(back));
-    // without a tilt any backspin up to the spin is possible
+    // without a spin tilt, any backspin up to the total spin is possible
     let is_tilted = used[5].is_some() || used[6].is_some();
     let is_off = |of: Outcome, value: f64| {
         let off = match of {
@@ -134,7 +134,7 @@ pub(crate) fn conditions(
     has: impl Fn(Outcome) -> bool,
 ) -> Result<[(&'static str, f64); 5], Fault> {
     let [speed, angle, direction, spins @ ..] = without_redundant_spins(values);
-    let is_empty = "the cell is empty; every launch needs one";
+    let is_empty = "the cell is empty; every launch needs this value";
     let speed = speed.ok_or(Fault::missing(Outcome::BallSpeed, is_empty))?;
     let angle = angle.ok_or(Fault::missing(Outcome::LaunchAngle, is_empty))?;
     if speed <= 0.0 {
@@ -173,7 +173,7 @@ fn spin_components(
             };
             Err(Fault::missing(
                 of,
-                "the cells of the spin are empty; every launch needs one",
+                "the cells of the spin are empty; every launch needs a spin",
             ))
         }
         (None, Some(back), side @ Some(_), _) | (None, Some(back), side, None) => {

@@ -73,8 +73,8 @@ impl DecimalMark {
         found
     }
 
-    /// True if the mark in a cell may separate decimals or thousands, in a table with the mark
-    /// `of_table`.
+    /// True if the mark in a cell may separate either decimals or thousands, in a table with the
+    /// mark `of_table`.
     pub fn is_ambiguous(of_table: Option<Self>, cell: &str) -> bool {
         if of_table == Some(Self::Point) {
             return false;
@@ -137,7 +137,7 @@ impl DecimalMarkCheck {
     }
 }
 
-/// Message on an ambiguous cell: `reference` is a cell with the other mark.
+/// Message on an ambiguous cell; `reference` is a cell with the other mark.
 fn ambiguous(mark: DecimalMark, doubtful: &MarkedCell, reference: &MarkedCell) -> String {
     let [decimal, thousands] = [".", ""].map(|read| doubtful.text.replace(mark.sign(), read));
     format!(

@@ -6,8 +6,8 @@ use std::io::{self, Read};
 /// Byte-order mark of UTF-8.
 const MARK: [u8; 3] = [0xef, 0xbb, 0xbf];
 
-/// A line feed in UTF-16 with swapped bytes, which appears after a missing byte. Unicode does not
-/// assign this character.
+/// A line feed in UTF-16 whose two bytes are swapped: it appears if a byte is missing before it.
+/// Unicode does not assign this character.
 const SWAPPED_LINE_END: char = '\u{a00}';
 
 /// Bytes read at a time.
@@ -135,7 +135,7 @@ impl<R> Decoded<R> {
         units.truncate(units.len() - usize::from(waits));
         self.raw.drain(..2 * units.len());
         let no_text =
-            |what| io::Error::other(format!("{what}; save the file again, best as UTF-8"));
+            |what| io::Error::other(format!("{what}; save the file again, preferably as UTF-8"));
         let text = String::from_utf16(&units);
         let text =
             text.map_err(|_| no_text("the text is in UTF-16, with an unpaired surrogate"))?;

@@ -58,7 +58,7 @@ pub(crate) fn assume_units(
 pub(crate) enum ClubColumns {
     /// Ignored: the ball flies from its measured launch.
     Ignored,
-    /// Read: they help to find the delivery behind the launch.
+    /// Read: they help to find the delivery that produced the launch.
     Read,
 }
 
@@ -118,8 +118,8 @@ pub(crate) fn in_degrees(columns: &[Column]) -> Option<String> {
     })
 }
 
-/// Ignores columns of an export and returns remarks: unknown columns; for a measured launch, club
-/// columns; redundant spin columns, unless each row selects its own.
+/// Ignores columns of an export and returns remarks. Ignored are unknown columns; club columns, if
+/// the launch is measured; and redundant spin columns, unless each row selects its spin columns.
 pub(super) fn ignore_columns(
     columns: &mut [Column],
     club: ClubColumns,
@@ -146,7 +146,7 @@ pub(super) fn ignore_columns(
                 "the ball flies from its measured launch; columns of the club are left out"
             }
             ClubColumns::Read => {
-                "the speeds of ball and club are read, and not their ratio; left out"
+                "the smash factor follows from the speeds of ball and club; left out"
             }
         };
         remarks.push(format!("{reason}: {}", ignored.join(", ")).into());
@@ -162,9 +162,7 @@ pub(super) fn ignore_columns(
     let repeated = heads_of(columns, is_redundant);
     if !repeated.is_empty() {
         let reason = match is_of_row {
-            true => {
-                "the spin is stated twice; used only in rows without the other columns of the spin"
-            }
+            true => "the spin is stated twice; used only in rows whose other spin cells are empty",
             false => "the spin is stated twice; left out",
         };
         remarks.push(format!("{reason}: {}", repeated.join(", ")).into());
@@ -200,7 +198,7 @@ fn heads_of(columns: &[Column], is: impl Fn(&Column) -> bool) -> Vec<&str> {
 
 /// Remark on unknown columns, with similar known column heads.
 fn unknown_columns(columns: &[Column]) -> Option<Message> {
-    // a condition column is not unknown: it may state the air of the rows
+    // a condition column is known: it may state the air of the rows
     let is_condition =
         |column: &Column| ["condition", "conditions"].contains(&words(&column.head).as_str());
     let unknown: Vec<String> = columns

@@ -14,7 +14,7 @@ use crate::units::Message;
 pub(crate) struct TableOptions {
     /// Use of the club columns in a table with measured launches.
     pub club: ClubColumns,
-    /// Source of redundant spin values.
+    /// Choice of the spin columns if the spin is stated more than once.
     pub spin: SpinSource,
     /// Advice for unknown column heads.
     pub advice: &'static str,
@@ -27,7 +27,7 @@ impl TableOptions {
         spin: SpinSource::Row,
         advice: OF_LAUNCHES,
     };
-    /// Shots with measurements, for calibration.
+    /// Shots with measurements, for a calibration.
     pub const MEASUREMENTS: Self = Self {
         club: ClubColumns::Ignored,
         spin: SpinSource::Row,
@@ -91,7 +91,8 @@ impl Head {
         };
         let columns = all(heads.iter().enumerate().map(column));
         let mut columns = columns.map_err(|wrong| wrong.advised(wanted.advice))?;
-        // a sweep needs a value in every row, and a delivery does not depend on the air
+        // only shots may have their own air: a sweep needs a value in every row, and a delivery
+        // does not depend on the air
         let is_air_of_rows = wanted.club == ClubColumns::Ignored && wanted.spin == SpinSource::Row;
         for column in columns
             .iter_mut()
@@ -140,7 +141,7 @@ impl Head {
         })
     }
 
-    /// True if the column heads and units are equal to these.
+    /// True if the column heads and the units of this table equal the given heads and units.
     pub fn is_like(&self, heads: &[String], units: Option<&[String]>) -> bool {
         self.heads == heads && self.units.as_deref() == units
     }
@@ -198,7 +199,7 @@ fn resolve_sweep_names(columns: &mut [Column]) {
     }
 }
 
-/// Message `what: a, b` on columns; `None` without columns.
+/// Message `what: a, b` about the columns `names`; `None` if there are none.
 pub(crate) fn columns_remark(what: &str, names: &[&str]) -> Option<Message> {
     (!names.is_empty()).then(|| format!("{what}: {}", names.join(", ")).into())
 }
@@ -222,7 +223,7 @@ pub(super) const OF_LAUNCHES: &str = "give the columns of the launch heads that 
                                       the heads are in one of the first lines";
 
 impl ColumnErrors {
-    /// Collects the errors of columns, numbered from 0; `None` without errors.
+    /// Collects the errors of columns, numbered from 0; `None` if there are no errors.
     pub(super) fn of(faults: Vec<(usize, Error)>) -> Option<Self> {
         let mut unknown = vec![];
         for (at, error) in &faults {

@@ -35,9 +35,9 @@ const OF_DELIVERY: &[(&str, &str)] = &[
     ("schlagfläche", "swing.face_angle"),
 ];
 
-/// Known column heads with their meanings: the column heads of the delivery, and the column heads
-/// in the declarations of outcomes. Outcomes of the rest position are omitted, because they are
-/// read only if the ground is known: [`rest_of_head`].
+/// Known column heads with their meanings: the column heads of the delivery, and those in the
+/// declarations of outcomes. Outcomes of the rest position are omitted, because they are read only
+/// if the ground is known (see [`rest_of_head`]).
 pub(super) fn heads() -> impl Iterator<Item = (&'static str, Meaning)> {
     let of_delivery = OF_DELIVERY
         .iter()

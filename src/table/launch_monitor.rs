@@ -64,8 +64,8 @@ pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
     (words.len() > 4 && !is_known && (1..=2).contains(&near.0)).then_some(near.1)
 }
 
-/// Meaning of a column head that depends on its unit: `Ball (km/h)` is a speed, while `Ball` may be
-/// the name of a ball model.
+/// Meaning of a column head that is ambiguous without its unit: `Ball (km/h)` is a speed, but
+/// `Ball` may be the name of a ball model.
 pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
     let is_speed = unit.is_some_and(|unit| Quantity::SPEED.size_of(unit).is_some());
     let is_time = unit.is_some_and(|unit| Quantity::TIME.size_of(unit).is_some());
@@ -73,7 +73,7 @@ pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
     let by_unit = match name {
         "Ball" if is_speed => Some(Meaning::Outcome(Outcome::BallSpeed)),
         "Club" if is_speed => Some(Meaning::Input("swing.speed")),
-        // without a unit the column head means the time of day
+        // a column `Time` without a unit contains the time of day
         "Time" if is_time => Some(Meaning::Outcome(Outcome::FlightTime)),
         // without a unit g/L and lb/ft³ are ambiguous (a factor of 16)
         _ if is_density && ["air density", "luftdichte"].contains(&words(name).as_str()) => {
@@ -141,7 +141,8 @@ fn is_simulated(word: &str) -> bool {
 
 /// Parses a line of units below the column heads, each `[mph]` or empty; `None` for another line.
 /// At least one cell below a known column head must be a unit, and no cell may be a number. An
-/// unknown word below a known column head is returned as a unit, so that an error reports it.
+/// unknown word below a known column head is also returned as a unit, so that it is reported as an
+/// error.
 pub(super) fn units_row(heads: &[String], cells: &[String]) -> Option<Vec<Option<String>>> {
     let is_known = |head: &str| {
         let name = split_unit(head).0;

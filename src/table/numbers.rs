@@ -202,7 +202,7 @@ pub(super) fn is_unit(word: &str) -> bool {
     .any(|quantity| quantity.size_of(&unit).is_some())
 }
 
-/// A unit as this program writes it: `MPH` and `Yards` are mph and yards, `yds` yd.
+/// A unit in the spelling of this program: mph for `MPH`, yards for `Yards`, yd for `yds`.
 pub(super) fn unit(written: &str) -> String {
     let written = written.trim();
     // `deg L-/R+` also contains the sign convention

@@ -108,8 +108,8 @@ pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
     ))
 }
 
-/// Message for values that no landed drive has: a negative value of an outcome that cannot be
-/// negative, and 0 for an outcome that is above 0.
+/// Message for values that are impossible for a landed drive: a negative value of an outcome that
+/// cannot be negative, or 0 for an outcome that is always positive.
 pub(crate) fn impossible(of: Outcome, value: f64) -> Option<String> {
     let (is_possible, least) = match of.sign() {
         Sign::Positive => (value > 0.0, "above 0"),
@@ -123,7 +123,7 @@ pub(crate) fn impossible(of: Outcome, value: f64) -> Option<String> {
     };
     (!is_possible).then(|| {
         format!(
-            "{} is no {} of a drive, which is {least}; {advice}",
+            "{} cannot be the {} of a drive, because this is always {least}; {advice}",
             of.show(value),
             of.name()
         )
@@ -142,7 +142,8 @@ pub(crate) fn implausible_launch(
         return Some(reason);
     }
     let [.., (_, back), (_, side)] = conditions(used, |_| true).ok()?;
-    // the tangent is large near 90°, and the cosine is negative above
+    // the stated spins may give implausible components: near a spin axis of 90° the tangent is
+    // large, and above 90° the cosine is negative
     [
         (
             Outcome::Sidespin,

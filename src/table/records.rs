@@ -13,7 +13,7 @@ const LONGEST: u64 = 1 << 20;
 /// line.
 const MOST_LINES: usize = 32;
 
-/// A row of a table, or a JSON object or other text in its place.
+/// A row of a table; or, in a stream of messages, a JSON object or other text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Record {
     /// Number of the record's first line, from 1.
@@ -78,7 +78,7 @@ impl Lines {
         self.read += 1;
         if count as u64 == LONGEST && bytes.last() != Some(&self.end) {
             return Err(io::Error::other(format!(
-                "line {} is longer than 1 MiB; a table has shorter ones",
+                "line {} is longer than 1 MiB; a line of a table must be shorter",
                 self.read
             )));
         }
@@ -204,7 +204,7 @@ pub(super) fn is_open(text: &str, separator: u8) -> bool {
     let (mut is_quoted, mut begins, mut has_closed) = (false, true, false);
     for byte in text.bytes() {
         match byte {
-            // a doubled quote inside a cell reopens it
+            // a doubled quote closes a quoted cell and opens it again
             b'"' if is_quoted || begins || has_closed => {
                 (is_quoted, begins, has_closed) = (!is_quoted, false, is_quoted);
             }

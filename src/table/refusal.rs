@@ -1,9 +1,9 @@
-//! Rows that are rejected, or hold no shot.
+//! Rows that are rejected, and rows that contain no shot.
 
 /// Reason for rejecting a row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
-    /// Category for counting: "missing value".
+    /// Category for counting, such as "missing value".
     pub kind: &'static str,
     /// Reason with column and value.
     pub reason: String,

@@ -8,8 +8,8 @@ use std::collections::BTreeMap;
 /// Maximum number of values of a column that a message lists.
 const MOST_VALUES: usize = 12;
 
-/// Conditions on the cells of a row. A row satisfies them if its cell in each named column is one
-/// of the values of that column, in upper or lower case.
+/// Conditions on the cells of a row. A row satisfies them if, for each named column, its cell
+/// equals one of the allowed values; upper and lower case are equivalent.
 ///
 /// ```
 /// use longdrive::table::RowFilter;
@@ -98,7 +98,7 @@ impl RowFilter {
         Ok(())
     }
 
-    /// True if the row satisfies the conditions.
+    /// True if the row satisfies the conditions. Also counts the row and the texts of its cells.
     pub(super) fn takes(&mut self, row: &[String]) -> bool {
         let mut is_taken = true;
         for column in &mut self.columns {

@@ -393,7 +393,7 @@ fn messages_that_cannot_be_flown_give_the_reason() {
         (
             1,
             "missing value",
-            "BallData.Speed (did you mean 'Speed' where it has 'Sped'?): the cell is empty",
+            "BallData.Speed (did you mean 'Speed' instead of 'Sped'?): the cell is empty",
         ),
         (2, "not JSON", "the JSON object does not end"),
         (
@@ -515,7 +515,10 @@ fn tables_without_a_launch_name_the_nearest_head() {
     let told: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
     assert_eq!(
         told,
-        ["given twice; the first is used, and not 'Ball Speed [m/s]' beside 'Ball Speed [mph]'"]
+        [
+            "columns given twice; only the first is used: 'Ball Speed [m/s]' repeats \
+          'Ball Speed [mph]'"
+        ]
     );
     // unused columns are listed, with the nearest known head
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carri [yds]\n160,12,2500,262\n";
@@ -826,7 +829,7 @@ fn the_command_writes_rows_and_their_prediction_errors() {
         ),
         (
             vec!["fly", &shots, "--of", "ball_speed"],
-            "it is a launch condition, and each row states its own",
+            "it is a launch condition, which each row states already",
         ),
         (vec!["fly", &shots, "--of", "cary"], "did you mean 'carry'?"),
         (

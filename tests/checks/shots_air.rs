@@ -62,7 +62,7 @@ fn same_flight_in_the_air_of_an_export_and_in_that_air_set() {
         .collect::<Vec<_>>()
         .join("\n");
     assert!(
-        told.contains("the air is each row's, as the export states it: Air Density"),
+        told.contains("each shot flies in the air that the export states for its row: Air Density"),
         "{told}"
     );
     let notes = |row: usize| all[0].shots()[row].notes.join("\n");
@@ -73,7 +73,7 @@ fn same_flight_in_the_air_of_an_export_and_in_that_air_set() {
         notes(1)
     );
     assert!(
-        notes(2).contains("15 kg/m^3 is outside of what air has on a course"),
+        notes(2).contains("15 kg/m^3 is outside of the range on golf courses"),
         "{}",
         notes(2)
     );
@@ -118,7 +118,7 @@ fn same_air_of_each_row_in_calibrate_and_fly() {
     };
     assert_eq!((air(&table, 0), air(&table, 1)), (Some(0.997), None));
     for says in [
-        "the air is each row's",
+        "each shot flies in the air",
         "row 2: the air of the setup is assumed",
     ] {
         assert!(
@@ -152,7 +152,7 @@ fn given_air_overrides_that_of_the_export() {
     };
     let (own, told) = fly(&[]);
     close(own, carry(0.997), 250.0, 1e-5, "the row's");
-    assert!(told.contains("the air is each row's"), "{told}");
+    assert!(told.contains("each shot flies in the air"), "{told}");
     let (given, told) = fly(&["--set", "air.density=1.3kg/m^3"]);
     close(given, carry(1.3), 250.0, 1e-5, "given");
     assert!(

@@ -11,18 +11,19 @@ use crate::optimize::sensitivity::{ActiveSet, Response, first_event, response};
 use crate::optimize::solution::Solution;
 use crate::optimize::status::Status;
 
-/// Slope above which a slope counts as infinite. Slopes below the inverse count as zero. Rounding
-/// dominates both.
+/// Limit of the front's slope. Steeper slopes count as infinite, and slopes below the inverse as
+/// zero, because rounding dominates them.
 const STEEPEST: f64 = 1e8;
 
 /// A compromise, with its derivatives along the front.
 #[derive(Clone)]
 pub(super) struct Compromise {
-    /// Position s = a − b.
+    /// Position along the front, s = a − b.
     pub at: f64,
     /// Sum a + b.
     pub sum: f64,
-    /// Unknown rates are zeros, so that the predictor returns the same point.
+    /// The point of the front. Unknown derivatives dx/ds are set to zero, so that the predictor
+    /// returns the point itself.
     pub point: FrontPoint,
     pub derivatives: Option<(Solution, Response)>,
 }
@@ -63,7 +64,7 @@ impl Plane<'_> {
             point: context.end(end, values),
             derivatives: None,
         };
-        // a corrector search at this end gives the front's derivatives
+        // a corrector search at this end gives the derivatives along the front
         if let Ok(place) = self.solve_at(at, &end.x)
             && context.distance(&place.point.x, &end.x) < 1e-4
         {
@@ -139,7 +140,8 @@ impl Plane<'_> {
         Ok((found, distance))
     }
 
-    /// Predicts, to first order, at which s between `here` and `to` the active set changes.
+    /// Predicts, to first order, the s between `here` and `to` at which the active set changes.
+    /// `None` if no change is predicted.
     pub fn expected_event(&self, here: &Compromise, to: f64) -> Option<f64> {
         let (solution, response) = here.derivatives.as_ref()?;
         let (part, _) = first_event(solution, &self.domain(here.at), response, to - here.at)?;
@@ -165,7 +167,7 @@ impl Plane<'_> {
     }
 }
 
-/// Derivatives by s: only the limit of the last constraint depends on s.
+/// Derivatives of the functions by s: only the limit of the last constraint depends on s.
 fn derivatives_by_s(solution: &Solution) -> Evaluation {
     let n = solution.x.len();
     let mut hessian = vec![vec![]; n];

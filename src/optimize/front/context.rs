@@ -14,16 +14,17 @@ use crate::optimize::solution::Solution;
 use crate::optimize::status::Status;
 use std::cell::Cell;
 
-/// Relative tolerance within which the value of a function counts as its minimum.
+/// Relative tolerance within which a value of a function counts as equal to its minimum.
 pub(super) const SAME: f64 = 1e-9;
-/// Allowed increase of a function above its minimum, relative to the change of the function over
-/// the front, while the other function selects one of several minimisers.
+/// Allowed increase of a function above its minimum, as a fraction of its change over the front.
+/// The other function selects a minimiser within this increase.
 const UNIQUE_WITHIN: f64 = 1e-7;
-/// Smallest ratio of the smallest to the largest curvature at an isolated minimum.
+/// A minimum is isolated if the ratio of the smallest to the largest curvature is above this limit.
 const FLAT: f64 = 1e-9;
 /// Message for an interrupted front.
 pub(super) const PART_MISSING: &str = "interrupted: a part of the front is missing";
-/// Smallest deviation of a front with a knee from a straight line, relative to the line's length.
+/// A front has a knee only if its deviation from a straight line, relative to the line's length, is
+/// at least this.
 pub(super) const STRAIGHT: f64 = 0.01;
 
 /// Problem made of weighted sums of two functions: the objective and the last constraint function
@@ -39,7 +40,8 @@ pub(super) struct Combined<'a> {
 }
 
 impl<'a> Combined<'a> {
-    /// Problem with the weights `objective` in its objective, without a constraint on a second sum.
+    /// Problem that minimises the sum with the weights `objective`, without a constraint on a
+    /// second sum.
     pub fn minimized(problem: &'a dyn Problem, objective: [f64; 2]) -> Self {
         Self {
             problem,
@@ -61,7 +63,8 @@ impl Problem for Combined<'_> {
         let second = constraints.pop().ok_or("it has no second function")?;
         if objective.hessian.is_empty() != second.hessian.is_empty() {
             return Err(
-                "one of its two functions has a Hessian and the other has none; give both, or none"
+                "only one of the two functions has a Hessian; give a Hessian for both functions or \
+                 for neither"
                     .into(),
             );
         }
@@ -189,8 +192,8 @@ impl FrontContext<'_> {
         }
     }
 
-    /// If a minimum is not isolated (the function does not depend on a variable, say), selects
-    /// among the minimisers the minimiser that is best for the other function.
+    /// If the minimum of function `k` is not isolated (a variable may have no effect, for example),
+    /// selects the minimiser at which the other function is smallest.
     pub fn isolated_minimum(
         &self,
         k: usize,
@@ -225,8 +228,8 @@ impl FrontContext<'_> {
         {
             (domain.variables.low[i], domain.variables.high[i]) = (end.x[i], end.x[i]);
         }
-        // try without the limit on function `k` first: it is not needed if active bounds determine
-        // the minimum
+        // try without the limit on function `k` first: if active bounds determine the minimum, the
+        // limit is not needed
         let other = Combined::minimized(self.problem, weights_of(1 - k));
         let limited = Combined {
             constraint: Some(weights_of(k)),

@@ -24,8 +24,8 @@ use std::cell::Cell;
 
 /// Pareto front of two functions: the problem's objective, and its last constraint function, whose
 /// limits are ignored. Both are minimised subject to the other constraints. `count` points,
-/// including the ends, are spread evenly along the front in the plane of the two functions; changes
-/// of the active set and the knee are added.
+/// including the ends, are spread evenly along the front in the plane of the two functions; points
+/// at changes of the active set and at the knee are added.
 ///
 /// `observers` receive every search, with its number, and can interrupt the work.
 ///

@@ -50,7 +50,7 @@ pub enum FrontEvent {
         /// Active set before this point.
         before: ActiveSet,
     },
-    /// Jump to another branch that is better from here on.
+    /// Jump to another branch, which is better from this point on.
     Jump,
 }
 

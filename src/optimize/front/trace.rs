@@ -14,7 +14,7 @@ const LOCATED: f64 = 1e-9;
 /// Reason for a front with a missing part.
 const NO_COMPROMISE: &str = "no compromise was found in a part of the front";
 
-/// Relative difference of the slopes on the two sides of a point above which the point is a kink.
+/// A point is a kink of the front if the slopes on its two sides differ by more than this fraction.
 const KINK: f64 = 1e-3;
 
 /// A traced path, and the reason if a part of it is missing.
@@ -42,7 +42,7 @@ pub(super) fn trace_front(
     } = trace_from_both_ends(&plane, first, second);
     let mut points = spread_evenly(&plane, &path, count);
     let mut interrupted = context.is_interrupted();
-    // after an interrupt during tracing, the traced path is the answer
+    // after an interrupt during tracing, return the points of the traced path
     if interrupted && points.len() < 3 {
         points.clone_from(&path);
     }
@@ -60,8 +60,8 @@ pub(super) fn trace_front(
     points.extend(knee);
     points.sort_by(|a, b| a.at.total_cmp(&b.at));
     let (mut points, dominated) = nondominated(points, &path, plane.span);
-    // an end takes its active set from the minimisation of a single function: in the search for a
-    // compromise its multipliers vanish
+    // take the active set at an end from the minimisation of the single function: the multipliers
+    // of the search for a compromise vanish there
     for place in points.iter_mut().filter(|place| place.at.abs() >= 1.0) {
         let end = &ends[usize::from(place.at > 0.0)];
         place.point.active_set = ActiveSet::new(end, &context.domain);
@@ -81,7 +81,7 @@ pub(super) fn trace_front(
     })
 }
 
-/// Smallest a + b of a path and its knee, at most 1.
+/// Smallest a + b of the path and the knee, at most 1.
 fn smallest_sum(path: &[Compromise], knee: Option<&Compromise>) -> f64 {
     path.iter()
         .chain(knee)
@@ -158,7 +158,7 @@ fn is_worse_than_branch(place: &Compromise, branch: &[Compromise]) -> bool {
         })
 }
 
-/// Traces the front towards s = `end` (−1 or 1).
+/// Traces the front from a compromise towards s = `end` (−1 or 1).
 fn trace(plane: &Plane<'_>, from: Compromise, end: f64) -> Path {
     let mut points = vec![from];
     let mut step = AdaptiveStep::new(2.0);
@@ -166,7 +166,7 @@ fn trace(plane: &Plane<'_>, from: Compromise, end: f64) -> Path {
         points,
         ended: Some(reason),
     };
-    // s in the direction of the trace, which rises from −1 to 1
+    // progress of the trace: s, or −s in a backward trace; it rises from −1 to 1
     let travelled = |place: &Compromise| end * place.at;
     while let Some(here) = points.last().cloned()
         && travelled(&here) < 1.0
@@ -198,8 +198,8 @@ fn trace(plane: &Plane<'_>, from: Compromise, end: f64) -> Path {
 }
 
 /// Locates the change of the active set between two compromises. Returns the points to add to the
-/// path: a point with the event; in a backward trace, also this point with the active set after the
-/// event.
+/// path: one point with the event. A backward trace adds this point twice, with the active sets on
+/// both sides of the event.
 fn locate_event(
     plane: &Plane<'_>,
     here: &Compromise,
@@ -218,12 +218,12 @@ fn locate_event(
     );
     let slope_before = compromise_at(here, travelled(&place) - 4.0 * LOCATED)
         .and_then(|before| before.point.slope);
-    // at the end of the front the slope has one side, and nothing follows the change
+    // at the end of the front there is no slope after the change, and no further event
     if travelled(&place) >= 1.0 {
         place.point.slope = slope_before;
         return vec![place];
     }
-    // a kink of the front has no unique slope
+    // where the slopes on the two sides differ, the front has no unique slope
     let differ = |a: f64, b: f64| (a - b).abs() > KINK * a.abs().max(b.abs());
     place.point.slope = place
         .point
@@ -236,7 +236,7 @@ fn locate_event(
         place.point.event = changed_from(here.point.active_set.clone());
         return vec![place];
     }
-    // tracing backwards: seen from the first end, the active set of `here` begins at this point
+    // backward trace: seen from the first end, the active set of `here` begins at this point
     let mut seen_from_first_end = place.clone();
     seen_from_first_end.point.active_set = here.point.active_set.clone();
     seen_from_first_end.point.event = changed_from(place.point.active_set.clone());
@@ -270,7 +270,7 @@ fn spread_evenly(plane: &Plane<'_>, path: &[Compromise], count: usize) -> Vec<Co
         };
         let part = (length - lengths[after - 1]) / (lengths[after] - lengths[after - 1]);
         let to = before.at + part * (behind.at - before.at);
-        // start from the nearer neighbour; across a jump, start from both neighbours
+        // start the corrector at the nearer neighbour; across a jump, at both neighbours
         let starts = [(before, part <= 0.5), (behind, part > 0.5)];
         let found = starts
             .into_iter()

@@ -22,9 +22,9 @@ const MOST_DAMPING: f64 = 1e20;
 /// Smallest damping. JᵀJ of the scaled columns is accurate to about 1e-16; with less damping,
 /// rounding would drive steps along directions in which the residuals do not change.
 const LEAST_DAMPING: f64 = 1e-12;
-/// Longest undamped step of a converged fit if no step lowers the sum, relative to the point and
-/// the distance travelled (Moré 1978, MINPACK's `xtol`). The gradient is no criterion near a sum of
-/// 0, where the residuals are rounding errors.
+/// Longest undamped step with which a fit counts as converged if no step lowers the sum. Relative
+/// to the point and the distance travelled (Moré 1978, MINPACK's `xtol`). The gradient is no
+/// criterion near a sum of 0, where the residuals are rounding errors.
 const SHORTEST: f64 = 1e-8;
 
 /// Name of the convergence measure in messages: 0 at a stationary point.
@@ -111,7 +111,7 @@ pub struct Fit {
     pub evaluations: u64,
     /// Number of trial points at which the residuals were undefined.
     pub refused: u64,
-    /// Reason why the residuals were undefined at the last of these points.
+    /// Last reason why the residuals were undefined at a trial point.
     pub why_refused: Option<String>,
 }
 
@@ -236,7 +236,7 @@ fn check_input(domain: &Domain, start: &[f64], options: &Options) -> Result<()> 
     domain.check(start)?;
     if domain.constraints.dimension() > 0 {
         return Err(Error::Optimizer(
-            "a fit has bounds alone; give a domain without constraints, or use minimize".into(),
+            "a fit allows bounds only; give a domain without constraints, or use minimize".into(),
         ));
     }
     if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
@@ -389,7 +389,7 @@ impl FitState {
         }
     }
 
-    /// Step of the model with this damping.
+    /// Step that minimises the model with this damping.
     fn step(&mut self, bounds: &Bounds, damping: f64) -> Option<ModelStep> {
         self.at.step(bounds, &self.scale, damping, &mut self.solver)
     }
@@ -489,8 +489,8 @@ impl FitState {
         let distance = length(&|i| x[i].abs().max((x[i] - self.initial_point[i]).abs()));
         (step <= SHORTEST * distance).then(|| {
             let message = format!(
-                "no step makes the sum smaller, and one without damping would move the point by \
-                 {:.1e} of itself: because of rounding the sum can fall no further",
+                "no step makes the sum smaller, and a step without damping would move the point by \
+                 only {:.1e} of its size: because of rounding the sum can fall no further",
                 if distance > 0.0 { step / distance } else { 0.0 }
             );
             Verdict {
@@ -508,7 +508,7 @@ impl FitState {
 
 /// Result of a fit that was interrupted before its first evaluation.
 fn interrupted_at_start(x: Vec<f64>) -> Fit {
-    let message = "stopped before the residuals were evaluated once".into();
+    let message = "stopped before the first evaluation of the residuals".into();
     Fit {
         status: Status::Interrupted,
         message,

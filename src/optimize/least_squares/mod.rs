@@ -275,8 +275,8 @@ mod tests {
 
     #[test]
     fn exact_kkt_conditions_at_an_active_bound() {
-        // with b₁ ≤ 230 active, b₂ of Misra1a minimises a function of one variable: its derivative
-        // vanishes, and b₁ stays on its bound
+        // Misra1a with the bound b₁ ≤ 230 active: b₂ minimises a function of one variable, whose
+        // derivative vanishes there
         let found = fitted(&SETS[0], &[200.0, 6e-4], 0.0, 230.0);
         assert_eq!((found.status, found.x[0]), (Status::Converged, 230.0));
         let slope = |k: usize| -> f64 {
@@ -296,8 +296,8 @@ mod tests {
         );
     }
 
-    /// A nonlinear system with as many residuals as variables: at its solution the residuals are
-    /// rounding errors, and the cosine carries no information.
+    /// A nonlinear system with as many residuals as variables. At its solution the residuals are
+    /// rounding errors, so the cosine carries no information.
     #[test]
     fn exact_zero_of_a_square_system_is_converged() {
         let curve = |x: &[f64]| {

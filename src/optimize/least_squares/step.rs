@@ -32,7 +32,7 @@ impl Point {
         {
             let shape = format!("{} by {n}", rows.residuals.len());
             return Err(format!(
-                "the Jacobian must be {shape} (residuals by variables), and is not"
+                "the Jacobian has the wrong shape; it must be {shape} (residuals by variables)"
             ));
         }
         let all = rows.residuals.iter().chain(rows.jacobian.iter().flatten());

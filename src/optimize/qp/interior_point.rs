@@ -25,7 +25,7 @@ pub(super) struct InteriorPoint {
 }
 
 impl Clone for InteriorPoint {
-    /// Returns a new solver, so that results depend only on the data of the next program.
+    /// The clone is a new solver without data, so that results depend only on the next program.
     fn clone(&self) -> Self {
         Self::default()
     }
@@ -66,9 +66,9 @@ impl ConeRow {
     }
 }
 
-/// Program in Clarabel's standard form, scaled: steps in units of the largest bound, the objective
-/// in units of its change over such a step, rows with a largest coefficient of 1. Clarabel's
-/// tolerances are absolute, so this scaling replaces Clarabel's equilibration.
+/// Program in Clarabel's standard form, scaled. The unit of steps is the largest bound; the unit of
+/// the objective is its change over such a step; the largest coefficient of each row is 1. This
+/// scaling replaces Clarabel's equilibration, because Clarabel's tolerances are absolute.
 struct StandardForm {
     /// Number of variables. With several terms there is an epigraph variable t ≥ offsetₖ +
     /// gradientₖ · d.
@@ -82,7 +82,7 @@ struct StandardForm {
 }
 
 impl InteriorPoint {
-    /// Solves a program; `None` if its rows are infeasible within the bounds, and if Clarabel finds
+    /// Solves a program; `None` if its rows are infeasible within the bounds, or if Clarabel finds
     /// neither a solution nor a proof of infeasibility.
     pub fn solve(&mut self, program: &QuadraticProgram) -> Option<Answer> {
         let form = StandardForm::new(program);
@@ -172,8 +172,8 @@ impl StandardForm {
         let length_unit = program.largest_bound();
         let curvature = program.hessian.amax() * length_unit * length_unit;
         let slope = program.largest_gradient_component() * length_unit;
-        // geometric mean if curvature dominates, so that neither slope nor curvature becomes
-        // smaller than the tolerances
+        // if curvature dominates, use the geometric mean, so that neither slope nor curvature
+        // becomes smaller than the tolerances
         let value_unit = if slope > 0.0 {
             (slope * slope.max(curvature)).sqrt()
         } else {

@@ -109,7 +109,7 @@ mod tests {
         assert!((step.weights[0] - 0.7).abs() < 1e-14 && (step.weights[1] - 0.3).abs() < 1e-14);
     }
 
-    /// Random convex programs with rows, some of them infeasible; the first row of most is an
+    /// Random convex programs with rows. Some are infeasible; in most of them the first row is an
     /// equality.
     fn random_programs_with_rows(count: usize) -> impl Iterator<Item = QuadraticProgram> {
         let mut state = 0.3_f64;
@@ -151,8 +151,9 @@ mod tests {
         })
     }
 
-    /// Checks the KKT conditions from the program's data: they are sufficient, because it is
-    /// convex. Clarabel's infeasibility is compared with the minimum of the violation.
+    /// Checks the KKT conditions from the program's data: they are sufficient, because the program
+    /// is convex. If Clarabel reports infeasibility, the smallest possible violation is computed
+    /// and must be positive.
     #[test]
     fn exact_kkt_conditions_of_random_programs_with_rows() {
         let (mut infeasible, mut solved) = (0, 0);

@@ -79,7 +79,8 @@ impl KktSystem {
     }
 }
 
-/// Largest relative distance of Clarabel's solution from the polished solution.
+/// Largest distance between Clarabel's solution and the polished solution, relative to the size of
+/// the step.
 const NEARBY: f64 = 1e-6;
 /// Rounding error of a row's value, relative to its terms.
 const ROW_ROUNDING: f64 = 1e-11;
@@ -122,7 +123,7 @@ impl QuadraticProgram {
 
     /// Exact point of a working set with the multipliers of an approximate solution. If gradients
     /// of active constraints are linearly dependent, the point is unique but its multipliers are
-    /// not, and the multipliers from the equations may have the wrong sign.
+    /// not: the equations may give multipliers with the wrong sign.
     pub(super) fn with_multipliers_of(
         &self,
         active: &WorkingSet,
@@ -155,8 +156,8 @@ impl QuadraticProgram {
         self.checked_step(candidate, active, source)
     }
 
-    /// Converts a candidate to a step within the bounds; `None` if rounding violates a row or
-    /// raises the objective.
+    /// Converts a candidate to a step within the bounds. `None` if the step violates a row or
+    /// raises the objective because of rounding.
     fn checked_step(
         &self,
         candidate: Candidate,
@@ -195,10 +196,10 @@ impl QuadraticProgram {
         self.value(&step.d) <= at_zero + rounding
     }
 
-    /// Solves the program with the active bounds, rows and terms as equations:
-    /// B d plus Σ αₖ gradientₖ plus Σ μⱼ normalⱼ is 0 for the inactive variables, Σ αₖ = 1, and
-    /// offsetₖ + gradientₖ · d is equal for all active terms. Subtracting the first active term from
-    /// the others eliminates its multiplier and the equation Σ αₖ = 1.
+    /// Solves the program with the active bounds, rows and terms as equations: B d plus Σ αₖ
+    /// gradientₖ plus Σ μⱼ normalⱼ is 0 for the inactive variables, Σ αₖ = 1, and offsetₖ +
+    /// gradientₖ · d is equal for all active terms. Subtracting the first active term from the
+    /// others eliminates its multiplier and the equation Σ αₖ = 1.
     fn candidate(&self, active: &WorkingSet) -> Option<Candidate> {
         let unknowns = Unknowns::new(self, active)?;
         let mut d = DVector::from_fn(self.dimension(), |i, _| match active.bounds[i] {

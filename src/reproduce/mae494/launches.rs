@@ -115,7 +115,8 @@ const MOST_SPEED: f64 = 300.0;
 /// Maximum spin of the searches, rad/s: more than any golf ball has.
 const MOST_SPIN: f64 = 1000.0;
 
-/// Range of the launch angle, rad: almost from horizontal to vertical. The ends give short carries.
+/// Range of the launch angle, rad: from almost horizontal to almost vertical. The carry is short at
+/// both ends.
 const ANGLES: [f64; 2] = [0.01, FRAC_PI_2 - 0.01];
 
 impl Energy {

@@ -42,7 +42,7 @@ pub(super) fn search_by_lbfgs(objective: &Objective, start: &[f64]) -> (Vec<f64>
     (best.into_inner().1, message)
 }
 
-/// Replaces the error of a ball that does not fly by the value `without`.
+/// Returns `without` in place of the error for a ball that does not fly.
 fn flown<T>(found: Result<T, crate::Error>, without: T) -> Result<T, crate::Error> {
     match found {
         Err(crate::Error::NoFlight { .. }) => Ok(without),

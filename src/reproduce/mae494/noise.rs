@@ -78,13 +78,14 @@ pub struct Landings {
     pub smooth: f64,
 }
 
-/// Sawtooth of the carry of the report's loop where the number of steps changes.
+/// Sawtooth of the carry of the report's loop. The carry jumps where the number of time steps
+/// changes.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Sawtooth {
     /// Number of jumps in `zoom`.
     pub count: usize,
-    /// Mean distance of the jumps, rad of loft.
+    /// Mean difference in loft between neighbouring jumps, rad.
     pub width: f64,
     /// Mean height of the jumps, m.
     pub height: f64,
@@ -99,7 +100,8 @@ pub struct Slopes {
     pub loft: f64,
     /// Exact derivative at landing.
     pub exact: f64,
-    /// Exact derivative at the fixed landing time, without the landing term.
+    /// Exact derivative at a fixed flight time: without the term for the change of the landing
+    /// time.
     pub at_fixed_time: f64,
     /// Forward difference of the report's loop.
     #[serde(rename = "loop")]
@@ -116,7 +118,7 @@ const ZOOM: u32 = 400;
 const REACH: f64 = 0.5;
 
 impl Noise {
-    /// The study of the noise, with the air and the club of `setup`.
+    /// Studies the noise, with the air and the club of `setup`.
     pub(super) fn new(setup: &Setup<f64>, progress: &mut impl FnMut(&str)) -> Result<Self> {
         let (step, difference) = (setup.flight.step, f64::EPSILON.sqrt());
         let smooth_at = |loft: f64| tables::carried(&level(setup, loft));
@@ -206,9 +208,8 @@ fn loop_slopes(setup: &Setup<f64>, loft: f64, by: f64, step: f64) -> Result<[f64
 }
 
 impl Sawtooth {
-    /// Finds the jumps. A jump is a pair of neighbouring points at which the change of the loop's
-    /// carry minus the change of the smooth carry exceeds three times the change of the smooth
-    /// carry.
+    /// Finds the jumps. Two neighbouring points are a jump if the change of the loop's carry
+    /// differs from the change of the smooth carry by more than three times the smooth change.
     fn of(zoom: &[Landings]) -> Self {
         let jump = |pair: &[Landings]| {
             let smooth = pair[1].smooth - pair[0].smooth;

@@ -21,12 +21,12 @@ pub struct Constant {
 }
 
 impl Constant {
-    /// Change of the best carry per 1 % of the constant, m.
+    /// Change of the best carry if the constant increases by 1 %, m.
     pub fn carry_per_cent(&self) -> f64 {
         0.01 * self.value * self.sensitivity.value
     }
 
-    /// Change of the best loft per 1 % of the constant, rad.
+    /// Change of the best loft if the constant increases by 1 %, rad.
     pub fn loft_per_cent(&self) -> f64 {
         0.01 * self.value * self.sensitivity.optimum[0]
     }

@@ -1,4 +1,5 @@
-//! Values printed in the MAE 494 report, in its units. A reproduction stores nothing else.
+//! Values printed in the MAE 494 report, in its units. No other results are stored: a reproduction
+//! computes them.
 
 /// Table 1: swing elevation, deg; optimal loft, deg; distance, m.
 pub const TABLE_1: [[f64; 3]; 13] = [

@@ -17,7 +17,7 @@ pub struct Regression {
     pub slipped: Peak,
     /// Maximum with the fitted powers.
     pub as_fitted: Peak,
-    /// Maximum of the polynomial 1, λ, λ², λ³, λ⁴ through the same points.
+    /// Maximum of the polynomial with the powers 1, λ, λ², λ³, λ⁴ through the same points.
     pub ordinary: Peak,
 }
 
@@ -83,7 +83,7 @@ impl Polynomial {
     fn peak(self) -> Result<Peak> {
         let [low, high] = printed::LOFT.map(f64::to_radians);
         let domain = Domain::new(vec![low], vec![high])?;
-        // the report's start, 10°, and others: a quintic may have two maxima
+        // start at the report's start, 10°, and at other lofts: a quintic may have two maxima
         let starts = starts(&domain, &[10.0_f64.to_radians()], 8)?;
         let found = minimize_from(
             &Exact(self),

@@ -7,7 +7,8 @@ use crate::parameters::Setup;
 use crate::reproduce::delivery::Delivery;
 use serde::Serialize;
 
-/// Searches with one landing and method, from common starts.
+/// Searches with one definition of the landing and one method. All combinations use the same
+/// starts.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Searches {
@@ -37,7 +38,7 @@ pub struct End {
 /// Number of starts.
 const STARTS: usize = 20;
 
-/// Combinations of landing and method.
+/// Combinations of the definition of the landing and the method.
 const KINDS: [(Landing, Method); 7] = [
     (Landing::Overshot, Method::LimitedMemory),
     (Landing::Interpolated, Method::LimitedMemory),

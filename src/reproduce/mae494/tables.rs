@@ -15,7 +15,7 @@ pub struct Row {
     pub best: Optimum,
     /// Active bounds.
     pub active: Vec<Active>,
-    /// Carry at the printed optimum in the same model, m; `None` if the ball does not fly.
+    /// Carry that the same model gives for the printed optimum, m; `None` if the ball does not fly.
     pub at_printed: Option<f64>,
 }
 

@@ -6,7 +6,7 @@ use crate::parameters::Setup;
 use crate::units::Quantity;
 use serde::Serialize;
 
-/// Values of the single shot, computed or printed, SI. JSON has only the values of the flight.
+/// Values of the single shot, computed or printed, SI. JSON contains only the values of the flight.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SingleShot {

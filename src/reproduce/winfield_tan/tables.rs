@@ -21,7 +21,7 @@ pub struct Best {
     pub computed: Delivery,
     /// Printed optimum, corrected.
     pub printed: Delivery,
-    /// Computed carry of the printed delivery, m.
+    /// Carry that the model computes for the printed delivery, m.
     pub at_printed: f64,
 }
 

@@ -10,7 +10,7 @@ use std::path::Path;
 /// LZ4. Feather version 2 is the same format.
 pub(super) struct ArrowPieces {
     batches: RecordBatches,
-    /// Current record batch, and number of its rows already read.
+    /// Current record batch, and the number of its rows that have been read.
     batch: Option<RecordBatch>,
     passed: usize,
 }

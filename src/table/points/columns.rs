@@ -20,7 +20,8 @@ pub(super) struct Columns {
 }
 
 impl Columns {
-    /// Selects parameters and, without a club, launch conditions.
+    /// Selects the columns of parameters. If no column belongs to the club, also selects launch
+    /// conditions.
     pub fn new(setup: &Setup<f64>, file: &SourceName, head: &Head) -> Result<Self> {
         let is_struck = head.has_strike();
         let parameter = |column: &Column| match column.content {
@@ -95,7 +96,7 @@ impl Columns {
     }
 }
 
-/// Remark on ignored columns, except the columns in the remarks of `head`.
+/// Remark on ignored columns. Columns that the remarks of `head` name already are omitted.
 fn not_read(head: &Head, read: &[usize]) -> Option<Message> {
     let is_read = |column: &Column| {
         read.iter()

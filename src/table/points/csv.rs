@@ -38,10 +38,12 @@ struct Section {
 }
 
 impl CsvRows {
+    /// Opens a file and interprets its column heads.
+    ///
     /// # Errors
     /// [`Error::Table`](crate::Error::Table) for an unreadable file, an unknown or repeated column,
-    /// no column of a parameter, and a unit of the wrong dimension; for rows, a cell that is not a
-    /// number or whose decimal mark is uncertain.
+    /// a table without a column of a parameter, and a unit of the wrong dimension. Reading a row
+    /// fails for a cell that is not a number or whose decimal mark is uncertain.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let (table, head) = opened(setup, path)?;
         let columns = Columns::new(setup, &table.name, &head)?;
@@ -74,7 +76,8 @@ impl CsvRows {
                         .places_of(&self.columns.parameters)
                         .map_err(|missing| {
                             let reason = format!(
-                                "the head in line {} has no column of {missing}, as the first has",
+                                "the column heads in line {} lack {missing}, which the first \
+                                 column heads have",
                                 record.line
                             );
                             file.refused(String::new(), reason)

@@ -13,7 +13,7 @@ use std::path::Path;
 /// Reads a Parquet file by row groups.
 pub(super) struct ParquetPieces {
     file: Box<dyn FileReader>,
-    /// Current row group, and number of its rows already read.
+    /// Current row group, and the number of its rows that have been read.
     group: usize,
     passed: usize,
     /// Open column readers of the group.

@@ -19,7 +19,8 @@ pub(super) trait Pieces: Sized {
 
     fn rewind(&mut self);
 
-    /// Remaining rows of the current piece, or rows of the next piece; 0 at the end.
+    /// Number of unread rows of the current piece; if there are none, the number of rows of the
+    /// next piece. 0 at the end.
     fn left(&mut self) -> Result<usize, String>;
 
     /// Next values of a column, at most the remaining rows.
@@ -38,10 +39,12 @@ pub(super) struct PieceRows<P> {
 }
 
 impl<P: Pieces> PieceRows<P> {
+    /// Opens a file and interprets its columns.
+    ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for an unreadable or truncated file, and a column that
-    /// is not a parameter, repeated or not numeric; for rows, an infinite value that the parameter
-    /// does not allow.
+    /// [`Error::Table`](crate::Error::Table) for an unreadable or truncated file, and for a column
+    /// that is not a parameter, is repeated or is not numeric. Reading a row fails for an infinite
+    /// value that the parameter does not allow.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let file = SourceName(path.display().to_string());
         let pieces = P::open(path).map_err(|reason| file.refused(String::new(), reason))?;

@@ -92,7 +92,7 @@ impl RecordBatches {
             .map(|block| u64::try_from(block.offset()));
         let starts = starts
             .collect::<Result<_, _>>()
-            .map_err(|_| "its footer is damaged (a place before the file)")?;
+            .map_err(|_| "its footer is damaged (a record batch has a negative position)")?;
         Ok(Self {
             file,
             schema,
@@ -171,7 +171,8 @@ impl RecordBatches {
                 .zip(usize::try_from(buffer.length()).ok());
             let part =
                 part.and_then(|(offset, length)| body.get(offset..offset.checked_add(length)?));
-            let part = part.ok_or("a record batch is damaged (a column reaches beyond it)")?;
+            let part =
+                part.ok_or("a record batch is damaged (a column is longer than the batch)")?;
             if let (true, Some(length)) = (is_compressed, part.first_chunk()) {
                 // −1 marks an uncompressed part
                 let length = usize::try_from(i64::from_le_bytes(*length)).unwrap_or(0);

@@ -21,7 +21,7 @@ pub(super) trait Rows {
     }
 }
 
-/// Number of invalid rows that are listed individually.
+/// Number of invalid rows that a message lists individually.
 const LISTED: usize = 5;
 
 /// A table of points. Opening reads it once, so that unreadable and invalid rows are reported
@@ -36,6 +36,8 @@ pub(super) struct Table<R> {
 }
 
 impl<R: Rows> Table<R> {
+    /// Reads the whole table once.
+    ///
     /// # Errors
     /// Errors of an unreadable table.
     pub fn new(mut rows: R) -> Result<Self> {
@@ -90,9 +92,9 @@ impl<R: Rows> Table<R> {
 /// The invalid rows of a table.
 #[derive(Default)]
 struct InvalidRows {
-    /// The first rows, with the reason.
+    /// The first invalid rows, each with the reason.
     listed: Vec<String>,
-    /// Number of further rows.
+    /// Number of invalid rows that are not listed.
     others: u64,
 }
 
@@ -113,7 +115,7 @@ impl InvalidRows {
             return None;
         }
         let (status, rows) = (Status::OutOfRange, self.listed.join("; "));
-        Some(format!("rows that are no drives, with the status {status}: {rows}").into())
+        Some(format!("rows with invalid values, which get the status {status}: {rows}").into())
     }
 }
 
@@ -170,7 +172,7 @@ impl<R: Rows> Points for Table<R> {
         self.notes.clone()
     }
 
-    /// A text that is identical for equal rows in any format.
+    /// A text that identifies the rows of a table: equal for equal rows in any format.
     fn identity(&self) -> String {
         let names: Vec<_> = self
             .parameters()
