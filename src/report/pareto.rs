@@ -77,7 +77,7 @@ pub struct ParetoPointReport {
     /// The derivative of the first goal by the second along the front, SI; `null` if the front has
     /// no unique slope at this point.
     pub slope: Number,
-    /// The role: an end, or the knee; `null` for the points between.
+    /// The role: an end, or the knee; `null` for all other points.
     pub role: Option<String>,
     /// The active bounds and constraints.
     pub active: Vec<String>,

@@ -228,7 +228,7 @@ fn page(findings: &Findings, plots: &Plots) -> Result<String> {
 
 fn main(findings: &Findings, plots: &Plots) -> Result<Markup> {
     let of = shown::words(findings.of.name());
-    // the reason is at the beginning of the summary
+    // the beginning of the summary already has this reason
     let why = findings.why_not_flown();
     let is_told = |remark: &&Message| {
         why.as_ref()

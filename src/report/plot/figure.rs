@@ -22,7 +22,7 @@ pub struct Figure {
     pub layers: Vec<Layer>,
     /// The place of the names of lines.
     pub line_names: LineNames,
-    /// Further views, drawn after this one. Views without contours show the data of this view.
+    /// More views, drawn after this view. Views without contours show the data of this view.
     pub panels: Vec<Figure>,
     /// Number of views side by side, if the picture is wide enough.
     pub columns: usize,
@@ -165,7 +165,7 @@ pub enum Layer {
         name: String,
         /// The colour.
         hue: Hue,
-        /// The coordinates of its middle.
+        /// The coordinates of the label's middle.
         at: [f64; 2],
     },
     /// Arrows.
@@ -183,9 +183,9 @@ pub enum Layer {
         name: String,
         /// The colour.
         hue: Hue,
-        /// True for a forbidden region, which is hatched; others are tinted and outlined.
+        /// True for a forbidden region, which is hatched; other regions are tinted and outlined.
         is_hatched: bool,
-        /// The outlines. A line without width leads to a hole.
+        /// The outlines. A line without width connects a hole with its outline.
         rings: Vec<Vec<[f64; 2]>>,
     },
     /// A rectangle.

@@ -39,7 +39,7 @@ pub(super) struct Layout<'a> {
     /// The titles of the axes, wrapped into lines.
     pub x_title: Vec<String>,
     pub y_title: Vec<String>,
-    /// The rows of an axis of names.
+    /// The rows of an axis that shows names.
     pub rows: Option<Rows>,
     /// The names at the ends of lines.
     pub end_names: Option<EndNames<'a>>,
