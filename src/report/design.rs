@@ -177,7 +177,9 @@ impl Designed<'_> {
         };
         let goal = &self.best.search.of;
         let told = match (constraint.by, price, margin) {
-            (Enforcement::Unknown, ..) => "not checked; it can be stated as a relation".into(),
+            (Enforcement::Unknown, ..) => {
+                "not checked, because its value is unknown; a relation can state it".into()
+            }
             (Enforcement::Value(_), _, Some(_)) => "met; not varied".into(),
             (_, Some(price), _) => {
                 let amount = price

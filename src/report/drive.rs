@@ -332,7 +332,7 @@ pub fn known_within() -> Message {
 fn components(velocity: Vector<f64>, system: System) -> String {
     let unit = system.unit("m/s");
     let size = Quantity::SPEED.size_of(unit).unwrap_or(1.0);
-    // two decimals, as in the paper; the sum turns -0 into 0
+    // round to two decimals; the sum turns -0 into 0
     let [up, right, downrange] = velocity
         .to_array()
         .map(|component| (component / size * 100.0).round() / 100.0 + 0.0);

@@ -196,8 +196,8 @@ impl ParameterReport {
 impl Report for ParametersReport {
     const COMMAND: &'static str = "parameters";
 
-    /// The values by group; then a row with the numbers of each parameter, with symbol and meaning
-    /// below it, the choices, and the coefficients of the other laws.
+    /// The values by group. Then a row of numbers for each parameter, with its symbol and meaning
+    /// below, the choices, and the coefficients of the other laws.
     fn document(&self, system: System) -> Document {
         if let Some(word) = &self.word {
             return self.selection(word, system);

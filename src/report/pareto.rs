@@ -41,7 +41,7 @@ pub struct ParetoReport<'a> {
     /// The index of the knee in `points`, from 0; `null` without one.
     pub knee: Option<usize>,
     /// The distance of the knee from the chord between the ends, relative to the length of the
-    /// chord. Both goals are scaled from one end to the other.
+    /// chord. Each goal is scaled by its difference between the ends.
     pub bend: Number,
     /// The goals before the search, SI; `null` if a swing does not fly.
     pub as_set_up: Option<[Number; 2]>,

@@ -40,8 +40,8 @@ pub struct CertificateReport<'a> {
     pub step_errors: &'a [StepError],
     /// Omitted checks, with the reasons.
     pub not_examined: &'a [NotExamined],
-    /// The finite differences of carry in the while-loop of the MAE 494 report, for each parameter
-    /// by which the derivative of carry is certified.
+    /// The finite differences of the carry of the MAE 494 report's while-loop, for each parameter
+    /// with a certified derivative of carry.
     pub while_loop: Vec<LoopCheck<'a>>,
     /// Outcomes without derivatives at this drive, with the reasons.
     pub missing: &'a [Missing],

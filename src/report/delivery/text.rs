@@ -65,7 +65,7 @@ fn measured_club(delivered: &Delivered, system: System) -> Option<Line> {
     let all = measured.iter().map(one).collect::<Vec<_>>().join(", ");
     (!measured.is_empty()).then(|| {
         Line::flush(format!(
-            "assumed errors of the given club values: {all}; `sigma` states others"
+            "assumed errors of the given club values: {all}; use `sigma` to state other errors"
         ))
     })
 }

@@ -240,8 +240,8 @@ fn dense_stretch(
 const FIRST_LINES: f64 = 8.0;
 /// Share of the map above which a neighbouring interval gets finer levels too.
 const LARGE: f64 = 0.12;
-/// Minimum share of the map of the first interval to refine, relative to the average share of all
-/// intervals.
+/// Minimum share of the map that the first interval to refine covers, relative to the average share
+/// of all intervals.
 const DENSE: f64 = 1.5;
 /// Maximum number of lines after refinement.
 const LINES: usize = 14;

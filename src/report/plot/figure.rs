@@ -15,8 +15,8 @@ pub struct Figure {
     pub x: Axis,
     /// The vertical axis.
     pub y: Axis,
-    /// Height over width of the frame of the axes. An axis of names has a fixed height for each row
-    /// instead.
+    /// Height over width of the frame of the axes. An axis that shows names has a fixed height for
+    /// each row instead.
     pub aspect: f64,
     /// The layers, from the lowest to the highest.
     pub layers: Vec<Layer>,
@@ -139,7 +139,7 @@ pub enum Layer {
         /// The boundaries: x, low, high.
         points: Vec<[f64; 3]>,
     },
-    /// Horizontal bars, for an axis of names.
+    /// Horizontal bars, for an axis that shows names.
     Bars {
         /// The name.
         name: String,

@@ -128,7 +128,7 @@ fn axes(
 }
 
 /// The horizontal axis with the largest number of ticks whose texts do not overlap, and the left
-/// and right end of the frame, which leaves the width `beside` free.
+/// and right end of the frame. The frame leaves the width `beside` free.
 fn across(
     figure: &Figure,
     system: System,

@@ -34,7 +34,8 @@ impl Over {
     }
 }
 
-/// The set of optima to plot. Its club gives launch angle and spin in the ratio of the chart.
+/// The set of optima to plot. The impact of its club gives launch angle and spin in the ratio of
+/// the chart.
 const OPTIMA: &str = "chart-optima-impact";
 
 /// Name of the band for the difference between two launch monitors.
