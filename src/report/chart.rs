@@ -24,10 +24,11 @@ pub struct ChartReport<'a> {
     pub sense: &'static str,
     /// The points of the chart, in order.
     pub points: Vec<ChartPointReport>,
-    /// The reason why the chart begins inside the range; `null` if it covers the start of the
-    /// range.
+    /// The reason why the chart begins after the start of the range; `null` if the chart covers the
+    /// start.
     pub begun: Option<String>,
-    /// The reason why the chart ends inside the range; `null` if it covers the end of the range.
+    /// The reason why the chart ends before the end of the range; `null` if the chart covers the
+    /// end.
     pub ended: Option<String>,
 }
 

@@ -56,8 +56,8 @@ pub struct DifferenceReport {
     /// The shares of the parameters that differ.
     pub by_parameter: Option<SharesReport>,
     /// The shares of the launch conditions and the other inputs of the flight. `null` for an
-    /// outcome of the launch, and if the setups state the launches: the shares are then in
-    /// `by_parameter`.
+    /// outcome of the launch. `null` also if the setups state the launches, because `by_parameter`
+    /// then has these shares.
     pub by_launch: Option<SharesReport>,
     /// The reason why the drives cannot be compared; `null` if they can.
     pub message: Option<String>,
@@ -67,14 +67,14 @@ pub struct DifferenceReport {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SharesReport {
-    /// The share of each cause, in the order of the parameters; causes that change in one step come
-    /// last.
+    /// The share of each cause, in the order of the parameters; causes without intermediate values
+    /// come last.
     pub shares: Vec<ShareReport>,
     /// The difference minus the sum of the shares, SI. It is at most `integration_error`, unless
     /// the model has a corner between the drives.
     pub remainder: Number,
     /// The error estimate of a share, SI: 1e-11 of the outcome (rounding) for a smooth law, up to
-    /// 1e-8 of the outcome for a law with pieces.
+    /// 1e-8 of the outcome for a piecewise law.
     pub integration_error: Number,
 }
 
@@ -378,7 +378,7 @@ fn add_shares(
 fn remainder_text(difference: &Difference, split: &Shares, system: System) -> Option<String> {
     let of = difference.of;
     let remainder = shown::change(of, split.remainder, system);
-    // a remainder without a sign is displayed as 0
+    // a remainder that is displayed as 0 has no sign
     let is_shown = remainder.starts_with(['+', '-']);
     if !is_shown || shown::is_rounding(of, difference.values[0], split.remainder) {
         return None;

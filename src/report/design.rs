@@ -33,7 +33,7 @@ pub struct Designed<'a> {
 }
 
 impl Designed<'_> {
-    /// The answer of `design`: the answer of the search, with the rules and limits.
+    /// The reply of the command `design`: the reply of the search, with the rules and limits.
     pub fn reply(&self, swings: Reply<OptimumReport>) -> Reply<OptimumReport> {
         let before = self
             .best
@@ -153,7 +153,8 @@ impl Designed<'_> {
             .collect()
     }
 
-    /// The value of a parameter in the setup; for an unset parameter, its equivalent number if any.
+    /// The value of a parameter in the setup. An unset parameter has its equivalent number, if
+    /// there is one.
     fn own(&self, parameter: &Parameter) -> Option<f64> {
         self.setup.value(parameter).or(parameter.unset)
     }
@@ -176,7 +177,9 @@ impl Designed<'_> {
         };
         let goal = &self.best.search.of;
         let told = match (constraint.by, price, margin) {
-            (Enforcement::Unknown, ..) => "not checked; it can be stated as a relation".into(),
+            (Enforcement::Unknown, ..) => {
+                "not checked, because its value is unknown; a relation can state it".into()
+            }
             (Enforcement::Value(_), _, Some(_)) => "met; not varied".into(),
             (_, Some(price), _) => {
                 let amount = price

@@ -36,8 +36,8 @@ pub struct DriveReport<'a> {
     /// The outcomes of the flight; `null` if the ball does not land.
     #[cfg_attr(test, schemars(schema_with = "flight_schema"))]
     pub flight: Option<ByName<Number>>,
-    /// The fitted and flown range of each quantity in the law's fit; `null` without air or a
-    /// flight.
+    /// The range of the law's fit and the range of the flight, for each quantity of the fit; `null`
+    /// if there is no air or no flight.
     pub law_range: Option<LawRanges>,
 }
 
@@ -65,8 +65,8 @@ pub struct ClubReport {
     pub angular_velocity: [Number; 3],
 }
 
-/// The fitted and flown range of each quantity that a law may be fitted to; `null` for a quantity
-/// that the law is not fitted to.
+/// For each quantity on which a law may depend: the range of the law's fit, and the range in the
+/// flight. `null` for a quantity over which the law was not fitted.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LawRanges {
@@ -162,8 +162,8 @@ impl Report for DriveReport<'_> {
     }
 }
 
-/// The fitted and flown range of each quantity that a law may be fitted to; `None` without air or a
-/// flight.
+/// For each quantity on which a law may depend: the range of the law's fit, and the range in the
+/// flight. `None` if there is no air or no flight.
 pub(super) fn law_range(setup: &Setup<f64>, drive: &Drive<f64>) -> Option<LawRanges> {
     let has_air = AirState::of(&setup.air).density > 0.0;
     if !has_air || matches!(drive.flight, Flight::None(_)) {
@@ -332,7 +332,7 @@ pub fn known_within() -> Message {
 fn components(velocity: Vector<f64>, system: System) -> String {
     let unit = system.unit("m/s");
     let size = Quantity::SPEED.size_of(unit).unwrap_or(1.0);
-    // two decimals, as in the paper; the sum turns -0 into 0
+    // round to two decimals; the sum turns -0 into 0
     let [up, right, downrange] = velocity
         .to_array()
         .map(|component| (component / size * 100.0).round() / 100.0 + 0.0);

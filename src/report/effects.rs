@@ -14,7 +14,7 @@ use serde::Serialize;
 /// Number of rows of a table in a text that fits a screen.
 const FIRST_ROWS: usize = 10;
 
-/// The sensitivities of an optimum's value, each with its parameter, or the errors.
+/// For each parameter: the sensitivity of the optimal value, or the error of its computation.
 pub type Totals = [(&'static Parameter, Result<Sensitivity>)];
 
 /// The effects of all parameters on outcomes, SI and radians.
@@ -41,13 +41,15 @@ pub struct OutcomeEffects {
     pub value: Number,
     /// The standard uncertainty of the outcome, SI, to first order for independent parameters.
     pub standard_uncertainty: Number,
-    /// The sum of the second-order terms, SI. The differences of flown drives include them.
+    /// The sum of the second-order terms, SI. `standard_uncertainty` omits these terms; `flown` of
+    /// each effect includes them.
     pub linearity: Number,
     /// The effects of the parameters, the largest first.
     pub effects: Vec<EffectReport>,
 }
 
-/// The effect of a parameter on an outcome; `null` if the parameter has no uncertainty.
+/// The effect of a parameter p on an outcome f. Numbers that need the uncertainty of p are `null`
+/// if p has none.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct EffectReport {
@@ -67,7 +69,7 @@ pub struct EffectReport {
     pub second_order: Number,
     /// The change of f in drives computed at p − σ and p + σ, SI.
     pub flown: Option<[Number; 2]>,
-    /// df*/dp of the optimum, SI; `null` for the drive as set up.
+    /// The derivative of the optimal value f* by p, SI; `null` for the drive as set up.
     pub derivative_of_optimum: Number,
 }
 
@@ -190,7 +192,7 @@ fn uncertainties(effects: &Effects, bars: &[Bar], system: System) -> Table {
         ""
     };
     table.remark(format!(
-        "together ±{} to first order, if independent; second order adds up to {}{flown}",
+        "together ±{} to first order, if independent; the second-order terms add up to {}{flown}",
         shown::spread(of, effects.standard_uncertainty(), system),
         shown::spread(of, effects.linearity(), system),
     ));

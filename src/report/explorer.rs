@@ -27,7 +27,8 @@ const VERSION: &str = "1";
 /// cannot hold a table.
 pub fn explorer_state(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<String> {
     if let Some(table) = setup.law.table() {
-        let source = "the explorer has no tables of your own; leave it out, or use a published law";
+        let source =
+            "the explorer has no tables of your own; leave the table out, or use a published law";
         return Err(Error::Unreadable {
             name: format!("{TABLE} {}", table.file),
             source: source.into(),
@@ -79,7 +80,7 @@ fn changed_numbers(
     let states_step = setup.states_step && !base.states_step;
     // the coefficients of another law are compared with the published coefficients
     base.set_law(setup.law.name())?;
-    // the program refuses settings of a club that strikes no ball
+    // the program refuses parameters of the strike if the launch is stated
     let is_used = |row: &Parameter| {
         setup.why_replaced(row).is_none() && !(setup.launch.is_given() && row.is_of_strike())
     };

@@ -10,7 +10,7 @@ use crate::units::System;
 pub struct Origin {
     /// Preset or file with the settings of the request: "tour-average, swing.speed=95mph".
     pub title: String,
-    /// False if the setup has no name in the request, as for standard input.
+    /// False if the request does not name the setup, as with a setup from standard input.
     pub has_name: bool,
     /// Parameters that a search would vary by default, but keeps at the values that the request
     /// states.

@@ -66,7 +66,7 @@ pub struct ParameterReport {
 pub struct ChoiceReport {
     /// The dotted name.
     pub choice: &'static str,
-    /// The name that the setup has; `null` if its numbers are those of no name.
+    /// The name of the choice in the setup; `null` if no name has the numbers of the setup.
     pub value: Option<&'static str>,
     /// The name by default.
     pub default: Option<&'static str>,
@@ -115,7 +115,7 @@ impl ParametersReport {
     /// Selects the parameters and choices whose names contain a word.
     ///
     /// # Errors
-    /// [`Error::Unknown`] if none does.
+    /// [`Error::Unknown`] if no name contains the word.
     pub fn with_word(mut self, word: &str) -> Result<Self> {
         let mut choices = self.choices.iter().map(|one| one.choice).chain([LAW]);
         let is_choice = choices.any(|name| has_word(name, word));
@@ -196,8 +196,8 @@ impl ParameterReport {
 impl Report for ParametersReport {
     const COMMAND: &'static str = "parameters";
 
-    /// The values by group; then a row with the numbers of each parameter, with symbol and meaning
-    /// below it, the choices, and the coefficients of the other laws.
+    /// The values by group. Then a row of numbers for each parameter, with its symbol and meaning
+    /// below, the choices, and the coefficients of the other laws.
     fn document(&self, system: System) -> Document {
         if let Some(word) = &self.word {
             return self.selection(word, system);
@@ -229,7 +229,9 @@ impl ParametersReport {
             .into_iter()
             .map(|(group, texts)| vec![group.to_owned(), texts.join(", ")]);
         let mut table = Table::new(["group", "parameters and values"], rows).right([]);
-        table.remark("the rest has meaning, default and range of each, and the other laws");
+        table.remark(
+            "the rest has the meaning, default and range of each parameter, and the other laws",
+        );
         table
     }
 

@@ -41,7 +41,7 @@ pub struct ParetoReport<'a> {
     /// The index of the knee in `points`, from 0; `null` without one.
     pub knee: Option<usize>,
     /// The distance of the knee from the chord between the ends, relative to the length of the
-    /// chord. Both goals are scaled from one end to the other.
+    /// chord. Each goal is scaled by its difference between the ends.
     pub bend: Number,
     /// The goals before the search, SI; `null` if a swing does not fly.
     pub as_set_up: Option<[Number; 2]>,
@@ -77,7 +77,7 @@ pub struct ParetoPointReport {
     /// The derivative of the first goal by the second along the front, SI; `null` if the front has
     /// no unique slope at this point.
     pub slope: Number,
-    /// The role: an end, or the knee; `null` for the points between.
+    /// The role: an end, or the knee; `null` for all other points.
     pub role: Option<String>,
     /// The active bounds and constraints.
     pub active: Vec<String>,

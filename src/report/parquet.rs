@@ -207,7 +207,7 @@ impl ParquetTable {
         place().map(PlacedGroup).map_err(failed)
     }
 
-    /// The last bytes of a file with these row groups, and with further notes by key.
+    /// The last bytes of a file with these row groups and these notes by key.
     ///
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `groups` or `notes`.
@@ -244,7 +244,8 @@ fn present<T>(cells: Vec<Option<T>>) -> (Vec<T>, Vec<i16>) {
     (cells.into_iter().flatten().collect(), levels)
 }
 
-/// The metadata at the end of a file. The first four of the last eight bytes state their length.
+/// The metadata at the end of a file. The first four of the last eight bytes state the length of
+/// the metadata.
 fn metadata_of(file: &[u8]) -> Vec<u8> {
     let end = file.len() - TAIL;
     let length = file[end..end + 4]

@@ -82,16 +82,16 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> 
         SourcedValue::new(
             GOLFER,
             setup.golfer.name(),
-            "right-handed, as the golfers of the sources",
+            "right-handed, like the golfers of the sources",
         ),
     ];
     insert_choices(&mut rows, choices);
     rows
 }
 
-/// The values of a setup with their sources. The values are in the units of `system`; without a
-/// system, in the spelling of input. A value that differs from the preset's has the source "as
-/// given".
+/// The values of a setup with their sources. The values are in the units of `system`; if `system`
+/// is `None`, they are spelled as in the input. A value that differs from the preset's has the
+/// source "as given".
 pub(super) fn sources(
     setup: &Setup<f64>,
     preset: &Preset,
@@ -177,7 +177,7 @@ pub struct Change {
 /// ```
 ///
 /// # Errors
-/// Does not occur: a test reads all presets.
+/// None occurs, because a test reads all presets.
 pub fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Vec<Change>> {
     let base = Setup::preset(preset.name)?;
     let used = setup

@@ -32,7 +32,7 @@ pub trait Report: Serialize {
     /// The name of the command.
     const COMMAND: &'static str;
 
-    /// The status of the command; by default everything was found.
+    /// The status of the command; the default is `done`.
     fn ending(&self) -> Ending {
         Ending::DONE
     }
@@ -88,7 +88,7 @@ impl Ending {
         let all = errors.len();
         let mut errors: Vec<&Error> = errors.into_iter().flatten().collect();
         let status = match (share(all - errors.len(), all), errors.first()) {
-            // the status of the errors, if it is equal for all
+            // the status of the errors, if all of them have this status
             ("no-answer", Some(first))
                 if errors.iter().all(|error| error.status() == first.status()) =>
             {
@@ -159,7 +159,8 @@ impl<T> Reply<T> {
 }
 
 impl Reply<Empty> {
-    /// The status words of a reply without a result: errors, and searches that end without one.
+    /// The status words of a reply without a result: errors, and searches that end without a
+    /// result.
     #[cfg(test)]
     pub(crate) fn statuses() -> Vec<&'static str> {
         let errors = ["error", "no-flight", "aloft", "diverged", "no-answer"];

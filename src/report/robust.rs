@@ -37,7 +37,8 @@ pub struct RobustReport<'a> {
     /// The varied parameters of the robust design, SI.
     pub optimum: ByName<Number>,
     /// The multipliers of the bounds: the decrease of the greatest loss for each SI unit by which a
-    /// bound is relaxed; negative if the best design of a model gains more.
+    /// bound is relaxed. It is negative if relaxing the bound improves the best design of a model
+    /// more than the robust design.
     pub multipliers: BTreeMap<&'static str, Multipliers>,
     /// The greatest loss of any model, SI.
     pub greatest_loss: Number,
@@ -67,12 +68,12 @@ pub struct ModelReport {
     pub value: Number,
     /// The model's best design, SI.
     pub optimum: ByName<Number>,
-    /// The model's loss with the robust design relative to its best design, SI.
+    /// The loss of the robust design relative to the model's best design, SI.
     pub loss: Number,
     /// The multiplier of the model's loss, 0 to 1.
     pub share: Number,
-    /// The model's losses with the best designs of all models, in order, SI; `null` if a swing does
-    /// not fly.
+    /// The model's losses with the best designs of all models, in the order of the models, SI;
+    /// `null` if a swing does not fly.
     pub losses: Vec<Number>,
     /// The model's loss with the setup before the search, SI.
     pub loss_as_set_up: Number,
@@ -308,7 +309,7 @@ fn greatest_loss(found: &Robust) -> Objective {
     }
 }
 
-/// The change of the greatest loss with the bounds of varied parameter `i`.
+/// The change of the greatest loss, in words, if a bound of varied parameter `i` is relaxed.
 fn bound_in_words(found: &Robust, i: usize, system: System) -> String {
     let (vary, solution) = (found.search.vary[i], &found.solution);
     let objective = greatest_loss(found);

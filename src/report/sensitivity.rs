@@ -18,7 +18,7 @@ use serde::Serialize;
 /// The analysis of an optimum.
 #[derive(Debug)]
 pub struct Analysis {
-    /// The sensitivities of the optimum, or their errors.
+    /// For each parameter: the sensitivity of the optimum, or the error of its computation.
     pub sensitivities: Vec<(&'static Parameter, Result<Sensitivity>)>,
     /// The flatness of the objective around the optimum.
     pub flatness: Flatness,
@@ -69,7 +69,7 @@ pub struct StatedChangeReport {
     pub change: f64,
     /// The optimum by derivatives.
     pub predicted: PredictedOptimum,
-    /// The optimum of a new search.
+    /// The optimum from a new search with the changed parameter.
     pub resolved: ResolvedOptimum,
     /// The first predicted change of the active bounds and constraints.
     pub event: Option<PredictedEvent>,

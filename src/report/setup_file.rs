@@ -25,7 +25,7 @@ const MOST_DIGITS: usize = 17;
 /// ```
 ///
 /// # Errors
-/// Does not occur: a test reads all presets.
+/// None occurs, because a test reads all presets.
 pub fn setup_toml(
     setup: &Setup<f64>,
     preset: &Preset,

@@ -164,7 +164,7 @@ fn unknown(price: Option<&Price>) -> Vec<String> {
     let Some(price) = price else { return vec![] };
     let nominal = price.nominal.as_ref().err();
     let nominal = nominal.map(|why| {
-        format!("there is no best design for the mean swing alone, which does not fly: {why}")
+        format!("there is no best design for the mean swing, because its ball does not fly: {why}")
     });
     let error = match price.error() {
         Some(GoalError::Unknown(why)) => Some(format!(
@@ -228,7 +228,7 @@ pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Li
     let mut strikes = strikes.filter(|parameter| parameter.name.starts_with("strike."));
     if strikes.next().is_some() || best.setup.strike.toe != 0.0 {
         notes.push(format!(
-            "{}; the scatter to the sides has this doubt",
+            "{}; the sideways scatter is as uncertain",
             shown::GEAR_EFFECT
         ));
     }
@@ -240,8 +240,8 @@ pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Li
         && best.solution.status == Status::Converged
     {
         notes.push(
-            "how well these swings determine the best design is not known: they are equal, or the \
-             searches of their resamples found no optimum"
+            "it is not known how well these swings determine the best design: the swings are \
+             equal, or the searches of their resamples found no optimum"
                 .into(),
         );
     }
@@ -256,7 +256,7 @@ fn designs(best: &Optimum, nominal: Option<&Nominal>) -> Vec<String> {
     let kept = nominal.map(|nominal| nominal.kept.as_ref());
     let as_set_up = best.as_set_up.as_ref();
     let mut notes = vec![];
-    let missed = |with: &str| format!("with {with} some of the swings do not fly");
+    let missed = |with: &str| format!("with {with} the ball does not fly in some of the swings");
     if kept.is_some_and(|kept| kept.is_none()) {
         notes.push(missed("the best design of the mean swing"));
     }
@@ -312,7 +312,7 @@ fn sampling(best: &Optimum, price: Option<&Price>, system: System) -> String {
     };
     match price.and_then(Price::error) {
         Some(GoalError::Quadrature(error)) => format!(
-            "{swings} by Gauss's rules; {} is known to {}",
+            "{swings} by Gauss's rules; the error of {} is about {}",
             goal.expression,
             shown::goal_difference(goal, *error, system)
         ),
@@ -323,7 +323,7 @@ fn sampling(best: &Optimum, price: Option<&Price>, system: System) -> String {
             shown::goal(goal, found.low, system),
             shown::goal(goal, found.high, system),
             if matches!(all.rule, Rule::Sequence { .. }) {
-                "; it is known better with more `scenarios`"
+                "; more `scenarios` make this interval narrower"
             } else {
                 ""
             }
@@ -353,7 +353,7 @@ fn resampled(best: &Optimum, found: &Resampled, system: System) -> Vec<String> {
     };
     let show = |value: f64| shown::goal_difference(goal, value, system);
     let better = format!(
-        "the best design is better than the one set up by {} (95 %: {} to {})",
+        "the best design is better by {} (95 %: {} to {}) than the design as set up",
         show(gain.value),
         show(gain.low),
         show(gain.high)
@@ -365,7 +365,8 @@ fn resampled(best: &Optimum, found: &Resampled, system: System) -> Vec<String> {
                                                        difference"
         ),
         Some(needed) => format!(
-            "{better}: to show the difference takes about {needed} swings, {} more",
+            "{better}: about {needed} swings are needed to show the difference, {} more than \
+             recorded",
             needed - recorded
         ),
         None => better,

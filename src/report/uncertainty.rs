@@ -44,8 +44,8 @@ pub struct InputReport {
     pub parameter: &'static str,
     /// The distribution.
     pub distribution: DistributionName,
-    /// The numbers of the distribution, SI, in the order in which it is given: mean and standard
-    /// deviation; lower and upper bound; lower bound, mode and upper bound; or mean, standard
+    /// The numbers of the distribution, SI. Normal: mean and standard deviation. Uniform: lower and
+    /// upper bound. Triangular: lower bound, mode and upper bound. Truncated normal: mean, standard
     /// deviation, lower and upper bound.
     pub values: Vec<f64>,
     /// The mean of the distribution, SI.
@@ -364,7 +364,7 @@ fn add_outcome(
     };
     if found.plan.samples < ENOUGH {
         document.list([Line::item(format!(
-            "shares of the variance need {ENOUGH} points or more; `samples` gives their number"
+            "shares of the variance need {ENOUGH} points or more; `samples` sets their number"
         ))]);
         return;
     }
@@ -463,7 +463,7 @@ fn shares_lines(
     shares.into_iter().chain(first).map(Line::item).collect()
 }
 
-/// The indices of the uncertain parameters, the largest share of the variance first.
+/// The uncertain parameters by their index, the largest share of the variance first.
 fn by_share(sampled: &Statistics) -> Vec<usize> {
     let total = |k: usize| sampled.indices[k].map_or(0.0, |indices| indices.total.value);
     let mut order: Vec<usize> = (0..sampled.indices.len()).collect();

@@ -545,7 +545,7 @@ fn same_curves_in_a_plot_of_laws_and_points_of_its_sources() {
         answer["note"]
             .as_str()
             .unwrap()
-            .starts_with("Solid within what a law was fitted to"),
+            .starts_with("Solid within the range of a law's fit"),
         "{answer}"
     );
     let dots = |rows: &[(String, String, f64, f64)]| {

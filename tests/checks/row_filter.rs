@@ -183,7 +183,7 @@ fn a_stated_club_value_of_a_delivery_has_the_uncertainty_of_an_instrument() {
         assert!((before(&found, "swing.attack_angle").to_degrees() - 1.0).abs() < 1e-12);
         assert!((before(&found, "swing.path").to_degrees() - 4.0).abs() < 1e-12);
         let said = longdrive(&[&launch[..], &stated, &["-q"]].concat()).out;
-        let says = "assumed errors of the given club values: swing.speed ± 1.50 mph; --sigma states others";
+        let says = "assumed errors of the given club values: swing.speed ± 1.50 mph; use --sigma to state other errors";
         assert!(joined(&said).contains(says), "{said}");
     }
     let own = ["--speed", "103mph", "--sigma", "swing.speed=3mph"];

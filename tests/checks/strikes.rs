@@ -260,7 +260,7 @@ fn two_designs_are_side_by_side_on_the_face() {
     assert!(
         text.contains("lateral, before")
             && text.contains("lateral, after")
-            && said.err.contains("Of a strike 1 mm from"),
+            && said.err.contains("Effect of a strike 1 mm from"),
         "{}",
         said.err
     );

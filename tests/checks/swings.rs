@@ -815,7 +815,7 @@ fn parameters_without_swings_are_reported() {
                 .split_whitespace()
                 .collect::<Vec<_>>()
                 .join(" ")
-                .contains("is not known: they are equal"),
+                .contains("best design: the swings are equal"),
         "{}",
         said.out
     );

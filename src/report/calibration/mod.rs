@@ -32,7 +32,7 @@ pub struct CalibrationReport<'a> {
     pub data: DataReport,
     /// The estimate of each fitted parameter.
     pub estimates: ByName<Estimate>,
-    /// The covariance of the estimates, in the product of the SI units of row and column.
+    /// The covariances of the estimates, each in the product of the SI units of its two parameters.
     pub covariance: Matrix,
     /// The correlations of the estimates, −1 to 1.
     pub correlation: Matrix,
@@ -45,9 +45,9 @@ pub struct CalibrationReport<'a> {
     pub degrees_of_freedom: usize,
     /// The probability of a larger χ².
     pub probability: Number,
-    /// √(χ²/degrees of freedom), the factor on the standard uncertainties: 1 if the data state
-    /// their uncertainties, or if the residuals give no scale; `null` if no uncertainty is known
-    /// either.
+    /// √(χ²/degrees of freedom), by which the standard uncertainties are multiplied. It is 1 if the
+    /// data state every uncertainty, or if the residuals give no scale; `null` if the residuals
+    /// give no scale and no uncertainty is known.
     pub uncertainty_scale: Number,
     /// Iterations of the fit.
     pub iterations: u64,
@@ -63,9 +63,9 @@ pub struct CalibrationReport<'a> {
     pub held_out: Vec<HeldOutReport>,
     /// Every parameter of the fitted setup by its dotted name.
     pub setup: Settings,
-    /// The setup file that was written; `null` without one.
+    /// The setup file that was written; `null` if none was written.
     pub file: Option<String>,
-    /// The folder of the written page; `null` without one.
+    /// The folder of the written page; `null` if none was written.
     pub folder: Option<String>,
 }
 
@@ -103,11 +103,11 @@ impl DataReport {
 pub struct RefusedReport {
     /// Number of these points.
     pub count: u64,
-    /// The reason for the last rejected point.
+    /// The reason why the fit rejected the last of these points.
     pub last: Option<String>,
 }
 
-/// The searches of a fit.
+/// The searches of a fit, each from another starting point.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct StartsReport {
@@ -115,7 +115,8 @@ pub struct StartsReport {
     pub made: usize,
     /// Number of starts that reached the smallest sum of squares.
     pub same: usize,
-    /// Number of the other starts, by status; `undefined` if a row does not fly at the start.
+    /// Number of starts that did not reach the smallest sum of squares, by status; `undefined` if
+    /// the ball of a row does not fly at the starting point.
     pub elsewhere: ByName<usize>,
 }
 
@@ -136,15 +137,15 @@ impl StartsReport {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct HeldOutReport {
-    /// The law, and the fitted parameters.
+    /// The name of the fit: the law and the fitted parameters.
     pub fit: String,
-    /// Number of folds; 0 without a fit.
+    /// Number of folds of the cross-validation; 0 if nothing was fitted.
     pub folds: usize,
     /// Number of fits by status; the rows of interrupted fits are omitted.
     pub fits: ByName<usize>,
-    /// Root mean square of the residuals.
+    /// Root mean square of the residuals, each in units of its standard uncertainty.
     pub rms_standardized: Number,
-    /// Root mean square of the differences of each outcome, SI.
+    /// Root mean square of the unscaled residuals of each outcome, SI.
     pub rms: ByName<Number>,
 }
 
@@ -223,7 +224,10 @@ impl<'a> CalibrationReport<'a> {
         match stopped {
             0 => fit.message.clone(),
             _ if fit.status == Status::Interrupted => {
-                format!("{}; not made for the held-out error: {of_all}", fit.message)
+                format!(
+                    "{}; fits for the held-out error that were not made: {of_all}",
+                    fit.message
+                )
             }
             _ => format!(
                 "the held-out error leaves out the fits that were stopped: {of_all}; the fit \

@@ -11,7 +11,7 @@ struct Point {
     sigma: f64,
 }
 
-/// Two plots for each outcome with more than one measurement: the measured values over the computed
+/// Two plots for each outcome with more than one measurement: the measured against the computed
 /// values, and the residuals.
 pub(super) fn figures(table: &ShotTable, found: &Calibration) -> Vec<Figure> {
     let mut outcomes: Vec<Outcome> = vec![];
@@ -53,7 +53,7 @@ fn points(table: &ShotTable, found: &Calibration, of: Outcome) -> Vec<Point> {
     remainders.filter_map(point).collect()
 }
 
-/// Plot of the measured values over the computed values, with the line where both are equal.
+/// Plot of the measured against the computed values, with the line where both are equal.
 fn agreement(of: Outcome, points: &[Point]) -> Figure {
     let measure = Measure::outcome(of);
     let labelled = |which: &str| {

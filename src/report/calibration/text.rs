@@ -32,7 +32,7 @@ pub(super) fn data(document: &mut Document, table: &ShotTable, system: System) {
     }
 }
 
-/// Adds the results of the searches to a document, if there are several.
+/// Adds the results of the searches to a document, if there are several searches.
 pub(super) fn starts(document: &mut Document, found: &Calibration) {
     let (made, same) = (found.starts, found.at_minimum);
     if made <= 1 {
@@ -49,7 +49,9 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
     for (status, count) in &found.elsewhere {
         text += &match status {
             Status::Undefined => {
-                format!("; {count} could not begin, because some rows do not fly there")
+                format!(
+                    "; {count} could not begin, because in some rows the ball does not fly there"
+                )
             }
             _ => format!("; {count} ended at a larger sum ({status})"),
         };
@@ -77,7 +79,7 @@ pub(super) fn refusals(document: &mut Document, found: &Calibration) {
     if let (1.., Some(why)) = (found.fit.refused, &found.fit.why_refused) {
         let refused = counted(found.fit.refused, "trial point");
         document.paragraph(format!(
-            "Refused: {refused}. The reason for the last: {why}"
+            "The fit rejected {refused}. The reason for the last one: {why}"
         ));
     }
 }
@@ -152,7 +154,7 @@ pub(super) fn to_its_error(
         .map(|error| 1.0 - (error / size).log10().floor());
     match decimals {
         Some(decimals @ 0.0..=9.0) => fixed(number, decimals as usize),
-        // a very large or small number gets as many digits, with a power of ten
+        // for a very large or very small error, round to this place with significant digits
         Some(decimals) if value != 0.0 => {
             let digits = number.abs().log10().floor() + decimals + 1.0;
             significant(number, digits.clamp(4.0, 17.0) as usize)
@@ -184,7 +186,7 @@ fn estimated(estimate: &Estimate, system: System) -> Vec<String> {
     vec![parameter.name.into(), show(*value), error, interval]
 }
 
-/// χ², and the dependence of the standard errors on χ².
+/// χ² in words, and the origin of the standard errors.
 fn chi_square(statistics: &Statistics, stated: Uncertainties) -> String {
     let chi = significant(statistics.chi_square, 5);
     let dof = statistics.degrees_of_freedom;
@@ -220,7 +222,7 @@ fn chi_square(statistics: &Statistics, stated: Uncertainties) -> String {
     };
     let probability = statistics.probability.map_or(String::new(), |p| {
         format!(
-            " The probability of a sum as large as this is {}.",
+            " The probability of a χ² at least this large is {}.",
             significant(p, 3)
         )
     });
@@ -349,8 +351,8 @@ pub(super) struct OutcomeError {
     quantity: Quantity,
 }
 
-/// The root mean square of the held-out differences: of each outcome, and of each parameter in
-/// which a row states an optimum.
+/// The root mean square of the held-out differences: one for each outcome, and one for each
+/// parameter whose optimum a row states.
 pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
     // before the loop ends, `rms` is the sum of squares
     let mut all: Vec<(OutcomeError, usize)> = vec![];

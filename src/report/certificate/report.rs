@@ -27,20 +27,21 @@ pub struct CertificateReport<'a> {
     pub passed: bool,
     /// The derivative of each outcome by each parameter, the largest error first.
     pub rows: Vec<CertificateRow<'a>>,
-    /// The detection of injected errors.
+    /// The negative control: the detection of injected errors.
     pub negative_control: NegativeControl,
     /// Derivatives at the landing, compared with differences at a fixed time.
     pub landing: &'a [AtLanding],
-    /// The outcomes at parameter values where the number of steps changes.
+    /// The outcomes at parameter values where the number of time steps changes.
     pub continuity: &'a [Continuity],
     /// The convergence of the outcomes with the time step.
     pub convergence: &'a [Convergence],
-    /// The error of the time step in outcomes and derivatives. It has no verdict.
+    /// The errors of outcomes and derivatives that the time step causes. They do not affect
+    /// `passed`.
     pub step_errors: &'a [StepError],
     /// Omitted checks, with the reasons.
     pub not_examined: &'a [NotExamined],
-    /// The finite differences of carry in the while-loop of the MAE 494 report, for each parameter
-    /// by which the derivative of carry is certified.
+    /// The finite differences of the carry of the MAE 494 report's while-loop, for each parameter
+    /// with a certified derivative of carry.
     pub while_loop: Vec<LoopCheck<'a>>,
     /// Outcomes without derivatives at this drive, with the reasons.
     pub missing: &'a [Missing],
@@ -60,9 +61,9 @@ pub struct CertificateRow<'a> {
     pub exact: Number,
     /// The best numerical derivative, SI.
     pub best_difference: Number,
-    /// The difference between the two, SI.
+    /// The difference between `exact` and `best_difference`, SI.
     pub error: Number,
-    /// The largest allowed difference, SI.
+    /// The largest allowed `error`, SI.
     pub tolerance: Number,
     /// The derivative from `num_dual::Dual64`.
     pub num_dual: Agreement,
@@ -73,16 +74,16 @@ pub struct CertificateRow<'a> {
     pub best_step: Number,
     /// The error of the central difference at `best_step`, SI.
     pub best_step_error: Number,
-    /// The slopes of the Taylor remainders of degree 0, 1 and 2 over the step; `null` if the
-    /// remainder is dominated by rounding.
+    /// The slopes of the Taylor remainders of degree 0, 1 and 2 as functions of the step, in
+    /// logarithmic scales; `null` if rounding dominates the remainder.
     pub taylor_slopes: [Number; 3],
     /// The second derivative by the parameter.
     pub second: Option<&'a Check>,
-    /// The V-curve: the error of plain central differences over the step.
+    /// The error of plain central differences at each step: the V-curve.
     pub curve: Curve,
 }
 
-/// The errors of central differences over the step.
+/// The errors of central differences at several steps.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Curve {
@@ -92,7 +93,7 @@ pub struct Curve {
     pub errors: Vec<f64>,
 }
 
-/// The detection of injected errors.
+/// The negative control: the detection of injected errors.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct NegativeControl {
@@ -102,25 +103,26 @@ pub struct NegativeControl {
     pub planted: Vec<DetectionTest>,
 }
 
-/// A finite difference of the while-loop's carry.
+/// A finite difference of the carry that the while-loop of the MAE 494 report computes.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LoopCheck<'a> {
-    /// The comparison with the exact derivative.
+    /// The comparison of finite differences with the exact derivative.
     #[serde(flatten)]
     pub check: &'a Check,
     /// The parameter.
     pub parameter: &'static str,
     /// The finite difference with a step of 1e-8, SI.
     pub difference: Number,
-    /// True if the sign differs from the sign of the derivative.
+    /// True if `difference` and the exact derivative have different signs.
     pub sign_is_wrong: bool,
-    /// The errors over the step.
+    /// The errors of the finite differences at several steps.
     pub curve: Curve,
 }
 
 impl<'a> CertificateReport<'a> {
-    /// The report of a certificate, with the while-loop for comparison.
+    /// The report of a certificate. `loops` are the finite differences of the while-loop, for
+    /// comparison.
     pub fn new(certificate: &'a Certificate, loops: &'a [LoopRow]) -> Self {
         Self {
             certificate,

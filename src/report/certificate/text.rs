@@ -68,7 +68,7 @@ pub(super) fn ending(certificate: &Certificate) -> String {
     }
 }
 
-/// The jumps of an outcome at a parameter value where the number of steps changes.
+/// The jumps of an outcome at a parameter value where the number of time steps changes.
 fn continuity(found: &Continuity, system: System) -> String {
     let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
     let unit = system.unit(found.parameter.unit);
@@ -99,7 +99,7 @@ fn planted(planted: &DetectionTest) -> String {
         counted_of(caught as u64, rows, ["row", "rows"])
     };
     format!(
-        "{}: the planted error \"{name}\" is found in {} by differences, in {} by num-dual",
+        "{}: the planted error \"{name}\" is found in {} by finite differences, in {} by num-dual",
         Verdict::of(planted.is_caught()).name(),
         of_rows(planted.caught),
         of_rows(planted.caught_by_num_dual)
@@ -341,7 +341,7 @@ fn convergence(found: &Convergence) -> String {
     )
 }
 
-/// The error of the time step: the outcome and the derivative with the largest error.
+/// The outcome and the derivative that have the largest error of the time step.
 fn step_error(errors: &[StepError]) -> Option<String> {
     let value = errors
         .iter()

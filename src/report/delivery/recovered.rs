@@ -63,7 +63,7 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
             ""
         };
         let told = format!(
-            "mean ± {}, deviation ± {}; a shot identifies {:.0} %{rest}",
+            "mean ± {}, deviation ± {}; a shot identifies {:.0} % of the variance{rest}",
             errors[0],
             errors[1],
             100.0 * variance_removed

@@ -65,7 +65,7 @@ fn measured_club(delivered: &Delivered, system: System) -> Option<Line> {
     let all = measured.iter().map(one).collect::<Vec<_>>().join(", ");
     (!measured.is_empty()).then(|| {
         Line::flush(format!(
-            "assumed errors of the given club values: {all}; `sigma` states others"
+            "assumed errors of the given club values: {all}; use `sigma` to state other errors"
         ))
     })
 }
@@ -130,7 +130,7 @@ pub(super) fn of_table(
     let failures = failures(all, system);
     if !failures.is_empty() {
         let title = Line::flush(format!(
-            "no delivery was found for {}, left out of the means below:",
+            "no delivery was found for {}; the means below leave out these rows:",
             counted(failures.len() as u64, "row")
         ));
         document.list([title].into_iter().chain(failures));

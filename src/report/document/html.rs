@@ -60,7 +60,7 @@ struct Parts<'a> {
 }
 
 impl Parts<'_> {
-    /// A block in both systems of units, or some figures.
+    /// Converts a block, given in both systems of units, or consecutive figures.
     fn part(&mut self, blocks: &[(&Block, &Block)]) -> Result<Markup> {
         Ok(match blocks {
             [(Block::Heading(metric), Block::Heading(us)), ..] => {

@@ -25,12 +25,12 @@ struct Part {
     detail: Detail,
 }
 
-/// The texts that show a block, by their detail.
+/// The detail of a block. It determines the texts that show the block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Detail {
     /// All texts.
     Answer,
-    /// Texts with every table. Texts for a screen have no space for this block.
+    /// The block is in texts with every table. Texts for a screen have no space for it.
     Rest,
     /// Texts about the computation.
     Computation,
@@ -98,7 +98,7 @@ pub(super) struct Table {
     row_notes: Vec<String>,
     /// Lines directly below the table.
     remarks: Vec<Line>,
-    /// Number of rows in a text that fits a screen.
+    /// Number of rows that a text for a screen shows.
     first_rows: usize,
 }
 
@@ -146,7 +146,7 @@ impl Table {
         }
     }
 
-    /// Limits the rows of a text that fits a screen.
+    /// Limits the number of rows that a text for a screen shows.
     #[must_use]
     pub fn with_first_rows(self, first_rows: usize) -> Self {
         Self { first_rows, ..self }

@@ -47,8 +47,7 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
 /// measure of the horizontal axis.
 struct Drawing<'a> {
     chart: &'a Chart,
-    /// The optimum of the drive as set up, with the value that this drive has of the chart's
-    /// parameter.
+    /// The value of the chart's parameter in the drive as set up, with the optimum of this drive.
     own: Option<(f64, &'a Optimum)>,
     system: System,
     along: Measure,

@@ -3,7 +3,7 @@ use crate::report::shown::{self, words};
 use crate::study::{Difference, Share, Shares};
 use crate::units::{System, counted};
 
-/// Maximum number of bars of each split. The note counts the smaller bars.
+/// Maximum number of bars of each split. The note counts the omitted smaller bars.
 const MOST: usize = 12;
 
 /// The difference of an outcome between two drives as bars, one for each share, the largest on top.
@@ -52,7 +52,7 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
     figure.noted(note)
 }
 
-/// The rows of the axis of names.
+/// The rows of an axis that shows names instead of numbers.
 #[derive(Default)]
 struct Rows {
     names: Vec<String>,

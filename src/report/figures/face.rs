@@ -44,7 +44,7 @@ pub(super) fn above(face: &Face) -> Axis {
     ))
 }
 
-/// The name of the origin for strikes.
+/// The name of the point from which the face measures strikes.
 fn origin(face: &Face) -> &'static str {
     if face.is_from_centre {
         "the centre of the face"
@@ -53,7 +53,7 @@ fn origin(face: &Face) -> &'static str {
     }
 }
 
-/// The name of the origin for tilts and slopes.
+/// The name of the strike to which tilts and slopes refer.
 pub(super) fn reference(face: &Face) -> &'static str {
     if face.sweet_spot.is_some() {
         "the sweet spot"

@@ -31,9 +31,9 @@ const EDGES: Hue = Hue::Series(2);
 const LABELLED: f64 = 0.85;
 
 /// The landings of drives from above at true scale, with the target at the top, the edges of a
-/// fairway and arcs of equal distance from the tee. Each landing has the ellipses of 50 % and 95 %
-/// of the landings for the variation of the golfer's inputs, and the point where the ball comes to
-/// rest. A second view begins at the tee.
+/// fairway, and arcs of equal distance from the tee. For each drive the view has the landing, the
+/// point where the ball comes to rest, and two ellipses. The ellipses contain 50 % and 95 % of the
+/// landings if the golfer's inputs vary. A second view begins at the tee.
 pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     let layers: Vec<Layer> = landings
         .iter()

@@ -38,7 +38,8 @@ const STEPS: usize = 240;
 /// Maximum relative distance of a measured point from the constant Reynolds number or spin ratio.
 const NEAR: f64 = 0.1;
 
-/// A measured point. A quantity over which the source averages is missing.
+/// A measured point. Spin ratio or Reynolds number is missing if the source averages over this
+/// quantity.
 struct Measured {
     spin_ratio: Option<f64>,
     reynolds: Option<f64>,
@@ -51,7 +52,7 @@ struct Measured {
 const COEFFICIENTS: [f64; 2] = [0.0, 0.5];
 
 /// Laws of drag and lift as curves with measured points. The law of the setup has a colour, the
-/// others are grey. Curves are solid in the fitted range, and dashed outside of it or if it is
+/// others are grey. A curve is solid in the fitted range, and dashed elsewhere or if the range is
 /// unknown. Speeds and spins are for the ball and the air of a setup. `constant` is the value of
 /// the variable that is not on the axis: the Reynolds number or the spin ratio.
 pub fn laws_figure(
@@ -99,7 +100,7 @@ fn note(figure: &Figure, used: Option<&str>, constant: &str) -> String {
     let mut notes = vec![];
     notes.extend(used.map(|name| format!("In colour: {name}, the law of the setup.")));
     notes.push(
-        "Solid within what a law was fitted to, dashed beyond it and where that is not known."
+        "Solid within the range of a law's fit, dashed outside of it or if the range is unknown."
             .into(),
     );
     let is_dots = |layer: &Layer| matches!(layer, Layer::Dots { .. });
@@ -118,7 +119,7 @@ fn note(figure: &Figure, used: Option<&str>, constant: &str) -> String {
         ));
     }
     notes.push(
-        "Speeds and spins, for laws that depend on them, are those of the setup's ball in its air."
+        "Laws that depend on the speed or the spin itself are drawn for the setup's ball and air."
             .into(),
     );
     notes.join(" ")
@@ -127,7 +128,7 @@ fn note(figure: &Figure, used: Option<&str>, constant: &str) -> String {
 /// The axes of a plot of laws, with the ball and the air.
 struct LawPlot {
     over: Over,
-    /// The value of the other variable.
+    /// The value of the variable that is not on the horizontal axis.
     constant: f64,
     of: Coefficient,
     /// Radius of the ball, m.
@@ -294,7 +295,7 @@ impl LawPlot {
 fn pieces(curve: &[([f64; 2], bool)], within: bool) -> Vec<[f64; 2]> {
     let mut points: Vec<[f64; 2]> = vec![];
     for (k, (at, is_in)) in curve.iter().enumerate() {
-        // a segment outside extends to the first point within
+        // a segment outside of the range extends to the first point within the range
         let is_next_to = |k: Option<usize>| {
             k.and_then(|k| curve.get(k))
                 .is_some_and(|(_, is_in)| !is_in)
@@ -332,8 +333,8 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
                 values: [Some(drag), Some(lift)],
             })
             .collect(),
-        // the lift, over the spin ratio, is the mean of several balls; the drag, over the Reynolds
-        // number, is from one ball and applies to any spin ratio
+        // lift is a function of the spin ratio (mean of several balls); drag is a function of the
+        // Reynolds number (one ball) and applies to any spin ratio
         Law::Lyu(_) => cells(include_str!("../../../tests/data/lyu_2018.csv"))
             .map(|[reynolds, spin_ratio, drag, lift]| Measured {
                 spin_ratio,

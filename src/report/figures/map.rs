@@ -113,7 +113,7 @@ fn note(map: &Map, on: &OnMap<'_>, [has_region, has_own]: [bool; 2], system: Sys
     );
     if let Some(why) = &map.missing {
         notes.push(format!(
-            "Without colour: no value; the first reason: {}.",
+            "Areas without colour have no value. The reason at the first of them: {}.",
             why.in_units(system)
         ));
     }

@@ -9,7 +9,7 @@ use crate::units::System;
 /// Length of the tangent at the knee, relative to the width of the front.
 const REACH: f64 = 0.2;
 
-/// The Pareto front of two goals: the first goal over the second, with the ends, the knee, the
+/// The Pareto front of two goals: the first goal against the second, with the ends, the knee, the
 /// slope at the knee, and the design before the search. Texts are in the units of `system`.
 pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
     let [y, x] = found.search.goals.each_ref().map(|(goal, _)| measure(goal));

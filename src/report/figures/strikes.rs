@@ -7,8 +7,8 @@ use crate::report::shown;
 use crate::study::Face;
 use crate::units::{Quantity, System};
 
-/// Distance of drawn nodes of a face, in nodes. Few nodes are enough, because the contours are
-/// interpolated with the gradients.
+/// Spacing of the drawn nodes, in nodes of the computed face. Few nodes are enough, because the
+/// contours are interpolated with the gradients.
 const THINNED: usize = 5;
 
 /// Outcomes over the strike on the face: carry, lateral, ball speed and spin axis, seen from the
@@ -102,7 +102,7 @@ fn note(designs: &[(&str, &Face)], system: System) -> String {
         let by_toe = face.by_toe?;
         let change = |i: usize| shown::change(Face::OUTCOMES[i], STEP * by_toe[i], system);
         Some(format!(
-            "{name}: {} of spin axis, {} of lateral, {} of carry",
+            "{name}: spin axis {}, lateral {}, carry {}",
             change(3),
             change(1),
             change(0)
@@ -115,7 +115,7 @@ fn note(designs: &[(&str, &Face)], system: System) -> String {
     let slopes = match told.is_empty() {
         true => String::new(),
         false => format!(
-            "Of a strike 1 mm from {from} towards the toe: {}. ",
+            "Effect of a strike 1 mm from {from} towards the toe: {}. ",
             told.join("; ")
         ),
     };

@@ -175,13 +175,13 @@ fn note(
     match causes {
         Causes::Control => {
             note += &format!(
-                " What the model does not know makes ± {} beside it.",
+                " The uncertain inputs of the model cause a separate uncertainty of ± {}.",
                 sum(Causes::Model)
             )
         }
         Causes::Model => {
             note += &format!(
-                " What you control makes ± {} beside it.",
+                " The parameters that you control cause a separate uncertainty of ± {}.",
                 sum(Causes::Control)
             )
         }

@@ -5,7 +5,7 @@ use crate::reproduce::LoopRow;
 use crate::study::certificate::Row;
 use crate::units::counted;
 
-/// V-curves: the error of plain central differences relative to exact derivatives, over the step.
+/// V-curves: the error of plain central differences relative to exact derivatives, at each step.
 /// Truncation dominates on the right, rounding on the left. Steps are relative to the parameter's
 /// size. Errors are relative to the derivative, or to outcome/size if the derivative is 0. For
 /// comparison, the plot has the differences of a while-loop that overshoots the ground.
@@ -48,7 +48,7 @@ pub fn vcurve_figure<'a>(rows: impl IntoIterator<Item = &'a Row>, loops: &[LoopR
     figure.noted(note(has_loops, exact))
 }
 
-/// Relative errors over relative steps, with the scales of a row.
+/// Relative steps and relative errors, with the scales of a row.
 fn curve(row: &Row, points: &[Point]) -> Vec<[f64; 2]> {
     let unit = if row.first.exact == 0.0 {
         row.ladder.size / row.ladder.scale

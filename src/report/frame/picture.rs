@@ -18,8 +18,8 @@ pub struct TextFile {
     pub text: String,
 }
 
-/// Widths of pictures, pixels: a column on a phone or in print, where text has its normal size, and
-/// a screen.
+/// Widths of pictures, pixels: narrow for a phone or a printed column, where text has its normal
+/// size, and broad for a screen.
 const WIDTHS: [(&str, u32); 2] = [("narrow", 340), ("broad", 560)];
 
 /// A plot drawn in each system.

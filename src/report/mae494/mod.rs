@@ -61,7 +61,8 @@ pub struct OptimumRow {
     pub at: Delivery,
     /// The multipliers of the bounds, by parameter.
     pub multipliers: ByName<Multipliers>,
-    /// The active bounds, `lower` or `upper`, and constraints, `null`.
+    /// The active bounds and constraints by name: `lower` or `upper` for a bound, `null` for a
+    /// constraint.
     pub active: ByName<Option<crate::study::BoundSide>>,
 }
 
@@ -96,9 +97,9 @@ pub struct ConstantReport {
     pub parameter: &'static str,
     /// The value of the constant, SI.
     pub at: f64,
-    /// The derivative of the carry, SI.
+    /// The derivative of the optimal carry by the constant, SI.
     pub value: f64,
-    /// The derivative of the optimum, SI.
+    /// The derivatives of the optimal parameters by the constant, SI.
     pub optimum: ByName<f64>,
 }
 
@@ -110,9 +111,9 @@ pub struct ChangeReport {
     pub parameter: &'static str,
     /// The change of the constant, SI.
     pub change: f64,
-    /// The optimum by derivatives.
+    /// The optimum that the derivatives predict.
     pub predicted: ChangedOptimum,
-    /// The optimum of a new search.
+    /// The optimum from a new search with the changed constant.
     pub resolved: ChangedOptimum,
 }
 

@@ -78,7 +78,7 @@ fn add_slopes(document: &mut Document, noise: &Noise, shown: Published) {
     );
 }
 
-/// Adds a table of longer differences.
+/// Adds a table of finite differences with longer steps.
 fn add_longer_differences(document: &mut Document, noise: &Noise, shown: Published) {
     let rows = noise.longer_differences.iter().map(|slopes| {
         vec![

@@ -65,14 +65,15 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Publish
                 &parts.flight,
             ),
             row(
-                "the same at the greatest ball speed",
+                "the optimum of the flight alone at the greatest ball speed",
                 &found.energy.farthest,
             ),
         ],
     );
     document.paragraph(optima_of_subsystems(found, shown));
     document.paragraph(format!(
-        "The change of carry there in {} for one degree, through each part of the launch (exact):",
+        "At the optimum of the whole: the change of carry in {} for one degree, through each part \
+         of the launch (exact):",
         shown.length_unit()
     ));
     add_parts_of_slopes(document, found, shown);

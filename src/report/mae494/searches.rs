@@ -6,7 +6,7 @@ use crate::report::published::Published;
 use crate::reproduce::{Delivery, Landing, Mae494, Method, Searches};
 use crate::units::Quantity;
 
-/// Largest distance from the best carry of a successful search, m.
+/// Maximum distance of a successful search's carry from the best carry, m.
 const FOUND: f64 = 0.01;
 
 pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published) {
@@ -87,7 +87,7 @@ fn ends(searches: &[Searches], best: &Delivery) -> Figure {
         angle("loft"),
         angle("attack angle"),
     )
-    .noted("The end of a search that does not move hides its start.");
+    .noted("If a search does not move, the mark of its end hides the mark of its start.");
     if let Some(any) = searches.first() {
         let points = any
             .ends

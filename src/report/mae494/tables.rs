@@ -149,7 +149,7 @@ pub(super) fn average(document: &mut Document, found: &Mae494, shown: Published)
         .max_by(|a, b| a.carry.total_cmp(&b.carry));
     let whole = longest.map_or(String::new(), |longest| {
         format!(
-            "Of the lofts computed, {:.0}° has the longest ({}). ",
+            "Of the computed lofts, {:.0}° has the longest average carry ({}). ",
             longest.loft.to_degrees(),
             shown.length(longest.carry)
         )

@@ -55,7 +55,7 @@ pub struct OptimumReport {
     /// The sample of the ranges for comparison with the optimum; `null` for swings, and after an
     /// interruption.
     pub sample: Option<Sample>,
-    /// Every parameter at the optimum. Like launch and flight, it is `null` if no drive flies.
+    /// Every parameter at the optimum. `setup`, `launch` and `flight` are `null` if no drive flies.
     pub setup: Option<Settings>,
     /// The launch of the optimal drive; `null` for swings.
     pub launch: Option<LaunchReport>,
@@ -64,12 +64,13 @@ pub struct OptimumReport {
     pub flight: Option<ByName<Number>>,
     /// The fitted range of the law, and the fraction of the optimal drive's flight outside of it.
     pub law_range: Option<LawRanges>,
-    /// For each varied parameter, its range when it alone varies and costs at most the loss; `null`
-    /// for swings, and without an optimum.
+    /// For each varied parameter: the range in which it can vary alone and lose at most
+    /// `window_loss`; `null` for swings, and without an optimum.
     pub window: Option<ByName<WindowReport>>,
-    /// The loss of the windows, SI.
+    /// The loss allowed in each window, SI.
     pub window_loss: Number,
-    /// The part of the gain that needs no other swing; `null` unless club and swing are varied.
+    /// The part of the gain that the club gives with the swing as set up; `null` unless club and
+    /// swing are varied.
     pub club_alone: Option<ClubAloneReport>,
     /// The setup file that was written; `null` without one.
     pub file: Option<String>,
@@ -96,8 +97,9 @@ pub struct ConstraintReport {
     /// The distance of the value from the limits, SI; 0 within them.
     pub violation: f64,
     /// The gain of the objective for each SI unit by which the limit is relaxed, ≥ 0; for an
-    /// equation, for each SI unit by which its right side is raised. `robust`: the decrease of the
-    /// greatest loss, negative if the best design of a model gains more.
+    /// equation, for each SI unit by which its right side is raised. For `robust`, the gain is the
+    /// decrease of the greatest loss. It is negative if relaxing the limit improves the best design
+    /// of a model more than the robust design.
     pub multiplier: f64,
 }
 

@@ -75,7 +75,7 @@ fn club_text(optimum: &Optimum, club: &ClubAlone, system: System) -> String {
     )
 }
 
-/// The range of a parameter that alone varies and costs at most the stated loss.
+/// The range in which a parameter can vary alone and lose at most the stated loss.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct WindowReport {
@@ -110,13 +110,13 @@ fn limit_name(optimum: &Optimum, limit: WindowLimit) -> String {
     }
 }
 
-/// The part of a gain that needs no other swing, SI.
+/// The gain split into the part of the club with the swing as set up, and the rest, SI.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ClubAloneReport {
     /// The gain of the best club with the swing as set up, SI.
     pub club_gain: f64,
-    /// The further gain if the swing is changed too, SI.
+    /// The additional gain if the swing changes too, SI.
     pub swing_gain: f64,
     /// The best club with the swing as set up, SI.
     pub optimum: ByName<Number>,

@@ -35,8 +35,8 @@ pub fn optimize_document(
     document
 }
 
-/// One optimum for readers: the result first, the convergence last. Without an optimum, the status
-/// is the answer.
+/// One optimum for readers: the result first, the convergence last. Without an optimum, the
+/// document has only the status of the search.
 pub fn optimum_document(
     optimum: &Optimum,
     over: &OverSwings,

@@ -153,7 +153,7 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
     }
     let unit = system.unit(parameter.unit);
     let is_corner = best.solution.kink.is_some_and(|kink| kink.variable == i);
-    // a whole unit is a large step for a number without unit
+    // for a number without unit, a change of 1 is too large
     if is_corner || unit.is_empty() {
         return Some(bound_in_words(best, i, system));
     }
@@ -200,7 +200,7 @@ fn what_is_known(findings: &Findings) -> Markup {
     };
     html! {
         p.faint {
-            "± is one standard uncertainty: that of " (names.join(", ")) (others) " together."
+            "± is one standard uncertainty. It comes from " (names.join(", ")) (others) " together."
             @if findings.at_best.is_some() {
                 " An error that is the same in both drives changes both, so the change is known \
                  better."

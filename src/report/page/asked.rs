@@ -191,7 +191,7 @@ fn wind(findings: &Findings, system: System) -> String {
         let row = findings.stated.parameter(name);
         row.is_ok_and(|row| findings.stated.why_replaced(row).is_none() && value(row))
     };
-    // a wind from 0° has a speed: the direction 0 is a value
+    // the direction is stated if the wind has a speed, because 0° is a direction too
     let is_given = |name: &&str| {
         blows(if *name == "wind.from" {
             "wind.speed"

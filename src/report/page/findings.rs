@@ -10,7 +10,8 @@ use crate::study::{
 };
 use crate::units::{Message, System};
 
-/// The setup file of a report, with the optimal drive or else the drive as set up.
+/// The setup file of a report. It has the optimal drive, or the drive as set up if there is no
+/// optimum.
 pub const SETUP_FILE: &str = "setup.toml";
 
 /// Name of the explorer's file in the folder of a report.
@@ -36,7 +37,7 @@ pub struct Findings {
     pub of: Outcome,
     /// The preset of the setup.
     pub preset: &'static Preset,
-    /// The drive as set up, and at the optimum.
+    /// The drive as set up, and the drive at the optimum.
     pub flown: Vec<NamedDrive>,
     /// The landings of the drives that fly.
     pub landings: Vec<Landing>,

@@ -1,5 +1,5 @@
-//! The gain from the drive as set up to the optimum: by the best club alone, and by another swing
-//! too.
+//! The gain from the drive as set up to the optimum: first with the best club alone, then with the
+//! best swing too.
 
 use super::findings::Findings;
 use super::numbers::outcome;
@@ -51,7 +51,7 @@ pub(super) fn steps(findings: &Findings, best: &Optimum) -> Markup {
     }
 }
 
-/// The outcome of the report. Carry is followed by the total, and the total by the carry.
+/// The outcome of the report; with the carry also the total, and with the total also the carry.
 fn outcomes(of: Outcome) -> Vec<Outcome> {
     match of {
         Outcome::Carry => vec![of, Outcome::Total],

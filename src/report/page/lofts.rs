@@ -43,8 +43,8 @@ pub(super) fn lofts(plane: &Plane) -> Markup {
     }
 }
 
-/// The node of the longest carry in a column; `None` in the first and the last row, beyond which
-/// the carry may be longer.
+/// The node of the longest carry in a column. `None` if this node is in the first or last row,
+/// because the carry may be longer beyond the table.
 fn longest(plane: &Plane, rows: &[usize], column: usize) -> Option<usize> {
     let nodes = rows.iter().map(|row| row + column);
     let known = nodes.filter_map(|node| Some((node, plane.values[0][node]?)));

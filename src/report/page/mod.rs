@@ -98,7 +98,7 @@ fn plots(findings: &Findings) -> Plots {
         // finite differences without any error, such as for a derivative of 0, have no curve
         curves: Some(vcurve_figure(&findings.rows, &findings.loops))
             .filter(|figure| figure_svg(figure, &Look::default()).is_ok())
-            // its texts have no units
+            // the texts of these curves have no units
             .map(|figure| in_each(|_| figure.clone()))
             .into_iter()
             .collect(),
@@ -228,7 +228,7 @@ fn page(findings: &Findings, plots: &Plots) -> Result<String> {
 
 fn main(findings: &Findings, plots: &Plots) -> Result<Markup> {
     let of = shown::words(findings.of.name());
-    // the reason is at the beginning of the summary
+    // the beginning of the summary already has this reason
     let why = findings.why_not_flown();
     let is_told = |remark: &&Message| {
         why.as_ref()

@@ -258,8 +258,8 @@ fn is_of_strike(findings: &Findings, name: &str) -> bool {
     [GOLFER, SPEED_OF].contains(&name) || parameter.is_ok_and(Parameter::is_of_strike)
 }
 
-/// The source of a value; a remark instead for an automatically chosen method or step, and for spin
-/// values that the launch does not state.
+/// The source of a value. A method or step that the program chose, and a spin value that the launch
+/// does not state, have a remark instead.
 fn source_of(findings: &Findings, row: &SourcedValue) -> String {
     let (flown, stated) = (&findings.setup, &findings.stated);
     let is_chosen = match row.name {
@@ -268,7 +268,7 @@ fn source_of(findings: &Findings, row: &SourcedValue) -> String {
         _ => false,
     };
     if is_chosen {
-        return "chosen for the accuracy of the flight".into();
+        return "chosen by the program for the accuracy of the flight".into();
     }
     // a launch states its spin as total and axis, or as backspin and sidespin
     let is_total = |name: &str| ["launch.spin", "launch.spin_axis"].contains(&name);

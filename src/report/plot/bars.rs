@@ -1,5 +1,5 @@
-//! Bars of an axis of names. Each row has the same height, with its name on the left, or above in a
-//! narrow picture, and with the values at the ends of the bars.
+//! Bars on an axis that shows names instead of numbers. Each row has the same height, with its name
+//! on the left, or above in a narrow picture, and with the values at the ends of the bars.
 
 use super::axis::{Axis, Scale};
 use super::canvas::{Anchor, Canvas, Font, Stroke, TEXT};
@@ -32,7 +32,7 @@ const APART: f64 = 7.5;
 /// Distance between a bar's end and its value, pixels.
 const GAP: f64 = 4.0;
 
-/// The rows of an axis of names, and the position of the names.
+/// The rows of an axis that shows names, and the position of the names.
 pub(super) struct Rows {
     names: Vec<Vec<String>>,
     is_above: bool,

@@ -14,7 +14,7 @@ pub(super) const SIGN: f64 = 24.0;
 /// The height of a line of text, pixels.
 pub(super) const LINE: f64 = 19.0;
 
-/// The side of a text, or its middle, that is at its position.
+/// The part of a text that is at its position: a side, or the middle.
 #[derive(Clone, Copy)]
 pub(super) enum Anchor {
     Left,
@@ -77,7 +77,7 @@ impl Canvas {
         self.svg.push('\n');
     }
 
-    /// Typeset text with its vertical middle at a position.
+    /// Draws typeset text with its vertical middle at a position.
     pub fn text(&mut self, text: &str, [x, y]: [f64; 2], anchor: Anchor, font: Font) {
         let anchor = match anchor {
             Anchor::Left => "start",

@@ -13,7 +13,8 @@ pub(super) struct Ground {
     pub level: f64,
     /// The position among the levels, 0 to 1.
     pub part: f64,
-    /// The outlines in the coordinates of the axes, SI. A line without width leads to a hole.
+    /// The outlines in the coordinates of the axes, SI. A line without width connects a hole with
+    /// its outline.
     pub outlines: Vec<Vec<[f64; 2]>>,
     /// The boundary inside the map.
     pub lines: Vec<Vec<[f64; 2]>>,
@@ -90,7 +91,7 @@ fn outlined(field: &Field, refined: &Refined, levels: &[f64]) -> Vec<Ground> {
         .enumerate()
         .map(|(i, (contour, level))| {
             let polygons = contour.geometry().0.iter();
-            // the crate puts the first node at ½ and closes rings half a cell outside
+            // the crate puts the first node at ½, and closes rings half a cell outside of the grid
             let node = |at: f64, count: usize| (at - 0.5).clamp(0.0, (count - 1) as f64);
             let node = |x: f64, y: f64| [node(x, columns), node(y, rows)];
             let part = (i + 1) as f64 / levels.len() as f64;
@@ -237,10 +238,10 @@ fn dense_stretch(
 
 /// Maximum number of lines before refinement, approximately.
 const FIRST_LINES: f64 = 8.0;
-/// Share of the map above which a further interval gets finer levels.
+/// Share of the map above which a neighbouring interval gets finer levels too.
 const LARGE: f64 = 0.12;
-/// Minimum share of the map of the first interval to refine, relative to the average share of all
-/// intervals.
+/// Minimum share of the map that the first interval to refine covers, relative to the average share
+/// of all intervals.
 const DENSE: f64 = 1.5;
 /// Maximum number of lines after refinement.
 const LINES: usize = 14;

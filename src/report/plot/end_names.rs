@@ -191,11 +191,11 @@ mod tests {
         let heights = [10.0; 4];
         let ends = [0.0, 100.0];
         for (wanted, middles) in [
-            // apart: each where it is wanted
+            // wanted middles far apart: each box has its wanted middle
             ([10.0, 30.0, 50.0, 90.0], [10.0, 30.0, 50.0, 90.0]),
-            // two at one place move equally
+            // two boxes that are wanted at one place move by equal distances
             ([10.0, 50.0, 50.0, 90.0], [10.0, 45.0, 55.0, 90.0]),
-            // at the ends they stay inside
+            // boxes that are wanted at the limits stay between the limits
             ([0.0, 0.0, 50.0, 100.0], [5.0, 15.0, 50.0, 95.0]),
             ([98.0, 99.0, 100.0, 100.0], [65.0, 75.0, 85.0, 95.0]),
         ] {

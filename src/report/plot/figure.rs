@@ -15,14 +15,14 @@ pub struct Figure {
     pub x: Axis,
     /// The vertical axis.
     pub y: Axis,
-    /// Height over width of the frame of the axes. An axis of names has a fixed height for each row
-    /// instead.
+    /// Height over width of the frame of the axes. An axis that shows names has a fixed height for
+    /// each row instead.
     pub aspect: f64,
     /// The layers, from the lowest to the highest.
     pub layers: Vec<Layer>,
     /// The place of the names of lines.
     pub line_names: LineNames,
-    /// Further views, drawn after this one. Views without contours show the data of this view.
+    /// More views, drawn after this view. Views without contours show the data of this view.
     pub panels: Vec<Figure>,
     /// Number of views side by side, if the picture is wide enough.
     pub columns: usize,
@@ -139,7 +139,7 @@ pub enum Layer {
         /// The boundaries: x, low, high.
         points: Vec<[f64; 3]>,
     },
-    /// Horizontal bars, for an axis of names.
+    /// Horizontal bars, for an axis that shows names.
     Bars {
         /// The name.
         name: String,
@@ -165,7 +165,7 @@ pub enum Layer {
         name: String,
         /// The colour.
         hue: Hue,
-        /// The coordinates of its middle.
+        /// The coordinates of the label's middle.
         at: [f64; 2],
     },
     /// Arrows.
@@ -183,9 +183,9 @@ pub enum Layer {
         name: String,
         /// The colour.
         hue: Hue,
-        /// True for a forbidden region, which is hatched; others are tinted and outlined.
+        /// True for a forbidden region, which is hatched; other regions are tinted and outlined.
         is_hatched: bool,
-        /// The outlines. A line without width leads to a hole.
+        /// The outlines. A line without width connects a hole with its outline.
         rings: Vec<Vec<[f64; 2]>>,
     },
     /// A rectangle.

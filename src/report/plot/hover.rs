@@ -45,7 +45,7 @@ fn title(figure: &Figure, name: &str, [x, y]: [f64; 2], system: System) -> Strin
         .join(", ")
 }
 
-/// The points of a layer that have a tooltip each, with its name.
+/// The points of a layer that have one tooltip each, with the name of the layer.
 fn points(layer: &Layer) -> Vec<(&str, [f64; 2])> {
     let name = layer.named().0;
     match layer {
@@ -62,7 +62,7 @@ fn points(layer: &Layer) -> Vec<(&str, [f64; 2])> {
     }
 }
 
-/// The pieces of a line with too many points for a tooltip each, with its name.
+/// The pieces of a line that has too many points for one tooltip each, with the name of the line.
 fn long_lines(layer: &Layer) -> Vec<(String, &[[f64; 2]])> {
     match layer {
         Layer::Line { name, points, .. } if points.len() > FEW => points
@@ -93,7 +93,7 @@ fn contours_of<'a>(
     grounds.iter().flat_map(of).collect()
 }
 
-/// A value with the name of its axis: "carry 279.2 yd"; for an axis of names, only the name.
+/// A value with the name of its axis: "carry 279.2 yd". On an axis that shows names: only the name.
 fn on_axis(axis: &Axis, value: f64, system: System) -> String {
     match &axis.scale {
         Scale::Names(names) => names

@@ -218,7 +218,7 @@ mod tests {
     }
 
     /// Halving the distance of the nodes divides the error by 16; the one-sided differences at the
-    /// edges lower this to 8.
+    /// edges lower this factor to 8.
     #[test]
     fn order_of_the_interpolation_is_three_or_more() {
         let wave = |x: f64, y: f64| {

@@ -17,7 +17,7 @@ const BARS_APART: f64 = 32.0;
 
 /// Width of the lines of background elements, pixels.
 const THIN: f64 = 1.2;
-/// Width of other lines, pixels.
+/// Width of the lines of foreground elements, pixels.
 pub(super) const WIDE: f64 = 2.0;
 
 /// Radius of a dot, pixels.
@@ -211,8 +211,8 @@ pub(super) fn place_on(
         .copied()
 }
 
-/// True if a label centred on a point is inside the frame and covers nothing, also not within
-/// `apart` pixels beside it.
+/// True if a label centred on a point is inside the frame and covers nothing, even with a margin of
+/// `apart` pixels on its left and right.
 pub(super) fn has_room(
     labels: &Labels<'_>,
     plane: &Plane,

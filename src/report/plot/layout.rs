@@ -39,7 +39,7 @@ pub(super) struct Layout<'a> {
     /// The titles of the axes, wrapped into lines.
     pub x_title: Vec<String>,
     pub y_title: Vec<String>,
-    /// The rows of an axis of names.
+    /// The rows of an axis that shows names.
     pub rows: Option<Rows>,
     /// The names at the ends of lines.
     pub end_names: Option<EndNames<'a>>,
@@ -128,7 +128,7 @@ fn axes(
 }
 
 /// The horizontal axis with the largest number of ticks whose texts do not overlap, and the left
-/// and right end of the frame, which leaves the width `beside` free.
+/// and right end of the frame. The frame leaves the width `beside` free.
 fn across(
     figure: &Figure,
     system: System,

@@ -11,7 +11,8 @@ const SIZE: f64 = 6.5;
 /// Distance between a mark and a label beside it, pixels.
 const GAP: f64 = 9.0;
 
-/// Height of a label beside its mark at which a level line through the mark stays free, pixels.
+/// Vertical distance of a label's middle from its mark, pixels. At this distance a horizontal line
+/// through the mark does not cross the label.
 const HALF_LINE: f64 = 0.65 * LINE;
 
 /// Larger distances of a label from its mark, pixels, if lines run through all nearer positions.
@@ -139,8 +140,8 @@ fn merged(marks: Vec<Mark>) -> Vec<Mark> {
     apart
 }
 
-/// Writes the labels without a symbol, moved sideways into the frame, where they cover no other
-/// label.
+/// Writes the labels that have no symbol, moved sideways into the frame. Omits a label that would
+/// cover another label.
 pub(super) fn write_texts(labels: &mut Labels<'_>, plane: &Plane, figure: &Figure) {
     for layer in &figure.layers {
         let Layer::Text { name, hue, at } = layer else {
@@ -187,7 +188,7 @@ fn lines(plane: &Plane, figure: &Figure) -> Vec<[f64; 2]> {
     });
     let mut places = vec![];
     for piece in lines.flatten() {
-        // the length since the last of these points
+        // the length of the line since the last point of `places`
         let mut gone = STEP;
         for ends in piece.windows(2) {
             let [dx, dy] = [0, 1].map(|axis| ends[1][axis] - ends[0][axis]);
@@ -299,7 +300,7 @@ pub(super) fn write_line_names(labels: &mut Labels<'_>, plane: &Plane, figure: &
         }
         match place_on(labels, plane, &places, name, APART) {
             Some(middle) => labels.write(name, middle, color, true),
-            // a line without a name could not be identified
+            // without its name, the line could not be identified
             None => {
                 if let Some(at) = places.get(places.len() / 2) {
                     write_near(labels, plane, name, *at, color, LINE);

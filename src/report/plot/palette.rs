@@ -24,7 +24,7 @@ pub struct Palette {
     pub faint: Color,
     /// Grid lines.
     pub mesh: Color,
-    /// Missing values of a field.
+    /// The colour of missing values of a field.
     pub nothing: Color,
     series: [Color; Hue::SERIES],
     /// The colours of the lowest, middle and highest region of a field.

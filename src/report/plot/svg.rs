@@ -1,4 +1,4 @@
-//! The picture of a figure, with its further views below.
+//! The picture of a figure, with the views of its `panels` below.
 
 use super::canvas::{Anchor, Canvas, Font, LINE, Labels, Stroke, TEXT};
 use super::contour::grounds;
@@ -89,7 +89,7 @@ pub fn figure_svg(figure: &Figure, look: &Look) -> Result<String> {
     Ok(svg.0 + "\n")
 }
 
-/// Draws a figure without its further views.
+/// Draws a figure without its `panels`.
 ///
 /// # Errors
 /// [`Error::Plot`](crate::Error::Plot) if no part of the figure can be shown on its axes, or if the
@@ -112,7 +112,7 @@ fn panel(figure: &Figure, look: &Look) -> Result<Canvas> {
 fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &Layout<'_>) {
     let plane = &layout.plane;
     draw_axes(canvas, plane, figure);
-    // computed once for drawing, labels and tooltips
+    // the contours are computed once for drawing, labels and tooltips
     let contours = |layer: &Layer| match layer {
         Layer::Contours(field) => grounds(field, system),
         _ => vec![],

@@ -12,7 +12,7 @@ pub(super) struct Drawn {
     system: System,
     /// The size of the unit, SI.
     unit: f64,
-    /// The number of the SI value 0 in the unit.
+    /// The value in the unit that is 0 in SI.
     zero: f64,
     pub low: f64,
     pub high: f64,

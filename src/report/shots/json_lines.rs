@@ -22,7 +22,7 @@ const LAUNCH: [&str; 5] = [
 #[derive(Clone, Debug)]
 pub(super) struct Keys {
     of: Vec<Outcome>,
-    /// The further parameters, which have a value in every row.
+    /// The parameters besides the launch, each with a value in every row.
     further: Vec<&'static str>,
     /// The export, with the text `"COLUMN HEAD":` for each of its columns.
     cells: Option<(Arc<Export>, Vec<String>)>,
@@ -48,7 +48,7 @@ pub struct FlyRow {
     /// The launch that is flown; `null` for a refused row.
     #[schemars(extend("required" = LAUNCH))]
     launch: Option<ByOutcome<Number>>,
-    /// Other parameters of the setup that the row states.
+    /// The parameters besides the launch that the row states.
     parameters: ByName<Number>,
     /// The delivery of the club that the row states.
     #[schemars(extend("propertyNames" = { "enum": Club::NAMES }))]
@@ -85,7 +85,7 @@ enum RowStatus {
 #[schemars(untagged)]
 #[expect(dead_code, reason = "only its schema is used")]
 enum OriginalRow {
-    /// The cells by their column heads, or the message.
+    /// The cells by their column heads; the message, if the shot came as a message.
     Cells(serde_json::Map<String, serde_json::Value>),
     /// The text, if it cannot be divided into cells.
     Text(String),
@@ -260,7 +260,8 @@ impl Keys {
     fn own(&self, row: &str, is_unreadable: bool, bytes: &mut Vec<u8>) {
         match &self.cells {
             _ if is_unreadable => text(bytes, row),
-            // a JSON string cannot contain a line break
+            // a line break in a JSON message is only white space, because a string cannot contain
+            // it
             None => bytes.extend(row.bytes().map(|byte| {
                 if matches!(byte, b'\n' | b'\r') {
                     b' '

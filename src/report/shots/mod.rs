@@ -30,10 +30,10 @@ use screen::Screen;
 /// Format of flown shots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShotFormat {
-    /// The rows of the export, unchanged, with further columns for the predictions. Messages have
-    /// the columns of [`LaunchMonitor`](Self::LaunchMonitor).
+    /// The rows of the export, unchanged, with added columns for the predictions. If the shots came
+    /// as messages, the columns are those of [`LaunchMonitor`](Self::LaunchMonitor).
     Csv,
-    /// The columns of a launch monitor for any kind of source, with further columns for the
+    /// The columns of a launch monitor for any kind of source, with added columns for the
     /// predictions.
     LaunchMonitor,
     /// A JSON object per row, in SI.

@@ -12,8 +12,8 @@ const LINE: usize = 5;
 /// Width of each other column, in characters.
 const WIDTH: usize = 15;
 
-/// The launch of each shot, and its first outcome: the predicted value, and the predicted minus the
-/// measured value.
+/// The launch of each shot, and the first requested outcome: the predicted value, and the predicted
+/// minus the measured value.
 #[derive(Clone, Debug)]
 pub(super) struct Screen {
     pub of: Option<Outcome>,

@@ -24,7 +24,7 @@ pub struct ShotsReport<'a> {
     pub rows: u64,
     /// Number of rows whose ball landed.
     pub flown: u64,
-    /// The other rows, by kind of reason.
+    /// The rows whose ball did not land, by kind of reason.
     pub refused: Vec<RefusedRows>,
     /// Number of rows with assumed values, or with values that are not compared.
     pub noted: u64,
@@ -46,7 +46,7 @@ pub struct ShotsReport<'a> {
 pub struct RefusedRows {
     /// The kind of reason.
     pub kind: &'static str,
-    /// Their number, and the first of them.
+    /// The number of these rows, and the first one.
     #[serde(flatten)]
     pub refused: Refused,
 }
@@ -337,7 +337,7 @@ fn counts(tally: &ShotStatistics, source: Option<&'static str>) -> Vec<Line> {
     let remarks = [
         (
             tally.noted,
-            "with values that are assumed or not compared (see their notes)",
+            "with values that are assumed or not compared (see the notes of these rows)",
         ),
         (
             tally.spin_not_measured,

@@ -107,7 +107,7 @@ impl SweepParquet {
         self.foot_with(groups, &[])
     }
 
-    /// The footer with further notes by key.
+    /// The footer with these notes by key.
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow `groups` or `notes`.

@@ -34,20 +34,21 @@ impl Over {
     }
 }
 
-/// The set of optima to plot. Its club gives launch angle and spin in the ratio of the chart.
+/// The set of optima to plot. The impact of its club gives launch angle and spin in the ratio of
+/// the chart.
 const OPTIMA: &str = "chart-optima-impact";
 
 /// Name of the band for the difference between two launch monitors.
 const INSTRUMENTS: &str = "two launch monitors";
 /// Note on the band for the difference between two launch monitors.
-const BAND: &str = "The band is what two launch monitors differ by on a single drive, one standard \
-                    deviation (Bliss & Langdown 2026): 6.7 yd of carry, 12.3 ft of apex, 3.9° of \
-                    descent, 513 rpm.";
+const BAND: &str = "The band is one standard deviation of the difference between two launch \
+                    monitors on the same drive (Bliss & Langdown 2026): 6.7 yd of carry, 12.3 ft \
+                    of apex, 3.9° of descent, 513 rpm.";
 const OPTIMUM: &str =
-    "Computed at the loft of the longest carry, less the spin that TrackMan's chart has there.";
+    "Computed spin at the loft of the longest carry, minus the spin on TrackMan's chart.";
 
-/// Plots of the predicted carry over the measured carry, and of the residuals of carry, apex,
-/// descent and spin.
+/// Plots of the predicted against the measured carry, and of the residuals of carry, apex, descent
+/// and spin.
 pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
     let measured: Vec<&SetScores> = found.iter().filter(|set| set.set.is_measured()).collect();
     let optima: Vec<&SetScores> = found.iter().filter(|set| set.set.name == OPTIMA).collect();
@@ -79,7 +80,7 @@ fn drawn(sets: &[&SetScores]) -> Vec<&'static str> {
     laws
 }
 
-/// Plot of the predicted carry over the measured carry with the default law, a series for each set.
+/// Plot of the predicted against the measured carry with the default law, a series for each set.
 fn carry(sets: &[&SetScores]) -> Figure {
     let default = Law::default().name();
     let measure = |words: &str| Measure::new(format!("{words} carry"), Quantity::LENGTH, "yd");
@@ -119,7 +120,7 @@ fn carry(sets: &[&SetScores]) -> Figure {
     figure.noted(BAND)
 }
 
-/// The residuals of a quantity over a speed, a series for each law.
+/// The residuals of a quantity against a speed, a series for each law.
 fn residuals(
     sets: &[&SetScores],
     laws: &[&'static str],

@@ -170,10 +170,10 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Publis
         found.table2.iter().map(|row| line(row, false, shown)),
     );
     let slips = MISPRINTS.map(|(table, row, scanned, taken)| {
-        format!("Table {table} at {row}° prints {scanned}, and {taken} is taken")
+        format!("Table {table} at {row}° prints {scanned}; {taken} is used instead")
     });
     document.paragraph(format!(
-        "Three numbers of the scanned paper do not fit columns that are smooth otherwise: {}.",
+        "Three numbers of the scanned paper do not fit their otherwise smooth columns: {}.",
         slips.join("; ")
     ));
     document.figure(ridges(found));
