@@ -29,7 +29,7 @@ struct Results {
     room: usize,
     /// Number of computed rows.
     done: usize,
-    /// The points, then outcomes, then derivatives, a column of `room` numbers each.
+    /// Columns of `room` numbers each: first the points, then the outcomes, then the derivatives.
     columns: Vec<f64>,
     status: Vec<i8>,
     /// Hessians of the rows.
@@ -293,7 +293,7 @@ pub fn batch<'py>(
             Err(other) => return Err(other),
         };
         if let (Some(progress), None, true) = (progress, &raised, total > 0) {
-            // Ctrl-C here keeps the rows
+            // a Ctrl-C in this call does not discard the rows
             raised = progress.call1((total, total)).err();
         }
         let results = shared
@@ -348,9 +348,9 @@ fn none(
         .map(|(status, count)| format!("{count} {status}"))
         .collect();
     let which = if of.len() == 1 {
-        "the outcome"
+        "the requested outcome"
     } else {
-        "any of the outcomes"
+        "any of the requested outcomes"
     };
     let why = (|| {
         let mut first = *setup;
@@ -371,10 +371,7 @@ fn none(
     let why = why
         .err()
         .map_or(String::new(), |why| format!("; row 0: {why}"));
-    format!(
-        "no drive has {which} that was asked for: {}{why}",
-        ended.join(", ")
-    )
+    format!("no drive has {which}: {}{why}", ended.join(", "))
 }
 
 /// The ranges for which a sweep chooses its step: the ranges in `given`. The points may cover only
@@ -468,7 +465,7 @@ fn compute(
         batch.run(&mut arrays, &run, piece, sink)?;
         return Ok(());
     }
-    // one chunk needs no threads
+    // a single chunk needs no other threads
     arrays.seek(run.first_row)?;
     let mut values = vec![];
     match arrays.read(CHUNK, &mut values)? {

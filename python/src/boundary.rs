@@ -68,7 +68,7 @@ fn raised(name: &str, message: String, status: Option<&str>) -> PyErr {
     })
 }
 
-/// Converts the error of a text that is not Unicode to bad input.
+/// Converts the error of a text that is not valid Unicode to an error of bad input.
 fn half_a_character(error: PyErr) -> PyErr {
     Python::attach(|py| {
         if !error.is_instance_of::<PyUnicodeEncodeError>(py) {

@@ -51,7 +51,7 @@ fn pool() -> std::io::Result<&'static ThreadPool> {
 /// `OWN` is never freed.
 #[expect(
     unsafe_code,
-    reason = "a pointer that Box::into_raw made, to what is never freed and only read"
+    reason = "the pointer is from Box::into_raw; its target is never freed, and only read"
 )]
 fn shared(own: *const Own) -> Option<&'static Own> {
     // SAFETY: null, or from Box::into_raw in `pool`, and never freed
@@ -104,8 +104,9 @@ pub fn run_drive<R: Send + 'static>(
     unpanicked(|| py.detach(|| work(&AtomicBool::new(false))))
 }
 
-/// Like `run`, for work with an answer after an interruption. `patience` stops the work and returns
-/// the time that the work may take to answer. A second Ctrl-C ends the waiting at once.
+/// Like `run`, for work that can answer with its result so far after an interruption. `patience`
+/// stops the work and returns the time that the work may take to answer. A second Ctrl-C ends the
+/// waiting at once.
 pub fn run_to_answer<R: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send + 'static,
@@ -117,7 +118,7 @@ pub fn run_to_answer<R: Send + 'static>(
     let (finished, mut result) = sync_channel(1);
     let stopped = Arc::clone(&stop);
     pool.spawn(move || {
-        // the receiver is gone if Python did not wait
+        // the receiver does not exist any more if Python did not wait
         let _ = finished.send(unpanicked(|| work(&stopped)));
     });
     // the exception of the interruption, and the time until which the answer is awaited

@@ -35,7 +35,7 @@ pub struct Call {
 /// The value of an argument.
 #[derive(Clone, Debug)]
 pub enum Value {
-    /// On or off, as `overwrite`.
+    /// On or off, for an option such as `overwrite`.
     Switch(bool),
     /// A text, as on the command line.
     Text(OsString),
@@ -294,7 +294,7 @@ pub fn with_degrees(error: Error, bare_angles: &[f64]) -> Error {
     };
     let parameter = parameter(&name).or_else(|| parameter(&format!("launch.{name}")));
     let is_angle = parameter.is_some_and(|parameter| parameter.quantity == Quantity::ANGLE);
-    // the message rounds the value
+    // find the angle with a tolerance: the error has a rounded value
     let told: Option<f64> = value.split(' ').next().and_then(|text| text.parse().ok());
     let is_told = |number: &&f64| {
         told.is_some_and(|told| is_angle && (told - **number).abs() <= 1e-5 * number.abs())

@@ -317,7 +317,7 @@ impl Program {
 
 /// True if `--json` is among the arguments of the command.
 fn asks_for_json(matches: &ArgMatches) -> bool {
-    // an error for a command without this option
+    // `try_get_one` fails for a command without this option
     let json = matches.try_get_one::<bool>("json").ok().flatten();
     let below = matches.subcommand();
     json == Some(&true) || below.is_some_and(|(_, matches)| asks_for_json(matches))

@@ -346,7 +346,7 @@ fn say(reply: &Reply<Empty>) {
     let _ = running().host.print(&answer.text);
 }
 
-/// The progress of parts of this name.
+/// The progress of countable parts; `of` is their name in plural.
 pub fn bar(of: &str) -> SharedProgress {
     shown(Work::Parts(of))
 }

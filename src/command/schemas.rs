@@ -20,7 +20,7 @@ const DIALECT: &str = "https://json-schema.org/draft/2020-12/schema";
 
 /// The body of an answer in JSON.
 pub trait Body: JsonSchema {
-    /// The status words of its answers.
+    /// The status words of answers with this body.
     fn statuses() -> Vec<&'static str>;
 }
 

@@ -246,7 +246,7 @@ pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
     Outcome::named(text.trim()).map_err(|error| match text.contains('(') {
         true => {
             let source = format!(
-                "{text} is of many swings; give these too, with `swings FILE` or \
+                "{text} is a goal over many swings; give the swings too, with `swings FILE` or \
                  `distribution NAME=KIND(…)`"
             );
             Error::unreadable(option, source)
@@ -255,8 +255,8 @@ pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
     })
 }
 
-/// The identity of a search for its checkpoint: the numbers of setup and search in debug form, to
-/// the last digit, without the iteration limit.
+/// The identity of a search for its checkpoint: setup, search and number of starts in debug form,
+/// with all digits, but without the iteration limit.
 fn question(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
     let options = Options {
         max_iterations: 0,

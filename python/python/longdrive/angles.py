@@ -27,7 +27,7 @@ __all__ = [
 ]
 
 _LARGEST = 0.5
-"""Angles above this are suspected to be degrees, rad; few angles of a drive are larger."""
+"""Larger angles without a unit, rad, were probably meant in degrees."""
 
 
 def check_unit(angles: Any) -> AngleUnit:
@@ -101,7 +101,7 @@ class BareAngles:
 
 
 def columns_in_radians(points: Mapping[str, Any], angles: AngleUnit) -> dict[str, Any]:
-    """Points of a batch with their angles in radians; texts with units stay."""
+    """Points of a batch with all numeric angles in radians; texts keep their units."""
     if check_unit(angles) == "rad":
         return dict(points)
     return {

@@ -46,7 +46,7 @@ def draw(ax: Any, data: bytes, title: str) -> None:
     heads, *rows = csv.reader(io.StringIO(data.decode("utf-8")))
     layers: dict[tuple[str, str], list[list[str]]] = {}
     for row in rows:
-        # column `name` of a bar is its label, not the name of its layer
+        # in the row of a bar, the column `name` has the label of the bar, not a layer's name
         name = "" if row[0] == "bar" else row[1]
         layers.setdefault((row[0], name), []).append(row)
     for (kind, name), members in layers.items():

@@ -69,7 +69,7 @@ class Picture(Reply):
         path, form = Path(path_of("path", path)), self["form"]
         if path.suffix.lower() != form:
             advice = (
-                f", or give the plot itself output='{path}', to have it in that format"
+                f", or make the plot with output='{path}' to have it in that format"
                 if path.suffix.lower() in _FORMATS
                 else ""
             )

@@ -26,7 +26,7 @@ pub struct Request {
     pub settings: Vec<Setting>,
     /// The source with the settings applied; parameters without a default may be missing.
     setup: Setup<f64>,
-    /// The length of `--tolerance`, the maximum error of a length, m.
+    /// The value of `--tolerance`: the maximum error of a length, m.
     tolerance: Option<f64>,
     /// True for `--own-step`.
     own_step: bool,
@@ -117,7 +117,7 @@ impl Request {
             setup.replace_spin(setup.parameter(&setting.parameter)?);
             self.note_replaced(&setup, &before, setting);
         }
-        // a value `none` is applied later: columns may give the parameters that determine it
+        // apply a value `none` later: columns may give the parameters that determine the value
         let (taken_back, settings): (Vec<_>, Vec<_>) =
             settings.into_iter().partition(|setting| setting.is_reset());
         setup.set_all(

@@ -41,14 +41,14 @@ export function IterationsPicture(props: Props) {
     if (!first) return undefined;
     return isRefused(first) ? null : readMap(first, axes);
   });
-  // the last map is of other parameters: wait for the new one
+  // the last map has other parameters: wait for the new map
   if (!map || map.across !== axes.across || (!isCurve && map.up !== axes.up)) return null;
   return isCurve ? <CurvePicture {...props} map={map} /> : <PlanePicture {...props} map={map} />;
 }
 
 /**
- * The parameters of the picture: the varied ones if there are at most two, else the parameters of
- * the map.
+ * The parameters of the picture: the varied parameters if there are at most two, else the
+ * parameters of the map.
  */
 function axesOf({ names, ranges }: Iterations, explorer: Explorer): MapAxes {
   const { goal } = explorer.state.value;

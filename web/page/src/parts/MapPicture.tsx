@@ -71,7 +71,7 @@ interface Area {
   spot: readonly [number, number] | null;
 }
 
-/** Values row by row from the lowest, NaN where there are none. */
+/** Values at the nodes, row by row from the lowest row; NaN at a node without a value. */
 export interface Grid {
   columns: number;
   rows: number;
@@ -91,7 +91,7 @@ function pixelOf({ columns, rows }: Grid, { ranges: [across, up] }: MapData, pla
   };
 }
 
-/** The levels of the contours, SI: the best part of the map has the closest ones. */
+/** The levels of the contours, SI. The contours are limited to the best part of the map. */
 export function levelsOf(map: MapData, units: System): number[] {
   const unit = lengthUnit(units);
   const landed = map.values.filter(Number.isFinite);
