@@ -33,8 +33,8 @@ fn lent<T: Element + arrow_buffer::ArrowNativeType>(
         .map_err(|_| Failure::Input("a column of a table is not contiguous in memory".into()))?;
     let (bytes, length) = (NonNull::from(values).cast::<u8>(), size_of_val(values));
     let owner: Arc<dyn Allocation> = Arc::new(AssertUnwindSafe(array.clone().unbind()));
-    // SAFETY: the bytes belong to the array, which `owner` keeps; a table's arrays cannot be
-    // written to (longdrive.table)
+    // SAFETY: the bytes belong to the array, which `owner` keeps; longdrive.table makes the arrays
+    // of a table read-only
     let buffer = unsafe { Buffer::from_custom_allocation(bytes, length, owner) };
     Ok(ScalarBuffer::from(buffer))
 }

@@ -110,7 +110,7 @@ impl Results {
             );
             return Err(Failure::Input(message));
         };
-        // the system allocates zeros at the first access
+        // the system allocates the memory of these zeros only at the first access
         let (columns, hessians, status) =
             (vec![0.0; of_columns], vec![0.0; of_hessians], vec![0; room]);
         Ok(Self {
@@ -178,7 +178,7 @@ type Found<'py> = (
 )]
 #[expect(
     clippy::too_many_arguments,
-    reason = "it is called by longdrive.batch alone, with all of them"
+    reason = "only longdrive.batch calls this function, and with all arguments"
 )]
 pub fn batch<'py>(
     py: Python<'py>,
@@ -375,7 +375,7 @@ fn none(
 }
 
 /// The ranges for which a sweep chooses its step: the ranges in `given`. The points may cover only
-/// a part of them.
+/// a part of these ranges.
 fn given_ranges(setup: &PySetup, given: &[(String, f64, f64)]) -> Answer<Vec<Vary>> {
     let range = |(name, low, high): &(String, f64, f64)| {
         Ok(Vary {

@@ -1,4 +1,4 @@
-//! The studies: every command of the program, from a command line to an answer in JSON.
+//! Runs the commands of the program for Python, from typed arguments to an answer in JSON.
 
 use crate::boundary::{Answer, answer};
 use crate::json::to_python;

@@ -284,7 +284,8 @@ impl PyObjective {
                     .getattr("point_in_si")?
                     .call1((x, units))?;
                 let array = floats(&x, "", &refuse)?;
-                // a search along one variable, as minimize_scalar of SciPy, gives a number
+                // a search along one variable, as minimize_scalar of SciPy, gives a number, not an
+                // array
                 let array = if wanted == 1 {
                     py.import("numpy")?.call_method1("atleast_1d", (array,))?
                 } else {

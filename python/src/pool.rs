@@ -91,8 +91,8 @@ pub fn is_long(setup: &Setup<f64>, drives: usize) -> bool {
     flight.time_limit / flight.step * (drives as f64 / LANES).max(1.0) > LONG
 }
 
-/// Runs the work of one drive. Long work runs on another thread, which [`run`] explains; short work
-/// runs here, while other threads of Python run.
+/// Runs the work of one drive. Long work runs on another thread, as in [`run`]. Short work runs on
+/// this thread, while other threads of Python run.
 pub fn run_drive<R: Send + 'static>(
     py: Python<'_>,
     is_long: bool,

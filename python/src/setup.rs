@@ -427,7 +427,7 @@ impl PySetup {
     fn read(path: &Bound<'_, PyAny>) -> PyResult<Self> {
         answer(|| {
             if let Ok(name) = path.cast::<PyString>() {
-                // only names of files may have surrogates for bytes
+                // a lone surrogate is an error, except those that stand for a byte of a file name
                 path.py()
                     .import("os")?
                     .getattr("fsencode")?

@@ -227,7 +227,7 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     ),
     (
         lambda: longdrive.sweep("tour-average", {"club.loft": [0.1, 0.15, 0.2]}),
-        "values of your own, a drive each, go into points={'club.loft': …}",
+        "your own values, with one drive for each, go into points={'club.loft': …}",
     ),
     (
         lambda: longdrive.sweep("tour-average", {"club.loft": [0.1, 0.15, 0.2]}, output="never.csv"),
@@ -239,7 +239,7 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     ),
     (
         lambda: longdrive.chart(along={"swing.speed": [40.0, 45.0, 50.0]}),
-        "expected (low, high); values of your own go into at=…",
+        "expected (low, high); your own values go into at=…",
     ),
     (
         lambda: longdrive.optimize(distribution={}),

@@ -43,7 +43,7 @@ pub enum Value {
     Whole(i64),
     /// A number in the SI unit of its argument, parameter or outcome.
     Number(f64),
-    /// A range, with the number of values if it has one.
+    /// A range; for a grid, also the number of values.
     Range {
         /// The lower end: a number or a text.
         low: Box<Value>,

@@ -134,7 +134,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 struct Deliveries {
     all: Vec<Delivery>,
     population: Option<Result<Population>>,
-    /// The measurement, as the first line of a setup file names it.
+    /// The name of the measurement, for the first line of a setup file.
     from: String,
     /// Number of rows that an interruption left out.
     left_out: usize,
@@ -227,8 +227,8 @@ fn of_shots(
 /// The club parameter that a golfer can read on the club.
 const LOFT: &str = "club.loft";
 
-/// The warning that the setup has the loft of an average golfer: a best loft that is found later is
-/// relative to this loft.
+/// The warning that the loft of the setup is an average golfer's loft: a best loft that is found
+/// later is relative to this loft.
 fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec<Message> {
     let is_varied = unknowns
         .iter()
@@ -368,7 +368,7 @@ fn is_table(file: &Path) -> Result<bool> {
         "toml" => Ok(false),
         _ => {
             let source = format!(
-                "the extension of {} is neither .csv nor .toml; write .csv for a row for each shot, or \
+                "the extension of {} is neither .csv nor .toml; write .csv for a row of each shot, or \
                  .toml for distributions",
                 file.display()
             );

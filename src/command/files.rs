@@ -402,7 +402,7 @@ impl Folder {
         let place = |(name, bytes)| Ok((self.rule.place(&self.path.join(name))?, bytes));
         let files = files.into_iter().map(place).collect::<Result<Vec<_>>>()?;
         interrupt::undisturbed(&self.path, || {
-            // a full disk leaves no file in place: all are written before the first is renamed
+            // write all files before the first is renamed: a full disk then replaces none of them
             let staged = files
                 .iter()
                 .map(|(destination, bytes)| destination.stage(bytes))

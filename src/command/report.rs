@@ -419,7 +419,7 @@ fn usual_speeds(setup: &Setup<f64>) -> Result<Vary> {
     }
 }
 
-/// Adds the plot data of the drive as set up and of the optimal drive, as far as their balls fly.
+/// Adds the plot data of the drive as set up and of the optimal drive, each if its ball lands.
 /// `given` are the stated uncertainties.
 fn add_pictures(
     findings: &mut Findings,

@@ -77,7 +77,7 @@ def warnings_of(angles: Iterable[tuple[str, Any]]) -> list[str]:
 
 
 class BareAngles:
-    """Reads the angles without a unit of one call, and collects warnings about them."""
+    """Reads the angles of one call that have no unit, and collects warnings about these angles."""
 
     def __init__(self, angles: AngleUnit) -> None:
         self.unit = check_unit(angles)

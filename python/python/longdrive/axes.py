@@ -95,7 +95,7 @@ def _draw_layer(
 
 
 def _draw_contours(ax: Any, x: Floats, y: Floats, fields: list[Floats]) -> None:
-    """Draws the first field with values over a grid."""
+    """Draws contours of the first field that has values; the values are at the nodes of a grid."""
     for field in fields:
         known = np.isfinite(field)
         if known.any():

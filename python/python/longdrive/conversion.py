@@ -282,14 +282,14 @@ def _expected_for(option: Option, key: Any) -> str:
         return "one number (SI), or a text with its unit"
     if ":" in option.value:
         advice = (
-            f"; values of your own, a drive each, go into points={{'{key}': …}}, or to "
+            f"; your own values, with one drive for each, go into points={{'{key}': …}}, or to "
             "longdrive.batch"
         )
         return "a tuple (low, high, count), for values spread evenly" + (
             advice if option.argument == "over" else ""
         )
     return "(low, high)" + (
-        "; values of your own go into at=…" if option.argument == "along" else ""
+        "; your own values go into at=…" if option.argument == "along" else ""
     )
 
 

@@ -78,7 +78,7 @@ class Picture(Reply):
                 f"{form}{advice}"
             )
         try:
-            # mode "x": another process may create the file meanwhile
+            # mode "x" refuses a file that another process creates meanwhile
             with path.open("wb" if switch_of("overwrite", overwrite) else "xb") as file:
                 file.write(self["data"])
         except FileExistsError:

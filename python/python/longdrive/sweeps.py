@@ -260,8 +260,8 @@ def _refuse(
         raise InputError("over and points both say what is swept; keep one of the two")
     if points is not None and sample is not None:
         raise InputError(
-            "sample chooses points in the ranges of over, and points is a table of points; keep one "
-            "of the two"
+            "sample chooses points in the ranges of over, and points is a table of points; keep "
+            "one of the two"
         )
     if over is None and points is None:
         raise InputError(

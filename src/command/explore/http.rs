@@ -1,4 +1,4 @@
-//! Requests and responses of HTTP/1.1, as far as a server of one page needs them.
+//! The part of HTTP/1.1 that a server of one page needs: requests and responses.
 
 use httparse::{EMPTY_HEADER, Error, Header, Request, Status};
 
@@ -28,7 +28,7 @@ pub struct Site<'a> {
     pub policy: &'a str,
 }
 
-/// The response with a status and a text in place of the page; `more` has further headers.
+/// The response with a status and a text in place of the page; `more` has additional headers.
 fn refusal(status: &str, more: &str, text: &'static str) -> Response<'static> {
     Response {
         head: head(status, "text/plain; charset=utf-8", text.len(), more),

@@ -94,7 +94,8 @@ fn fly(args: &Args) -> Result<Answer> {
     ))
 }
 
-/// The flights of the shots. If the request gives a ground, the shots were measured on this ground.
+/// The flights of the shots. If the request gives a ground, it is taken as the ground on which the
+/// shots were measured.
 fn flying(request: &Request, setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Flying> {
     request.refuse_replaced(setup, shots.further())?;
     let mut flying = followed(request, setup, of, |setup| Flying::new(setup, shots, of))?;

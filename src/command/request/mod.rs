@@ -175,7 +175,7 @@ impl Request {
     ) -> Result<Setup<f64>> {
         let mut starts = vec![];
         for text in ranges {
-            // the code that reads the search reports errors in the text
+            // ignore errors in the text here: the code that reads the search reports them
             let parameter = text
                 .split_once('=')
                 .and_then(|(name, _)| setup.column(name.trim()).ok());
@@ -205,7 +205,7 @@ impl Request {
             if setup.value(parameter).is_some() {
                 continue;
             }
-            // launch conditions are given together, not one by one
+            // refuse a lone launch condition: the conditions of a launch are given together
             if parameter.is_of_launch() {
                 setup.variable(parameter.name)?;
             }
@@ -339,7 +339,7 @@ impl Request {
     }
 }
 
-/// Settings and files that contradict the command.
+/// Refusal of settings and files that contradict the command.
 impl Request {
     /// Refuses club settings of a command that uses no club, because they would have no effect.
     ///

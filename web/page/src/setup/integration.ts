@@ -4,7 +4,7 @@
 import type { Parameter } from './parameters';
 import { travelOf } from './travel';
 
-/** Method and time step, s, that are accurate for all drives near the sliders. */
+/** Method and time step, s, that are accurate for drives within the ranges of the sliders. */
 export interface Integration {
   method: string;
   step: number;

@@ -11,13 +11,13 @@ export interface Iteration {
   value: number;
   /** Relative KKT residual. */
   residual: number;
-  /** The step from here; null at the end of a search. */
+  /** The step from this iterate; null at the end of a search. */
   trial: Trial | null;
   x: Float64Array;
-  /** The bound of each parameter: −1 the lower, 1 the upper, 0 none. */
+  /** The bound at which each parameter is: −1 the lower, 1 the upper, 0 none. */
   bounds: Float64Array;
   gradient: Float64Array;
-  /** Row by row. */
+  /** The second derivatives of the model, row by row. */
   hessian: Float64Array;
   /** The trust region within the ranges. */
   low: Float64Array;
