@@ -28,7 +28,7 @@ pub fn prepared(py: Python<'_>) {
     }
 }
 
-/// The values of one parameter: one for all rows, or one for each row.
+/// The values of one parameter: one value for all rows, or one value for each row.
 enum Column {
     Same(f64),
     Each(Py<PyArray1<f64>>),

@@ -154,10 +154,18 @@ impl Shared {
     }
 }
 
-/// The results for Python: status, columns (points, outcomes, derivatives; a row of the array
-/// each), Hessians, the names of outcomes, derivatives' parameters and points' parameters, the
-/// units of the columns, warnings, the rows done and the number of points, and the exception that
-/// ended the batch early. After the rows done, the arrays have space for the remaining points.
+/// The results for Python, in this order:
+///
+/// - status;
+/// - columns: a row of the array for each point parameter, outcome and derivative;
+/// - Hessians;
+/// - names of the outcomes, of the parameters of the derivatives, and of the points' parameters;
+/// - units of the columns;
+/// - warnings;
+/// - number of computed rows, and number of points;
+/// - exception that ended the batch early.
+///
+/// After the computed rows, the arrays have space for the remaining points.
 type Found<'py> = (
     Bound<'py, PyArray1<i8>>,
     Bound<'py, PyArray2<f64>>,

@@ -52,8 +52,8 @@ impl From<Failure> for PyErr {
     }
 }
 
-/// An exception of `longdrive.errors`: a class of Python, which pickles. The message names the
-/// arguments of Python.
+/// An exception of `longdrive.errors`, a Python class, so that the exception can be pickled. The
+/// message names the arguments of Python.
 fn raised(name: &str, message: String, status: Option<&str>) -> PyErr {
     Python::attach(|py| {
         let class = py

@@ -132,8 +132,8 @@ impl Caller {
         now.said.push(("note", told));
     }
 
-    /// Stops the current work. Returns the time that the work may take to answer; zero if it cannot
-    /// be stopped.
+    /// Stops the current work. Returns the time that the work may take to answer; zero if the work
+    /// cannot be stopped.
     fn stops(&self) -> Duration {
         let now = self.now();
         if let Some(stop) = &now.stop {
@@ -157,7 +157,7 @@ impl Host for Caller {
         let kind = match kind {
             Kind::Note => "note",
             Kind::Warning => "warning",
-            // the answer contains errors in the arguments too, there without colours
+            // not passed on: the answer contains the errors in the arguments, without colours
             Kind::Usage => return,
             Kind::Error => "error",
         };
@@ -298,7 +298,7 @@ fn ran<'py>(
     let watch = || said(&caller, say).and_then(|()| shown(&caller, progress));
     let patience = |raised: &PyErr| {
         let time = caller.stops();
-        // only Ctrl-C waits for the answer: another exception comes from `say` or `progress`
+        // wait for the answer only after Ctrl-C: other exceptions come from `say` or `progress`
         if raised.is_instance_of::<PyKeyboardInterrupt>(py) {
             time
         } else {

@@ -119,7 +119,7 @@ fn traced(
     stop: &AtomicBool,
 ) -> longdrive::Result<Option<Trajectory>> {
     match trajectory_until(setup, &drive.launch, stop) {
-        // the ball leaves the face downwards
+        // no flight: the ball leaves the face downwards
         Ok(trajectory) if trajectory.points.len() < 2 => Ok(None),
         Ok(trajectory) => Ok(Some(trajectory)),
         Err(Error::NoFlight { .. }) => Ok(None),

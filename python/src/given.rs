@@ -9,7 +9,7 @@ use pyo3::exceptions::PyOverflowError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyMapping, PyString};
 
-/// The key of a dict for the preset from which its values start, as in a setup file.
+/// The key that names the preset from which a dict starts, as in a setup file.
 pub const PRESET: &str = "preset";
 
 /// Parameters whose values are names.
@@ -257,7 +257,7 @@ pub fn apply(
     let mut of_law = *setup;
     let is_choice = |given: &&Given<'_>| matches!(given.name.as_str(), LAW | TABLE);
     for choice in given.iter().filter(is_choice) {
-        // the loop below reports errors in this choice
+        // ignore errors in this choice: the loop below reports them
         let _ = of_law.set(&choice.name, &choice.text(setup)?.0);
     }
     let mut texts = given

@@ -81,7 +81,7 @@ pub fn run<R: Send + 'static>(
     }
 }
 
-/// Number of time steps, in all lanes of the processor, that take tenths of a second.
+/// Number of time steps, each of all lanes at once, that take tenths of a second.
 const LONG: f64 = 3e5;
 
 /// True if these drives may take so long that Python has to check for Ctrl-C meanwhile.

@@ -103,8 +103,8 @@ impl Hash for PySetup {
 impl PySetup {
     /// A preset.
     pub fn of_preset(name: &str) -> Answer<Self> {
-        // one value for each preset, so that its step is chosen once. The thread with the lock has
-        // the interpreter's lock too, so no process forks meanwhile
+        // one setup for each preset, so that its step is chosen once. The thread that holds this
+        // lock also holds the interpreter's lock, so no process forks meanwhile
         static KNOWN: Mutex<Vec<PySetup>> = Mutex::new(vec![]);
         let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(read) = known.iter().find(|read| read.preset.name == name) {

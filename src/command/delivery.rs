@@ -130,7 +130,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer(args, &found, warnings.into_vec()).found(is_found))
 }
 
-/// The deliveries found. Several deliveries also have a population.
+/// The deliveries found; for several deliveries, also the population of their swings.
 struct Deliveries {
     all: Vec<Delivery>,
     population: Option<Result<Population>>,
@@ -368,8 +368,8 @@ fn is_table(file: &Path) -> Result<bool> {
         "toml" => Ok(false),
         _ => {
             let source = format!(
-                "the extension of {} is neither .csv nor .toml; write .csv for a row of each shot, or \
-                 .toml for distributions",
+                "the extension of {} is neither .csv nor .toml; write .csv for a row of each \
+                 shot, or .toml for distributions",
                 file.display()
             );
             Err(Error::unreadable("`swings`", source))

@@ -38,7 +38,7 @@ impl Rule {
         }
     }
 
-    /// Adds another output of the command to the files not to replace.
+    /// Adds another output of the command to the files that must not be replaced.
     #[must_use]
     pub fn and_not(mut self, output: Option<&Path>) -> Self {
         self.inputs.extend(output.and_then(located));

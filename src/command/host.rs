@@ -82,7 +82,8 @@ pub trait Host: Send + Sync {
         MemoryFiles::new()
     }
 
-    /// True if the host keeps the output file, or the files of the folder, of this name in memory.
+    /// True if the host keeps the output file with this name, or the output files of the folder
+    /// with this name, in memory.
     fn keeps(&self, _name: &Path) -> bool {
         false
     }
@@ -97,9 +98,9 @@ pub trait Host: Send + Sync {
     /// Announces that the following work cannot be interrupted.
     fn cannot_stop(&self) {}
 
-    /// Prevents the end of the process until the returned function is called or dropped, while
-    /// a file, or files of a folder that belong together, are written. A call reports that the file
-    /// or folder is complete.
+    /// Delays the end of the process while a file, or several files of one folder, are written:
+    /// until the returned function is called or dropped. A call reports that the file or folder is
+    /// complete.
     fn hold(&self) -> Box<dyn FnOnce(&Path) + '_> {
         Box::new(|_| ())
     }

@@ -21,7 +21,7 @@ pub struct Listener {
 }
 
 impl Listener {
-    /// Listens on an address; the port 0 selects a free one.
+    /// Listens on an address; port 0 selects a free port.
     ///
     /// # Errors
     /// If the address cannot be used.

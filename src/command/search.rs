@@ -240,8 +240,8 @@ pub fn options(max_iterations: Option<u64>) -> Options {
     }
 }
 
-/// The outcome in `text`, an option of a single drive. A goal over many swings needs their
-/// distribution.
+/// The outcome that `text` names, the value of an option of a single drive. A goal over many swings
+/// is an error, because it needs a distribution of swings.
 pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
     Outcome::named(text.trim()).map_err(|error| match text.contains('(') {
         true => {

@@ -32,8 +32,8 @@ STATUSES = [
     "undefined",
     "misfit",
 ]
-"""Final statuses of searches. The index in this list is the ``status`` of an optimum; -1 stands for
-any other."""
+"""Final statuses of searches. The index in this list is the ``status`` of an optimum; -1 stands
+for other statuses."""
 
 
 class Optimum(Reply):

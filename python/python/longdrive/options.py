@@ -18,7 +18,7 @@ class Option:
     name: str
     """The name of the option on the command line, with underscores instead of hyphens."""
     argument: str
-    """The argument of the Python function."""
+    """The name of the argument in Python."""
     value: str
     """The name of the option's value in the help: ``LENGTH``, ``NAME=LOW..HIGH``."""
     takes: str

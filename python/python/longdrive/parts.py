@@ -1,4 +1,5 @@
-"""A sweep in parts, each a Parquet file whose bytes depend only on the sweep and its number.
+"""A sweep in parts, each a Parquet file whose bytes depend only on the sweep and
+the number of the part.
 
 Any process may compute any part, twice and in any order: the files are equal to the last bit, and
 a file gets its name once it is complete. :mod:`longdrive.dask`, :mod:`longdrive.ray` and

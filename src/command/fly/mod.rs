@@ -45,7 +45,7 @@ fn fly(args: &Args) -> Result<Answer> {
     let stop = interrupt::stops("stopping after the rows under way");
     let filter = RowFilter::read(&args.only)?;
     let mut shots = read_shots(file, filter, &request, &setup)?;
-    // print notes about the outcomes after all checks of the input
+    // `asked` prints notes about the outcomes: call it after all checks of the input
     let of = asked(args)?;
     let flying = flying(&request, &setup, &shots, &of)?;
     let mut warnings = Warnings::default();

@@ -29,11 +29,11 @@ pub struct Journal {
     length: u64,
     /// True if the rows may replace an existing file.
     pub overwrite: bool,
-    /// The replaced journal. Its lock refuses programs that opened it before.
+    /// The replaced journal, kept locked: programs that opened it earlier cannot lock it.
     _replaced: Option<File>,
 }
 
-/// Rows that are stored on the disk.
+/// An entry of the journal: the state of the file of rows on the disk.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Entry {
     /// Number of rows in the file.

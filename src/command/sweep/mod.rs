@@ -73,7 +73,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         say_error(nothing);
     }
     let is_answered = is_complete && nothing.is_none();
-    // standard output gets the counts if the rows go to a file
+    // if the rows go to a file, the answer on standard output has the counts
     if is_answered && !all_landed(&counts) && target.is_standard_output() {
         tell(&summary.text(None));
     }

@@ -68,7 +68,7 @@ export function App() {
   );
 }
 
-/** Undo, redo, and the best drive, by one key. */
+/** Keys for undo, redo and the best drive. */
 function useKeys() {
   const { address, explorer } = usePage();
   useEffect(() => {
