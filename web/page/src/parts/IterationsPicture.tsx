@@ -54,7 +54,7 @@ function axesOf({ names, ranges }: Iterations, explorer: Explorer): MapAxes {
   const { goal } = explorer.state.value;
   const ofMap = mapOf(explorer.state.value);
   if (names.length === 1) {
-    // a curve is a map whose second axis has one value, of a parameter that every setup has
+    // a curve is a map whose second axis has a single value; every setup has this axis' parameter
     const up = names[0] === 'gravity' ? 'ball.mass' : 'gravity';
     const value = explorer.value(up) ?? NaN;
     return { across: names[0]!, up, ranges: [ranges[0]!, { low: value, high: value, step: 0 }], goal };

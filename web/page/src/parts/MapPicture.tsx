@@ -1,4 +1,4 @@
-// Shared by pictures over two parameters: the plan, areas between contours, lines and scales.
+// Parts of all pictures over two parameters: the plan, areas between contours, lines and scales.
 import { contours } from 'd3-contour';
 import { useMemo } from 'preact/hooks';
 import { labelOf } from '../setup/parameters';
@@ -11,7 +11,7 @@ import { MARGIN } from './scale';
 
 export const HEIGHT = 300;
 const LEVELS = 14;
-/** The least distance of two labels, pixels. */
+/** The least distance between two labels, pixels. */
 const LABEL = 30;
 /** Space above for the name of the axis. */
 export const TOP = 28;

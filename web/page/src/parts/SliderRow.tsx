@@ -139,7 +139,7 @@ interface FieldProps {
   id: string;
   label: string;
   unit: string;
-  /** The number of the state as text. */
+  /** The number in the state, as text. */
   shown: string;
   hasMessage: boolean;
 }

@@ -9,7 +9,7 @@ export interface Travel {
   step: number;
 }
 
-/** Low, high and step in the unit. */
+/** Low, high and step in a unit, and this unit. */
 type Row = readonly [low: number, high: number, step: number, unit: string];
 
 const ROWS: Readonly<Record<string, Row>> = {

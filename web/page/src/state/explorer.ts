@@ -47,7 +47,7 @@ export class Explorer {
   readonly map = signal<MapData | null>(null);
   readonly mapBest = signal<Best | null>(null);
   readonly others = signal<readonly (Drive | Refusal | null)[]>([]);
-  /** True while an answer to the state is missing. */
+  /** True while an answer about the state is missing. */
   readonly busy = signal(true);
   readonly trap = signal<string | null>(null);
   readonly progress = signal<(Progress & { what: string }) | null>(null);

@@ -27,9 +27,9 @@ export interface Iteration {
 export interface Trial {
   x: Float64Array;
   isAccepted: boolean;
-  /** Gain of the outcome by the model. */
+  /** Gain of the outcome that the model predicts. */
   predicted: number;
-  /** Gain of the outcome by the drive. */
+  /** Actual gain of the outcome, from the drive at `x`. */
   actual: number;
   /** True if the model has no maximum; the step is then computed with a reflected curvature. */
   isReflected: boolean;
