@@ -11,7 +11,8 @@ use numpy::{PyArray1, PyArrayDescrMethods, PyArrayMethods, PyUntypedArray, PyUnt
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyList, PyMapping, PyString, PyTuple};
 
-/// Number of rows that are copied from the arrays at a time, while the thread holds Python's lock.
+/// Number of rows that are copied from the arrays in one block, while the thread holds Python's
+/// lock.
 const GATHERED: usize = 65_536;
 
 /// Number of rows that are checked before other threads of Python may run.
@@ -27,7 +28,7 @@ pub fn prepared(py: Python<'_>) {
     }
 }
 
-/// The values of one parameter: one for all rows, or one for each row.
+/// The values of one parameter: one value for all rows, or one value for each row.
 enum Column {
     Same(f64),
     Each(Py<PyArray1<f64>>),
@@ -112,14 +113,14 @@ impl Arrays {
         self.rows
     }
 
-    /// Warnings about points whose angles were probably given in degrees, not in radians.
+    /// Warnings about columns whose angles were probably given in degrees, not in radians.
     pub fn in_degrees(&self) -> Vec<String> {
         self.in_degrees.clone()
     }
 
-    /// Finds the ranges of the valid values, and columns that look like degrees. Other threads of
-    /// Python may run in between. `is_bare` is true if the numbers have no unit; the values of a
-    /// sweep have one.
+    /// Finds the ranges of the valid values, and columns that look like degrees. Lets other Python
+    /// threads run between blocks of rows. `is_bare` is true if the numbers have no unit; the
+    /// values of a sweep have a unit.
     pub fn look(&mut self, py: Python<'_>, is_bare: bool) -> PyResult<()> {
         for (parameter, column) in self.parameters.iter().zip(&self.columns) {
             let mut range = None::<(f64, f64)>;
@@ -213,7 +214,7 @@ fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Col
         Ok(array) => Ok(Column::Each(array.clone().unbind())),
         Err(_) => {
             let shape = array.getattr("shape")?;
-            // an array of no dimensions is a number
+            // an array without dimensions is a single number
             if shape.len()? == 0 {
                 Ok(Column::Same(array.extract()?))
             } else {
@@ -237,14 +238,16 @@ pub fn floats<'py>(
         for (at, item) in given.try_iter()?.enumerate() {
             let item = item?;
             if item.is_instance_of::<PyBool>() || item.is_instance(&truth)? {
-                return Err(refuse(format!("has a truth, {item}, as element {at}")));
+                return Err(refuse(format!(
+                    "has the truth value {item} as element {at}"
+                )));
             }
         }
     }
     let array = numpy
         .call_method1("asanyarray", (given,))
         .map_err(|error| refuse(format!("is no array ({})", error.value(given.py()))))?;
-    // without an import of numpy.ma: another thread may fork meanwhile
+    // do not import numpy.ma here: another thread may fork during the import
     if array.hasattr("mask")? {
         return Err(refuse(format!("is a masked array: fill it{missing}")));
     }
@@ -299,7 +302,7 @@ impl Points for Arrays {
         let width = self.columns.len();
         let known = self.gathered.len() / width.max(1);
         if self.next == self.first + known && self.next < self.rows {
-            // the arrays belong to Python
+            // reading the arrays needs Python's lock
             Python::attach(|py| self.gather(py));
         }
         let begin = self.next - self.first;

@@ -1,8 +1,8 @@
-//! Tables by Arrow's C stream interface, which pandas, polars, pyarrow and others read: they
-//! share the memory of the columns.
+//! Tables for pandas, polars, pyarrow and others, by Arrow's C stream interface. The readers share
+//! the memory of the columns.
 #![expect(
     unsafe_code,
-    reason = "arrow is lent the memory of arrays of NumPy, which are held as long as it is in use"
+    reason = "Arrow reads the memory of NumPy arrays; the arrays are kept as long as Arrow uses it"
 )]
 
 use crate::boundary::{Answer, Failure, answer};
@@ -23,18 +23,18 @@ use std::panic::AssertUnwindSafe;
 use std::ptr::NonNull;
 use std::sync::Arc;
 
-/// The numbers of an array, in shared memory.
+/// A buffer of Arrow that shares the memory of an array.
 fn lent<T: Element + arrow_buffer::ArrowNativeType>(
     array: &Bound<'_, PyArray1<T>>,
 ) -> Answer<ScalarBuffer<T>> {
     let held = array.readonly();
     let values = held
         .as_slice()
-        .map_err(|_| Failure::Input("a column of a table does not lie in one piece".into()))?;
+        .map_err(|_| Failure::Input("a column of a table is not contiguous in memory".into()))?;
     let (bytes, length) = (NonNull::from(values).cast::<u8>(), size_of_val(values));
     let owner: Arc<dyn Allocation> = Arc::new(AssertUnwindSafe(array.clone().unbind()));
-    // SAFETY: the bytes belong to the array, which `owner` keeps; a table's arrays cannot be
-    // written to (longdrive.table)
+    // SAFETY: the bytes belong to the array, which `owner` keeps; longdrive.table makes the arrays
+    // of a table read-only
     let buffer = unsafe { Buffer::from_custom_allocation(bytes, length, owner) };
     Ok(ScalarBuffer::from(buffer))
 }

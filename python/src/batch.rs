@@ -29,7 +29,7 @@ struct Results {
     room: usize,
     /// Number of computed rows.
     done: usize,
-    /// The points, then outcomes, then derivatives, a column of `room` numbers each.
+    /// Columns of `room` numbers each: first the points, then the outcomes, then the derivatives.
     columns: Vec<f64>,
     status: Vec<i8>,
     /// Hessians of the rows.
@@ -110,7 +110,7 @@ impl Results {
             );
             return Err(Failure::Input(message));
         };
-        // the system allocates zeros at the first access
+        // the system allocates the memory of these zeros only at the first access
         let (columns, hessians, status) =
             (vec![0.0; of_columns], vec![0.0; of_hessians], vec![0; room]);
         Ok(Self {
@@ -154,10 +154,18 @@ impl Shared {
     }
 }
 
-/// The results for Python: status, columns (points, outcomes, derivatives; a row of the array
-/// each), Hessians, the names of outcomes, derivatives' parameters and points' parameters, the
-/// units of the columns, warnings, the rows done and the number of points, and the exception that
-/// ended the batch early. After the rows done, the arrays have space for the remaining points.
+/// The results for Python, in this order:
+///
+/// - status;
+/// - columns: a row of the array for each point parameter, outcome and derivative;
+/// - Hessians;
+/// - names of the outcomes, of the parameters of the derivatives, and of the points' parameters;
+/// - units of the columns;
+/// - warnings;
+/// - number of computed rows, and number of points;
+/// - exception that ended the batch early.
+///
+/// After the computed rows, the arrays have space for the remaining points.
 type Found<'py> = (
     Bound<'py, PyArray1<i8>>,
     Bound<'py, PyArray2<f64>>,
@@ -178,7 +186,7 @@ type Found<'py> = (
 )]
 #[expect(
     clippy::too_many_arguments,
-    reason = "it is called by longdrive.batch alone, with all of them"
+    reason = "only longdrive.batch calls this function, and with all arguments"
 )]
 pub fn batch<'py>(
     py: Python<'py>,
@@ -293,7 +301,7 @@ pub fn batch<'py>(
             Err(other) => return Err(other),
         };
         if let (Some(progress), None, true) = (progress, &raised, total > 0) {
-            // Ctrl-C here keeps the rows
+            // a Ctrl-C in this call does not discard the rows
             raised = progress.call1((total, total)).err();
         }
         let results = shared
@@ -348,9 +356,9 @@ fn none(
         .map(|(status, count)| format!("{count} {status}"))
         .collect();
     let which = if of.len() == 1 {
-        "the outcome"
+        "the requested outcome"
     } else {
-        "any of the outcomes"
+        "any of the requested outcomes"
     };
     let why = (|| {
         let mut first = *setup;
@@ -371,14 +379,11 @@ fn none(
     let why = why
         .err()
         .map_or(String::new(), |why| format!("; row 0: {why}"));
-    format!(
-        "no drive has {which} that was asked for: {}{why}",
-        ended.join(", ")
-    )
+    format!("no drive has {which}: {}{why}", ended.join(", "))
 }
 
 /// The ranges for which a sweep chooses its step: the ranges in `given`. The points may cover only
-/// a part of them.
+/// a part of these ranges.
 fn given_ranges(setup: &PySetup, given: &[(String, f64, f64)]) -> Answer<Vec<Vary>> {
     let range = |(name, low, high): &(String, f64, f64)| {
         Ok(Vary {
@@ -468,7 +473,7 @@ fn compute(
         batch.run(&mut arrays, &run, piece, sink)?;
         return Ok(());
     }
-    // one chunk needs no threads
+    // a single chunk needs no other threads
     arrays.seek(run.first_row)?;
     let mut values = vec![];
     match arrays.read(CHUNK, &mut values)? {

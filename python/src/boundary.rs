@@ -52,8 +52,8 @@ impl From<Failure> for PyErr {
     }
 }
 
-/// An exception of `longdrive.errors`: a class of Python, which pickles. The message names the
-/// arguments of Python.
+/// An exception of `longdrive.errors`, a Python class, so that the exception can be pickled. The
+/// message names the arguments of Python.
 fn raised(name: &str, message: String, status: Option<&str>) -> PyErr {
     Python::attach(|py| {
         let class = py
@@ -68,7 +68,7 @@ fn raised(name: &str, message: String, status: Option<&str>) -> PyErr {
     })
 }
 
-/// Converts the error of a text that is not Unicode to bad input.
+/// Converts the error of a text that is not valid Unicode to an error of bad input.
 fn half_a_character(error: PyErr) -> PyErr {
     Python::attach(|py| {
         if !error.is_instance_of::<PyUnicodeEncodeError>(py) {

@@ -1,4 +1,4 @@
-//! The studies: every command of the program, from a command line to an answer in JSON.
+//! Runs the commands of the program for Python, from typed arguments to an answer in JSON.
 
 use crate::boundary::{Answer, answer};
 use crate::json::to_python;
@@ -44,7 +44,7 @@ struct Now {
     answer: String,
     said: Vec<(&'static str, String)>,
     stop: Option<Arc<AtomicBool>>,
-    /// True after interruptible work: the rest of the command only makes the answer.
+    /// True once interruptible work has ended: the rest of the command only makes the answer.
     has_found: bool,
     /// The last progress that the command showed.
     bar: Option<Arc<Bar>>,
@@ -101,7 +101,7 @@ impl Progress for Bar {
 struct Files {
     /// Names of the complete files.
     written: Vec<String>,
-    /// True if the call has returned already.
+    /// True if the call has returned before the command ended.
     is_left: bool,
 }
 
@@ -132,8 +132,8 @@ impl Caller {
         now.said.push(("note", told));
     }
 
-    /// Stops the current work. Returns the time that the work may take to answer; zero if it cannot
-    /// be stopped.
+    /// Stops the current work. Returns the time that the work may take to answer; zero if the work
+    /// cannot be stopped.
     fn stops(&self) -> Duration {
         let now = self.now();
         if let Some(stop) = &now.stop {
@@ -157,7 +157,7 @@ impl Host for Caller {
         let kind = match kind {
             Kind::Note => "note",
             Kind::Warning => "warning",
-            // the answer contains errors in arguments too, without colours
+            // not passed on: the answer contains the errors in the arguments, without colours
             Kind::Usage => return,
             Kind::Error => "error",
         };
@@ -219,8 +219,9 @@ impl Host for Caller {
     }
 }
 
-/// The result of a command: its exit status, `None` if it was abandoned; its answer, or the files
-/// that it had written; its output files in memory; and the exception that interrupted it.
+/// The result of a command: exit status (`None` for an abandoned command), answer (for an abandoned
+/// command, the names of the files that it had written), output files in memory, and the exception
+/// that interrupted the command.
 type Ran<'py> = (
     Option<u8>,
     Bound<'py, PyAny>,
@@ -297,7 +298,7 @@ fn ran<'py>(
     let watch = || said(&caller, say).and_then(|()| shown(&caller, progress));
     let patience = |raised: &PyErr| {
         let time = caller.stops();
-        // only Ctrl-C waits for the answer: another exception comes from `say` or `progress`
+        // wait for the answer only after Ctrl-C: other exceptions come from `say` or `progress`
         if raised.is_instance_of::<PyKeyboardInterrupt>(py) {
             time
         } else {
@@ -319,7 +320,7 @@ fn ran<'py>(
                 return Ok((None, written.into_pyobject(py)?, none, Some(raised)));
             }
         };
-    // Ctrl-C may also come during these last messages
+    // the user may also press Ctrl-C during these last messages
     let raised = raised.or(said(&caller, say).err());
     let text = std::mem::take(&mut caller.now().answer);
     let outputs = PyDict::new(py);
@@ -369,8 +370,9 @@ pub fn main(py: Python<'_>, words: Vec<OsString>) -> PyResult<u8> {
     })
 }
 
-/// Every command with its options, from which the functions of ``longdrive.commands`` are made. An
-/// option also has its ``argument``, and as ``words`` its help in the words of Python.
+/// Every command with its options, from which the functions of ``longdrive.commands`` are made.
+/// Each option also has ``argument``, its name in Python, and ``words``, its help in the words of
+/// Python.
 #[pyfunction]
 pub fn described(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     fn describe(command: &mut Value) {

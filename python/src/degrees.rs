@@ -8,7 +8,7 @@ use longdrive::units::{Quantity, counted_of};
 pub struct Degrees {
     range: Option<(f64, f64)>,
     count: u64,
-    /// True if a value is outside of the range in degrees too.
+    /// True if one of these values is outside of the range even as a number in degrees.
     is_beyond: bool,
 }
 
@@ -25,7 +25,8 @@ impl Degrees {
         self.is_beyond |= !parameter.range.contains(value.to_radians());
     }
 
-    /// The warning about values outside of a parameter's range that are within it in degrees.
+    /// The warning about values outside of a parameter's range that are within the range in
+    /// degrees.
     pub fn told(&self, parameter: &Parameter, all: u64) -> Option<String> {
         let (low, high) = self.range.filter(|_| !self.is_beyond)?;
         let name = parameter.name;

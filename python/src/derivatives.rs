@@ -53,7 +53,7 @@ fn asked(
 
 fn one(mut taylors: Vec<Taylor>) -> Answer<Taylor> {
     taylors.pop().filter(|_| taylors.is_empty()).ok_or_else(|| {
-        Failure::Input("of names several outcomes; name one, or ask for the jacobian".into())
+        Failure::Input("of names several outcomes; name one, or call longdrive.jacobian".into())
     })
 }
 

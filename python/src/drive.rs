@@ -25,8 +25,8 @@ type Path<'py> = (
     Bound<'py, PyArray2<f64>>,
 );
 
-/// One drive; see :func:`longdrive.simulate`. Its report is computed only on request: it takes
-/// longer than the drive.
+/// One drive; see :func:`longdrive.simulate`. The report is computed only on request, because it
+/// takes longer than the drive.
 #[pyclass(name = "Simulated", module = "longdrive._longdrive", frozen)]
 pub struct PySimulated {
     setup: Setup<f64>,
@@ -119,7 +119,7 @@ fn traced(
     stop: &AtomicBool,
 ) -> longdrive::Result<Option<Trajectory>> {
     match trajectory_until(setup, &drive.launch, stop) {
-        // the ball leaves the face downwards
+        // no flight: the ball leaves the face downwards
         Ok(trajectory) if trajectory.points.len() < 2 => Ok(None),
         Ok(trajectory) => Ok(Some(trajectory)),
         Err(Error::NoFlight { .. }) => Ok(None),

@@ -9,7 +9,7 @@ use pyo3::exceptions::PyOverflowError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyMapping, PyString};
 
-/// The key that names the preset a dict starts from, as in a setup file.
+/// The key that names the preset from which a dict starts, as in a setup file.
 pub const PRESET: &str = "preset";
 
 /// Parameters whose values are names.
@@ -18,7 +18,7 @@ const CHOICES: [&str; 6] = [LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF];
 /// The deepest nesting of dicts: a name has at most three parts, as `club.inertia.xx`.
 const DEEPEST: usize = 4;
 
-/// The unit of an angle without a unit.
+/// The unit of angles that are given as numbers.
 #[derive(Clone, Copy, PartialEq)]
 pub enum AngleUnit {
     Radian,
@@ -46,7 +46,7 @@ impl AngleUnit {
 /// An angle that was given as a number: its parameter and its value, rad.
 pub type BareAngle = (String, f64);
 
-/// A parameter and the value that Python gives it.
+/// A parameter with its value from Python.
 pub struct Given<'py> {
     /// The dotted name of the parameter.
     pub name: String,
@@ -61,7 +61,7 @@ impl Given<'_> {
             .is_ok_and(|text| text == UNSET)
     }
 
-    /// The value as a text, and true if it is a number in SI, given without a unit.
+    /// The value as a text; and true for a number in SI that was given without a unit.
     fn text(&self, setup: &Setup<f64>) -> Answer<(String, bool)> {
         let value = &self.value;
         if value.is_none() {
@@ -223,7 +223,7 @@ fn flatten<'py>(
     Ok(())
 }
 
-/// Returns true for a group of parameters, of any law.
+/// Returns true for the name of a group of parameters, including the parameters of any law.
 fn is_group(name: &str) -> bool {
     let begins = |row: &str| {
         row.strip_prefix(name)
@@ -257,7 +257,7 @@ pub fn apply(
     let mut of_law = *setup;
     let is_choice = |given: &&Given<'_>| matches!(given.name.as_str(), LAW | TABLE);
     for choice in given.iter().filter(is_choice) {
-        // the loop below reports errors in this choice
+        // ignore errors in this choice: the loop below reports them
         let _ = of_law.set(&choice.name, &choice.text(setup)?.0);
     }
     let mut texts = given

@@ -13,7 +13,8 @@ pub struct Hessians {
     points: Vec<&'static Parameter>,
     of: Vec<Outcome>,
     wrt: Vec<&'static Parameter>,
-    /// The evaluator, checked once, if the points give only parameters of the derivatives.
+    /// The evaluator of all rows. `None` if each row needs its own evaluator, because the points
+    /// give other parameters than `wrt`.
     once: Option<Evaluator>,
 }
 
@@ -42,7 +43,7 @@ impl Hessians {
         })
     }
 
-    /// Numbers of a row: outcomes × parameters × parameters.
+    /// Number of second derivatives in a row: outcomes × parameters × parameters.
     pub fn width(&self) -> usize {
         self.of.len() * self.wrt.len() * self.wrt.len()
     }

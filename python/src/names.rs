@@ -51,8 +51,8 @@ pub fn outcomes_named(names: &[String]) -> Answer<Vec<Outcome>> {
     Ok(of)
 }
 
-/// The parameters to differentiate by. The default is loft and attack angle or, if the setup gives
-/// the launch, its launch conditions. The program has the same default.
+/// The parameters to differentiate by. The default is loft and attack angle, as in the program; for
+/// a setup that gives the launch, the default is the given launch conditions.
 pub fn variables(
     setup: &Setup<f64>,
     given: Option<&Bound<'_, PyAny>>,
@@ -121,7 +121,7 @@ pub fn unit_of_goal(goal: &str) -> &'static str {
     quantity_of_goal(goal).map_or("", |quantity| quantity.si)
 }
 
-/// True for a value outside of the range of its parameter, SI.
+/// True if a value, SI, is outside of the range of its parameter.
 #[pyfunction]
 pub fn is_out_of_range(name: &str, value: f64) -> bool {
     Setup::<f64>::default()
@@ -129,7 +129,7 @@ pub fn is_out_of_range(name: &str, value: f64) -> bool {
         .is_ok_and(|row| !row.range.contains(value))
 }
 
-/// The error of an unknown key, with the nearest known one.
+/// The error of an unknown key, with the nearest known key.
 #[pyfunction]
 pub fn unknown_key(
     what: &str,

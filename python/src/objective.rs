@@ -24,7 +24,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// The last point at which the function was evaluated, with its results.
 struct Point {
     x: Vec<f64>,
-    /// The order of the computed derivatives, and the highest requested order.
+    /// The order of the computed derivatives; `asked` is the highest requested order.
     order: Order,
     asked: Order,
     found: Option<Taylor>,
@@ -35,7 +35,7 @@ enum Function {
     /// An outcome of one drive, by an evaluator for each order of derivatives.
     Drive {
         evaluators: Arc<[Evaluator; 3]>,
-        /// True if Python has to check for Ctrl-C meanwhile.
+        /// True if one evaluation may take so long that Python has to check for Ctrl-C meanwhile.
         is_long: bool,
     },
     /// A goal over swings.
@@ -94,7 +94,7 @@ struct Over {
 }
 
 impl Over {
-    /// True for a goal over swings.
+    /// True if the arguments give swings: the goal is then over swings.
     fn is_given(&self) -> bool {
         self.swings.is_some() || !self.distribution.is_empty()
     }
@@ -149,7 +149,7 @@ impl Over {
         })?;
         if strokes.is_some() && goal.strokes().next().is_none() {
             let what = "strokes: the goal does not ask for strokes; write for example \
-                        of=\"strokes(400yd)\", or leave it out";
+                        of=\"strokes(400yd)\", or leave strokes out";
             return Err(Failure::Input(what.into()));
         }
         Ok(goal)
@@ -168,7 +168,7 @@ impl Over {
         ];
         match given.into_iter().find(|(_, is_given)| *is_given) {
             Some((name, _)) => Err(Failure::Input(format!(
-                "{name}: it is about many swings; give these too, with swings or distribution"
+                "{name}: it is about many swings; give the swings too, with swings or distribution"
             ))),
             None => Ok(()),
         }
@@ -186,10 +186,10 @@ pub struct PyObjective {
     choice: StepChoice,
     function: Function,
     over: Over,
-    /// The argument `sense`, and the factor that turns a maximum into a minimum.
+    /// The argument `sense`; `sign` is the factor that turns a maximum into a minimum.
     sense: Option<String>,
     sign: f64,
-    /// True if the value at a point without an answer is NaN; false if it is an error.
+    /// True if a point without a value gives NaN; false if it gives an error.
     gives_nan: bool,
     last: Mutex<Option<Point>>,
 }
@@ -219,7 +219,8 @@ impl PyObjective {
         }
         let found = match self.function.at(py, &x, to)? {
             Ok(found) => found,
-            // derivatives may be missing although the value exists
+            // retry with the requested order: the derivatives may not exist although the value
+            // exists
             Err(_) if to > order => {
                 to = order;
                 self.lone(self.function.at(py, &x, order)?)?
@@ -283,7 +284,8 @@ impl PyObjective {
                     .getattr("point_in_si")?
                     .call1((x, units))?;
                 let array = floats(&x, "", &refuse)?;
-                // a search along one variable, as minimize_scalar of SciPy, gives a number
+                // a search along one variable, as minimize_scalar of SciPy, gives a number, not an
+                // array
                 let array = if wanted == 1 {
                     py.import("numpy")?.call_method1("atleast_1d", (array,))?
                 } else {
@@ -358,7 +360,8 @@ impl PyObjective {
                 strokes,
             };
             let wrt = match wrt {
-                // the attack angle belongs to the golfer, and varies from swing to swing
+                // only the loft: the attack angle belongs to the golfer, and varies from swing to
+                // swing
                 None if over.is_given() && !setup.setup.launch.is_given() => {
                     vec![setup.setup.variable("club.loft")?]
                 }
@@ -377,7 +380,8 @@ impl PyObjective {
                 over.refuse_stray()?;
                 if of.contains('(') && Outcome::named(of).is_err() {
                     let what = format!(
-                        "of: {of} is of many swings; give these too, with swings or distribution"
+                        "of: {of} is a goal over many swings; give the swings too, with swings or \
+                         distribution"
                     );
                     return Err(Failure::Input(what));
                 }

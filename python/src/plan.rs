@@ -13,7 +13,7 @@ use pyo3::types::PyDict;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-/// Points by parameter, and the names of the parameters with the ends of their ranges.
+/// The points by parameter, and each parameter's name with the ends of its range.
 type Plan<'py> = (Bound<'py, PyDict>, Vec<(&'static str, f64, f64)>);
 
 /// The points as a dict of arrays, and the range of each parameter for which the step is chosen.

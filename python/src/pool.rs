@@ -51,7 +51,7 @@ fn pool() -> std::io::Result<&'static ThreadPool> {
 /// `OWN` is never freed.
 #[expect(
     unsafe_code,
-    reason = "a pointer that Box::into_raw made, to what is never freed and only read"
+    reason = "the pointer is from Box::into_raw; its target is never freed, and only read"
 )]
 fn shared(own: *const Own) -> Option<&'static Own> {
     // SAFETY: null, or from Box::into_raw in `pool`, and never freed
@@ -81,7 +81,7 @@ pub fn run<R: Send + 'static>(
     }
 }
 
-/// Number of time steps, in all lanes of the processor, that take tenths of a second.
+/// Number of time steps, each of all lanes at once, that take tenths of a second.
 const LONG: f64 = 3e5;
 
 /// True if these drives may take so long that Python has to check for Ctrl-C meanwhile.
@@ -91,8 +91,8 @@ pub fn is_long(setup: &Setup<f64>, drives: usize) -> bool {
     flight.time_limit / flight.step * (drives as f64 / LANES).max(1.0) > LONG
 }
 
-/// Runs the work of one drive. Long work runs on another thread, which [`run`] explains; short work
-/// runs here, while other threads of Python run.
+/// Runs the work of one drive. Long work runs on another thread, as in [`run`]. Short work runs on
+/// this thread, while other threads of Python run.
 pub fn run_drive<R: Send + 'static>(
     py: Python<'_>,
     is_long: bool,
@@ -104,8 +104,9 @@ pub fn run_drive<R: Send + 'static>(
     unpanicked(|| py.detach(|| work(&AtomicBool::new(false))))
 }
 
-/// Like `run`, for work with an answer after an interruption. `patience` stops the work and returns
-/// the time that the work may take to answer. A second Ctrl-C ends the waiting at once.
+/// Like `run`, for work that can answer with its result so far after an interruption. `patience`
+/// stops the work and returns the time that the work may take to answer. A second Ctrl-C ends the
+/// waiting at once.
 pub fn run_to_answer<R: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send + 'static,
@@ -117,7 +118,7 @@ pub fn run_to_answer<R: Send + 'static>(
     let (finished, mut result) = sync_channel(1);
     let stopped = Arc::clone(&stop);
     pool.spawn(move || {
-        // the receiver is gone if Python did not wait
+        // the receiver does not exist any more if Python did not wait
         let _ = finished.send(unpanicked(|| work(&stopped)));
     });
     // the exception of the interruption, and the time until which the answer is awaited

@@ -103,8 +103,8 @@ impl Hash for PySetup {
 impl PySetup {
     /// A preset.
     pub fn of_preset(name: &str) -> Answer<Self> {
-        // one value for each preset, so that its step is chosen once. The thread with the lock has
-        // the interpreter's lock too, so no process forks meanwhile
+        // one setup for each preset, so that its step is chosen once. The thread that holds this
+        // lock also holds the interpreter's lock, so no process forks meanwhile
         static KNOWN: Mutex<Vec<PySetup>> = Mutex::new(vec![]);
         let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(read) = known.iter().find(|read| read.preset.name == name) {
@@ -124,7 +124,8 @@ impl PySetup {
         }
     }
 
-    /// Method and step for the drive of this setup. The choice for a micrometre is kept.
+    /// Method and step for the drive of this setup. The choice for an error of a micrometre is
+    /// cached.
     pub fn integration(&self, py: Python<'_>, choice: StepChoice) -> Answer<Arc<Integration>> {
         let is_usual = choice == StepChoice::Micrometre;
         if let Some(known) = self.chosen.get().filter(|_| is_usual) {
@@ -318,7 +319,7 @@ impl PySetup {
         if let Some(table) = table {
             differences.set_item(TABLE, table.display().to_string())?;
         }
-        // only coefficients of one law can be compared
+        // another law than the preset: compare with the published coefficients of this law
         base.law = if own.law.name() == base.law.name() {
             base.law
         } else {
@@ -372,11 +373,12 @@ fn not_of_the_kind(name: &str, given: &Bound<'_, PyAny>, expected: &str) -> Fail
     Failure::Input(format!("{name} is {}; expected {expected}", kind_of(given)))
 }
 
-/// The error of an unknown preset; for the name of a file, with the function that reads it.
+/// The error of an unknown preset. If the name is the name of a file, the error names the function
+/// that reads files.
 fn not_a_preset(name: &str, error: longdrive::Error) -> Failure {
     if name.ends_with(".toml") || Path::new(name).is_file() {
         return Failure::Input(format!(
-            "{name:?} is a file, and no preset; Setup.read({name:?}) reads it"
+            "{name:?} is a file, not a preset; Setup.read({name:?}) reads it"
         ));
     }
     error.into()
@@ -425,7 +427,7 @@ impl PySetup {
     fn read(path: &Bound<'_, PyAny>) -> PyResult<Self> {
         answer(|| {
             if let Ok(name) = path.cast::<PyString>() {
-                // only names of files may have surrogates for bytes
+                // a lone surrogate is an error, except those that stand for a byte of a file name
                 path.py()
                     .import("os")?
                     .getattr("fsencode")?

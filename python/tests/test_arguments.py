@@ -35,7 +35,7 @@ def picture() -> Any:
         ("drive", "^path = 'drive': this plot is SVG; name a file that ends in .svg$"),
         (
             "drive.png",
-            "name a file that ends in .svg, or give the plot itself output='drive.png', to have it in that format$",
+            "name a file that ends in .svg, or make the plot with output='drive.png' to have it in that format$",
         ),
         (
             "no/such/drive.svg",
@@ -262,11 +262,11 @@ def test_what_is_no_attribute_says_where_it_is() -> None:
     for call, words in [
         (
             lambda: drive.spin,
-            r"^a Drive has no attribute 'spin'; outcomes go by name, as in drive\['spin'\]$",
+            r"^a Drive has no attribute 'spin'; read an outcome by its name, as in drive\['spin'\]$",
         ),
         (
             lambda: table.carry,
-            r"^a Table has no attribute 'carry'; columns go by name, as in table\['carry'\]; pandas",
+            r"^a Table has no attribute 'carry'; read a column by its name, as in table\['carry'\]; pandas",
         ),
         (
             lambda: table.to_numpy(),

@@ -276,7 +276,7 @@ def test_pictures_are_svg_and_are_saved(tmp_path):
     picture = longdrive.plot.trajectory("tour-average")
     assert picture.svg.startswith("<svg") and picture._repr_html_() == picture.svg
     assert picture.save(tmp_path / "drive.svg").read_text(encoding="utf-8") == picture.svg
-    with pytest.raises(ValueError, match="give the plot itself output="):
+    with pytest.raises(ValueError, match="make the plot with output="):
         picture.save(tmp_path / "drive.png")
     image = longdrive.plot.trajectory("tour-average", output=tmp_path / "drive.png")
     assert image._repr_png_().startswith(b"\x89PNG")

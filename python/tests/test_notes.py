@@ -197,7 +197,7 @@ def test_angles_with_their_unit_are_not_taken_for_degrees_by_mistake() -> None:
 def test_a_batch_of_which_nothing_flies_says_why_the_first_does_not() -> None:
     with pytest.warns(
         LongdriveWarning,
-        match="no drive has the outcome that was asked for: 2 no-flight; row 0: no flight: the ball leaves at",
+        match="no drive has the requested outcome: 2 no-flight; row 0: no flight: the ball leaves at",
     ) as caught:
         longdrive.batch("tour-average", {"swing.attack_angle": np.radians([-75.0, -69.0])})
     assert len(caught) == 1
@@ -227,7 +227,7 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     ),
     (
         lambda: longdrive.sweep("tour-average", {"club.loft": [0.1, 0.15, 0.2]}),
-        "values of your own, a drive each, go into points={'club.loft': …}",
+        "your own values, with one drive for each, go into points={'club.loft': …}",
     ),
     (
         lambda: longdrive.sweep("tour-average", {"club.loft": [0.1, 0.15, 0.2]}, output="never.csv"),
@@ -239,7 +239,7 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     ),
     (
         lambda: longdrive.chart(along={"swing.speed": [40.0, 45.0, 50.0]}),
-        "expected (low, high); values of your own go into at=…",
+        "expected (low, high); your own values go into at=…",
     ),
     (
         lambda: longdrive.optimize(distribution={}),
@@ -272,14 +272,14 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     ),
     (
         lambda: longdrive.optimize(maximize="mean(carry)"),
-        "mean(carry) is of many swings; give these too, with swings=FILE or distribution",
+        "mean(carry) is a goal over many swings; give the swings too, with swings=FILE or",
     ),
-    (lambda: longdrive.robust(minimize="std(lateral)"), "std(lateral) is of many swings"),
+    (lambda: longdrive.robust(minimize="std(lateral)"), "std(lateral) is a goal over many swings"),
     (
         lambda: longdrive.objective("mae494", "mean(carry)"),
-        "of: mean(carry) is of many swings; give these too, with swings or distribution",
+        "of: mean(carry) is a goal over many swings; give the swings too, with swings or distribution",
     ),
-    (lambda: np.asarray(TABLE), "a table is no one array: take columns by name"),
+    (lambda: np.asarray(TABLE), "a table is not a single array: use a column"),
     (
         lambda: TABLE[TABLE["carry"] > 0],
         "an ndarray is neither: index its columns, as in table['carry'][…]",
@@ -296,7 +296,7 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: longdrive.Setup({"aero.cdo": 0.3}), "did you mean 'aero.cd0'?"),
     (
         lambda: longdrive.fly(LAUNCHES, overwrite=True),
-        "overwrite is about a file, and no file is written; name it with output, or leave overwrite out",
+        "overwrite is about a file, and no file is written; name one with output, or leave overwrite out",
     ),
     (lambda: longdrive.fly(LAUNCHES, overwrite="no"), "overwrite = 'no'; expected True or False"),  # type: ignore[arg-type]
     (

@@ -129,7 +129,7 @@ UNSOUND: list[tuple[dict[str, Any], str]] = [
         "^unknown parameter 'club.lofft'; did you mean 'club.loft'",
     ),
     ({"of": "cary"}, "^unknown outcome 'cary'; did you mean 'carry'"),
-    ({"of": 3}, "^of is an int; expected a name or several"),
+    ({"of": 3}, "^of is an int; expected a name or a list of names"),
     ({"wrt": "club.lofft"}, "^unknown parameter 'club.lofft'"),
     ({"wrt": [1.0]}, r"^wrt\[0\] is a float; expected a name$"),
     ({"over": {"club.loft": (0.1, 9.0, 3000)}}, "club.loft"),

@@ -128,10 +128,10 @@ def test_a_point_of_an_objective_is_of_numbers(x: Any) -> None:
 
 def test_a_truth_among_numbers_is_no_number() -> None:
     with pytest.raises(
-        InputError, match="^points: club.loft has a truth, True, as element 1; expected a number or"
+        InputError, match="^points: club.loft has the truth value True as element 1; expected a number or"
     ):
         longdrive.batch("mae494", {"club.loft": [0.2, True]})
-    with pytest.raises(InputError, match="^x has a truth, False, as element 0; expected shape"):
+    with pytest.raises(InputError, match="^x has the truth value False as element 0; expected shape"):
         longdrive.objective("mae494", "carry", ["club.loft", "swing.speed"]).fun((False, 50.0))
 
 

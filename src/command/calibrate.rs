@@ -172,7 +172,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer.found(report.is_found()))
 }
 
-/// Reads the measured shots, and refuses settings that they replace.
+/// Reads the measured shots, and refuses settings of parameters that the shots state.
 fn read_shots(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<ShotTable> {
     let file = args.data.display();
     let filter = RowFilter::read(&args.only)?;
@@ -309,8 +309,8 @@ impl<'a> CrossValidation<'a> {
     }
 }
 
-/// Returns true if the values are fitted. After an interruption, the setup has the values of the
-/// last iteration.
+/// Returns false if an interruption or the iteration limit ended the fit before a minimum. The
+/// setup then has the values of the last iteration.
 fn is_fitted(found: &Calibration) -> bool {
     found.is_minimum
         || !matches!(
@@ -340,7 +340,7 @@ fn show_iteration(is_numbered: bool) -> impl Fn(u64, f64) {
 /// The label of a law whose parameters are not fitted.
 const AS_SET_UP: &str = "as the setup has it";
 
-/// Another law on the same rows, with its published and with its fitted coefficients.
+/// Another law on the same rows: its published coefficients, and its fit to the rows.
 struct Compared<'a> {
     law: &'a str,
     as_it_stands: &'static str,

@@ -35,7 +35,7 @@ pub struct Call {
 /// The value of an argument.
 #[derive(Clone, Debug)]
 pub enum Value {
-    /// On or off, as `overwrite`.
+    /// On or off, for an option such as `overwrite`.
     Switch(bool),
     /// A text, as on the command line.
     Text(OsString),
@@ -43,7 +43,7 @@ pub enum Value {
     Whole(i64),
     /// A number in the SI unit of its argument, parameter or outcome.
     Number(f64),
-    /// A range, with the number of values if it has one.
+    /// A range; for a grid, also the number of values.
     Range {
         /// The lower end: a number or a text.
         low: Box<Value>,
@@ -294,7 +294,7 @@ pub fn with_degrees(error: Error, bare_angles: &[f64]) -> Error {
     };
     let parameter = parameter(&name).or_else(|| parameter(&format!("launch.{name}")));
     let is_angle = parameter.is_some_and(|parameter| parameter.quantity == Quantity::ANGLE);
-    // the message rounds the value
+    // find the angle with a tolerance: the error has a rounded value
     let told: Option<f64> = value.split(' ').next().and_then(|text| text.parse().ok());
     let is_told = |number: &&f64| {
         told.is_some_and(|told| is_angle && (told - **number).abs() <= 1e-5 * number.abs())

@@ -103,7 +103,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
 }
 
-/// Follows the optimum along the parameter `along`; its current value is the progress message.
+/// Follows the optimum along the parameter `along`. The current value of the parameter is the
+/// progress message.
 fn follow(
     setup: &Setup<f64>,
     search: &Search,

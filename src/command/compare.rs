@@ -63,7 +63,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let (mut each, mut is_complete) = (vec![], true);
     for (of, difference) in of.into_iter().zip(found) {
         match difference {
-            // an outcome without a value (no landing, no direction) does not prevent the others
+            // report the other outcomes if one has no value (no landing, no direction)
             Err(error) if error.is_an_outcome() => {
                 is_complete = false;
                 tell_error(&error);
@@ -73,7 +73,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         }
     }
     let report = ComparisonReport::new(&comparison, &each, requests.each_ref().map(Request::title));
-    // the report names both setups
+    // no common origin: the report itself names both setups
     let origin = Origin::default();
     let answer = Answer::report(&report, &origin, warnings, args.pair.setup_args.json);
     Ok(answer.found(is_complete))

@@ -116,7 +116,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     let is_setup_written = outputs.write_setup(&found, &requests.club, &setup, &mut warnings)?;
     let setup_words = || match &outputs.setup {
         Some(output) if is_setup_written => vec![output.path().display().to_string()],
-        // omit the unknowns, which vary between the swings; club, ball and air are common
+        // omit the unknowns, which vary between the swings; all swings have the same club, ball and
+        // air
         _ => requests.club.as_arguments(
             &unknowns
                 .iter()
@@ -129,11 +130,11 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer(args, &found, warnings.into_vec()).found(is_found))
 }
 
-/// The deliveries found. Several deliveries also have a population.
+/// The deliveries found; for several deliveries, also the population of their swings.
 struct Deliveries {
     all: Vec<Delivery>,
     population: Option<Result<Population>>,
-    /// The measurement, as the first line of a setup file names it.
+    /// The name of the measurement, for the first line of a setup file.
     from: String,
     /// Number of rows that an interruption left out.
     left_out: usize,
@@ -226,8 +227,8 @@ fn of_shots(
 /// The club parameter that a golfer can read on the club.
 const LOFT: &str = "club.loft";
 
-/// The warning that the setup has the loft of an average golfer: a best loft that is found later is
-/// relative to this loft.
+/// The warning that the loft of the setup is an average golfer's loft: a best loft that is found
+/// later is relative to this loft.
 fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec<Message> {
     let is_varied = unknowns
         .iter()
@@ -367,7 +368,8 @@ fn is_table(file: &Path) -> Result<bool> {
         "toml" => Ok(false),
         _ => {
             let source = format!(
-                "{} ends in neither; write .csv for a row of each shot, or .toml for distributions",
+                "the extension of {} is neither .csv nor .toml; write .csv for a row of each \
+                 shot, or .toml for distributions",
                 file.display()
             );
             Err(Error::unreadable("`swings`", source))
@@ -436,7 +438,7 @@ fn optimize_over(swings: &Path, setup: Vec<String>) -> String {
     command_line(&arguments.collect::<Vec<_>>())
 }
 
-/// Notes the default prior uncertainty of each parameter.
+/// Prints a note on the default prior uncertainty of each parameter.
 fn note_assumed(unknowns: &[Unknown]) {
     for unknown in unknowns {
         if let Some(source) = unknown.source {
@@ -453,7 +455,7 @@ fn note_assumed(unknowns: &[Unknown]) {
     }
 }
 
-/// Notes the uncertainty of each club column whose parameter is an unknown too.
+/// Prints a note on the uncertainty of each club column whose parameter is also an unknown.
 fn note_measured(setup: &Setup<f64>, unknowns: &[Unknown]) {
     for unknown in unknowns {
         let name = unknown.parameter.name;

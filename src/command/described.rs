@@ -2,7 +2,7 @@ use super::program;
 use clap::{Arg, ArgAction, Command};
 use serde_json::{Value, json};
 
-/// Commands that only the program in a terminal has a use for.
+/// Commands that are useful only in a terminal, not in a binding for another language.
 const OF_THE_PROGRAM: [&str; 4] = ["completions", "explore", "man", "help"];
 
 /// Every command with its options, as JSON. Bindings for another language can be generated from

@@ -122,7 +122,7 @@ fn refuse_unnamed_preset(request: &Request) -> Result<()> {
     Err(Error::unreadable(request.source.name(), source))
 }
 
-/// Notes on the defaults for what the user did not state: swings, goal and varied parameters.
+/// Notes on the defaults that replace unstated arguments: swings, goal and varied parameters.
 fn notes_on_defaults(args: &Args, asked: &Search) -> Vec<String> {
     let OptimizeArgs { search, swings, .. } = &args.optimize;
     let mut notes = vec![];
@@ -134,13 +134,13 @@ fn notes_on_defaults(args: &Args, asked: &Search) -> Vec<String> {
     }
     if search.maximize.is_none() && search.minimize.is_none() {
         notes.push(format!(
-            "default goal: the largest {GOAL}; for another give `maximize GOAL`"
+            "default goal: the largest {GOAL}; for another goal give `maximize GOAL`"
         ));
     }
     if search.vary.is_empty() {
         let varied: Vec<_> = asked.vary.iter().map(|vary| vary.parameter.name).collect();
         notes.push(format!(
-            "varied by default: {}; others: `vary NAME=LOW..HIGH`",
+            "varied by default: {}; for other parameters give `vary NAME=LOW..HIGH`",
             varied.join(", ")
         ));
     }

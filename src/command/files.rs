@@ -38,7 +38,7 @@ impl Rule {
         }
     }
 
-    /// Adds another output of the command to the files not to replace.
+    /// Adds another output of the command to the files that must not be replaced.
     #[must_use]
     pub fn and_not(mut self, output: Option<&Path>) -> Self {
         self.inputs.extend(output.and_then(located));
@@ -402,7 +402,7 @@ impl Folder {
         let place = |(name, bytes)| Ok((self.rule.place(&self.path.join(name))?, bytes));
         let files = files.into_iter().map(place).collect::<Result<Vec<_>>>()?;
         interrupt::undisturbed(&self.path, || {
-            // a full disk leaves no file in place: all are written before the first is renamed
+            // write all files before the first is renamed: a full disk then replaces none of them
             let staged = files
                 .iter()
                 .map(|(destination, bytes)| destination.stage(bytes))

@@ -53,7 +53,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     });
     bar.finish();
     let each: Vec<Result<Taylor>> = match evaluated {
-        // an outcome without a value (no landing, no direction) does not prevent the others
+        // report the other outcomes if one has no value (no landing, no direction)
         Err(error) if error.is_an_outcome() => {
             of.iter().map(|of| one(&setup, *of, &wrt, order)).collect()
         }

@@ -11,7 +11,7 @@ Examples:
 const EXPLAINED: &str = "'longdrive COMMAND --help' explains a command. Exit status: 0 done, 1 no \
                          answer, 2 bad input.";
 
-/// Columns before the purpose of a command.
+/// Number of columns before the purpose of a command.
 const PURPOSE: usize = 23;
 
 /// The template of the program's help, of at most `width` columns. Each group has a heading and the
@@ -20,7 +20,7 @@ pub fn template(program: &clap::Command, groups: &[(&str, &[&str])], width: usiz
     let mut text = "{about}\n\n{usage-heading} {usage}\n".to_owned();
     for (heading, names) in groups {
         text += &format!("\n{heading}:\n");
-        // without a terminal there are no completions and no manual
+        // a build without a terminal lacks the commands for completions and manual pages
         let there = names
             .iter()
             .filter_map(|name| Some((name, program.find_subcommand(name)?)));

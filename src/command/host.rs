@@ -82,7 +82,8 @@ pub trait Host: Send + Sync {
         MemoryFiles::new()
     }
 
-    /// True if the host keeps the output file, or the files of the folder, of this name in memory.
+    /// True if the host keeps the output file with this name, or the output files of the folder
+    /// with this name, in memory.
     fn keeps(&self, _name: &Path) -> bool {
         false
     }
@@ -97,14 +98,15 @@ pub trait Host: Send + Sync {
     /// Announces that the following work cannot be interrupted.
     fn cannot_stop(&self) {}
 
-    /// Prevents the end of the process until the returned function is called or dropped, while
-    /// a file, or files of a folder that belong together, are written. A call reports that the file
-    /// or folder is complete.
+    /// Delays the end of the process while a file, or several files of one folder, are written:
+    /// until the returned function is called or dropped. A call reports that the file or folder is
+    /// complete.
     fn hold(&self) -> Box<dyn FnOnce(&Path) + '_> {
         Box::new(|_| ())
     }
 
-    /// Announces long work, and returns what receives its progress. `--quiet` suppresses it.
+    /// Announces long work, and returns the receiver of its progress. `--quiet` suppresses the
+    /// progress.
     fn shows(&self, _work: Work<'_>) -> SharedProgress {
         Arc::new(())
     }
@@ -124,7 +126,7 @@ impl Host for () {
 pub enum Work<'a> {
     /// Countable parts with this name, in plural. [`Progress::set_length`] receives their number.
     Parts(&'a str),
-    /// This number of searches. The message is the best value so far.
+    /// Several searches, with their number. The message is the best value so far.
     Searches(u64),
     /// The iterations of one search. The message is the last iteration.
     Iterations,
@@ -146,11 +148,11 @@ pub trait Progress: Send + Sync {
     /// Sets the message.
     fn set_message(&self, _message: String) {}
 
-    /// Restarts the estimate of the remaining time, because the parts so far were completed
-    /// earlier.
+    /// Restarts the estimate of the remaining time, because an earlier run completed the parts so
+    /// far.
     fn reset_eta(&self) {}
 
-    /// Runs `work`, which reports to the host, while nothing of the progress is on the screen.
+    /// Runs `work`, which reports to the host, while the progress is hidden from the screen.
     fn suspend(&self, work: &mut dyn FnMut()) {
         work();
     }
@@ -162,5 +164,5 @@ pub trait Progress: Send + Sync {
 /// No progress is shown.
 impl Progress for () {}
 
-/// Progress that several observers report.
+/// A receiver of progress that several observers share.
 pub type SharedProgress = Arc<dyn Progress>;

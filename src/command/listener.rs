@@ -21,7 +21,7 @@ pub struct Listener {
 }
 
 impl Listener {
-    /// Listens on an address; the port 0 selects a free one.
+    /// Listens on an address; port 0 selects a free port.
     ///
     /// # Errors
     /// If the address cannot be used.
@@ -50,7 +50,7 @@ impl Listener {
                         open.fetch_add(1, Ordering::Relaxed);
                         let (open, serve) = (&open, &serve);
                         scope.spawn(move || {
-                            // a client that closes its connection is no error
+                            // ignore errors: a client may close its connection
                             let _ = prepared(stream).and_then(serve);
                             open.fetch_sub(1, Ordering::Relaxed);
                         });

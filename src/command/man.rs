@@ -50,7 +50,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 /// The command or subcommand that these words name.
 fn found<'a>(program: &'a Command, words: &[String]) -> Result<&'a Command> {
     let mut command = program;
-    // a quoted command with spaces is a single word for the shell
+    // split words at spaces: the shell passes a quoted command as a single word
     for word in words.iter().flat_map(|words| words.split_whitespace()) {
         let names = || command.get_subcommands().map(Command::get_name);
         command = command.find_subcommand(word).ok_or_else(|| {

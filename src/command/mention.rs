@@ -43,7 +43,7 @@ impl Mention<'_> {
     }
 }
 
-/// Formats the arguments and commands of a message with `write`; `program` has the arguments.
+/// Formats the arguments and commands in a message with `write`; `program` declares the arguments.
 pub fn with_mentions_of(
     program: &Command,
     message: &str,

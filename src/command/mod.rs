@@ -317,13 +317,13 @@ impl Program {
 
 /// True if `--json` is among the arguments of the command.
 fn asks_for_json(matches: &ArgMatches) -> bool {
-    // an error for a command without this option
+    // `try_get_one` fails for a command without this option
     let json = matches.try_get_one::<bool>("json").ok().flatten();
     let below = matches.subcommand();
     json == Some(&true) || below.is_some_and(|(_, matches)| asks_for_json(matches))
 }
 
-/// The first command with answers in JSON among the words of a command line that is not valid.
+/// The first word of an invalid command line that is a command with answers in JSON.
 fn named_in(words: &[OsString]) -> Option<&'static str> {
     let with_json = mention::commands_with(program(), "json");
     let has_json = |name| {

@@ -29,7 +29,7 @@ pub fn outcomes(names: &[String]) -> Result<Vec<Outcome>> {
     Ok(of)
 }
 
-/// Notes the uncertainty of the roll-out if one of the outcomes depends on the roll-out.
+/// Prints a note on the uncertainty of the roll-out if one of the outcomes depends on the roll-out.
 pub fn tell_of_the_run(of: &[Outcome]) {
     if of.iter().any(|of| of.needs_run()) {
         tell(&known_within().in_units(system()));

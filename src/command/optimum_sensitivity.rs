@@ -64,7 +64,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let warnings = best.warnings(&AtomicBool::new(false));
     warn(&warnings);
-    // each changed setup gets its own integration step, as `optimize` of that setup would
+    // choose an integration step for each changed setup, as `optimize` does for that setup
     let integrated = |mut changed: Setup<f64>| {
         (changed.method, changed.flight.step) = (own.method, own.flight.step);
         request.for_many(changed, &search.vary)
@@ -109,7 +109,7 @@ fn refuse_swings(swings: &SwingsArgs) -> Result<()> {
 struct AnalysisRequest {
     wrt: Vec<&'static Parameter>,
     changes: Vec<Change>,
-    /// The loss of `--loss`, in the SI unit of the outcome.
+    /// The value of `--loss`, in the SI unit of the outcome.
     loss: Option<f64>,
 }
 

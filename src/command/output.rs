@@ -13,7 +13,7 @@ use std::ffi::OsString;
 use std::io;
 use std::sync::Arc;
 
-/// The units of `--units`, if it is stated.
+/// The units that `--units` states; `None` without this option.
 pub fn stated_system() -> Option<System> {
     running().options.units
 }
@@ -305,7 +305,7 @@ fn in_own_words(error: &mut clap::Error) {
         && !is_misspelt(&argument, option)
     {
         error.remove(ContextKind::SuggestedArg);
-        // the usage line would show the suggested option
+        // remove the usage line: it would show the suggested option
         error.remove(ContextKind::Usage);
         let tip = tip_of_unknown_option(&argument);
         error.insert(
@@ -346,7 +346,7 @@ fn say(reply: &Reply<Empty>) {
     let _ = running().host.print(&answer.text);
 }
 
-/// The progress of parts of this name.
+/// The progress of countable parts; `of` is their name in plural.
 pub fn bar(of: &str) -> SharedProgress {
     shown(Work::Parts(of))
 }

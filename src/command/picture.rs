@@ -40,7 +40,7 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// The stated options on the appearance of a picture.
+    /// The names of the stated options for the appearance of a picture.
     pub fn look(&self) -> Vec<&'static str> {
         let given = [("`dark`", self.dark), ("`width`", self.width.is_some())];
         given

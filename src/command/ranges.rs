@@ -52,7 +52,7 @@ impl DefaultRanges {
         self
     }
 
-    /// The reason why `vary` is empty; `None` if it has a range.
+    /// The reason why `vary` has no range; `None` if there is a range.
     pub fn reason(&self) -> Option<String> {
         if !self.vary.is_empty() {
             return None;

@@ -109,8 +109,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer(args, &origin, &findings, names, remarks))
 }
 
-/// The link to the explorer: its page with the drive as set up, or the command that serves the
-/// page. `None` for a setup that the explorer cannot represent.
+/// The link to the explorer with the drive as set up: the state for its page, or the command that
+/// serves the page. `None` for a setup that the explorer cannot represent.
 fn explorer_link(request: &Request, setup: &Setup<f64>) -> Option<ExplorerLink> {
     let state = explorer_state(setup, request.source.preset(), system()).ok()?;
     if compiled_in().is_some() {
@@ -419,7 +419,7 @@ fn usual_speeds(setup: &Setup<f64>) -> Result<Vary> {
     }
 }
 
-/// Adds the plot data of the drive as set up and of the optimal drive, as far as their balls fly.
+/// Adds the plot data of the drive as set up and of the optimal drive, each if its ball lands.
 /// `given` are the stated uncertainties.
 fn add_pictures(
     findings: &mut Findings,

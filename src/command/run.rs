@@ -23,7 +23,7 @@ pub fn main() -> ExitCode {
     ExitCode::from(run_in_terminal(std::env::args_os().collect()))
 }
 
-/// Runs the program for these arguments, its name first; returns the exit status.
+/// Runs the program; the first argument is the program's name. Returns the exit status.
 #[cfg(feature = "cli")]
 pub fn run_in_terminal(words: Vec<OsString>) -> u8 {
     run(words, Arc::new(Terminal::default()))
@@ -46,7 +46,7 @@ pub fn call(call: &Call, host: Arc<dyn Host>) -> u8 {
     }
 }
 
-/// Runs a command line. `bare_angles` are its angles that were given without a unit, rad.
+/// Runs a command line. `bare_angles` are the angles, rad, that the request gave without a unit.
 fn run_words(words: Vec<OsString>, host: Arc<dyn Host>, bare_angles: &[f64]) -> u8 {
     let request = match Program::read(&words) {
         Ok(request) => request,

@@ -28,7 +28,7 @@ pub struct Running {
 
 thread_local! {
     /// The commands on this thread, the innermost last: while a command waits for other threads,
-    /// this thread may run another one.
+    /// this thread may run another command.
     static RUNNING: RefCell<Vec<Arc<Running>>> = const { RefCell::new(vec![]) };
 }
 

@@ -20,7 +20,7 @@ const DIALECT: &str = "https://json-schema.org/draft/2020-12/schema";
 
 /// The body of an answer in JSON.
 pub trait Body: JsonSchema {
-    /// The status words of its answers.
+    /// The status words of answers with this body.
     fn statuses() -> Vec<&'static str>;
 }
 
@@ -82,7 +82,7 @@ pub struct Answers {
 }
 
 impl Answers {
-    /// The answers of the command of a module.
+    /// The answers of the command whose module has this name.
     pub fn new(module: &str) -> Self {
         Self {
             command: module.replace('_', "-"),
@@ -105,7 +105,7 @@ impl Answers {
         self
     }
 
-    /// Adds the key for parameters of `all` that are omitted.
+    /// Adds the key `left_out`: the parameters that the value `all` omits.
     fn with_left_out(mut self) -> Self {
         for (_, answer) in &mut self.results {
             properties(answer)["left_out"] = json!({

@@ -240,13 +240,13 @@ pub fn options(max_iterations: Option<u64>) -> Options {
     }
 }
 
-/// The outcome in `text`, an option of a single drive. A goal over many swings needs their
-/// distribution.
+/// The outcome that `text` names, the value of an option of a single drive. A goal over many swings
+/// is an error, because it needs a distribution of swings.
 pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
     Outcome::named(text.trim()).map_err(|error| match text.contains('(') {
         true => {
             let source = format!(
-                "{text} is of many swings; give these too, with `swings FILE` or \
+                "{text} is a goal over many swings; give the swings too, with `swings FILE` or \
                  `distribution NAME=KIND(…)`"
             );
             Error::unreadable(option, source)
@@ -255,8 +255,8 @@ pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
     })
 }
 
-/// The identity of a search for its checkpoint: the numbers of setup and search in debug form, to
-/// the last digit, without the iteration limit.
+/// The identity of a search for its checkpoint: setup, search and number of starts in debug form,
+/// with all digits, but without the iteration limit.
 fn question(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
     let options = Options {
         max_iterations: 0,

@@ -64,7 +64,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let found = effects(&setup, &of, &sigmas, &mut |done, all| show(&bar, done, all));
     bar.finish();
     let found = found?;
-    // the reasons for missing values in the table
+    // report the reasons for missing values in the table
     let unflown = found.first().map(|effects| unflown(&setup, &of, effects));
     warnings.add(unflown.into_iter().flatten());
     let slopes = best.as_ref().map(total_slopes).transpose()?;

@@ -42,7 +42,7 @@ impl SwingsArgs {
         let mut stray = options.into_iter().filter(|(_, is_stated)| *is_stated);
         match stray.next().filter(|_| !self.is_given()) {
             Some((option, _)) => {
-                let source = "it is about many swings; give these too, with `swings FILE` or \
+                let source = "it is about many swings; give the swings too, with `swings FILE` or \
                               `distribution NAME=KIND(…)`";
                 Err(Error::unreadable(option, source))
             }
@@ -128,7 +128,7 @@ pub struct SwingsOptimum {
     pub setup: Setup<f64>,
     pub optima: Optima,
     pub over: OverSwings,
-    /// True if the rest of the work is to be skipped.
+    /// Set to true to skip the rest of the work.
     pub stop: Arc<AtomicBool>,
     warnings: Vec<Message>,
     /// The file that was written.

@@ -44,7 +44,7 @@ struct Now {
 /// Work that can stop and return its result so far.
 struct Interruptible {
     stop: Arc<AtomicBool>,
-    /// The message when the work is interrupted.
+    /// The message to show when the work is interrupted.
     stopping: &'static str,
     /// The time of the interruption.
     told: Option<Instant>,

@@ -74,7 +74,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     } else {
         vec![]
     };
-    // an interruption before this line still lets the command answer
+    // after an interruption before this line, the command still prints its answer
     interrupt::ends();
     let report = CertificateReport::new(&certificate, &loops);
     let answer = Answer::report(&report, &request.origin(), warnings, request.is_json);

@@ -40,7 +40,7 @@ pub fn with_argument(error: Error) -> Error {
             doing,
             what: missing_argument(doing).unwrap_or(what),
         },
-        // the shell removed the comparison from the words
+        // the shell took the comparison for a redirection and removed it from the words
         Error::Constraint {
             expression,
             column,
@@ -105,7 +105,7 @@ fn quotes_advice() -> String {
     )
 }
 
-/// Advice on a separate length after `--tolerance`, which needs '='.
+/// Advice on a length after `--tolerance` and a space: the option needs '=' before its value.
 fn joined(left_over: &str) -> Option<String> {
     let running = running();
     let is_behind = running

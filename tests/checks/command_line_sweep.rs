@@ -844,7 +844,7 @@ fn a_sweep_without_any_answer_says_so_with_status_one() {
         "--overwrite",
     ];
     let said = longdrive(&command);
-    let told = "no drive has the outcome that was asked for: 3 drives: 3 no-flight";
+    let told = "no drive has the requested outcome: 3 drives: 3 no-flight";
     assert!(
         said.status == 1 && said.err.contains(told),
         "{} {}",

@@ -27,7 +27,7 @@ __all__ = [
 ]
 
 _LARGEST = 0.5
-"""Angles above this are suspected to be degrees, rad; few angles of a drive are larger."""
+"""Larger angles without a unit, rad, were probably meant in degrees."""
 
 
 def check_unit(angles: Any) -> AngleUnit:
@@ -77,7 +77,7 @@ def warnings_of(angles: Iterable[tuple[str, Any]]) -> list[str]:
 
 
 class BareAngles:
-    """Reads the angles without a unit of one call, and collects warnings about them."""
+    """Reads the angles of one call that have no unit, and collects warnings about these angles."""
 
     def __init__(self, angles: AngleUnit) -> None:
         self.unit = check_unit(angles)
@@ -101,7 +101,7 @@ class BareAngles:
 
 
 def columns_in_radians(points: Mapping[str, Any], angles: AngleUnit) -> dict[str, Any]:
-    """Points of a batch with their angles in radians; texts with units stay."""
+    """Points of a batch with all numeric angles in radians; texts keep their units."""
     if check_unit(angles) == "rad":
         return dict(points)
     return {

@@ -46,7 +46,7 @@ def shown(value: Any) -> str:
     """The repr of a value for messages, shortened to 400 characters."""
     try:
         text = repr(value)
-    # deeply nested values, and whole numbers of more than 4300 digits
+    # repr fails for deeply nested values and for whole numbers of more than 4300 digits
     except (RecursionError, ValueError):
         return f"{kind_of(value)} too long to show"
     return text if len(text) <= 400 else f"{text[:60]}… ({len(text)} characters)"
@@ -72,7 +72,7 @@ def no_attribute(owner: object, name: str, advice: str) -> AttributeError:
 
 
 def nearest_outcome(name: str) -> str:
-    """An outcome for an example in a message: this one, or carry if there is no such outcome."""
+    """An outcome as an example in a message: ``name`` if it is an outcome, else carry."""
     return name if any(row["name"] == name for row in _longdrive.outcomes()) else "carry"
 
 

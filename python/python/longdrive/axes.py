@@ -46,7 +46,7 @@ def draw(ax: Any, data: bytes, title: str) -> None:
     heads, *rows = csv.reader(io.StringIO(data.decode("utf-8")))
     layers: dict[tuple[str, str], list[list[str]]] = {}
     for row in rows:
-        # column `name` of a bar is its label, not the name of its layer
+        # in the row of a bar, the column `name` has the label of the bar, not a layer's name
         name = "" if row[0] == "bar" else row[1]
         layers.setdefault((row[0], name), []).append(row)
     for (kind, name), members in layers.items():
@@ -95,7 +95,7 @@ def _draw_layer(
 
 
 def _draw_contours(ax: Any, x: Floats, y: Floats, fields: list[Floats]) -> None:
-    """Draws the first field with values over a grid."""
+    """Draws contours of the first field that has values; the values are at the nodes of a grid."""
     for field in fields:
         known = np.isfinite(field)
         if known.any():

@@ -138,7 +138,7 @@ def _without_units(points: Any) -> Any:
     def converted(name: str, values: Any) -> Any:
         unit = _longdrive.unit_of(name) if isinstance(name, str) else None
         if unit is None:
-            # the batch later refuses the unknown name
+            # an unknown name: the batch refuses it later
             return values
         try:
             if contains_quantities(values):

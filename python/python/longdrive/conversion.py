@@ -32,7 +32,7 @@ Number = Union[float, str]
 
 @dataclass(frozen=True)
 class Range:
-    """A range of a parameter; of a grid, with the number of values."""
+    """A range of a parameter; for a grid, also the number of values in the range."""
 
     low: Number
     high: Number
@@ -66,10 +66,10 @@ Value = Union[bool, int, float, str, Range, Distribution, Named, Joined, "list[V
 """The value of an argument."""
 
 FILES = {"FILE": "file", "DIR": "folder", "DIR or FILE.csv": "folder or of a CSV file"}
-"""Options that name a file or a folder, by the name of their value."""
+"""Words in messages for the values of options that name a file or a folder."""
 
 _UNITS = {"LENGTH": "m", "SPEED": "m/s", "ANGLE": "rad", "SPIN": "rad/s"}
-"""SI units of options, by the name of their value."""
+"""SI units of the values of options, by the name of the value in the help."""
 
 _DIFFERENCES = {"sigma", "change"}
 """Arguments whose numbers are differences: a difference of 2 degC is 2 K."""
@@ -80,10 +80,10 @@ _EXPECTED = {
     **dict.fromkeys(_WHOLE, "a whole number"),
     **dict.fromkeys(("NUMBER", "POINT"), "a number"),
 }
-"""Messages for an option with one value, by the name of the value."""
+"""Expected values, for messages about an option with one value, by the name of the value."""
 
 _NO_EMPTY = {"distribution", "sigma", "model"}
-"""Arguments that change the question: an empty one is probably a mistake."""
+"""Arguments that change the question: an empty list or dict is probably a mistake."""
 
 
 class Converter:
@@ -128,7 +128,7 @@ class Converter:
         return text if whole is None else whole
 
     def _only(self, option: Option, value: Any) -> Value:
-        """The only entry (name and value) of an option that takes one."""
+        """The only entry (name and value) of an option that takes a single entry."""
         values = self._several(option, value)
         if len(values) == 1:
             only = values[0]
@@ -189,7 +189,7 @@ class Converter:
         is_distribution = elements and isinstance(elements[0], str) and elements[0].isidentifier()
         if "KIND" in option.value and is_distribution:
             return Named(text, self._distribution(text, elements))
-        # a list or an array of three numbers is not (low, high, count)
+        # only a tuple can be (low, high, count): a list or an array of three has no count
         is_grid = len(elements) == 3 and isinstance(value, tuple) and ":" in option.value
         if ".." not in option.value or not (len(elements) == 2 or is_grid):
             raise InputError(
@@ -212,7 +212,7 @@ class Converter:
     def _amount(self, name: str, value: Any, is_difference: bool = False) -> Number:
         unit = _longdrive.unit_of(name)
         if unit is None:
-            # the command later refuses the unknown name
+            # an unknown name: the command refuses it later
             value, unit = value.magnitude if is_quantity(value) else value, ""
         return self.number(name, value, unit, is_difference)
 
@@ -241,7 +241,7 @@ class Converter:
         return self._bare_angles.read(name, number) if unit == "rad" and not has_unit else number
 
     def places(self, along: Any, values: Any) -> list[Value]:
-        """Values of the parameter that ``along`` names, for ``at``."""
+        """The argument ``at``: values of the parameter that ``along`` names."""
         first = along
         if not isinstance(along, str):
             first = str(next(iter(along), "")) if isinstance(along, Iterable) else ""
@@ -265,7 +265,7 @@ def _name_of(value: Value) -> str:
 
 
 def _count_of(name: str, value: Any) -> int:
-    """The number of values of a range; in an array it is a float."""
+    """The number of values of a range; a whole float such as 11.0 and digits are accepted too."""
     is_whole = isinstance(value, float) and value.is_integer()
     is_digits = isinstance(value, str) and value.isdigit()
     return count_of(f"the count of {name}", int(value) if is_whole or is_digits else value, 1)
@@ -282,14 +282,14 @@ def _expected_for(option: Option, key: Any) -> str:
         return "one number (SI), or a text with its unit"
     if ":" in option.value:
         advice = (
-            f"; values of your own, a drive each, go into points={{'{key}': …}}, or to "
+            f"; your own values, with one drive for each, go into points={{'{key}': …}}, or to "
             "longdrive.batch"
         )
         return "a tuple (low, high, count), for values spread evenly" + (
             advice if option.argument == "over" else ""
         )
     return "(low, high)" + (
-        "; values of your own go into at=…" if option.argument == "along" else ""
+        "; your own values go into at=…" if option.argument == "along" else ""
     )
 
 

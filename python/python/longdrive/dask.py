@@ -85,7 +85,7 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
                 raise PartError(
                     f"part {part} of {asked.parts}: {type(failure).__name__}: {failure}", part
                 ) from failure
-            # free the result on the cluster: its manifest row is copied
+            # free the result on the cluster: this process has a copy of the manifest row
             future.release()
     finally:
         client.cancel(futures)

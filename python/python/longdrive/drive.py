@@ -139,15 +139,15 @@ class Drive(Mapping[str, "float | None"]):
             pass
         if any(row["name"] == name for row in _longdrive.outcomes()):
             raise UnknownKeyError(
-                f"'{name}' was not asked for; simulate(…, of=[…]) gives "
-                f"{', '.join(self.outcomes)} here; add it to of"
+                f"'{name}' was not requested; this drive has "
+                f"{', '.join(self.outcomes)}; add '{name}' to of, as in simulate(…, of=[…])"
             )
         raise UnknownKeyError(
             _longdrive.unknown_key(
                 "outcome",
                 str(name),
                 list(self.outcomes),
-                "a drive has the outcomes that it was asked for",
+                "a drive has only the outcomes that were requested",
             )
         )
 
@@ -155,7 +155,7 @@ class Drive(Mapping[str, "float | None"]):
 
         def __getattr__(self, name: str) -> Any:
             raise no_attribute(
-                self, name, f"outcomes go by name, as in drive['{nearest_outcome(name)}']"
+                self, name, f"read an outcome by its name, as in drive['{nearest_outcome(name)}']"
             )
 
     def __iter__(self) -> Iterator[str]:

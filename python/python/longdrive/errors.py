@@ -73,7 +73,7 @@ class Interrupted(KeyboardInterrupt):
     """The rows that ``batch`` (or ``sweep`` without a file) had computed before the interruption;
     None for other functions."""
     answer: Reply | None
-    """The result so far of a function of a command; None if there is none yet."""
+    """The result that the function of a command had so far; None if there was no result yet."""
 
     def __init__(
         self, message: str, table: Table | None = None, answer: Reply | None = None

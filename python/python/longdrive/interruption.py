@@ -41,7 +41,7 @@ def _progress(function: str, answer: Any, notes: Sequence[str]) -> str:
 
 
 def _best(answer: Mapping[str, Any]) -> list[str]:
-    """The best result so far as text; the answer has all digits."""
+    """The best result so far as text, rounded; the answer has all digits."""
     found = answer.get("optimum", answer)
     if found is None:
         return []

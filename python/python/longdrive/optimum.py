@@ -32,15 +32,15 @@ STATUSES = [
     "undefined",
     "misfit",
 ]
-"""Final statuses of searches. The index in this list is the ``status`` of an optimum; -1 stands for
-any other."""
+"""Final statuses of searches. The index in this list is the ``status`` of an optimum; -1 stands
+for other statuses."""
 
 
 class Optimum(Reply):
     """An optimum, with the fields of SciPy's ``OptimizeResult`` and the results of derivatives."""
 
     x: Floats
-    """Values of the varied parameters, SI, shape (n,); without an optimum, the start."""
+    """Values of the varied parameters, SI, shape (n,); without an optimum, the starting point."""
     names: list[str]
     """The varied parameters, in the order of ``x``."""
     fun: float
@@ -52,7 +52,7 @@ class Optimum(Reply):
     success: bool
     """True if the search converged."""
     status: int
-    """0 for success; else the end of the search as a number."""
+    """0 for success, else a code for the end of the search (``ended``)."""
     ended: str
     """The end of the search: ``converged``, ``stalled``, ``infeasible``, …"""
     message: str
@@ -100,7 +100,7 @@ class Optimum(Reply):
         )
 
     def __missing__(self, key: str) -> Any:
-        # computed at the first access, also as keys
+        # computed at the first access, by attribute or by key
         if key in ("hess", "setup"):
             return getattr(self, key)
         raise KeyError(key)

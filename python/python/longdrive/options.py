@@ -16,18 +16,18 @@ class Option:
     """An option of a command."""
 
     name: str
-    """Its name on the command line, with underscores."""
+    """The name of the option on the command line, with underscores instead of hyphens."""
     argument: str
-    """The argument of the Python function."""
+    """The name of the argument in Python."""
     value: str
-    """The name of its value in the help: ``LENGTH``, ``NAME=LOW..HIGH``."""
+    """The name of the option's value in the help: ``LENGTH``, ``NAME=LOW..HIGH``."""
     takes: str
     """The number of values: ``nothing``, ``one`` or ``several``."""
     is_positional: bool
     is_required: bool
     default: str | None
     help: str
-    """Its help, with the names of Python's arguments."""
+    """The help of the option, with the names of Python's arguments."""
 
     @property
     def has_default(self) -> bool:

@@ -1,4 +1,5 @@
-"""A sweep in parts, each a Parquet file whose bytes depend only on the sweep and its number.
+"""A sweep in parts, each a Parquet file whose bytes depend only on the sweep and
+the number of the part.
 
 Any process may compute any part, twice and in any order: the files are equal to the last bit, and
 a file gets its name once it is complete. :mod:`longdrive.dask`, :mod:`longdrive.ray` and
@@ -190,8 +191,8 @@ class Question(NamedTuple):
         InputError
             As :func:`longdrive.sweep` does.
         """
-        # the command checks the folder last: a file in place of the folder ends it before the first
-        # drive
+        # The output is a file in place of a folder. The command refuses it last: after all other
+        # checks, and before the first drive.
         name = "a file in memory"
         part = f"{self.parts}/{self.parts}"
         try:
@@ -302,7 +303,7 @@ def _sweep(
 
 
 def _best(name: str, rows: Mapping[str, int] | str | None) -> list[str] | None:
-    """Outcomes with the number of rows to keep, as texts of the command line."""
+    """The outcomes with the number of rows to keep for each, as texts such as ``carry:10``."""
     if isinstance(rows, str):
         return [rows]
     if rows is None:
@@ -318,7 +319,7 @@ def _best(name: str, rows: Mapping[str, int] | str | None) -> list[str] | None:
 def _joined(name: str, names: Names) -> str:
     parts = (names,) if isinstance(names, str) else elements_of(names)
     if parts is None:
-        raise InputError(f"{name} is {kind_of(names)}; expected a name or several")
+        raise InputError(f"{name} is {kind_of(names)}; expected a name or a list of names")
     for at, part in enumerate(parts):
         if not isinstance(part, str):
             raise InputError(f"{name}[{at}] is {kind_of(part)}; expected a name")
@@ -336,12 +337,12 @@ def question_of(setup: SetupLike, question: Mapping[str, Any]) -> Question:
     missing = [name for name in ("output", "parts") if name not in question]
     if missing:
         raise InputError(
-            f"a sweep in parts needs {' and '.join(missing)}: the folder of the files, and how "
-            "many there are"
+            f"a sweep in parts needs {' and '.join(missing)}: the folder of the files, and the "
+            "number of parts"
         )
     found = Question.of(setup, **question)
     found.refuse_unsound()
-    # workers may have been started in other folders
+    # an absolute path: workers may have been started in other folders
     return found._replace(output=os.path.abspath(found.output))
 
 

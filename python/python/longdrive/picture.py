@@ -69,7 +69,7 @@ class Picture(Reply):
         path, form = Path(path_of("path", path)), self["form"]
         if path.suffix.lower() != form:
             advice = (
-                f", or give the plot itself output='{path}', to have it in that format"
+                f", or make the plot with output='{path}' to have it in that format"
                 if path.suffix.lower() in _FORMATS
                 else ""
             )
@@ -78,7 +78,7 @@ class Picture(Reply):
                 f"{form}{advice}"
             )
         try:
-            # mode "x": another process may create the file meanwhile
+            # mode "x" refuses a file that another process creates meanwhile
             with path.open("wb" if switch_of("overwrite", overwrite) else "xb") as file:
                 file.write(self["data"])
         except FileExistsError:

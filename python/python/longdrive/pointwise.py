@@ -87,7 +87,7 @@ class Pointwise:
         lead = x.shape[:-1]
         rows = np.asarray(x, dtype=np.float64).reshape(-1, len(self.wrt))
         points = {name: rows[:, k] for k, name in enumerate(self.wrt)}
-        # an optimizer calls this very often: simulate and Setup.warnings have the warnings
+        # no warnings: an optimizer calls this very often, and simulate and Setup.warnings give them
         by = self.wrt if order else None
         table = computed(
             self.setup,

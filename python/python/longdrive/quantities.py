@@ -59,7 +59,8 @@ def to_si(value: Any, unit: str, is_difference: bool = False) -> Any:
         return value
     try:
         if is_difference:
-            # pint counts a temperature from the zero of its scale, but a difference from 0
+            # subtracting 0 makes a difference of temperatures, which pint converts without an
+            # offset
             value = value - type(value)(0, value.units)
         number = value.to(unit or "dimensionless").magnitude
         # a radian is dimensionless in pint
@@ -114,7 +115,7 @@ def point_in_si(x: Any, units: Mapping[str, str]) -> Any:
     else:
         return x
     if len(elements) != len(units):
-        # the check of the shape reports it
+        # the later check of the shape reports the wrong length
         return [0.0] * len(elements)
     point = []
     for element, (name, unit) in zip(elements, units.items()):

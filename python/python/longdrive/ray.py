@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 __all__ = ["sweep"]
 
-# running and waiting tasks for each processor of the cluster
+# number of running and waiting tasks for each processor of the cluster
 _AHEAD = 4
 
 

@@ -71,7 +71,7 @@ class Request:
 
     @property
     def bare_angles(self) -> list[float]:
-        """The angles of the arguments without a unit, rad."""
+        """The angles, rad, that the arguments give without a unit."""
         return self._bare_angles.numbers
 
     @property
@@ -144,7 +144,7 @@ class Request:
         overwrite = arguments.get("overwrite")
         if overwrite is not None and switch_of("overwrite", overwrite):
             raise InputError(
-                "overwrite is about a file, and no file is written; name it with output, or leave "
+                "overwrite is about a file, and no file is written; name one with output, or leave "
                 "overwrite out"
             )
         self.output = self._memory_output(arguments)

@@ -74,7 +74,7 @@ def _reply_to(
     notes: list[str] = []
 
     def say(kind: str, text: str) -> None:
-        # the answer contains warnings and errors
+        # show notes only: the answer contains the warnings and errors
         if kind == "note":
             import logging
 
@@ -101,7 +101,7 @@ def _reply_to(
             return _checked(status, answer)
     from .interruption import interruption
 
-    # a search that did not finish one point has no result
+    # a search that was interrupted before its first point has no result
     has_result = (
         isinstance(answer, dict)
         and answer.keys() - COMMON_KEYS
@@ -121,8 +121,8 @@ def _how_to_continue(command: str, arguments: Mapping[str, Any]) -> str:
     options = options_of(command)
     if "checkpoint" in options:
         return (
-            "the same call begins again; one with checkpoint=FILE saves every iteration, and goes "
-            "on from there"
+            "the same call begins again; a call with checkpoint=FILE saves every iteration, and "
+            "goes on from there"
         )
     if "resume" in options:
         return "the rows so far are kept, and the same call with resume=True goes on"

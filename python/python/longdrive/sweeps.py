@@ -231,8 +231,8 @@ def _points(
 def _interrupted(after: int, whole: int) -> str:
     return (
         f"longdrive.sweep was interrupted after {after} of {whole} rows, which `table` of this "
-        "exception has; the same call begins again; one with output=FILE keeps its rows, and goes "
-        "on with resume=True"
+        "exception has; the same call begins again; a call with output=FILE keeps its rows, and "
+        "goes on with resume=True"
     )
 
 
@@ -260,7 +260,8 @@ def _refuse(
         raise InputError("over and points both say what is swept; keep one of the two")
     if points is not None and sample is not None:
         raise InputError(
-            "sample takes points in the ranges of over, and points has its own; keep one of the two"
+            "sample chooses points in the ranges of over, and points is a table of points; keep "
+            "one of the two"
         )
     if over is None and points is None:
         raise InputError(
@@ -272,5 +273,5 @@ def _refuse(
     refuse_idle_seed(seed, sample)
     if output is None and is_of_file:
         raise InputError(
-            "resume and overwrite are about a file; name it with output, or leave them out"
+            "resume and overwrite are about a file; name one with output, or leave both out"
         )

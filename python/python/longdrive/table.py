@@ -195,8 +195,8 @@ class Table:
             raise no_attribute(
                 self,
                 name,
-                f"columns go by name, as in table['{nearest_outcome(name)}']; "
-                "pandas.DataFrame.from_arrow(table) and polars.DataFrame(table) take all of it",
+                f"read a column by its name, as in table['{nearest_outcome(name)}']; "
+                "pandas.DataFrame.from_arrow(table) and polars.DataFrame(table) read all columns",
             )
 
     @overload
@@ -351,9 +351,9 @@ class Table:
         return (_unpickled, (fields,))
 
     def __array__(self, *_: object, **__: object) -> Any:
-        # NumPy would make an array of the names of the columns
+        # without an error here, NumPy would make an array of the names of the columns
         raise InputError(
-            "a table is no one array: take columns by name, table.values or table.gradients; a "
+            "a table is not a single array: use a column, table.values or table.gradients; a "
             "DataFrame of it is pandas.DataFrame(dict(table)), or "
             "pandas.DataFrame.from_arrow(table)"
         )
@@ -393,7 +393,7 @@ def _refuse_difference(first: Table, other: Table, number: int) -> None:
         if one != two:
             both = " and ".join(", ".join(map(str, names)) or "none" for names in (one, two))
             raise InputError(
-                f"tables 1 and {number} differ in {what}: {both}; give tables of one question"
+                f"tables 1 and {number} differ in {what}: {both}; these must be equal"
             )
     if first.setup == other.setup:
         return

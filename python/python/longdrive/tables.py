@@ -159,5 +159,5 @@ def _cell(value: Any) -> Any:
     if type(value).__name__ in ("NAType", "NaTType") or value != value:
         return ""
     is_numpy = hasattr(value, "dtype") and value.dtype.kind in "fiu"
-    # numbers of NumPy as Python writes its own
+    # write a number of NumPy as Python writes a float
     return repr(float(value)) if is_numpy else value

@@ -38,7 +38,7 @@ pub fn whole<T: TryFrom<u64>>(
 /// Largest number that a 32-bit option takes.
 pub const U32: u64 = u32::MAX as u64;
 
-/// Refuses several threads on a processor that has one: WebAssembly.
+/// Refuses several threads in WebAssembly, where only one thread exists.
 ///
 /// # Errors
 /// [`Error::Unreadable`], which names the option.
@@ -48,7 +48,7 @@ pub fn refuse_threads(threads: usize) -> Result<()> {
     }
     Err(Error::unreadable(
         format!("`threads {threads}`"),
-        "there is one thread here; leave it out",
+        "only one thread is available here; leave the option out",
     ))
 }
 

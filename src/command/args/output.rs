@@ -4,7 +4,7 @@ use crate::units::System;
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
-/// Options of every command about its output.
+/// Options about the output, for every command.
 #[derive(Clone, Debug, Default, clap::Args)]
 #[command(next_help_heading = "Options of every command")]
 pub struct OutputOptions {

@@ -1,4 +1,4 @@
-//! Requests and responses of HTTP/1.1, as far as a server of one page needs them.
+//! The part of HTTP/1.1 that a server of one page needs: requests and responses.
 
 use httparse::{EMPTY_HEADER, Error, Header, Request, Status};
 
@@ -21,14 +21,14 @@ pub struct Response<'a> {
 /// One page at one path of this machine.
 pub struct Site<'a> {
     pub port: u16,
-    /// The path of the page, which nobody else knows.
+    /// The path of the page, a secret: only the printed address contains it.
     pub path: String,
     pub page: &'a [u8],
     /// The content security policy of the page.
     pub policy: &'a str,
 }
 
-/// The response with a status and a text in place of the page; `more` has further headers.
+/// The response with a status and a text in place of the page; `more` has additional headers.
 fn refusal(status: &str, more: &str, text: &'static str) -> Response<'static> {
     Response {
         head: head(status, "text/plain; charset=utf-8", text.len(), more),
@@ -78,10 +78,11 @@ impl Site<'_> {
             let text = "Only GET and HEAD are answered here.\n";
             refusal("405 Method Not Allowed", "Allow: GET, HEAD\r\n", text)
         } else if !self.is_own_host(request.headers) {
-            let text = "The host is another one; open the address that longdrive has printed.\n";
+            let text =
+                "The request is for another host; open the address that longdrive printed.\n";
             refusal("403 Forbidden", "", text)
         } else if request.path != Some(&self.path) {
-            let text = "There is nothing here; open the address that longdrive has printed.\n";
+            let text = "There is nothing here; open the address that longdrive printed.\n";
             refusal("404 Not Found", "", text)
         } else {
             self.page()
@@ -113,7 +114,7 @@ impl Site<'_> {
             self.policy
         );
         Response {
-            // the encoding of the file, in which each byte of the core is a character
+            // the encoding of the page's file: each byte of the packed core is one character
             head: head(
                 "200 OK",
                 "text/html; charset=windows-1252",

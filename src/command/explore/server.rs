@@ -15,7 +15,7 @@ const REQUEST_TIME: Duration = Duration::from_secs(5);
 /// Time for a client to read a response and close its connection.
 const CLOSING_TIME: Duration = Duration::from_secs(1);
 
-/// Serves the page until Ctrl-C, and prints its address with this state.
+/// Serves the page until Ctrl-C, and prints its address with `state` after the `#`.
 ///
 /// # Errors
 /// If no port or no random number is available.

@@ -18,11 +18,11 @@ use std::net::{SocketAddr, TcpStream};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-/// The answer to a connection above the maximum.
+/// The answer to a connection above the maximum number of connections.
 const TOO_MANY: &[u8] =
     b"{\"Code\":503,\"Message\":\"there are too many connections; close one\"}\n";
 
-/// The messages of a listener, by answer.
+/// Numbers of messages that a listener received, by kind of answer.
 #[derive(Default, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct MessageCounts {

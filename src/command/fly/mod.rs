@@ -46,7 +46,7 @@ fn fly(args: &Args) -> Result<Answer> {
     let stop = interrupt::stops("stopping after the rows under way");
     let filter = RowFilter::read(&args.only)?;
     let mut shots = read_shots(file, filter, &request, &setup)?;
-    // print notes about the outcomes after all checks of the input
+    // `asked` prints notes about the outcomes: call it after all checks of the input
     let of = asked(args)?;
     let flying = flying(&request, &setup, &shots, &of)?;
     let mut warnings = Warnings::default();
@@ -95,7 +95,8 @@ fn fly(args: &Args) -> Result<Answer> {
     ))
 }
 
-/// The flights of the shots. If the request gives a ground, the shots were measured on this ground.
+/// The flights of the shots. If the request gives a ground, it is taken as the ground on which the
+/// shots were measured.
 fn flying(request: &Request, setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Flying> {
     request.refuse_replaced(setup, shots.further())?;
     let mut flying = followed(request, setup, of, |setup| Flying::new(setup, shots, of))?;

@@ -122,7 +122,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
     target.written(&request, &setup, &figure, of_other)
 }
 
-/// Refuses a drive given by its launch: it has no face.
+/// Refuses a drive given by its launch, because such a drive has no club face.
 fn refuse_launch(setup: &Setup<f64>, target: &Target<'_>) -> Result<()> {
     if !setup.launch.is_given() {
         return Ok(());

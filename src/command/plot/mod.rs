@@ -201,8 +201,8 @@ fn shown_curve(args: &PlotChart, search: &Search) -> Result<Option<&'static Para
     Err(Error::unknown("curve", name, names, advice))
 }
 
-/// The figure of the curve `shown`. The first figure shows the outcome; the others show the
-/// parameters that change, in the order of the search.
+/// The figure of the curve `shown`. The first figure shows the outcome; each other figure shows a
+/// parameter that changes, in the order of the search.
 fn figure_of<'a>(
     figures: &'a ChartFigures,
     search: &Search,
@@ -289,7 +289,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     bar.finish();
     let certificate = certificate?;
     tell_left_out(&certificate);
-    // in the requested order, without additional rows
+    // draw the requested derivatives in their order, without the other rows of the certificate
     let asked = of
         .iter()
         .flat_map(|of| wrt.iter().map(move |parameter| (*of, *parameter)));

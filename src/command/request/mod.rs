@@ -26,7 +26,7 @@ pub struct Request {
     pub settings: Vec<Setting>,
     /// The source with the settings applied; parameters without a default may be missing.
     setup: Setup<f64>,
-    /// The length of `--tolerance`, the maximum error of a length, m.
+    /// The value of `--tolerance`: the maximum error of a length, m.
     tolerance: Option<f64>,
     /// True for `--own-step`.
     own_step: bool,
@@ -117,7 +117,7 @@ impl Request {
             setup.replace_spin(setup.parameter(&setting.parameter)?);
             self.note_replaced(&setup, &before, setting);
         }
-        // a value `none` is applied later: columns may give the parameters that determine it
+        // apply a value `none` later: columns may give the parameters that determine the value
         let (taken_back, settings): (Vec<_>, Vec<_>) =
             settings.into_iter().partition(|setting| setting.is_reset());
         setup.set_all(
@@ -175,7 +175,7 @@ impl Request {
     ) -> Result<Setup<f64>> {
         let mut starts = vec![];
         for text in ranges {
-            // the code that reads the search reports errors in the text
+            // ignore errors in the text here: the code that reads the search reports them
             let parameter = text
                 .split_once('=')
                 .and_then(|(name, _)| setup.column(name.trim()).ok());
@@ -205,7 +205,7 @@ impl Request {
             if setup.value(parameter).is_some() {
                 continue;
             }
-            // launch conditions are given together, not one by one
+            // refuse a lone launch condition: the conditions of a launch are given together
             if parameter.is_of_launch() {
                 setup.variable(parameter.name)?;
             }
@@ -339,7 +339,7 @@ impl Request {
     }
 }
 
-/// Settings and files that contradict the command.
+/// Refusal of settings and files that contradict the command.
 impl Request {
     /// Refuses club settings of a command that uses no club, because they would have no effect.
     ///

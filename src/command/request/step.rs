@@ -13,7 +13,7 @@ impl Request {
     /// The setup with a step for `--tolerance`; unchanged without this option.
     ///
     /// # Errors
-    /// [`Error::Tolerance`] if no step is fine enough; if a setting states method or step too.
+    /// [`Error::Tolerance`] if no step is fine enough; if a setting also states method or step.
     pub fn within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
         Ok(self
             .accuracy_of_tolerance(&setup, &[], &of_the_flight())?

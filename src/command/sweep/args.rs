@@ -183,7 +183,8 @@ impl PartOf {
                 "there are {parts} parts; give one from 1/{parts} to {parts}/{parts}"
             )),
             None => Err(
-                "write a number of a part, from 1, and how many there are, e.g. `part 17/1000`"
+                "write the number of the part, from 1, and the number of all parts, for example \
+                 `part 17/1000`"
                     .into(),
             ),
         }

@@ -45,7 +45,7 @@ pub fn check(
     let seconds = begun.elapsed().as_secs_f64();
     let row = match content {
         Content::Text(bytes) => bytes.len() as f64 / tried as f64,
-        // a grid stores its swept values once for many rows
+        // count outcomes, derivatives and status: a grid stores a swept value once for many rows
         #[cfg(feature = "parquet")]
         Content::Block(_) => 8.5 * (batch.outcomes().len() * (1 + batch.wrt().len())) as f64 + 1.0,
     };
@@ -87,7 +87,7 @@ fn available_space(folder: &Path) -> Option<u64> {
     fs4::available_space(folder).ok()
 }
 
-/// Unknown: a host without a terminal limits the size of its files itself.
+/// `None`: a host without a terminal limits the size of its files itself.
 #[cfg(not(feature = "cli"))]
 fn available_space(_: &Path) -> Option<u64> {
     None
@@ -119,7 +119,7 @@ const UNITS: [(f64, &str); 6] = [
     (1.0, "second"),
 ];
 
-/// A duration in the largest unit of which the duration has at least about 1.5.
+/// A duration in the largest unit that gives a number of at least about 1.5.
 fn duration(seconds: f64) -> String {
     let most = Duration::MAX.as_secs_f64();
     let seconds = if (0.0..=most).contains(&seconds) {

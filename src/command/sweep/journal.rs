@@ -29,11 +29,11 @@ pub struct Journal {
     length: u64,
     /// True if the rows may replace an existing file.
     pub overwrite: bool,
-    /// The replaced journal. Its lock refuses programs that opened it before.
+    /// The replaced journal, kept locked: programs that opened it earlier cannot lock it.
     _replaced: Option<File>,
 }
 
-/// Rows that are stored on the disk.
+/// An entry of the journal: the state of the file of rows on the disk.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Entry {
     /// Number of rows in the file.
@@ -163,7 +163,7 @@ impl Journal {
         lock(&file)?;
         let mut text = String::new();
         file.read_to_string(&mut text)?;
-        // the sweep ended after its journal was opened
+        // an empty journal: its sweep ended after the journal was opened here
         if text.is_empty() {
             return Ok(None);
         }
@@ -197,7 +197,7 @@ impl Journal {
         Ok(Some((journal, identity, entries)))
     }
 
-    /// Adds an entry. The rows must be on the disk before.
+    /// Adds an entry. Its rows must already be on the disk.
     pub fn add(&mut self, entry: &Entry) -> io::Result<()> {
         let mut line = serde_json::to_vec(entry)?;
         line.push(b'\n');

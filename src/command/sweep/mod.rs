@@ -73,7 +73,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         say_error(nothing);
     }
     let is_answered = is_complete && nothing.is_none();
-    // standard output gets the counts if the rows go to a file
+    // if the rows go to a file, the answer on standard output has the counts
     if is_answered && !all_landed(&counts) && target.is_standard_output() {
         tell(&summary.text(None));
     }
@@ -109,7 +109,7 @@ fn all_landed(status_counts: &StatusCounts) -> bool {
     counts.all(|(status, count)| status == Status::Landed || count == 0)
 }
 
-/// Refuses options that apply only to a part of a sweep, if no part is written.
+/// Refuses options that apply only to a part of a sweep if the request writes no part.
 fn refuse_options_of_parts(args: &Args) -> Result<()> {
     let options = [
         ("`histogram`", &args.histogram),
@@ -173,16 +173,16 @@ fn stopped(summary: &SweepSummary, target: &Target, output: &Output<'_>) -> Stri
             part.display(),
             counted(output.safe(), "row")
         ),
-        None => format!("stopped: {drives}; with `output FILE` it could be resumed"),
+        None => format!("stopped: {drives}; a sweep with `output FILE` can be resumed"),
     }
 }
 
 /// The error of a sweep in which no drive has a requested outcome.
 fn no_outcome(summary: &SweepSummary, tally: &StatusCounts, of: &[Outcome]) -> String {
     let which = if of.len() == 1 {
-        "the outcome"
+        "the requested outcome"
     } else {
-        "any of the outcomes"
+        "any of the requested outcomes"
     };
     let has_diverged = tally
         .counts()
@@ -192,10 +192,7 @@ fn no_outcome(summary: &SweepSummary, tally: &StatusCounts, of: &[Outcome]) -> S
     } else {
         ""
     };
-    format!(
-        "no drive has {which} that was asked for: {}{diverged}",
-        summary.text(None)
-    )
+    format!("no drive has {which}: {}{diverged}", summary.text(None))
 }
 
 /// Writes a part of a sweep, or checks the parts in a folder.

@@ -123,7 +123,7 @@ fn stopped(PartOf { part, parts }: PartOf, request: &Request) -> Answer {
     answer.found(false)
 }
 
-/// The divided sweep that the options describe.
+/// The sweep that the options describe, divided into parts.
 fn dataset_of(
     args: &Args,
     batch: crate::batch::Batch,
@@ -221,7 +221,7 @@ fn wanted(args: &Args) -> Result<Option<SweepDefinition>> {
         };
     }
     let SweepRequest { points, batch, .. } = SweepRequest::of(args, &args.setup_args.request()?)?;
-    // the number of parts comes from the files
+    // 1 is a placeholder: the files state the number of parts
     Ok(Some(
         dataset_of(args, batch, points.as_ref(), 1)?
             .question()

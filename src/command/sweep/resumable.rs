@@ -151,7 +151,7 @@ impl<'a> ResumableFile<'a> {
     fn go_on(path: PathBuf, writer: &'a Writer) -> Result<Self> {
         let unusable =
             |error: io::Error| refused(&path, format!("its sweep cannot be resumed ({error})"));
-        // a kill may have come between the creation of the journal and the first row
+        // the file may be missing: a kill may have come after the creation of the journal
         let file = OpenOptions::new()
             .write(true)
             .create(true)

@@ -62,7 +62,7 @@ impl Target {
             return Ok(Self { format, ..target });
         }
         let inputs = request.inputs().chain(args.points.clone());
-        // the code below checks if there is a sweep to resume
+        // with `--resume` a file may exist; the code below checks that it belongs to a sweep
         let destination = Rule::new(inputs, args.overwrite || args.resume).file(&target.path)?;
         if destination.is_in_memory() {
             return refuse(

@@ -1,8 +1,8 @@
-//! Two parameters for a landing point, by Newton's method with exact first and second derivatives:
-//! each step goes to the point where the quadratic model of the landing comes nearest to the
-//! target, within the ranges. The curvature matters, since carry has a maximum over loft. If the
-//! setup's landing is far from the target, the search begins at nodes of a grid whose landings are
-//! near to it.
+//! Finds values of two parameters with which the ball lands at a target, by Newton's method with
+//! exact first and second derivatives. Each step goes to the point within the ranges where the
+//! quadratic model of the landing is nearest to the target. Second derivatives are needed, because
+//! carry has a maximum over loft. If the setup's landing is far from the target, the search begins
+//! at points of a grid whose landings are near to the target.
 
 use crate::message;
 use crate::refusal::Refusal;
@@ -284,8 +284,8 @@ impl Functions for Model<'_> {
     }
 }
 
-/// The triangles of the grid, two in each cell: the corner at its right angle, the node beside it
-/// and the one above or below it.
+/// The triangles of the grid, two in each cell. Each triangle lists the corner at its right angle,
+/// the node beside this corner, and the node above or below this corner.
 fn triangles() -> impl Iterator<Item = [usize; 3]> {
     let [columns, rows] = NODES;
     let cells = (0..rows - 1).flat_map(move |row| (0..columns - 1).map(move |k| row * columns + k));
@@ -304,7 +304,8 @@ struct Zero {
 }
 
 impl Zero {
-    /// The zero in a triangle, or slightly outside of it because the landing is not exactly linear.
+    /// The zero in a triangle, or slightly outside of the triangle, because the landing is not
+    /// exactly linear.
     fn of([corner, side, above]: [[f64; 2]; 3]) -> Option<Self> {
         const SLACK: f64 = 0.1;
         let [a, b] = [side, above].map(|end| [end[0] - corner[0], end[1] - corner[1]]);

@@ -77,7 +77,7 @@ struct Said {
 /// The answer.
 ///
 /// # Errors
-/// If the block does not have the contents of the files.
+/// If the block is shorter than the contents of the files.
 pub fn answer(request: &Request, block: &[u8], show: ShowProgress) -> Result<Vec<u8>, Refusal> {
     let page = Arc::new(Page {
         inputs: inputs(&request.files, block)?,

@@ -24,8 +24,8 @@ unsafe extern "C" {
     safe fn progress(done: f64, of: f64);
 }
 
-/// Called once, before all others. Without it, the linker would call the constructors of the C
-/// library with each function.
+/// Called once, before all others. Without this function, each call of an exported function would
+/// run the constructors of the C library.
 #[unsafe(no_mangle)]
 extern "C" fn _initialize() {
     __wasm_call_ctors();

@@ -141,7 +141,7 @@ fn order(request: &Request) -> Result<Order, Refusal> {
     }
 }
 
-/// The parameters of the columns, and those without derivatives in this setup.
+/// The columns of derivatives, and the parameters without derivatives in this setup.
 struct Columns {
     /// The number of columns.
     count: usize,
@@ -224,7 +224,8 @@ impl Derivatives<'_> {
         Ok(missing)
     }
 
-    /// The derivatives of each outcome. An outcome without a value does not prevent the others.
+    /// The derivatives of each outcome. If one outcome has no value, the other outcomes still have
+    /// derivatives.
     fn each(&self, of: &[Outcome], missing: &mut Vec<Missing>) -> Result<Vec<Taylor>, Refusal> {
         if self.columns.known.is_empty() {
             return Ok(vec![undefined(self.columns.count); of.len()]);
@@ -292,7 +293,7 @@ fn append(path: &Trajectory, numbers: &mut Vec<f64>) {
     }
 }
 
-/// Height, right of the target line, downrange.
+/// The components of a position, m: up, right of the target line, downrange.
 fn coordinates(position: &Vector<f64>) -> [f64; 3] {
     [position.x, position.y, position.z]
 }

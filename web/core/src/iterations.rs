@@ -111,10 +111,10 @@ fn observed(setup: &Setup<f64>, search: &Search) -> Result<(Optimum, Iterations)
 
 /// An iterate with its model and the step from it.
 struct Iterate<'a> {
-    /// Number of its search.
+    /// Number of the search to which the iterate belongs.
     search: usize,
     iteration: &'a Iteration,
-    /// The iteration after it, which has the result of the step.
+    /// The next iteration, which has the result of the step from this iterate.
     next: Option<&'a Iteration>,
     vary: &'a [Vary],
     sign: f64,

@@ -5,7 +5,7 @@ use longdrive::units::System;
 use longdrive::{Error, Setup};
 use serde::Serialize;
 
-/// Why a request has no answer.
+/// The reason why a request has no answer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Refusal {
     /// `error` for bad input, else the status of the drive: `no-flight`.

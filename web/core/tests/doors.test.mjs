@@ -320,8 +320,8 @@ test('threads, the network, parts and the disk are refused with a message', () =
   const csv = { 'shots.csv': text('Ball Speed (mph),Launch Angle (deg),Spin Rate (rpm)\n150,12,2600\n') };
   const over = ['sweep', '--over', 'club.loft=8deg..12deg:3'];
   const refused = [
-    [['fly', 'shots.csv', '--threads', '4'], /--threads 4: there is one thread here; leave it out/],
-    [[...over, '--threads', '2'], /--threads 2: there is one thread here; leave it out/],
+    [['fly', 'shots.csv', '--threads', '4'], /--threads 4: only one thread is available here; leave the option out/],
+    [[...over, '--threads', '2'], /--threads 2: only one thread is available here; leave the option out/],
     [['fly', '--listen'], /--listen .*: there is no network here; give a file of shots instead/],
     [[...over, '--part', '1/2', '-o', 'parts'], /built without the feature parquet/],
     [[...over, '-o', 'rows.csv'], /there is no disk here; write the rows to standard output/],

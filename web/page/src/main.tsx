@@ -11,7 +11,7 @@ import { read } from './state/fragment';
 import { Catalog } from './setup/parameters';
 import './style.css';
 
-/** Draws the page while the worker of the hand compiles the core. */
+/** Draws the page while the worker `hand` compiles the core. */
 async function start(place: HTMLElement) {
   const [hand, desk] = [new Lane(), new Lane()];
   const started = hand.start(packedCore());

@@ -1,6 +1,6 @@
-// A worker as the page uses it. It does one piece of work at a time; for each topic at most one
-// piece waits. A newer piece replaces the waiting piece of its topic, whose answer is null. The
-// thread begins at once; work waits for the core.
+// A worker with a queue. It does one piece of work at a time, and at most one piece of each topic
+// waits. A newer piece replaces the waiting piece of its topic; the replaced piece gets the answer
+// null. The thread starts at once, but the work waits until the worker has the core.
 import workerCode from 'virtual:worker';
 import type { Packed } from './load';
 import type { Call, Command, FromWorker, Numbers, Reply, ToWorker } from './messages';
@@ -19,7 +19,7 @@ export interface Progress {
   of: number;
 }
 
-/** Number of traps without an answer in between, after which a worker is not begun again. */
+/** Number of consecutive traps without an answer, after which a worker is not restarted. */
 const MOST_TRAPS = 5;
 
 export class Lane {
@@ -29,18 +29,21 @@ export class Lane {
   #waiting: Job[] = [];
   #current: { job: Job; number: number } | null = null;
   #number = 0;
-  /** Traps since the worker last answered. */
+  /** Number of traps since the last answer of the worker. */
   #traps = 0;
   /** Settles the promise of `start`. */
   #onStart = { started: (_: WebAssembly.Module) => {}, failed: (_: Error) => {} };
-  /** Receives the message of a trap, after which the worker begins anew. */
+  /** Receives the message of a trap, after which the worker is restarted. */
   onTrap: (message: string) => void = () => {};
   /** Called when no work is running or waiting. */
   onIdle: () => void = () => {};
   /** Receives the progress of long work; null when it ends. */
   onProgress: (progress: Progress | null) => void = () => {};
 
-  /** Gives the worker the core. The promise is of the compiled core; rejected if no worker can start it. */
+  /**
+   * Gives the core to the worker. The promise resolves to the compiled core, or is rejected if the
+   * worker cannot start the core.
+   */
   start(core: Packed | WebAssembly.Module): Promise<WebAssembly.Module> {
     this.#core = core;
     this.#post(this.#worker, { kind: 'start', core });
@@ -49,22 +52,24 @@ export class Lane {
     });
   }
 
-  /** Numbers of the core, or null if a newer call of the topic came first. */
+  /** Numbers of the core; null if a newer call of the topic replaced this call. */
   async calls(topic: string, calls: Call[]) {
     const answer = await this.#queue(topic, { kind: 'calls', calls });
     return answer && 'numbers' in answer ? answer : null;
   }
 
   /**
-   * The answer to a command; null if a newer command of the topic came first, or if the command was
-   * ended.
+   * The answer to a command; null if a newer command of the topic replaced this command, or if this
+   * command was ended.
    */
   async command(topic: string, words: string[], files: Record<string, Uint8Array> = {}) {
     const answer = await this.#queue(topic, { kind: 'command', command: { words, files } });
     return answer && 'reply' in answer ? answer.reply : null;
   }
 
-  /** Ends the current work: a thread without shared memory can only be ended as a whole. */
+  /**
+   * Ends the current work by ending its thread, which cannot see a stop flag without shared memory.
+   */
   end() {
     this.#restart();
   }
@@ -147,7 +152,8 @@ export class Lane {
 
   #trap(message: string) {
     this.#traps += 1;
-    // a core that no worker has compiled is not tried again: it is missing, or the browser cannot run it
+    // do not restart with a core that was never compiled: it is missing, or the browser cannot run
+    // it
     const hasCore = this.#core instanceof WebAssembly.Module;
     if (hasCore) this.onTrap(message);
     if (hasCore && this.#traps < MOST_TRAPS) {

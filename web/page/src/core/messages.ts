@@ -13,7 +13,7 @@ export interface Command {
   files: Record<string, Uint8Array>;
 }
 
-/** To a worker: the core first, packed or compiled, then numbered work. */
+/** Messages to a worker: first the core, packed or compiled, then numbered work. */
 export type ToWorker =
   | { kind: 'start'; core: Packed | WebAssembly.Module }
   | { kind: 'calls'; number: number; calls: Call[] }
@@ -41,7 +41,7 @@ export interface Reply {
   files: Record<string, Uint8Array>;
 }
 
-/** From a worker. */
+/** Messages from a worker. */
 export type FromWorker =
   | { kind: 'started'; module: WebAssembly.Module }
   | { kind: 'numbers'; number: number; numbers: Numbers[]; milliseconds: number }

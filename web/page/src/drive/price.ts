@@ -19,11 +19,11 @@ export function bandOf(value: number, { first, second }: Slope, loss: number): B
   const curvature = second / 2;
   const root = first * first - 4 * curvature * loss;
   if (Math.abs(curvature) * loss < 1e-12 * first * first || curvature === 0) {
-    // without curvature the model is a line
+    // curvature 0 or negligible: the model is a line
     if (first > 0) low = -loss / first;
     if (first < 0) high = -loss / first;
   } else if (root >= 0) {
-    // without cancellation
+    // roots of the quadratic, computed without cancellation
     const sum = -0.5 * (first + Math.sign(first || 1) * Math.sqrt(root));
     for (const end of [sum / curvature, loss / sum]) {
       if (end < 0) low = Math.max(low, end);
@@ -33,12 +33,12 @@ export function bandOf(value: number, { first, second }: Slope, loss: number): B
   return { low: value + low, high: value + high };
 }
 
-/** Number of units in a printed price; the price of a single unit would be too small. */
+/** Number of units that a printed price is for, where the price of a single unit is too small. */
 const STEPS: Readonly<Record<string, number>> = {
   rpm: 100, ft: 1000, m: 100, degF: 10, degC: 10, 'g cm^2': 100, hPa: 10, 'rad/s': 1,
 };
 
-/** Numbers of units that take precedence over `STEPS`, by parameter. */
+/** Numbers of units by parameter, which take precedence over `STEPS`. */
 const STEPS_OF: Readonly<Record<string, number>> = { 'wind.from': 10, 'ground.height': 1 };
 
 export interface Price {

@@ -1,4 +1,4 @@
-// Your drive, the best drive, their difference, and the worth of a further degree.
+// Your drive, the best drive, their difference, and the gain for one more unit of each parameter.
 import { useComputed } from '@preact/signals';
 import { priceOf } from '../drive/price';
 import { labelOf } from '../setup/parameters';
@@ -75,10 +75,15 @@ function ValueRow({ name, theirs }: { name: string; theirs: number }) {
   );
 }
 
-/** The number of this unit at 0 SI, so that a difference of temperatures has no offset. */
+/**
+ * The SI value of 0 in this unit: added to a difference, it cancels the offset of temperature
+ * units.
+ */
 const zero = (unit: string) => (unit === 'degC' ? 273.15 : unit === 'degF' ? 255.372222 : 0);
 
-/** The worth of a further degree, at your drive and beyond the bounds of the best drive. */
+/**
+ * The gain for one more unit of a parameter, at your drive and beyond the bounds of the best drive.
+ */
 function Worth() {
   const { explorer } = usePage();
   const { slopes, best } = explorer;

@@ -68,7 +68,7 @@ export function App() {
   );
 }
 
-/** Undo, redo, and the best drive, by one key. */
+/** Keys for undo, redo and the best drive. */
 function useKeys() {
   const { address, explorer } = usePage();
   useEffect(() => {
@@ -76,7 +76,7 @@ function useKeys() {
       const isTyped = event.target instanceof HTMLInputElement && event.target.type !== 'range'
         && event.target.type !== 'radio' && event.target.type !== 'checkbox';
       const isCommand = event.ctrlKey || event.metaKey;
-      // the browser would undo a number that the drive has already, and the field would differ from it
+      // a field whose number is set: the browser's undo would change the field, but not the drive
       const isCommitted = isTyped && event.target.matches('.number:not([data-draft])');
       if (isTyped && !(isCommand && isCommitted)) return;
       if (event.target instanceof HTMLSelectElement) return;

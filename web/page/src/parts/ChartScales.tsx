@@ -1,9 +1,10 @@
-// The scales of a curve: numbers across, and lines with numbers up.
+// The scales of a curve: numbers along the horizontal axis, and lines with numbers along the
+// vertical axis.
 import { MARGIN } from './scale';
 
 interface Scale {
   ticks: readonly number[];
-  /** The pixel of a tick. */
+  /** The coordinate of a tick, pixels. */
   place: (tick: number) => number;
   text: (tick: number) => string;
 }
@@ -12,7 +13,7 @@ interface Props {
   across: Scale;
   up: Scale;
   width: number;
-  /** The baseline of the numbers across. */
+  /** The baseline of the numbers along the horizontal axis. */
   bottom: number;
 }
 

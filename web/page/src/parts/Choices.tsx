@@ -1,4 +1,4 @@
-// The choices of a setup that are no numbers.
+// The parameters of a setup whose values are names, not numbers.
 import type { Design } from '../setup/design';
 import { hasLaunch, withValues } from '../setup/design';
 import type { Choice } from '../setup/parameters';

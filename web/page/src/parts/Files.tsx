@@ -96,7 +96,7 @@ function Command() {
       setCopied(true);
       setTimeout(() => setCopied(false), 2000);
     } catch {
-      // without permission the text can still be selected
+      // without permission to copy, the user can still select the text
     }
   };
   return (

@@ -41,20 +41,20 @@ export function IterationsPicture(props: Props) {
     if (!first) return undefined;
     return isRefused(first) ? null : readMap(first, axes);
   });
-  // the last map is of other parameters: wait for the new one
+  // the last map has other parameters: wait for the new map
   if (!map || map.across !== axes.across || (!isCurve && map.up !== axes.up)) return null;
   return isCurve ? <CurvePicture {...props} map={map} /> : <PlanePicture {...props} map={map} />;
 }
 
 /**
- * The parameters of the picture: the varied ones if there are at most two, else the parameters of
- * the map.
+ * The parameters of the picture: the varied parameters if there are at most two, else the
+ * parameters of the map.
  */
 function axesOf({ names, ranges }: Iterations, explorer: Explorer): MapAxes {
   const { goal } = explorer.state.value;
   const ofMap = mapOf(explorer.state.value);
   if (names.length === 1) {
-    // a curve is a map whose second axis has one value, of a parameter that every setup has
+    // a curve is a map whose second axis has a single value; every setup has this axis' parameter
     const up = names[0] === 'gravity' ? 'ball.mass' : 'gravity';
     const value = explorer.value(up) ?? NaN;
     return { across: names[0]!, up, ranges: [ranges[0]!, { low: value, high: value, step: 0 }], goal };

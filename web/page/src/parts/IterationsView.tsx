@@ -55,7 +55,7 @@ function Stepper({ iterations }: { iterations: Iterations }) {
   if (!iteration) return <p>{iterations.message}</p>;
   const go = (to: number) => setWanted(Math.min(last, Math.max(0, to)));
   const press = (event: KeyboardEvent) => {
-    // the slider moves by its own arrow keys
+    // leave the arrow keys to a slider that has the focus
     if (event.target instanceof HTMLInputElement) return;
     if (event.key === 'ArrowLeft') go(at - 1);
     else if (event.key === 'ArrowRight') go(at + 1);

@@ -1,5 +1,4 @@
-// The loop over the slider of the chosen parameter: the difference of its carry from the exact
-// carry.
+// Draws the loop over the slider of the chosen parameter: the loop's carry minus the exact carry.
 import { isRefused } from '../drive/drive';
 import { labelOf } from '../setup/parameters';
 import { digits } from '../setup/units';

@@ -1,5 +1,5 @@
 // For lectures: the while-loop of the MAE 494 report beside the exact drive. The loop lands a step
-// late, so its carry has teeth, and differences of it are no derivatives.
+// late, so its carry has teeth, and difference quotients of this carry are no derivatives.
 import { useComputed } from '@preact/signals';
 import { useEffect, useState } from 'preact/hooks';
 import { isRefused, refusalOf } from '../drive/drive';

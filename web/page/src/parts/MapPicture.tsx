@@ -1,4 +1,4 @@
-// Shared by pictures over two parameters: the plan, areas between contours, lines and scales.
+// Parts of all pictures over two parameters: the plan, areas between contours, lines and scales.
 import { contours } from 'd3-contour';
 import { useMemo } from 'preact/hooks';
 import { labelOf } from '../setup/parameters';
@@ -11,7 +11,7 @@ import { MARGIN } from './scale';
 
 export const HEIGHT = 300;
 const LEVELS = 14;
-/** The least distance of two labels, pixels. */
+/** The least distance between two labels, pixels. */
 const LABEL = 30;
 /** Space above for the name of the axis. */
 export const TOP = 28;
@@ -71,7 +71,7 @@ interface Area {
   spot: readonly [number, number] | null;
 }
 
-/** Values row by row from the lowest, NaN where there are none. */
+/** Values at the nodes, row by row from the lowest row; NaN at a node without a value. */
 export interface Grid {
   columns: number;
   rows: number;
@@ -91,7 +91,7 @@ function pixelOf({ columns, rows }: Grid, { ranges: [across, up] }: MapData, pla
   };
 }
 
-/** The levels of the contours, SI: the best part of the map has the closest ones. */
+/** The levels of the contours, SI. The contours are limited to the best part of the map. */
 export function levelsOf(map: MapData, units: System): number[] {
   const unit = lengthUnit(units);
   const landed = map.values.filter(Number.isFinite);

@@ -150,7 +150,7 @@ function Axes() {
   const { state, design } = explorer;
   const key = () => JSON.stringify(
     [design.value.preset, Object.keys(design.value.set), mapOf(state.value)]);
-  // many options that seldom change
+  // memoized: the lists have many options, which seldom change
   const { axes, names } = useSteady(key, () => ({ axes: mapOf(state.value), names: axisNames(explorer) }));
   const select = (axis: 0 | 1, label: string) => (
     <label>

@@ -35,7 +35,7 @@ export function SideView() {
     ? `The ball rises to ${length(apex_height, units)} and lands after ${(flight_time ?? NaN).toFixed(1)} s `
       + `at ${length(carry, units)}, at ${fromSI(descent_angle ?? NaN, 'deg').toFixed(1)}° to the ground.`
     : 'No drive yet.';
-  // memoized, because most moves do not change them
+  // memoized, because most moves of a slider do not change the scales
   const scales = useMemo(() => (
     <>
       {ticks(0, inLength(distance, units), Math.max(3, width / 110)).map((tick) => (

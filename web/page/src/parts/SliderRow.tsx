@@ -73,7 +73,7 @@ function rowOf(explorer: Explorer, name: string) {
     units: explorer.units.value,
     shown: shownOf(explorer, name),
     isSet,
-    // a launch has no preset: without one of its values there is no drive
+    // a launch value without a preset value has no reset: an incomplete launch gives no drive
     hasReset: isSet && (preset !== null || !name.startsWith('launch.')),
     message: refusal?.parameters[0] === name ? refusal.message : null,
   };
@@ -139,7 +139,7 @@ interface FieldProps {
   id: string;
   label: string;
   unit: string;
-  /** The number of the state as text. */
+  /** The number in the state, as text. */
   shown: string;
   hasMessage: boolean;
 }

@@ -43,7 +43,7 @@ export function TopView() {
     ? `The ball lands at ${length(carry, units)}, ${sideways(lateral, units)}.` : 'No drive yet.';
   const unit = lengthUnit(units);
   const aim = (downrange: number, right: number) => explorer.aim(pair, downrange, right);
-  // memoized, because most moves do not change them
+  // memoized, because most moves of a slider do not change the scales
   const scales = useMemo(() => (
     <>
       {ticks(0, inLength(distance, units), Math.max(3, width / 110)).map((tick) => (

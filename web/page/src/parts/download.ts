@@ -6,7 +6,7 @@ export function download(name: string, content: string | Uint8Array<ArrayBuffer>
   link.href = address;
   link.download = name;
   link.click();
-  // the browser reads the file after this task
+  // free the address later: the browser reads the file only after this task
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }
 

@@ -1,4 +1,4 @@
-// The width of a picture's place, so that its texts keep their size.
+// Measures the width available for a picture: drawn at this width, its texts keep their size.
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 
 export function useWidth() {

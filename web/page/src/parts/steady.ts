@@ -1,4 +1,4 @@
-// Components that render again only when their content changes, not at each move of the hand.
+// Components that render again only when their content changes, not at each move of a slider.
 import { untracked, useComputed } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 

@@ -45,7 +45,7 @@ export function numberOf(name: string, design: Design, catalog: Catalog): number
   return preset === 'inf' ? Infinity : null;
 }
 
-/** A design with values; `undefined` goes back to the preset. */
+/** The design with these values; a value `undefined` restores the value of the preset. */
 export function withValues(design: Design, values: Record<string, string | undefined>): Design {
   const set: Record<string, string> = { ...design.set };
   for (const [name, text] of Object.entries(values)) {

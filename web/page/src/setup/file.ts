@@ -43,7 +43,7 @@ export function designOf(values: FileValues, catalog: Catalog, system: System): 
   const rows = values.parameters.filter(({ law, parameter }) =>
     (law === null || law === values.law) && isUsed(parameter));
   const choices = values.choices.filter(({ choice }) => catalog.choice(choice) && isUsed(choice));
-  // a preset that states its step would replace the choice of the page or of the program
+  // exclude presets that state a step, which would replace the choice of the page or the program
   const presets = catalog.presets.filter((preset) => values.states_step || !preset.states_step);
   const candidates = presets.map((preset): Design => {
     const set: Record<string, string> = {};

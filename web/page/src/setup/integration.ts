@@ -1,9 +1,10 @@
-// The integration of a preset's drives. web/build asks the core for it: the answer depends on the
-// preset only, and takes a new core longer than the first drive.
+// The integration method and step for a preset's drives. web/build computes them with the core:
+// they depend only on the preset, and computing them in the page would take longer than the first
+// drive.
 import type { Parameter } from './parameters';
 import { travelOf } from './travel';
 
-/** Method and time step, s, that are accurate for all drives near the sliders. */
+/** Method and time step, s, that are accurate for drives within the ranges of the sliders. */
 export interface Integration {
   method: string;
   step: number;

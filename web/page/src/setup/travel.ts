@@ -9,7 +9,7 @@ export interface Travel {
   step: number;
 }
 
-/** Low, high and step in the unit. */
+/** Low, high and step in a unit, and this unit. */
 type Row = readonly [low: number, high: number, step: number, unit: string];
 
 const ROWS: Readonly<Record<string, Row>> = {
@@ -44,8 +44,8 @@ const ROWS: Readonly<Record<string, Row>> = {
 };
 
 /**
- * Travel of a parameter without a row: half of the value to both sides, or a fraction of the unit
- * around 0.
+ * Travel of a parameter without a row in `ROWS`: half of the value to both sides of the value, or,
+ * for 0 and for no value, five units to both sides of 0.
  */
 function around(value: number | null, unit: string): Travel {
   const size = value === null || value === 0 || !Number.isFinite(value)

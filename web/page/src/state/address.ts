@@ -37,7 +37,7 @@ export class Address {
   #changed(state: State, isFinal: boolean) {
     const fragment = write(state);
     if (!isFinal) {
-      // a drag replaces the last address instead of adding one
+      // a drag replaces the last address instead of adding a new address
       clearTimeout(this.#timer);
       this.#timer = window.setTimeout(() => history.replaceState(null, '', `#${fragment}`), PAUSE);
       return;

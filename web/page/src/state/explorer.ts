@@ -20,7 +20,7 @@ import { mapCall, mapKey, readMap } from './map';
 import type { State } from './state';
 import { activeOf, mapOf, varyOf, withDesign } from './state';
 
-/** Requested derivatives: first ones for prices, and the diagonal of the second ones for bands. */
+/** Requested derivatives: first derivatives for prices, and diagonals of Hessians for bands. */
 const PRICES = { order: 2, diagonal: true };
 const COARSE = 20;
 const FINE = 60;
@@ -37,7 +37,7 @@ export class Explorer {
   readonly refusal = signal<Refusal | null>(null);
   readonly slopes = signal<ReadonlyMap<string, Slope>>(new Map());
   /**
-   * Reasons why parameters have no derivative in this setup, for example because another one
+   * Reasons why parameters have no derivative in this setup, for example because another parameter
    * replaces them.
    */
   readonly noSlope = signal<ReadonlyMap<string, string>>(new Map());
@@ -47,7 +47,7 @@ export class Explorer {
   readonly map = signal<MapData | null>(null);
   readonly mapBest = signal<Best | null>(null);
   readonly others = signal<readonly (Drive | Refusal | null)[]>([]);
-  /** True while an answer to the state is missing. */
+  /** True while an answer about the state is missing. */
   readonly busy = signal(true);
   readonly trap = signal<string | null>(null);
   readonly progress = signal<(Progress & { what: string }) | null>(null);
@@ -58,7 +58,7 @@ export class Explorer {
    * The time step of the loop that is drawn over the map and a slider, s; null if none is drawn.
    */
   readonly loopStep = signal<number | null>(null);
-  /** The open group of further sliders. */
+  /** The open group among the sliders below the first screen. */
   readonly openGroup = signal<string | null>(null);
   /** Milliseconds of the last drive in the worker. */
   readonly milliseconds = signal(0);
@@ -196,7 +196,7 @@ export class Explorer {
     this.busy.value = true;
     const flown = this.#fly();
     this.#rest.call(async () => {
-      // before the drive, the coarse map would replace the fine one in the queue of a worker that starts
+      // wait for the drive, which requests a coarse map: in the queue it would replace the fine map
       await flown;
       void this.#findBest();
       void this.#flyOthers();
@@ -248,7 +248,10 @@ export class Explorer {
     this.#mapIfOther();
   }
 
-  /** The call for prices of wind and air that are not stated, at the values that they have then. */
+  /**
+   * The call for prices of unstated parameters of wind and air, at the values that a drive has for
+   * them.
+   */
   #unsetCall(): Call | null {
     const { set } = this.design.value;
     const isCalm = ['wind.right', 'wind.downrange'].every((name) => this.value(name) === 0);
@@ -310,8 +313,8 @@ export class Explorer {
   }
 
   /**
-   * Computes a coarse map at once if the map changes. It does not depend on the values of its own
-   * two parameters.
+   * Computes a coarse map at once if the map changes. A map does not depend on the design's values
+   * of the two parameters of its axes.
    */
   #mapIfOther() {
     if (mapKey(this.design.value, this.#mapAxes()) !== this.#mapKey) void this.#flyMap(COARSE);
@@ -376,7 +379,7 @@ export class Explorer {
   #trapped(message: string) {
     this.trap.value = message;
     this.#traps += 1;
-    // after the first trap, compute the drive once more
+    // after the first trap, compute the drive again
     if (this.#traps === 1) this.#rest.call(() => this.refresh());
   }
 
@@ -397,7 +400,7 @@ export function messageOf({ answer, said }: Reply): string {
     const { message } = JSON.parse(answer) as { message?: string };
     if (message) return message;
   } catch {
-    // not JSON: the message is beside the answer
+    // the answer is not JSON: the messages of the command are in `said`
   }
   return said.map(({ text }) => text).join(' ') || 'no answer';
 }

@@ -25,7 +25,7 @@ function differences(design: Design, first: Design): [string, string][] {
     if (design === first || first.set[name] !== text) rows.push([name, compact(text)]);
   }
   if (design === first) return rows;
-  // the first design states a value that this design does not have
+  // an empty text marks a value of the first design that this design does not have
   for (const name of Object.keys(first.set)) {
     if (!(name in design.set)) rows.push([name, '']);
   }
@@ -40,7 +40,7 @@ export function write(state: State): string {
     const prefix = PREFIXES[at] ?? '';
     const rows = differences(design, first);
     rows.forEach(([name, text]) => add(prefix + name, text));
-    // a design without differences still has its place
+    // write the preset of a design without differences, so that the design exists in the address
     if (at > 0 && rows.length === 0) add(`${prefix}preset`, design.preset);
   });
   if (state.active > 0) add('active', PREFIXES[state.active]?.[0] ?? 'a');

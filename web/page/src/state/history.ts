@@ -17,7 +17,7 @@ export class History<T> {
     return this.#future.length > 0;
   }
 
-  /** Adds a new state and deletes the undone ones. False if nothing changed. */
+  /** Adds a new state and deletes the undone states. False if the state did not change. */
   push(state: T): boolean {
     if (state === this.#now) return false;
     this.#past.push(this.#now);

@@ -11,13 +11,13 @@ export interface Iteration {
   value: number;
   /** Relative KKT residual. */
   residual: number;
-  /** The step from here; null at the end of a search. */
+  /** The step from this iterate; null at the end of a search. */
   trial: Trial | null;
   x: Float64Array;
-  /** The bound of each parameter: −1 the lower, 1 the upper, 0 none. */
+  /** The bound at which each parameter is: −1 the lower, 1 the upper, 0 none. */
   bounds: Float64Array;
   gradient: Float64Array;
-  /** Row by row. */
+  /** The second derivatives of the model, row by row. */
   hessian: Float64Array;
   /** The trust region within the ranges. */
   low: Float64Array;
@@ -27,9 +27,9 @@ export interface Iteration {
 export interface Trial {
   x: Float64Array;
   isAccepted: boolean;
-  /** Gain of the outcome by the model. */
+  /** Gain of the outcome that the model predicts. */
   predicted: number;
-  /** Gain of the outcome by the drive. */
+  /** Actual gain of the outcome, from the drive at `x`. */
   actual: number;
   /** True if the model has no maximum; the step is then computed with a reflected curvature. */
   isReflected: boolean;

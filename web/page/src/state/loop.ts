@@ -1,4 +1,5 @@
-// The while-loop of the MAE 494 report beside the exact drive, along a parameter or over two.
+// The while-loop of the MAE 494 report beside the exact drive, along one parameter or over two
+// parameters.
 import type { Call, Numbers } from '../core/messages';
 import type { MapAxes } from './map';
 

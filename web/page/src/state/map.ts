@@ -15,7 +15,7 @@ export interface MapAxes {
 export interface MapData extends MapAxes {
   columns: number;
   rows: number;
-  /** Row by row from the lowest, m; NaN without a landing. */
+  /** Values of the outcome, m, row by row from the lowest row; NaN without a landing. */
   values: Float64Array;
 }
 

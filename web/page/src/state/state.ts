@@ -32,7 +32,10 @@ export const START: State = {
 
 export const activeOf = (state: State): Design => state.designs[state.active] ?? START.designs[0]!;
 
-/** The parameters that the best drive may change: the loft, as a golfer chooses a club. */
+/**
+ * The parameters that the best drive may change; by default the loft, which a golfer chooses with
+ * the club.
+ */
 export function varyOf(state: State): readonly string[] {
   const isLaunch = hasLaunch(activeOf(state));
   const usual = isLaunch ? ['launch.launch_angle'] : ['club.loft'];
