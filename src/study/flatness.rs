@@ -58,7 +58,7 @@ pub enum WindowLimit {
 }
 
 /// A direction in the space of the free parameters.
-// an eigenvector of the reduced Hessian in units of the ranges, in which its length is 1
+// an eigenvector of the reduced Hessian, of length 1 if parameters are in units of their ranges
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[cfg_attr(test, schemars(rename = "DirectionReport"))]
@@ -87,10 +87,10 @@ pub struct Ellipse {
     /// The parameters.
     pub parameters: [&'static Parameter; 2],
     /// The half-axes as components of the parameters, SI, the longer one first.
-    // the one that is longer in units of the ranges
+    // longer if parameters are in units of their ranges
     pub half_axes: [[f64; 2]; 2],
     /// The smallest and the largest loss of drives computed on the ellipse, SI.
-    // of the drives that meet the ranges and constraints
+    // only drives that meet the ranges and constraints count
     pub losses: Option<(f64, f64)>,
 }
 

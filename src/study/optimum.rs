@@ -55,8 +55,8 @@ pub struct Optimum {
 }
 
 impl Optimum {
-    /// True if carry and total of the drives before and after the search are an answer: the search
-    /// is for one of them, and the ball runs after it lands.
+    /// True if carry and total before and after the search are compared: the search is for one of
+    /// them, and the ball runs after it lands.
     pub fn compares_totals(&self) -> bool {
         let is_distance = [Outcome::Carry, Outcome::Total].map(Some);
         let run = self

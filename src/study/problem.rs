@@ -86,7 +86,8 @@ impl SearchProblem {
         Self::new(setup, search, &Arc::default())
     }
 
-    /// The problem of a search that may vary no parameter, for the values of its goals.
+    /// The problem of a search that may have no varied parameter; only the values of its goals are
+    /// needed.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new).
@@ -154,7 +155,7 @@ impl SearchProblem {
         self.vary.iter().filter_map(own).collect()
     }
 
-    /// The setup with the varied parameters at `x`, and with its own swing.
+    /// The setup with the varied parameters set to `x`, and with its own swing.
     pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
         self.setup.with_values(&self.vary, x)
     }

@@ -38,7 +38,7 @@ const AT_ONCE: usize = 16;
 /// Largest number of searches from points of a sample.
 const SEARCHES: usize = 3;
 
-/// Points per feasible point above which the feasible region may be disconnected.
+/// If less than one in this number of points is feasible, the feasible region may be disconnected.
 const ONE_IN: usize = 8;
 
 /// Compares the end of a search with a sample of the ranges. `search` starts from points that are

@@ -11,7 +11,7 @@ pub struct Sigma {
     pub parameter: &'static Parameter,
     /// Standard deviation, SI.
     pub value: f64,
-    /// Source; `None` if the user gave it.
+    /// Source of the uncertainty; `None` if the user gave it.
     pub source: Option<&'static str>,
 }
 
@@ -179,12 +179,12 @@ const BALL: &str = "assumed: what launch monitors state of a ball, as for `calib
 const STRIKE: &str = "assumed: a mark on the face, read to a millimetre";
 const STRIKE_HIGH: &str = "assumed: a mark on the face, read to a millimetre; the height of the \
                            sweet spot, from which it counts, is known within 3 mm (docs/sources.md)";
-const SPOT: &str = "docs/sources.md: the sweet spot is known within 3 mm";
+const SPOT: &str = "docs/sources.md: the height of the sweet spot is known within 3 mm";
 const LAW_DRAG: &str = "docs/sources.md: credible laws differ by 0.015 in C_D";
-const LAW_LIFT: &str = "docs/sources.md: credible laws differ by 0.02 in C_L, a tenth of it";
+const LAW_LIFT: &str = "docs/sources.md: credible laws differ by 0.02 in C_L, or 10 %";
 const AIR: &str = "assumed: temperature within 1.5 °C";
 const PRESSURE: &str = "assumed: pressure within 3 hPa";
-const ALTITUDE: &str = "assumed: pressure within 3 hPa of that of the altitude";
+const ALTITUDE: &str = "assumed: pressure within 3 hPa of the standard pressure at the altitude";
 const HUMIDITY: &str = "assumed: humidity within 10 %";
 const BEARING: &str = "assumed: wind direction within 10 deg";
 const WIND: &str =

@@ -102,7 +102,7 @@ impl FitPlan {
             };
             if table.shots.iter().any(is_stationary) {
                 return refuse(format!(
-                    "{} cannot be fitted to rows that are optima in it",
+                    "{} cannot be fitted, because it is the stationary parameter of a row",
                     parameter.name
                 ));
             }
@@ -173,8 +173,8 @@ fn check_measurements(shots: &[Shot]) -> Result<()> {
 /// # Errors
 /// [`Error::Calibration`] for a plan that does not fit the table, and for measured values that are
 /// not finite or have no standard uncertainty above 0; [`Error::OtherLaw`] and
-/// [`Error::SearchRange`] for the parameters to fit; [`Error::NoFit`] with the rows that have no
-/// answer at any start; [`Error::NotConverged`] if interrupted before the fit began.
+/// [`Error::SearchRange`] for the parameters to fit; [`Error::NoFit`] if no starting point was found
+/// at which every row can be computed; [`Error::NotConverged`] if interrupted before the fit began.
 pub fn calibrate(
     setup: &Setup<f64>,
     table: &ShotTable,
@@ -226,7 +226,7 @@ pub fn calibrate(
     })
 }
 
-/// Starting points of the searches. All rows can be computed at one or more of these points.
+/// Starting points of the searches; all rows can be computed at one or more of them.
 fn starting_points(
     problem: &mut ShotResiduals<'_>,
     domain: &Domain,
@@ -234,8 +234,8 @@ fn starting_points(
     count: usize,
     observer: &FitObserver,
 ) -> Result<Vec<Vec<f64>>> {
-    /// Number of further starting points that are tried if the residuals are undefined at all
-    /// planned starting points.
+    /// Number of additional starting points to try if the residuals are undefined at all planned
+    /// starting points.
     const START_TRIALS: usize = 64;
     let planned = starts(domain, own, count)?;
     if planned.iter().any(|start| problem.begin(start)) {
@@ -423,7 +423,8 @@ fn finished(
     })
 }
 
-/// Range information of the fitted parameters at `x`.
+/// For each fitted parameter: true if its value in `x` lies inside its range, and the width of the
+/// range.
 fn ranges_of(x: &[f64], own: &[f64], domain: &Domain) -> Vec<Fitted> {
     /// Width of an unbounded range, as a multiple of the parameter's magnitude (at least 0.001).
     const ENDLESS: f64 = 1e6;
@@ -491,7 +492,7 @@ pub(super) fn flown(
     }
     if !is_begun {
         return Err(missing(
-            "rows to be predicted have no answer",
+            "rows to be predicted cannot be computed",
             &problem,
             &[],
         ));

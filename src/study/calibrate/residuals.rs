@@ -60,7 +60,7 @@ pub(super) struct ShotResiduals<'a> {
 }
 
 impl ShotResiduals<'_> {
-    /// The setup with the fitted parameters at `x`.
+    /// The setup with the fitted parameters set to `x`.
     pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
         let moved = self.setup.with_values(&self.fitted, x)?;
         moved.validate()?;

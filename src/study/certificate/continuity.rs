@@ -133,8 +133,8 @@ pub(super) fn continuity(
     Ok(of.iter().enumerate().map(continuity).collect())
 }
 
-/// Extrapolates back by an offset of the first parameter: the value with the gradient, the gradient
-/// with the Hessian.
+/// Extrapolates a Taylor expansion back by an offset of the first parameter: the value with the
+/// gradient, the gradient with the Hessian.
 fn extrapolated_back(taylor: &Taylor, offset: f64) -> Taylor {
     let slope = taylor.gradient.first().copied().unwrap_or_default();
     let gradient = taylor

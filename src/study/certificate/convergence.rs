@@ -90,7 +90,8 @@ pub struct Convergence {
     /// because it also occurs where the first two error terms cancel.
     #[serde(skip)]
     pub falls_short: [bool; 2],
-    /// Sensitivity of the test: true if these errors would fail an expected order higher by one.
+    /// Sensitivity of the test: true if these errors would fail the test of an order that is higher
+    /// by one.
     #[serde(skip)]
     pub would_show: [bool; 2],
 }
@@ -102,10 +103,10 @@ impl Convergence {
     }
 }
 
-/// Convergence of outcomes and their derivatives by `wrt` with the step. A logarithmic wind is
-/// omitted, because it varies within half a metre of height, which these steps cross at once. Steps
-/// longer than the spin decay time are omitted too. Empty if too few steps remain, or once
-/// `goes_on` is false.
+/// Convergence of outcomes and of their derivatives by `wrt` with decreasing time step. A
+/// logarithmic wind is omitted, because it varies within half a metre of height, which these steps
+/// cross at once. Steps longer than the spin decay time are omitted too. Empty if too few steps
+/// remain, or once `goes_on` is false.
 ///
 /// # Errors
 /// The errors of [`jacobian`].
@@ -125,7 +126,8 @@ pub(super) fn convergence(
     let fading = fading(setup, &drive);
     let at = |level: usize, steps: u32| {
         let mut setup = *setup;
-        // half a step more, so that no step ends just before or after the landing
+        // the landing lies in the middle of the last step, so that no step ends close to the
+        // landing
         setup.flight.step = time / (f64::from(steps) - 0.5);
         // a flight that fails at too coarse a step is skipped
         let is_short = setup.flight.step <= 1.0 && setup.flight.step * fading <= 1.0;
@@ -151,7 +153,7 @@ pub(super) fn convergence(
 
 /// Outcomes with derivatives, computed with one time step.
 struct Flown {
-    /// Level of the number of steps; see [`Levels`].
+    /// Level to which the number of steps belongs; see [`Levels`].
     level: usize,
     /// Time step, s.
     step: f64,
@@ -164,7 +166,7 @@ struct Comparison<'a> {
     drive: &'a Drive<f64>,
     scales: Vec<f64>,
     reference: Vec<Taylor>,
-    /// A flight that differs from the reference mainly by rounding.
+    /// Outcomes of a second reference flight, which differ from `reference` mainly by rounding.
     beside: Vec<Taylor>,
     flown: Vec<Flown>,
     measure: fn(&[Errors], u32, f64, f64) -> Option<Measured>,
@@ -172,7 +174,7 @@ struct Comparison<'a> {
 
 impl<'a> Comparison<'a> {
     /// Flies with the step sizes of all levels, after the reference flights. `None` if a reference
-    /// flight fails, or if fewer levels fly than an order needs.
+    /// flight fails, or if flights succeed at too few levels to measure an order.
     fn new(
         setup: &'a Setup<f64>,
         drive: &'a Drive<f64>,

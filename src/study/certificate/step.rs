@@ -64,8 +64,8 @@ impl StepError {
     }
 }
 
-/// Truncation errors of flight outcomes and their derivatives by `wrt`; empty if a step of an
-/// eighth is not allowed.
+/// Truncation errors of flight outcomes and their derivatives by `wrt`; empty if an eighth of the
+/// setup's time step is not an allowed step.
 ///
 /// # Errors
 /// The errors of [`jacobian`].

@@ -87,7 +87,7 @@ impl Comparison {
         let are_alike = setups[0].launch.spin.is_some() == setups[1].launch.spin.is_some();
         let (path, launches) = match (are_given, are_alike) {
             (true, true) => (Path::new(setups), None),
-            // the launches are equal, but their spins have different parameters
+            // both launches are given, but only one of them by its total spin
             (true, false) => (Path::new(as_launched(launches)), None),
             (false, _) => (Path::new(setups), Some(Path::new(as_launched(launches)))),
         };

@@ -90,7 +90,7 @@ impl Unknown {
     }
 }
 
-/// Search range around a value.
+/// Search range around a value, within the allowed range; `None` if it is empty.
 fn search_range(parameter: &Parameter, value: f64, sigma: f64) -> Option<[f64; 2]> {
     let range = parameter.range;
     let (low, high) = (
@@ -172,7 +172,7 @@ fn default_unknowns(setup: &Setup<f64>, sigmas: &[Sigma]) -> Result<Vec<Unknown>
         let [low, high] = search_range(parameter, prior, sigma).ok_or_else(|| {
             let (name, value) = (parameter.name, parameter.show(Some(prior)));
             refuse(format!(
-                "{name} = {value} leaves no room to move; set it to another value"
+                "the search range around {name} = {value} is empty; set it to another value"
             ))
         })?;
         all.push(Unknown {

@@ -494,7 +494,7 @@ fn check_strikes(setup: &Setup<f64>, scenarios: &Scenarios, vary: &[Vary]) -> Re
         if (high * high / roll + toe * toe / bulge) / third >= 1.0 {
             let (bulge, roll) = (mm(bulge), mm(roll));
             return refuse(format!(
-                "where a face with a bulge of {bulge} and a roll of {roll} ends"
+                "beyond the edge of a face with a bulge of {bulge} and a roll of {roll}"
             ));
         }
     }

@@ -11,7 +11,7 @@ use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 
-/// Share of the swings that exceed each validity limit of the model, with the design of a setup.
+/// For each validity limit of the model: share of the swings with a setup's design that exceed it.
 /// Swings that do not land are not counted. `None` once `stop` is true.
 pub fn beyond_share(
     setup: &Setup<f64>,

@@ -268,7 +268,7 @@ impl LowestShare<'_> {
         let t = self.threshold();
         let terms = self.drives.iter().map(|(f, weight)| {
             let [value, slope, bend] = self.plus(t - self.sign * f.value);
-            // −φ(t − u) by f
+            // derivatives of −φ(t − u) by f
             let by_f = [-value, self.sign * slope, -bend];
             (*f, by_f.map(|part| weight / self.share * part))
         });
@@ -323,7 +323,8 @@ impl LowestShare<'_> {
         }
     }
 
-    /// Adds the change of t with the variables x, (∂²/∂t∂x)(∂²/∂t∂x)ᵀ / (−∂²/∂t²).
+    /// Adds to the Hessian the term of the change of t with the variables x, (∂²/∂t∂x)(∂²/∂t∂x)ᵀ /
+    /// (−∂²/∂t²).
     fn add_threshold_change(&self, t: f64, hessian: &mut [Vec<f64>]) {
         let bends: Vec<f64> = self
             .drives
@@ -501,7 +502,7 @@ mod tests {
         }
     }
 
-    /// All drives are equal, so every share has the common value, for any weights.
+    /// All drives are equal, so the mean of every share is their common value, for any weights.
     #[test]
     fn exact_shares_of_identical_drives() {
         let weights = [0.5, 0.25, 0.15, 0.1];

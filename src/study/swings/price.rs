@@ -47,7 +47,7 @@ pub enum GoalError {
     /// The error of the quadrature: twice the change of the goal with 1.5 times as many nodes.
     Quadrature(f64),
     /// The 99 % interval of the goal over all swings, and the number of independent sequences of
-    /// swings whose scatter gives the interval. It contains the reported value.
+    /// swings whose scatter gives the interval. The interval contains the reported value.
     Sampling(Interval, usize),
     /// Unknown, because the ball does not fly in one of the other scenarios: the swing, and the
     /// reason.

@@ -117,7 +117,7 @@ struct Round {
     /// Value of the objective at this optimum over the resample; `None` if the ball does not fly in
     /// one of the swings.
     value: Option<f64>,
-    /// The gain of the best design over the setup's own, over the resample.
+    /// The gain of the best design over the setup's design, with the swings of the resample.
     gain: Option<f64>,
 }
 

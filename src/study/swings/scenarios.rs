@@ -46,13 +46,13 @@ pub struct Scenarios {
 const MOST_INTEGRATED: usize = 3;
 /// Number of nodes per parameter, for one, two and three parameters.
 const NODES: [usize; MOST_INTEGRATED] = [32, 16, 8];
-/// Number of scenarios for more parameters.
+/// Number of scenarios for more than three parameters.
 const SCENARIOS: usize = 512;
 /// Largest number of scenarios in a search.
 const MOST_SCENARIOS: usize = 100_000;
 /// Number of independent sequences that estimate the error of a goal.
 const SEQUENCES: u32 = 8;
-/// Minimum number of points of each of these sequences.
+/// Minimum number of points of a sequence that estimates the error of a goal.
 const POINTS: usize = 2048;
 
 impl Rule {
@@ -60,8 +60,8 @@ impl Rule {
     /// scenarios.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for fewer than 2 scenarios or more than 100,000, and for a given count
-    /// of recorded swings.
+    /// [`Error::Unreadable`] for fewer than 2 scenarios or more than 100,000, and for a `count`
+    /// with recorded swings.
     pub fn of(swings: &Swings, count: Option<usize>, seed: u32) -> Result<Self> {
         let refuse = |count: usize, reason: String| {
             Err(Error::Unreadable {
@@ -216,9 +216,9 @@ impl Scenarios {
         })
     }
 
-    /// Independent scramblings of Sobol's sequence over the same distributions, for estimates that
-    /// no search has used. Each has at least as many points as there are scenarios. Empty without
-    /// distributions.
+    /// Independent scramblings of Sobol's sequence over the same distributions, for estimates from
+    /// points that no search has used. Each sequence has at least as many points as there are
+    /// scenarios. Empty without distributions.
     pub(in crate::study) fn sequences(&self) -> Vec<Result<Self>> {
         let Some(swings) = &self.distributed else {
             return vec![];
@@ -255,7 +255,7 @@ impl Scenarios {
         } else {
             1_usize << bounded.len()
         };
-        // without an infinite distribution all scenarios have the same corners
+        // if all distributions are bounded, all scenarios have the same corners
         let others = if endless.is_empty() {
             1
         } else {
