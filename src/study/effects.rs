@@ -69,7 +69,7 @@ impl Effects {
     }
 
     /// Magnitude of the neglected second-order terms: Σ ½ σ² |∂²f/∂p²|. First-order effects below
-    /// this are unreliable.
+    /// this magnitude are unreliable.
     pub fn linearity(&self) -> f64 {
         self.bars()
             .filter_map(|bar| bar.second_order)

@@ -633,8 +633,7 @@ impl<'a> Call<'a> {
             }
             ("strokes", [hole]) => {
                 let Some(strokes) = strokes else {
-                    let reason =
-                        "expected strokes need a table of them; give it with `strokes FILE`";
+                    let reason = "expected strokes need a table; give its file with `strokes FILE`";
                     return Err(self.piece.error(reason));
                 };
                 Measure::Strokes(strokes.clone(), self.amount(Quantity::LENGTH, hole)?)

@@ -15,7 +15,7 @@ use argmin::solver::brent::BrentRoot;
 use nalgebra::DMatrix;
 use serde::Serialize;
 
-/// The surroundings of an optimum within a stated loss.
+/// How far the varied parameters can move from an optimum within a stated loss.
 #[derive(Clone, Debug)]
 pub struct Flatness {
     /// The allowed loss of the outcome, SI.
@@ -51,7 +51,7 @@ pub enum WindowLimit {
     Loss,
     /// A bound of the search.
     Bound,
-    /// The constraint with this number.
+    /// The constraint with this index.
     Constraint(usize),
     /// The ball does not fly beyond this end.
     NoFlight,
@@ -169,7 +169,7 @@ fn problem(best: &Optimum, loss: f64) -> Result<SearchProblem> {
     SearchProblem::of_drive(&best.setup, &best.search)
 }
 
-/// The surroundings of an optimum.
+/// An optimum, with the losses of drives around it.
 struct Top<'a> {
     domain: &'a Domain,
     values: Evaluator,

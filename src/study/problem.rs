@@ -548,8 +548,8 @@ fn refuse_distributed(search: &Search) -> Result<()> {
     if let Some(parameter) = varied.find(|parameter| distributed.contains(parameter)) {
         return refuse(
             parameter,
-            "it is varied, and the swings have values of it; vary something else, or leave it out \
-             of the swings",
+            "it is varied, and the swings have values of it; vary another parameter, or remove it \
+             from the swings",
         );
     }
     for (_, measure) in search.goals().flat_map(|goal| &goal.terms) {
@@ -558,8 +558,8 @@ fn refuse_distributed(search: &Search) -> Result<()> {
         {
             return refuse(
                 parameter,
-                "a relation of the design has it, and the swings have values of it; leave it out \
-                 of one of the two",
+                "a relation of the design contains it, and the swings have values of it; remove \
+                 it from the relation or from the swings",
             );
         }
     }

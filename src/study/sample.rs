@@ -22,10 +22,10 @@ pub struct Sample {
     pub improved: bool,
 }
 
-/// A sample, with the better end of a search from one of its points.
+/// A sample, with the best solution of the searches from its points.
 pub(super) struct SampleSearch {
     pub sample: Sample,
-    /// The better solution; `None` if no search from a point of the sample ended better.
+    /// The best solution of the searches; `None` if no search improved the optimum.
     pub solution: Option<Solution>,
 }
 

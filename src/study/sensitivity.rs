@@ -44,7 +44,7 @@ pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sens
     })
 }
 
-/// Sensitivities to several parameters, each with its own error.
+/// The sensitivity to each of several parameters, or the error of this sensitivity.
 ///
 /// # Errors
 /// [`Error::NotConverged`] without a converged optimum.
@@ -91,7 +91,7 @@ fn converged(best: &Optimum) -> Result<SearchProblem> {
     SearchProblem::of_drive(&best.setup, &best.search)
 }
 
-/// A stated change of a parameter.
+/// A requested change of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change {
     /// The parameter.

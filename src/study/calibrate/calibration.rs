@@ -33,7 +33,7 @@ pub struct Estimate {
     pub is_determined: bool,
 }
 
-/// A residual with its origin.
+/// A residual, with the row and the outcome to which it belongs.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Remainder {

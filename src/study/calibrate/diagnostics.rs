@@ -85,8 +85,8 @@ fn value_warning(estimate: &Estimate) -> Option<Message> {
         let advice = match ends.contains(&estimate.value) {
             true => "the end of its allowed values: the fitted model does not describe the data",
             false => {
-                "the end of its range: the sum would fall further beyond it; give it a wider \
-                 range, or look at the data"
+                "the end of its range: beyond it the sum of squares would decrease further; give \
+                 a wider range, or check the data"
             }
         };
         return Some(format!("{name} ended at {}, {advice}", show(estimate.value)).into());

@@ -54,8 +54,8 @@ impl FitPlan {
                 let (name, value) = (vary.parameter.name, vary.parameter.show(Some(vary.low)));
                 return Err(Error::Calibration {
                     reason: format!(
-                        "the range of {name} is the single value {value}, so nothing is left to \
-                         fit; give a wider one, or `set` it"
+                        "the range of {name} is the single value {value}, so that nothing is left \
+                         to fit; give a wider range, or fix the value with `set`"
                     ),
                 });
             }
@@ -155,8 +155,8 @@ fn check_measurements(shots: &[Shot]) -> Result<()> {
         if !(at.sigma > 0.0 && at.sigma.is_finite()) {
             let sigma = at.parameter.show(Some(at.sigma));
             return refuse(format!(
-                "row {row} is an optimum in {} with a standard uncertainty of {sigma}; give \
-                 one above 0",
+                "row {row}: the stationary parameter {} has a standard uncertainty of {sigma}; \
+                 give an uncertainty above 0",
                 at.parameter
             ));
         }
@@ -244,8 +244,7 @@ fn starting_points(
     if observer.is_interrupted() {
         return Err(stopped("the fit began"));
     }
-    // rows cannot be computed with the setup's values: try other starting points, as the optimizer
-    // does
+    // no planned starting point allows every row to be computed: try others, as the optimizer does
     let other = starts(domain, own, START_TRIALS)?
         .into_iter()
         .find(|start| problem.begin(start));

@@ -606,7 +606,7 @@ impl Reading {
         of == Outcome::Spin && value == 0.0 && !self.is_export
     }
 
-    /// The launch parameters of the stated launch conditions.
+    /// Names and values of the launch parameters for the launch conditions of a row.
     fn launch(&self, stated: Launch) -> Result<[(&'static str, f64); 5], RowError> {
         conditions(stated, |of| self.has(of)).map_err(
             |Fault {
@@ -682,8 +682,8 @@ impl Reading {
                 }
                 Content::Stationary if !has(Content::SigmaStationary) => {
                     remarks.push(
-                        "stationary has no column 'sigma stationary': 1 deg is taken for each, as \
-                         a weight"
+                        "stationary has no column 'sigma stationary': 1 deg is taken for each \
+                         row, as a weight"
                             .into(),
                     );
                     worth = Uncertainties::Weights;
@@ -700,7 +700,7 @@ impl Reading {
 fn assumed_sigma(column: &Column, outcome: Outcome) -> Message {
     let Some((instrument, sigma)) = instrument(outcome) else {
         return format!(
-            "{0} has no column 'sigma {0}': 1 {1} is taken for each, as a weight",
+            "{0} has no column 'sigma {0}': 1 {1} is taken for each row, as a weight",
             outcome.name(),
             column.unit()
         )

@@ -70,7 +70,8 @@ pub struct Undetermined {
     pub standard_error: Option<f64>,
 }
 
-/// Singular value decomposition of the columns of some parameters, scaled to unit length.
+/// Singular value decomposition of the Jacobian's columns of some parameters, scaled to unit
+/// length.
 struct Columns {
     at: Vec<usize>,
     lengths: Vec<f64>,
@@ -137,7 +138,8 @@ impl Columns {
     ///
     /// - its singular value is 0;
     /// - one standard error along it exceeds the range of a parameter;
-    /// - it contributes most to a parameter's standard error that exceeds the range.
+    /// - a parameter's standard error exceeds the range, and the direction contributes most to this
+    ///   error.
     fn undetermined(
         &self,
         k: usize,

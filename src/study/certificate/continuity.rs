@@ -17,9 +17,9 @@ const DOUBLED: i32 = 9;
 /// rounding.
 const NEIGHBOURS: usize = 8;
 
-/// Distance of the samples in units of the parameter's scale. Adjacent floating-point numbers can
-/// give identical results (a decay e^(−δ h) is rounded to 1e-16, so outcomes are step functions of
-/// δ). The outcome's own change over this distance is subtracted.
+/// Distance between neighbouring samples in units of the parameter's scale. Adjacent floating-point
+/// numbers can give identical results (a decay e^(−δ h) is rounded to 1e-16, so outcomes are step
+/// functions of δ). The outcome's own change over this distance is subtracted.
 const SPACING: f64 = 1e-12;
 
 /// Factor from the scatter of the samples to the tolerance of a jump.

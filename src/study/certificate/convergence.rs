@@ -262,8 +262,8 @@ impl<'a> Comparison<'a> {
     }
 }
 
-/// Flight time at the reference step. With the setup's own step its error may be comparable with
-/// the steps compared here, and one of these steps could end at the landing.
+/// Flight time at the reference step. At the setup's own step, the error of the flight time may be
+/// as large as the steps compared here, so that one of these steps could end at the landing.
 fn fine_flight_time(setup: &Setup<f64>, about: f64) -> Option<f64> {
     let mut setup = *setup;
     setup.flight.step = about / f64::from(REFERENCE);
@@ -275,9 +275,9 @@ fn fine_flight_time(setup: &Setup<f64>, about: f64) -> Option<f64> {
 /// - Dense output of degree 7: the error is h⁸ in a position and h⁷ in its derivatives. In a
 ///   velocity, and in a root of a velocity, the order is one less.
 /// - Apex: within a step, the velocity error is h^p times a function of the position in the step.
-///   The apex moves through the step at a rate 1/h, so its derivatives have errors h^(p−1). Here
-///   the steps are chosen so that the landing lies in the middle of a step, where this function is
-///   flat.
+///   The apex moves through the step at a rate 1/h, so its derivatives have errors h^(p−1). A
+///   landing does not lose this order, because the steps are chosen so that it lies in the middle
+///   of a step, where this function is flat.
 fn orders_of_smooth_law(setup: &Setup<f64>, of: Outcome) -> [u32; 2] {
     let interpolated = match of.computed_from() {
         // with spin damping the spin at landing is interpolated with degree 5

@@ -54,7 +54,8 @@ pub(super) struct Measured {
     pub falls_short: bool,
 }
 
-/// Measures the order from errors above the rounding `floor`; `None` if there are too few.
+/// Measures the order from errors above the rounding `floor`; `None` if too few levels have such
+/// errors.
 pub(super) fn measure(
     samples: &[Errors],
     expected: u32,
@@ -92,7 +93,8 @@ pub(super) fn measure_largest(
     })
 }
 
-/// Logarithms of step and largest error of each level above rounding; `None` if there are too few.
+/// Logarithms of step and largest error of each level above rounding; `None` if there are too few
+/// such levels.
 fn levels_above_rounding(samples: &[Errors], power: i32, floor: f64) -> Option<Vec<(f64, f64)>> {
     let count = samples.iter().map(|sample| sample.level).max()? + 1;
     let of_level = |level: usize| samples.iter().filter(move |sample| sample.level == level);
@@ -193,8 +195,8 @@ mod tests {
             .falls_short
     }
 
-    /// An error of order 5. At coarse steps its next terms dominate, and at all but three levels it
-    /// is rounding.
+    /// An error of order 5. At coarse steps its next terms dominate, and at all but three levels
+    /// the error is rounding.
     #[test]
     fn higher_order_terms_at_coarse_steps_are_no_lower_order() {
         let e = |h: f64| h.powi(5) * (1.1 - 15.0 * h - 80.0 * h * h);

@@ -45,7 +45,8 @@ pub struct Difference {
     /// Shares of the differing parameters.
     pub by_parameter: Shares,
     /// For an outcome of the flight: shares of the launch conditions and of the flight's
-    /// parameters. `None` if both launches are given, because `by_parameter` is then equal.
+    /// parameters. `None` if both launches are given, because `by_parameter` then contains these
+    /// shares.
     pub by_launch: Option<Shares>,
 }
 

@@ -53,7 +53,7 @@ impl Unknown {
     }
 
     /// The unknown with a launch monitor's value as prior. The uncertainty is the monitor's, unless
-    /// the user gave one.
+    /// the user gave an uncertainty.
     pub fn measured_as(self, value: f64) -> Self {
         let Self {
             parameter,
@@ -208,7 +208,8 @@ fn varied_unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Resul
         }
         if low == high {
             return Err(refuse(format!(
-                "the range of {name} is a single value; give a wider one, or `set` it"
+                "the range of {name} is a single value; give a wider range, or fix its value with \
+                 `set`"
             )));
         }
         let prior = setup.value(parameter).unwrap_or(0.5 * (low + high));

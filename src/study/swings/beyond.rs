@@ -59,8 +59,9 @@ fn warnings(
 
 impl Optimum {
     /// Warnings about the setup at the optimum and about its drives, and about the total of the
-    /// drive at the start, if the answer compares both totals. Without an optimum, the warnings are
-    /// about the setup only. Once `stop` is true, a warning says that the swings were not checked.
+    /// drive at the start, if the totals before and after the search are compared. Without an
+    /// optimum, the warnings are about the setup only. Once `stop` is true, a warning says that the
+    /// swings were not checked.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let mut of = self.search.outcomes();
         if self.compares_totals() {

@@ -114,8 +114,8 @@ fn resample(n: usize, seed: u64, stream: u64) -> Vec<f64> {
 /// The optimum of a resample.
 struct Round {
     x: Vec<f64>,
-    /// Value of the objective at this optimum over the resample; `None` if the ball does not fly in
-    /// one of the swings.
+    /// Value of the objective at this optimum, with the swings of the resample; `None` if the ball
+    /// does not fly in one of the swings.
     value: Option<f64>,
     /// The gain of the best design over the setup's design, with the swings of the resample.
     gain: Option<f64>,

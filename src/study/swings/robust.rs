@@ -28,11 +28,11 @@ const USUAL: [([(&str, &str); 1], &str); 4] = [
     ([(LAW, "launch-monitor")], "what a launch monitor predicts"),
     (
         [(LAW, "ferguson")],
-        "radar flights of a ball of 2021: the independent alternative",
+        "fitted to radar flights of a ball of 2021, independently of the default law",
     ),
     (
         [("impact.friction", "0.3")],
-        "the least friction of a driver's face that is published, 0.3 to 0.5",
+        "the smallest of the published frictions of a driver's face, 0.3 to 0.5",
     ),
     (
         [("impact.gear_scale", "0.5")],
@@ -124,7 +124,7 @@ impl Model {
     }
 }
 
-/// Minimax design: its greatest loss over several models is smallest.
+/// Minimax design: the design whose greatest loss over several models is smallest.
 #[derive(Clone, Debug)]
 pub struct Robust {
     /// The search.

@@ -108,12 +108,11 @@ impl Rule {
         let why = match (self, seed) {
             (Self::Sequence { .. }, _) | (_, None) => return Ok(()),
             (Self::Quadrature(_), _) => {
-                "up to 3 distributed parameters are integrated by Gauss's rules, in which nothing \
-                 is random; give `scenarios` too, or leave it out"
+                "up to 3 distributed parameters are integrated by Gauss's rules, which need no \
+                 seed; give `scenarios` too, or leave the seed out"
             }
             (Self::Recorded, _) => {
-                "recorded swings are the scenarios themselves, in which nothing is random; leave \
-                 it out"
+                "recorded swings are the scenarios themselves, without a seed; leave the seed out"
             }
         };
         Err(Error::Unreadable {
@@ -145,7 +144,7 @@ impl Scenarios {
         self.parameters.iter().enumerate().map(range).collect()
     }
 
-    /// One drive, the setup's own. The mean of an outcome is the outcome.
+    /// One scenario: the setup's own drive. The mean of an outcome is then the outcome itself.
     pub fn one_drive() -> Self {
         Self {
             parameters: vec![],
@@ -192,7 +191,7 @@ impl Scenarios {
                     .map_err(|source| Error::Unreadable {
                         name: format!("a swing of the distribution of {}", parameter.name),
                         source: format!(
-                            "{source}; give it ends with truncated(MEAN,DEVIATION,LOW,HIGH)"
+                            "{source}; limit it with truncated(MEAN,DEVIATION,LOW,HIGH)"
                         )
                         .into(),
                     })?;

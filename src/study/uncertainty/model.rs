@@ -122,8 +122,8 @@ impl Design {
         })
     }
 
-    /// Statistics of an output from its values at the points, in the same order; `None` with fewer
-    /// than two finite values.
+    /// Statistics of an output from its values at the points, in the order of the points; `None`
+    /// with fewer than two finite values.
     ///
     /// # Panics
     /// If the number of values differs from the number of points in a set.
