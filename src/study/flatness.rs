@@ -23,7 +23,7 @@ pub struct Flatness {
     /// Window of each varied parameter: its interval within the allowed loss, with all other
     /// parameters fixed at the optimum.
     pub windows: Vec<Window>,
-    /// Directions of the free parameters in ascending order of curvature.
+    /// Directions in the space of the free parameters, in ascending order of curvature.
     pub directions: Vec<Direction>,
     /// Ellipse of the allowed loss for each pair of free parameters, by the quadratic model of the
     /// outcome. Empty if a constraint is active: the gradient of the outcome is then not 0, and a
@@ -86,7 +86,7 @@ pub struct Direction {
 pub struct Ellipse {
     /// The parameters.
     pub parameters: [&'static Parameter; 2],
-    /// The half-axes as components of the parameters, SI, the longer one first.
+    /// The half-axes, each as changes of the two parameters, SI; the longer half-axis comes first.
     // longer if parameters are in units of their ranges
     pub half_axes: [[f64; 2]; 2],
     /// The smallest and the largest loss of drives computed on the ellipse, SI.

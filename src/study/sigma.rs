@@ -174,8 +174,8 @@ fn gusts(setup: &Setup<f64>) -> [f64; 3] {
 
 const MONITOR: &str = "assumed: the uncertainty of launch monitors for the ball (0.5 mph, 0.3 \
                        deg), also for the club";
-const BALL: &str = "assumed: the uncertainty of launch monitors for the ball, as in `calibrate` for \
-                    columns without sigma";
+const BALL: &str = "assumed: the uncertainty of launch monitors for the ball, as in `calibrate` \
+                    for columns without sigma";
 const STRIKE: &str = "assumed: a mark on the face, read to a millimetre";
 const STRIKE_HIGH: &str = "assumed: a mark on the face, read to a millimetre; the height of the \
                            sweet spot, from which it counts, is known within 3 mm (docs/sources.md)";

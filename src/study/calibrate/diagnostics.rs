@@ -52,7 +52,7 @@ impl Calibration {
             self.statistics.chi_square,
             self.statistics.degrees_of_freedom,
         );
-        // the status reports a misfit or an outlier already
+        // no warning if the status already reports a misfit or an outlier
         let is_told = !matches!(
             self.fit.status,
             Status::DominatedByOneResidual | Status::Misfit

@@ -173,8 +173,9 @@ fn check_measurements(shots: &[Shot]) -> Result<()> {
 /// # Errors
 /// [`Error::Calibration`] for a plan that does not fit the table, and for measured values that are
 /// not finite or have no standard uncertainty above 0; [`Error::OtherLaw`] and
-/// [`Error::SearchRange`] for the parameters to fit; [`Error::NoFit`] if no starting point was found
-/// at which every row can be computed; [`Error::NotConverged`] if interrupted before the fit began.
+/// [`Error::SearchRange`] for the parameters to fit; [`Error::NoFit`] if no starting point was
+/// found at which every row can be computed; [`Error::NotConverged`] if interrupted before the fit
+/// began.
 pub fn calibrate(
     setup: &Setup<f64>,
     table: &ShotTable,

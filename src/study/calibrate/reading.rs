@@ -639,7 +639,7 @@ impl Reading {
             if self.is_launched {
                 return Err(RowError::new(
                     here(),
-                    "the rows state the launch; leave this cell empty, or remove the launch columns",
+                    "the rows state the launch; empty this cell, or remove the launch columns",
                 ));
             }
             let parameter = at_shot

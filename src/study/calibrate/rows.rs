@@ -225,8 +225,8 @@ impl Rows {
         remarks.append(&mut self.of_sections);
         remarks.extend(left_out);
         for (head, rows) in std::mem::take(&mut self.sideways) {
-            let why = "in rows without a measured launch direction, or without a measured spin axis \
-                       or sidespin";
+            let why = "in rows without a measured launch direction, or without a measured spin \
+                       axis or sidespin";
             remarks.push(format!("{head} is not compared {why}: {}", rows.join(", ")).into());
         }
         for (why, rows) in std::mem::take(&mut self.not_stated) {

@@ -7,7 +7,7 @@ use crate::flight::Flight;
 use crate::parameters::{Parameter, Setup};
 use serde::Serialize;
 
-/// Search range for a change of the number of steps, in units of the parameter's scale.
+/// Search range for a change of the number of time steps, in units of the parameter's scale.
 const FARTHEST: f64 = 0.1;
 
 /// Number of doublings that lead to the end of the search range.
@@ -29,7 +29,7 @@ const BAR: f64 = 4.0;
 /// miss.
 const PROMISED: [f64; 3] = [1e-13, 1e-12, 1e-10];
 
-/// An outcome at a parameter value where the number of steps changes.
+/// An outcome at a parameter value where the number of time steps changes.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[cfg_attr(test, schemars(rename = "ContinuityCheck"))]

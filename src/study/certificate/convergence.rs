@@ -303,7 +303,7 @@ fn fading(setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
 }
 
 /// Errors of the value, relative to the outcome's magnitude, and of each gradient entry, relative
-/// to the largest entry unless the gradient is negligible.
+/// to the largest entry or to a tiny fraction of the outcome's magnitude.
 fn errors(found: &Taylor, reference: &Taylor, size: f64, scales: &[f64]) -> [Vec<f64>; 2] {
     let entries = reference
         .gradient

@@ -22,7 +22,8 @@ const FITTED: usize = 4;
 /// lower order has a share near 1.
 const SHARE: f64 = 0.25;
 
-/// Largest negligible lower-order term, in units of its standard error, for scattering errors.
+/// Largest negligible lower-order term if the errors scatter, in units of the term's standard
+/// error.
 const DEVIATIONS: f64 = 4.0;
 
 /// Signed errors at one step: of a value, or of each entry of a gradient.
@@ -114,7 +115,7 @@ fn levels_above_rounding(samples: &[Errors], power: i32, floor: f64) -> Option<V
 }
 
 /// Fits e/h^p = d/h + a + b h + c h² and tests d for each entry. A significant d must also explain
-/// the errors better than a further term in h, because the fit omits such terms.
+/// the errors better than one more power of h, because the fit omits higher powers.
 fn has_lower_term(samples: &[&Errors], power: i32) -> bool {
     let Some(last) = samples.last() else {
         return false;

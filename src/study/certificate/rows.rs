@@ -79,8 +79,8 @@ pub(super) fn demand(setup: &Setup<f64>) -> Demand {
     }
 }
 
-/// The rows of several outcomes by one parameter; `None` once `is_stopped` is true. `exact` are the
-/// derivatives to certify, from the original evaluation.
+/// The rows for the derivatives of several outcomes by one parameter; `None` once `is_stopped` is
+/// true. `exact` are the derivatives to certify, from the original evaluation.
 ///
 /// # Errors
 /// The errors of [`Evaluator::new`]. A neighbouring drive without an outcome gives no sample.

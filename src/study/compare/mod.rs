@@ -138,8 +138,8 @@ impl Comparison {
             .collect()
     }
 
-    /// Splits of the outcomes that both drives have: by parameter and, if the launches have a path
-    /// of their own, by launch condition.
+    /// Divides the differences of the outcomes that both drives have: by parameter and, if the
+    /// launches have a separate path, by launch condition.
     fn splits(&self, of: &[Outcome]) -> (Split<'_>, Option<Split<'_>>) {
         let has = |of: &Outcome| self.drives.iter().all(|drive| of.value(drive).is_some());
         let of: Vec<Outcome> = of.iter().copied().filter(has).collect();
@@ -228,7 +228,7 @@ fn as_launched(drives: [(&Setup<f64>, &Drive<f64>); 2]) -> [Setup<f64>; 2] {
             spin[1],
         ]
     });
-    // remove differences of rounding
+    // remove differences that are only rounding
     for (b, a) in b.iter_mut().zip(a) {
         if (*b - a).abs() < ROUNDING * a.abs().max(1.0) {
             *b = a;

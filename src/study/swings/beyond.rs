@@ -11,8 +11,8 @@ use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 
-/// For each validity limit of the model: share of the swings with a setup's design that exceed it.
-/// Swings that do not land are not counted. `None` once `stop` is true.
+/// For each validity limit of the model: the share of the swings that exceed it, with the design of
+/// `setup`. Swings that do not land are not counted. `None` once `stop` is true.
 pub fn beyond_share(
     setup: &Setup<f64>,
     scenarios: &Scenarios,

@@ -253,7 +253,7 @@ fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
 struct LowestShare<'a> {
     /// Values or gradients, with weights.
     drives: &'a [(&'a Taylor, f64)],
-    /// −1 for the highest share.
+    /// 1 for the lowest share, −1 for the highest share.
     sign: f64,
     /// α.
     share: f64,
@@ -475,7 +475,7 @@ mod tests {
         let mut sorted = values.clone();
         sorted.sort_by(f64::total_cmp);
         let low = sorted[..2].iter().sum::<f64>() / 2.0;
-        // a third of the numbers: three, and a third of the fourth
+        // the highest third of ten numbers: three numbers, and a third of the fourth
         let high = (sorted[7..].iter().sum::<f64>() + sorted[6] / 3.0) / (10.0 / 3.0);
         let inside = values.iter().filter(|value| value.abs() <= 9.0).count() as f64 / 10.0;
         let of = Outcome::Carry;

@@ -121,7 +121,7 @@ struct Round {
     gain: Option<f64>,
 }
 
-/// The search over a resample from the best design; `None` if it does not converge.
+/// The search over a resample, started at the best design; `None` if it does not converge.
 fn searched_again(
     problem: &SearchProblem,
     best: &Optimum,

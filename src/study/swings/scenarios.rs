@@ -226,7 +226,7 @@ impl Scenarios {
             Rule::Sequence { count, seed } => (count.max(POINTS), seed),
             _ => (POINTS, 0),
         };
-        // far from the seeds that users usually choose
+        // keeps the seeds far from the seeds that users usually choose
         let seed = |round: u32| seed.wrapping_add(0x9e37_79b9_u32.wrapping_mul(round + 1));
         (0..SEQUENCES)
             .map(|round| {
@@ -320,8 +320,8 @@ fn sequence_point(inputs: &[Uncertain], factor: &[Vec<f64>], k: u64, seed: u32) 
         .collect()
 }
 
-/// Product of the Gauss rules of the distributions; for correlated parameters, of their normal
-/// scores.
+/// Product of the Gauss rules of the distributions; for correlated parameters, product of the Gauss
+/// rules of their normal scores.
 fn quadrature_points(
     inputs: &[Uncertain],
     factor: &[Vec<f64>],

@@ -350,7 +350,7 @@ impl Uncertain {
                 format!("there is no distribution \"{}\"; {how}", kind.trim()).into(),
             ));
         }
-        // the standard deviation is a difference: it has no offset
+        // the standard deviation is a difference, which is converted without the offset of its unit
         let is_difference = |at: usize| matches!(kind.trim(), "normal" | "truncated") && at == 1;
         let amounts = inside.split(',').enumerate().map(|(at, part)| {
             let read = if is_difference(at) {
