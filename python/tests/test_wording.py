@@ -508,7 +508,7 @@ def test_what_is_no_range_is_refused(given: Any) -> None:
         ),
         (
             lambda: longdrive.objective(None, "strokes(400yd)", distribution=ATTACK),
-            "^of: expected strokes need a table of them; give it with strokes=FILE",
+            "^of: expected strokes need a table; give its file with strokes=FILE",
         ),
         (
             lambda: longdrive.objective(None, "mean(carry)", distribution=ATTACK, strokes={}),

@@ -24,9 +24,9 @@ pub struct Chart {
     pub along: Vary,
     /// The optima, in order.
     pub points: Vec<ChartPoint>,
-    /// Reason if the chart starts after the low end of the range.
+    /// Reason why the chart starts after the low end of the range, if it does.
     pub begun: Option<Message>,
-    /// Reason if the chart ends before the high end of the range.
+    /// Reason why the chart ends before the high end of the range, if it does.
     pub ended: Option<Message>,
     /// True if the chart was interrupted.
     pub interrupted: bool,
@@ -352,7 +352,7 @@ struct Follower<'a> {
 /// Result of a step of the continuation.
 enum Step {
     Taken(Box<ChartPoint>),
-    /// Another step is tried: a shorter one, unless the search was interrupted.
+    /// The step was rejected; the next step is shorter, unless the search was interrupted.
     Rejected,
     /// No optimum was found, with the reason.
     NoOptimum(Message),

@@ -26,8 +26,8 @@ pub struct Effect {
     pub parameter: &'static Parameter,
     /// ∂f/∂p, SI.
     pub gradient: f64,
-    /// (p/f) ∂f/∂p: relative change of f per relative change of p; `None` if p or f is 0, or f is
-    /// rounding.
+    /// (p/f) ∂f/∂p: relative change of f per relative change of p; `None` if p is 0, or if f is 0
+    /// up to rounding.
     pub elasticity: Option<f64>,
     /// Effect of the parameter's standard uncertainty; `None` if the parameter has no uncertainty.
     pub bar: Option<Bar>,
@@ -69,7 +69,7 @@ impl Effects {
     }
 
     /// Magnitude of the neglected second-order terms: Σ ½ σ² |∂²f/∂p²|. First-order effects below
-    /// this are unreliable.
+    /// this magnitude are unreliable.
     pub fn linearity(&self) -> f64 {
         self.bars()
             .filter_map(|bar| bar.second_order)

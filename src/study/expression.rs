@@ -633,15 +633,15 @@ impl<'a> Call<'a> {
             }
             ("strokes", [hole]) => {
                 let Some(strokes) = strokes else {
-                    let reason =
-                        "expected strokes need a table of them; give it with `strokes FILE`";
+                    let reason = "expected strokes need a table; give its file with `strokes FILE`";
                     return Err(self.piece.error(reason));
                 };
                 Measure::Strokes(strokes.clone(), self.amount(Quantity::LENGTH, hole)?)
             }
             ("mean" | "std" | "rms" | "lowest" | "highest" | "within" | "strokes", _) => {
                 return Err(self.piece.error(format!(
-                    "it does not have the arguments that it needs; there are {MEASURES}"
+                    "{} does not have the arguments that it needs; there are {MEASURES}",
+                    self.name
                 )));
             }
             _ => return Err(self.unknown()),
@@ -662,7 +662,7 @@ impl<'a> Call<'a> {
             .filter(|share| *share > 0.0 && *share < 1.0)
             .ok_or_else(|| {
                 self.piece.error(format!(
-                    "'{text}' is no share above 0 and below 100%, for example 10%"
+                    "'{text}' must be a share above 0 and below 100%, for example 10%"
                 ))
             })
     }

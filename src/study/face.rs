@@ -25,8 +25,8 @@ pub struct Face {
     pub carry: Option<f64>,
     /// [`Face::OUTCOMES`] over `strike.toe` and `strike.high`, SI.
     pub plane: Plane,
-    /// Derivatives by `strike.toe` at the sweet spot, SI; at the face centre if there is no sweet
-    /// spot. `None` if a derivative does not exist.
+    /// Derivatives of [`Face::OUTCOMES`] by `strike.toe` at the sweet spot, or at the face centre
+    /// if there is no sweet spot, SI. `None` if a derivative does not exist.
     pub by_toe: Option<[f64; 4]>,
     /// Impact point of the longest carry among the grid nodes on the face, with that carry.
     pub longest: ([f64; 2], f64),

@@ -15,7 +15,7 @@ use argmin::solver::brent::BrentRoot;
 use nalgebra::DMatrix;
 use serde::Serialize;
 
-/// The surroundings of an optimum within a stated loss.
+/// How far the varied parameters can move from an optimum within a stated loss.
 #[derive(Clone, Debug)]
 pub struct Flatness {
     /// The allowed loss of the outcome, SI.
@@ -23,7 +23,7 @@ pub struct Flatness {
     /// Window of each varied parameter: its interval within the allowed loss, with all other
     /// parameters fixed at the optimum.
     pub windows: Vec<Window>,
-    /// Directions of the free parameters in ascending order of curvature.
+    /// Directions in the space of the free parameters, in ascending order of curvature.
     pub directions: Vec<Direction>,
     /// Ellipse of the allowed loss for each pair of free parameters, by the quadratic model of the
     /// outcome. Empty if a constraint is active: the gradient of the outcome is then not 0, and a
@@ -51,14 +51,14 @@ pub enum WindowLimit {
     Loss,
     /// A bound of the search.
     Bound,
-    /// The constraint with this number.
+    /// The constraint with this index.
     Constraint(usize),
     /// The ball does not fly beyond this end.
     NoFlight,
 }
 
 /// A direction in the space of the free parameters.
-// an eigenvector of the reduced Hessian in units of the ranges, in which its length is 1
+// an eigenvector of the reduced Hessian, of length 1 if parameters are in units of their ranges
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[cfg_attr(test, schemars(rename = "DirectionReport"))]
@@ -86,11 +86,11 @@ pub struct Direction {
 pub struct Ellipse {
     /// The parameters.
     pub parameters: [&'static Parameter; 2],
-    /// The half-axes as components of the parameters, SI, the longer one first.
-    // the one that is longer in units of the ranges
+    /// The half-axes, each as changes of the two parameters, SI; the longer half-axis comes first.
+    // longer if parameters are in units of their ranges
     pub half_axes: [[f64; 2]; 2],
     /// The smallest and the largest loss of drives computed on the ellipse, SI.
-    // of the drives that meet the ranges and constraints
+    // only drives that meet the ranges and constraints count
     pub losses: Option<(f64, f64)>,
 }
 
@@ -169,7 +169,7 @@ fn problem(best: &Optimum, loss: f64) -> Result<SearchProblem> {
     SearchProblem::of_drive(&best.setup, &best.search)
 }
 
-/// The surroundings of an optimum.
+/// An optimum, with the losses of drives around it.
 struct Top<'a> {
     domain: &'a Domain,
     values: Evaluator,

@@ -6,8 +6,8 @@ use crate::error::Result;
 use crate::optimize::{Observer, Status};
 use crate::parameters::Parameter;
 
-/// The best value that club and ball achieve with the swing as set up. The rest of a gain needs
-/// another swing.
+/// The best value that changes of club and ball achieve with the swing as set up. The rest of the
+/// optimum's gain needs a changed swing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClubAlone {
     /// The value of the objective as set up, SI.
@@ -25,7 +25,7 @@ pub struct ClubAlone {
 /// - the search is over swings;
 /// - the search does not vary both club (or ball) and swing (or strike);
 /// - the search varies a parameter of another group;
-/// - the start has no value;
+/// - the objective has no value at the start;
 /// - the search over club and ball does not converge.
 ///
 /// # Errors

@@ -8,7 +8,7 @@ use crate::parameters::{LaunchConditions, Setup};
 /// Carry as a function of launch angle and backspin at constant ball speed.
 #[derive(Clone, Debug)]
 pub struct Launches {
-    /// The setup, with the launch that its club gives.
+    /// The setup of the first drive, with the launch that the impact produces given explicitly.
     pub setup: Setup<f64>,
     /// The ball speed, m/s.
     pub ball_speed: f64,

@@ -23,9 +23,10 @@ pub struct Map {
     /// Outcome at each node, SI, row by row from the lowest row; `None` if the drive does not have
     /// the outcome.
     pub values: Vec<Option<f64>>,
-    /// Derivatives of the outcome by both parameters at each node, SI; `None` without the outcome.
+    /// Derivatives of the outcome by both parameters at each node, SI; `None` if the drive does not
+    /// have the outcome.
     pub gradients: Vec<Option<[f64; 2]>>,
-    /// Reason why the first node without a value has none.
+    /// Reason why the first node without a value has no value.
     pub missing: Option<Message>,
     /// Gradients at a coarser grid of points.
     pub slopes: Vec<Slope>,

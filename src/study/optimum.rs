@@ -41,7 +41,8 @@ pub struct Optimum {
     pub drive: Option<Drive<f64>>,
     /// The setup at the start of the search.
     pub start: Setup<f64>,
-    /// The drive of the start, for a search over one drive; `None` without an impact.
+    /// The drive of the start, for a search over one drive; `None` if the club does not strike the
+    /// ball.
     pub start_drive: Option<Drive<f64>>,
     /// Comparison of the optimum of one drive with a sample of the ranges; `None` after a local
     /// search, and after an interrupted search.
@@ -55,8 +56,8 @@ pub struct Optimum {
 }
 
 impl Optimum {
-    /// True if carry and total of the drives before and after the search are an answer: the search
-    /// is for one of them, and the ball runs after it lands.
+    /// True if carry and total before and after the search are compared: the search is for one of
+    /// them, and the ball runs after it lands.
     pub fn compares_totals(&self) -> bool {
         let is_distance = [Outcome::Carry, Outcome::Total].map(Some);
         let run = self
@@ -322,7 +323,7 @@ fn searched(
     Ok((study, locals))
 }
 
-/// A search with its problem.
+/// A search, with the problem that the optimizer solves for it.
 struct Study {
     search: Search,
     problem: SearchProblem,

@@ -86,7 +86,8 @@ impl SearchProblem {
         Self::new(setup, search, &Arc::default())
     }
 
-    /// The problem of a search that may vary no parameter, for the values of its goals.
+    /// The problem of a search that may have no varied parameter; only the values of its goals are
+    /// needed.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new).
@@ -154,7 +155,7 @@ impl SearchProblem {
         self.vary.iter().filter_map(own).collect()
     }
 
-    /// The setup with the varied parameters at `x`, and with its own swing.
+    /// The setup with the varied parameters set to `x`, and with its own swing.
     pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
         self.setup.with_values(&self.vary, x)
     }
@@ -547,8 +548,8 @@ fn refuse_distributed(search: &Search) -> Result<()> {
     if let Some(parameter) = varied.find(|parameter| distributed.contains(parameter)) {
         return refuse(
             parameter,
-            "it is varied, and the swings have values of it; vary something else, or leave it out \
-             of the swings",
+            "it is varied, and the swings have values of it; vary another parameter, or remove it \
+             from the swings",
         );
     }
     for (_, measure) in search.goals().flat_map(|goal| &goal.terms) {
@@ -557,8 +558,8 @@ fn refuse_distributed(search: &Search) -> Result<()> {
         {
             return refuse(
                 parameter,
-                "a relation of the design has it, and the swings have values of it; leave it out \
-                 of one of the two",
+                "a relation of the design contains it, and the swings have values of it; remove \
+                 it from the relation or from the swings",
             );
         }
     }

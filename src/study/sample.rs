@@ -22,10 +22,10 @@ pub struct Sample {
     pub improved: bool,
 }
 
-/// A sample, with the better end of a search from one of its points.
+/// A sample, with the best solution of the searches from its points.
 pub(super) struct SampleSearch {
     pub sample: Sample,
-    /// The better solution; `None` if no search from a point of the sample ended better.
+    /// The best solution of the searches; `None` if no search improved the optimum.
     pub solution: Option<Solution>,
 }
 
@@ -38,7 +38,7 @@ const AT_ONCE: usize = 16;
 /// Largest number of searches from points of a sample.
 const SEARCHES: usize = 3;
 
-/// Points per feasible point above which the feasible region may be disconnected.
+/// If less than one in this number of points is feasible, the feasible region may be disconnected.
 const ONE_IN: usize = 8;
 
 /// Compares the end of a search with a sample of the ranges. `search` starts from points that are

@@ -44,7 +44,7 @@ pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sens
     })
 }
 
-/// Sensitivities to several parameters, each with its own error.
+/// The sensitivity to each of several parameters, or the error of this sensitivity.
 ///
 /// # Errors
 /// [`Error::NotConverged`] without a converged optimum.
@@ -91,7 +91,7 @@ fn converged(best: &Optimum) -> Result<SearchProblem> {
     SearchProblem::of_drive(&best.setup, &best.search)
 }
 
-/// A stated change of a parameter.
+/// A requested change of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change {
     /// The parameter.
@@ -170,12 +170,12 @@ pub struct Changed {
     pub resolved: Optimum,
     /// First predicted change of the active set (first order).
     pub event: Option<PredictedEvent>,
-    /// Actual changes of the active set.
+    /// Changes of the active set found by the new search.
     pub differences: Vec<Message>,
 }
 
-/// Effect of a change on an optimum. `integrated` selects method and step for the changed setup,
-/// because the drives of the new search may need a shorter step.
+/// Effect of a change on an optimum. `integrated` selects the integration method and time step for
+/// the changed setup, because the drives of the new search may need a shorter step.
 ///
 /// # Errors
 /// The errors of [`sensitivity`], of `integrated`, and of the new search.

@@ -11,7 +11,7 @@ pub struct Sigma {
     pub parameter: &'static Parameter,
     /// Standard deviation, SI.
     pub value: f64,
-    /// Source; `None` if the user gave it.
+    /// Source of the uncertainty; `None` if the user gave it.
     pub source: Option<&'static str>,
 }
 
@@ -172,23 +172,23 @@ fn gusts(setup: &Setup<f64>) -> [f64; 3] {
     ]
 }
 
-const MONITOR: &str =
-    "assumed: what launch monitors state of a ball (0.5 mph, 0.3 deg), taken for the club";
-const BALL: &str = "assumed: what launch monitors state of a ball, as for `calibrate` without \
-                    stated uncertainties";
+const MONITOR: &str = "assumed: the uncertainty of launch monitors for the ball (0.5 mph, 0.3 \
+                       deg), also for the club";
+const BALL: &str = "assumed: the uncertainty of launch monitors for the ball, as in `calibrate` \
+                    for columns without sigma";
 const STRIKE: &str = "assumed: a mark on the face, read to a millimetre";
 const STRIKE_HIGH: &str = "assumed: a mark on the face, read to a millimetre; the height of the \
                            sweet spot, from which it counts, is known within 3 mm (docs/sources.md)";
-const SPOT: &str = "docs/sources.md: the sweet spot is known within 3 mm";
+const SPOT: &str = "docs/sources.md: the height of the sweet spot is known within 3 mm";
 const LAW_DRAG: &str = "docs/sources.md: credible laws differ by 0.015 in C_D";
-const LAW_LIFT: &str = "docs/sources.md: credible laws differ by 0.02 in C_L, a tenth of it";
+const LAW_LIFT: &str = "docs/sources.md: credible laws differ by 0.02 in C_L, or 10 %";
 const AIR: &str = "assumed: temperature within 1.5 °C";
 const PRESSURE: &str = "assumed: pressure within 3 hPa";
-const ALTITUDE: &str = "assumed: pressure within 3 hPa of that of the altitude";
+const ALTITUDE: &str = "assumed: pressure within 3 hPa of the standard pressure at the altitude";
 const HUMIDITY: &str = "assumed: humidity within 10 %";
 const BEARING: &str = "assumed: wind direction within 10 deg";
 const WIND: &str =
-    "assumed: mean wind within 1 m/s; and its gusts, σ_u/u = 1/ln(z_ref/z₀), docs/sources.md";
+    "assumed: mean wind within 1 m/s, and gusts with σ_u/u = 1/ln(z_ref/z₀) (docs/sources.md)";
 const TURF: &str = "assumed: fairways differ, and no one has calibrated them; a tour drive's total \
                     is then within about 10 yd";
 

@@ -305,17 +305,17 @@ impl Optimum {
                  less than {little}"
             ),
             all => format!(
-                "{found}; {} have a negligible effect: within its range each changes {goal} by \
-                 less than {little}",
+                "{found}; {} have a negligible effect: within its own range each of them changes \
+                 {goal} by less than {little}",
                 all.join(" and ")
             ),
         }
     }
 
     /// True if a varied parameter does not affect the objective: over the range of the parameter
-    /// the objective changes, to second order, only by rounding. Over swings the limit is 1 mm, or
-    /// 1e-6 for an objective that is not a length. The optimum of such an objective lies at a bound
-    /// or at an arbitrary point.
+    /// the objective changes, to second order, only by rounding. Over swings a change below 1 mm is
+    /// negligible, or below 1e-6 of an objective that is not a length. The optimal value of such a
+    /// parameter is arbitrary, or lies at a bound.
     pub fn is_idle(&self, i: usize) -> bool {
         const ROUNDING: f64 = 1e-12;
         let size = self.value().unwrap_or_default().abs();
@@ -356,7 +356,7 @@ impl Optimum {
         slopes.chain(bends).all(|change| change.abs() < ROUNDING)
     }
 
-    /// Message on the starting point, if the setup's own values do not fly.
+    /// Message on a moved start: with the setup's own values the ball does not fly.
     pub fn moved_start(&self) -> Option<String> {
         let why = self.solution.undefined_at_start.as_ref();
         let why = why.filter(|_| !self.solution.initial_point.is_empty())?;

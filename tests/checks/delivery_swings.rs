@@ -420,7 +420,7 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
     let distribution = run("swings.toml");
     assert!(
         words(&distribution.err)
-            .contains("it takes 10 shots whose delivery is found, and there are 3"),
+            .contains("a distribution needs 10 shots whose delivery is found, and there are 3"),
         "{}",
         distribution.err
     );

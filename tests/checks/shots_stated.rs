@@ -216,7 +216,7 @@ fn lateral_is_not_fitted_where_the_direction_or_the_tilt_is_not_measured() {
             .unwrap_err()
             .to_string();
     assert!(
-        error.contains("nothing but lateral is measured in it"),
+        error.contains("the only measured value is lateral"),
         "{error}"
     );
 }

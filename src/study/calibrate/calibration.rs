@@ -33,7 +33,7 @@ pub struct Estimate {
     pub is_determined: bool,
 }
 
-/// A residual with its origin.
+/// A residual, with the row and the outcome to which it belongs.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Remainder {
@@ -42,7 +42,8 @@ pub struct Remainder {
     /// The measured outcome; carry for a stationary parameter.
     #[serde(rename = "of")]
     pub outcome: Outcome,
-    /// The stationary parameter, if the carry of the row is maximal in a parameter.
+    /// The parameter in which the row's carry is stationary; `null` for the residual of a measured
+    /// outcome.
     #[serde(rename = "parameter")]
     pub stationary: Option<&'static Parameter>,
     /// The measured value, SI; missing for a stationary parameter.

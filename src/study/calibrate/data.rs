@@ -101,8 +101,9 @@ impl ShotTable {
                     (heads, units) = (head.heads.clone(), head.units.clone());
                     reading = Reading::of_head(setup, &table, head, club)?;
                     if reading.is_launched != first.is_launched {
-                        let reason = "launches and deliveries are mixed: its rows are not of the \
-                                      kind of the rows before; use a separate file for each kind";
+                        let reason = "launches and deliveries are mixed: the rows of this section \
+                                      are of another kind than the rows before it; use a separate \
+                                      file for each kind";
                         return Err(table
                             .name
                             .refused(format!(", line {}", record.line), reason));

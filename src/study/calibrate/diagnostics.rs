@@ -11,8 +11,8 @@ use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
 use crate::units::{Digits, Message, counted, significant};
 use std::sync::atomic::AtomicBool;
 
-/// Root mean square of the residuals in standard uncertainties above which a fit gets a warning.
-/// Noise alone gives 1.
+/// A fit gets a warning if the root mean square of its residuals, in standard uncertainties,
+/// exceeds this number. Noise alone gives 1.
 const MUCH: f64 = 3.0;
 
 impl Calibration {
@@ -52,7 +52,7 @@ impl Calibration {
             self.statistics.chi_square,
             self.statistics.degrees_of_freedom,
         );
-        // the status reports a misfit or an outlier already
+        // no warning if the status already reports a misfit or an outlier
         let is_told = !matches!(
             self.fit.status,
             Status::DominatedByOneResidual | Status::Misfit
@@ -85,8 +85,8 @@ fn value_warning(estimate: &Estimate) -> Option<Message> {
         let advice = match ends.contains(&estimate.value) {
             true => "the end of its allowed values: the fitted model does not describe the data",
             false => {
-                "the end of its range: the sum would fall further beyond it; give it a wider \
-                 range, or look at the data"
+                "the end of its range: beyond it the sum of squares would decrease further; give \
+                 a wider range, or check the data"
             }
         };
         return Some(format!("{name} ended at {}, {advice}", show(estimate.value)).into());
@@ -110,8 +110,9 @@ fn value_warning(estimate: &Estimate) -> Option<Message> {
 const SHOWN: [&str; 3] = ["swing.speed", "swing.attack_angle", "club.loft"];
 
 impl ShotTable {
-    /// Returns a note if no row has a launch or an input of swing, club, strike or impact. The note
-    /// shows the setup's swing, without the fitted parameters.
+    /// Notes that all rows are compared with the setup's drive: no row has a launch or an input of
+    /// swing, club, strike or impact. The note shows the setup's swing, without the fitted
+    /// parameters.
     pub fn one_drive(&self, setup: &Setup<f64>, fitted: &[Vary]) -> Option<Message> {
         let has_own = |(parameter, _): &(&Parameter, f64)| parameter.is_of_strike();
         if self.is_launched

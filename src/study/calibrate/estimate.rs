@@ -54,8 +54,8 @@ impl FitPlan {
                 let (name, value) = (vary.parameter.name, vary.parameter.show(Some(vary.low)));
                 return Err(Error::Calibration {
                     reason: format!(
-                        "the range of {name} is the single value {value}, so nothing is left to \
-                         fit; give a wider one, or `set` it"
+                        "the range of {name} is the single value {value}, so that nothing is left \
+                         to fit; give a wider range, or fix the value with `set`"
                     ),
                 });
             }
@@ -102,7 +102,7 @@ impl FitPlan {
             };
             if table.shots.iter().any(is_stationary) {
                 return refuse(format!(
-                    "{} cannot be fitted to rows that are optima in it",
+                    "{} cannot be fitted, because it is the stationary parameter of a row",
                     parameter.name
                 ));
             }
@@ -155,8 +155,8 @@ fn check_measurements(shots: &[Shot]) -> Result<()> {
         if !(at.sigma > 0.0 && at.sigma.is_finite()) {
             let sigma = at.parameter.show(Some(at.sigma));
             return refuse(format!(
-                "row {row} is an optimum in {} with a standard uncertainty of {sigma}; give \
-                 one above 0",
+                "row {row}: the stationary parameter {} has a standard uncertainty of {sigma}; \
+                 give an uncertainty above 0",
                 at.parameter
             ));
         }
@@ -173,8 +173,9 @@ fn check_measurements(shots: &[Shot]) -> Result<()> {
 /// # Errors
 /// [`Error::Calibration`] for a plan that does not fit the table, and for measured values that are
 /// not finite or have no standard uncertainty above 0; [`Error::OtherLaw`] and
-/// [`Error::SearchRange`] for the parameters to fit; [`Error::NoFit`] with the rows that have no
-/// answer at any start; [`Error::NotConverged`] if interrupted before the fit began.
+/// [`Error::SearchRange`] for the parameters to fit; [`Error::NoFit`] if no starting point was
+/// found at which every row can be computed; [`Error::NotConverged`] if interrupted before the fit
+/// began.
 pub fn calibrate(
     setup: &Setup<f64>,
     table: &ShotTable,
@@ -226,7 +227,7 @@ pub fn calibrate(
     })
 }
 
-/// Starting points of the searches. All rows can be computed at one or more of these points.
+/// Starting points of the searches; all rows can be computed at one or more of them.
 fn starting_points(
     problem: &mut ShotResiduals<'_>,
     domain: &Domain,
@@ -234,8 +235,8 @@ fn starting_points(
     count: usize,
     observer: &FitObserver,
 ) -> Result<Vec<Vec<f64>>> {
-    /// Number of further starting points that are tried if the residuals are undefined at all
-    /// planned starting points.
+    /// Number of additional starting points to try if the residuals are undefined at all planned
+    /// starting points.
     const START_TRIALS: usize = 64;
     let planned = starts(domain, own, count)?;
     if planned.iter().any(|start| problem.begin(start)) {
@@ -244,8 +245,7 @@ fn starting_points(
     if observer.is_interrupted() {
         return Err(stopped("the fit began"));
     }
-    // rows cannot be computed with the setup's values: try other starting points, as the optimizer
-    // does
+    // no planned starting point allows every row to be computed: try others, as the optimizer does
     let other = starts(domain, own, START_TRIALS)?
         .into_iter()
         .find(|start| problem.begin(start));
@@ -423,7 +423,8 @@ fn finished(
     })
 }
 
-/// Range information of the fitted parameters at `x`.
+/// For each fitted parameter: true if its value in `x` lies inside its range, and the width of the
+/// range.
 fn ranges_of(x: &[f64], own: &[f64], domain: &Domain) -> Vec<Fitted> {
     /// Width of an unbounded range, as a multiple of the parameter's magnitude (at least 0.001).
     const ENDLESS: f64 = 1e6;
@@ -491,7 +492,7 @@ pub(super) fn flown(
     }
     if !is_begun {
         return Err(missing(
-            "rows to be predicted have no answer",
+            "rows to be predicted cannot be computed",
             &problem,
             &[],
         ));

@@ -33,7 +33,7 @@ mod tests {
                 "{}",
                 outcome.name()
             );
-            // a quantity in braces parses, and prints in the units of either system
+            // quantities in braces are parsed and then printed in the units of either system
             assert!(!source.contains(['{', '}']), "{source}");
             let metric = found.source().in_units(System::Metric);
             assert!(

@@ -57,7 +57,7 @@ pub(super) struct Row {
     pub contradiction: Option<String>,
     /// Messages on implausible measured values.
     pub implausible: Vec<String>,
-    /// Reason why the air of the setup is used.
+    /// Reason why the row has no usable air, so that its shot flies in the setup's air.
     pub no_air: Option<String>,
     /// Messages on club columns without a usable value. The prior distribution replaces the missing
     /// value.
@@ -90,10 +90,10 @@ impl Row {
             return Err(RowError::new(None, self.implausible.join("; ")));
         }
         let why = match &self.not_compared {
-            None => "nothing is measured in it; give an outcome, or take the row out".into(),
+            None => "the row has no measured value; give an outcome, or remove the row".into(),
             Some(head) => format!(
-                "nothing but {head} is measured in it, which is not compared without launch \
-                 direction and spin axis (or sidespin); give them, or take the row out"
+                "the only measured value is {head}, which is compared only if launch direction and \
+                 spin axis (or sidespin) are given; add them, or remove the row"
             ),
         };
         Err(RowError::incomplete(None, why))
@@ -375,7 +375,7 @@ impl Reading {
                         Err(why) => row.no_air = Some(why),
                     }
                 }
-                // a row may lack a club value of a delivery
+                // a row of a delivery may lack a value of the club
                 Content::Input(parameter)
                     if self.club == ClubColumns::Read && column.is_of_the_strike() =>
                 {
@@ -389,7 +389,8 @@ impl Reading {
                 Content::Input(parameter) => {
                     let here = || Some(column.head.clone());
                     let Some(value) = self.cell(record, column.content)? else {
-                        let why = "the cell is empty; every row needs the shot's own inputs";
+                        let why =
+                            "the cell is empty; every row needs a value in each column of an input";
                         return Err(RowError::incomplete(here(), why));
                     };
                     at_shot
@@ -439,7 +440,7 @@ impl Reading {
         if self.is_launched && outcome.group() == OutcomeGroup::Launch {
             return Err(RowError::new(
                 here(),
-                "rows of launch conditions have no club",
+                "the rows state the launch, so that no impact is computed; remove this column",
             ));
         }
         let name = || column.head.clone();
@@ -534,7 +535,8 @@ impl Reading {
             .any(|column| column.content == Content::Outcome(outcome))
     }
 
-    /// Column heads of the launch and of the club, if the table has the club and a complete launch.
+    /// Column heads of the launch and of the club, if the table has club columns and a complete
+    /// launch.
     pub fn launch_beside_club(&self) -> Option<[String; 2]> {
         let heads = |is: &dyn Fn(&Column) -> bool| {
             let heads = self
@@ -604,7 +606,7 @@ impl Reading {
         of == Outcome::Spin && value == 0.0 && !self.is_export
     }
 
-    /// The launch parameters of the stated launch conditions.
+    /// Names and values of the launch parameters for the launch conditions of a row.
     fn launch(&self, stated: Launch) -> Result<[(&'static str, f64); 5], RowError> {
         conditions(stated, |of| self.has(of)).map_err(
             |Fault {
@@ -637,7 +639,7 @@ impl Reading {
             if self.is_launched {
                 return Err(RowError::new(
                     here(),
-                    "rows of launch conditions cannot be optima in a parameter",
+                    "the rows state the launch; empty this cell, or remove the launch columns",
                 ));
             }
             let parameter = at_shot
@@ -647,7 +649,7 @@ impl Reading {
             if parameter.quantity != Quantity::ANGLE {
                 return Err(RowError::new(
                     here(),
-                    format!("{name} is no angle; optima are read in angles"),
+                    format!("{name} is not an angle; carry can only be stationary in angles"),
                 ));
             }
             all.push(Stationary {
@@ -680,8 +682,8 @@ impl Reading {
                 }
                 Content::Stationary if !has(Content::SigmaStationary) => {
                     remarks.push(
-                        "stationary has no column 'sigma stationary': 1 deg is taken for each, as \
-                         a weight"
+                        "stationary has no column 'sigma stationary': 1 deg is taken for each \
+                         row, as a weight"
                             .into(),
                     );
                     worth = Uncertainties::Weights;
@@ -693,12 +695,12 @@ impl Reading {
     }
 }
 
-/// Remark on the standard uncertainty of an outcome without a column 'sigma': the uncertainty of
-/// the instrument replaces it, or 1 unit serves as a weight.
+/// Remark on an outcome without a column 'sigma': its standard uncertainty is the uncertainty of
+/// the instrument; if this is unknown, one unit serves as a weight.
 fn assumed_sigma(column: &Column, outcome: Outcome) -> Message {
     let Some((instrument, sigma)) = instrument(outcome) else {
         return format!(
-            "{0} has no column 'sigma {0}': 1 {1} is taken for each, as a weight",
+            "{0} has no column 'sigma {0}': 1 {1} is taken for each row, as a weight",
             outcome.name(),
             column.unit()
         )

@@ -13,8 +13,9 @@ struct Group {
     is_of_the_setup: bool,
 }
 
-/// Error for failed rows, given as row numbers with errors. The error is bad input if at least one
-/// row has bad input, otherwise a missing answer. The message begins with `what`.
+/// Error for failed rows, given as row numbers with errors: [`Error::NoFit`] if all errors are
+/// results of the drives (such as a ball that does not fly), [`Error::Calibration`] if a row has
+/// bad input. The message begins with `what`.
 pub(super) fn no_answer(what: &str, failed: &[(usize, Error)]) -> Error {
     let reason = format!("{what}: {}", refusal(failed));
     let Some((_, first)) = failed.first() else {

@@ -21,9 +21,8 @@ fn too_far(measurement: &Measurement, computed: f64) -> Error {
     let outcome = measurement.outcome;
     Error::Calibration {
         reason: format!(
-            "{} was measured as {} and is computed as {}, which is too many of its standard \
-             uncertainty of {} to sum their \
-             squares; correct the value or its sigma",
+            "{} was measured as {} and is computed as {}, and the difference in units of the \
+             standard uncertainty {} is too large to be squared; correct the value or its sigma",
             outcome.name(),
             outcome.show(measurement.value),
             outcome.show(computed),
@@ -60,7 +59,7 @@ pub(super) struct ShotResiduals<'a> {
 }
 
 impl ShotResiduals<'_> {
-    /// The setup with the fitted parameters at `x`.
+    /// The setup with the fitted parameters set to `x`.
     pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
         let moved = self.setup.with_values(&self.fitted, x)?;
         moved.validate()?;
@@ -171,7 +170,7 @@ impl ShotResiduals<'_> {
         self.evaluate(x).is_ok()
     }
 
-    /// The residuals of each shot at `x`, or its error.
+    /// For each shot: its residuals at `x`, or the error of its drive.
     pub fn each(&self, x: &[f64]) -> Result<Vec<Result<Vec<f64>>>> {
         let moved = self.moved(x)?;
         let by_shot = self.by_shot(&moved)?.into_iter();

@@ -206,7 +206,7 @@ impl Rows {
         messages
     }
 
-    /// Warning for the first row with contradictory spins, and the number of others.
+    /// Warning about the first row with contradictory spins, with the number of other such rows.
     fn contradiction_warning(&self) -> Option<Message> {
         let first = self.contradictions.first()?;
         let others = self.contradictions.len() - 1;
@@ -225,7 +225,8 @@ impl Rows {
         remarks.append(&mut self.of_sections);
         remarks.extend(left_out);
         for (head, rows) in std::mem::take(&mut self.sideways) {
-            let why = "in rows without a measured launch direction or spin axis (or sidespin)";
+            let why = "in rows without a measured launch direction, or without a measured spin \
+                       axis or sidespin";
             remarks.push(format!("{head} is not compared {why}: {}", rows.join(", ")).into());
         }
         for (why, rows) in std::mem::take(&mut self.not_stated) {
@@ -271,12 +272,12 @@ impl Rows {
     pub fn table(mut self, reading: Reading, filter: &RowFilter) -> Result<ShotTable> {
         let left_out = self.rejected();
         if self.shots.is_empty() {
-            // the first incomplete row shows best what is missing, except in an export
+            // the first incomplete row shows best which columns are missing, except in an export
             if let Some(first) = self.first_incomplete {
                 return Err(first);
             }
             let reason = match left_out.is_empty() {
-                true => "it has no rows; give one for each shot".into(),
+                true => "it has no rows; give one row for each shot".into(),
                 false => format!(
                     "it has no usable shot ({}); give a row for each shot",
                     left_out.join("; ")

@@ -35,7 +35,7 @@ pub struct ShotTable {
     pub(super) launch_beside_club: Option<[String; 2]>,
     /// Quality of the standard uncertainties.
     pub uncertainties: Uncertainties,
-    /// Column head of the air of an export.
+    /// Head of the column that states the air of each row of an export.
     pub(super) stated_air: Option<String>,
 }
 
@@ -64,8 +64,8 @@ impl ShotTable {
         self.shots.iter().map(Shot::residuals).sum()
     }
 
-    /// Residuals up to this size are rounding: 1e-12 of the largest measured value divided by its
-    /// standard uncertainty.
+    /// Residuals up to this size are rounding: 1e-12 of the largest ratio of a measured value to
+    /// its standard uncertainty.
     pub fn rounding(&self) -> f64 {
         let measured = self.shots.iter().flat_map(|shot| &shot.measured);
         1e-12
@@ -96,7 +96,8 @@ pub struct Shot {
     pub stationary: Vec<Stationary>,
 }
 
-/// A measured outcome, SI. An unknown standard uncertainty is the reciprocal of the weight.
+/// A measured outcome, SI. If its standard uncertainty is unknown, the reciprocal of the weight
+/// replaces it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Measurement {

@@ -5,10 +5,11 @@ use crate::optimize::least_squares::{Loss, Rows};
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal, StudentsT};
 
-/// Relative threshold of singular values of the Jacobian with unit columns. Smaller singular values
-/// count as 0, because rounding dominates them.
+/// Threshold for singular values, relative to the largest, of the Jacobian with columns of unit
+/// length. Smaller singular values count as 0, because rounding dominates them.
 const SINGULAR: f64 = 1e-8;
-/// Threshold for the components of a unit direction. Smaller components count as rounding.
+/// Threshold for the components of a direction of unit length. Smaller components count as
+/// rounding.
 const PART: f64 = 1e-3;
 
 /// Quality of the standard uncertainties of the measured values.
@@ -23,7 +24,7 @@ pub enum Uncertainties {
     Weights,
 }
 
-/// Range information of a fitted parameter.
+/// Position of a fitted parameter in its range, and width of the range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fitted {
     /// True if the value lies inside its range, false if it lies on a bound.
@@ -45,8 +46,8 @@ pub struct Statistics {
     pub chi_square: f64,
     /// Number of residuals minus the rank of the free parameters' Jacobian.
     pub degrees_of_freedom: usize,
-    /// Probability of a χ² at least this large if the standard uncertainties are right; `None` if
-    /// the table does not state them, or without degrees of freedom.
+    /// Probability of a χ² at least this large if the standard uncertainties are right. `None` if
+    /// the table does not state them, or if there are no degrees of freedom.
     pub probability: Option<f64>,
     /// True if all residuals are rounding errors.
     pub is_exact: bool,
@@ -69,7 +70,8 @@ pub struct Undetermined {
     pub standard_error: Option<f64>,
 }
 
-/// Singular value decomposition of the columns of some parameters, scaled to unit length.
+/// Singular value decomposition of the Jacobian's columns of some parameters, scaled to unit
+/// length.
 struct Columns {
     at: Vec<usize>,
     lengths: Vec<f64>,
@@ -136,7 +138,8 @@ impl Columns {
     ///
     /// - its singular value is 0;
     /// - one standard error along it exceeds the range of a parameter;
-    /// - it contributes most to a parameter's standard error that exceeds the range.
+    /// - a parameter's standard error exceeds the range, and the direction contributes most to this
+    ///   error.
     fn undetermined(
         &self,
         k: usize,

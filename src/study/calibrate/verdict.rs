@@ -47,8 +47,8 @@ pub(super) fn of_searches(
     (stopped, is_minimum)
 }
 
-/// Root mean square of the residuals in standard uncertainties above which the fit counts as a
-/// misfit.
+/// A fit counts as a misfit if the root mean square of its residuals, in standard uncertainties,
+/// exceeds this number.
 const MISFIT: f64 = 6.0;
 
 /// Sets the status for undetermined parameters, a dominating row, or a model that does not describe
@@ -61,9 +61,9 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
     if let Some(row) = outweighing(&found.remainders, loss) {
         found.fit.status = Status::DominatedByOneResidual;
         found.fit.message = format!(
-            "row {}: {} differs by {:.1e} of its standard uncertainties from every fit. Compared \
-             with that, all other rows are less than a \
-             millionth of the sum; correct the row or its sigma, or take it out",
+            "row {}: {} differs by {:.1e} of its standard uncertainties from every fit. All other \
+             rows together are less than a millionth of the sum of squares; correct the row or \
+             its sigma, or remove the row",
             row.row,
             row.outcome.name(),
             row.residual.abs()
@@ -104,14 +104,15 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
     }
 }
 
-/// The row that dominates the fit: all other rows together have less than 1e-6 of its squared
-/// gradient, so its residual exceeds 1000 standard uncertainties. Huber's loss limits the gradient
-/// of each row.
+/// The row that dominates the fit: the squared gradient of all other rows together is less than
+/// 1e-6 of the row's, and the row's residual exceeds 1000 standard uncertainties. Huber's loss
+/// limits the gradient of each row.
 fn outweighing(remainders: &[Remainder], loss: Loss) -> Option<&Remainder> {
-    /// Threshold for the squared gradient of all other rows, as a fraction of the largest row's.
+    /// Threshold for the squared gradient of all other rows, as a fraction of the largest row's
+    /// squared gradient.
     const PART: f64 = 1e-6;
-    /// Threshold for the loss of all other rows, as a fraction of the largest row's, below which
-    /// rounding hides them. It holds for any loss function.
+    /// If the loss of all other rows is below this fraction of the largest row's loss, rounding
+    /// hides the other rows. This holds for any loss function.
     const ROUNDING: f64 = 1e-15;
     let most = remainders
         .iter()

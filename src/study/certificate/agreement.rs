@@ -1,5 +1,6 @@
-//! First derivatives over `num_dual::Dual64`, one flight per parameter. They are independent of the
-//! jets: they use no common differentiation rule, no lanes and no chain rule.
+//! First derivatives computed with `num_dual::Dual64`, one flight per parameter. They are an
+//! independent check of the derivatives computed with jets: the two have no differentiation rule,
+//! lane or chain rule in common.
 
 use crate::derivative::check::{Ladder, Verdict};
 use crate::drive::{Drive, Outcome};
@@ -12,7 +13,8 @@ use serde::Serialize;
 /// Tolerance of [`Agreement::difference`], relative to the derivative.
 const RELATIVE: f64 = 1e-9;
 
-/// Rounding tolerance, relative to the magnitude of the outcome's terms over the parameter's scale.
+/// Rounding tolerance, relative to the magnitude of the outcome's terms divided by the parameter's
+/// scale.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A derivative compared with the derivative from `num_dual::Dual64`.
@@ -37,7 +39,7 @@ pub struct Agreement {
 }
 
 impl Agreement {
-    /// Compares a derivative over jets with the derivative over num-dual.
+    /// Compares a derivative computed with jets with the derivative computed with num-dual.
     pub(super) fn new(jet: f64, num_dual: f64, ladder: &Ladder) -> Self {
         let size = num_dual.abs().max(ladder.next_to_nothing());
         let tolerance = RELATIVE * size + ROUNDING * ladder.rounded / ladder.scale;
@@ -57,7 +59,7 @@ impl Agreement {
     }
 }
 
-/// Derivatives of several outcomes by one parameter, over num-dual.
+/// Derivatives of several outcomes by one parameter, computed with num-dual.
 ///
 /// # Errors
 /// The errors of [`Drive::new`] and [`Outcome::of`].

@@ -7,7 +7,7 @@ use crate::flight::Flight;
 use crate::parameters::{Parameter, Setup};
 use serde::Serialize;
 
-/// Search range for a change of the number of steps, in units of the parameter's scale.
+/// Search range for a change of the number of time steps, in units of the parameter's scale.
 const FARTHEST: f64 = 0.1;
 
 /// Number of doublings that lead to the end of the search range.
@@ -17,9 +17,9 @@ const DOUBLED: i32 = 9;
 /// rounding.
 const NEIGHBOURS: usize = 8;
 
-/// Distance of the samples in units of the parameter's scale. Adjacent floating-point numbers can
-/// give identical results (a decay e^(−δ h) is rounded to 1e-16, so outcomes are step functions of
-/// δ). The outcome's own change over this distance is subtracted.
+/// Distance between neighbouring samples in units of the parameter's scale. Adjacent floating-point
+/// numbers can give identical results (a decay e^(−δ h) is rounded to 1e-16, so outcomes are step
+/// functions of δ). The outcome's own change over this distance is subtracted.
 const SPACING: f64 = 1e-12;
 
 /// Factor from the scatter of the samples to the tolerance of a jump.
@@ -29,7 +29,7 @@ const BAR: f64 = 4.0;
 /// miss.
 const PROMISED: [f64; 3] = [1e-13, 1e-12, 1e-10];
 
-/// An outcome at a parameter value where the number of steps changes.
+/// An outcome at a parameter value where the number of time steps changes.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[cfg_attr(test, schemars(rename = "ContinuityCheck"))]
@@ -133,8 +133,8 @@ pub(super) fn continuity(
     Ok(of.iter().enumerate().map(continuity).collect())
 }
 
-/// Extrapolates back by an offset of the first parameter: the value with the gradient, the gradient
-/// with the Hessian.
+/// Extrapolates a Taylor expansion back by an offset of the first parameter: the value with the
+/// gradient, the gradient with the Hessian.
 fn extrapolated_back(taylor: &Taylor, offset: f64) -> Taylor {
     let slope = taylor.gradient.first().copied().unwrap_or_default();
     let gradient = taylor

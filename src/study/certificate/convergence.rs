@@ -90,7 +90,8 @@ pub struct Convergence {
     /// because it also occurs where the first two error terms cancel.
     #[serde(skip)]
     pub falls_short: [bool; 2],
-    /// Sensitivity of the test: true if these errors would fail an expected order higher by one.
+    /// Sensitivity of the test: true if these errors would fail the test of an order that is higher
+    /// by one.
     #[serde(skip)]
     pub would_show: [bool; 2],
 }
@@ -102,10 +103,10 @@ impl Convergence {
     }
 }
 
-/// Convergence of outcomes and their derivatives by `wrt` with the step. A logarithmic wind is
-/// omitted, because it varies within half a metre of height, which these steps cross at once. Steps
-/// longer than the spin decay time are omitted too. Empty if too few steps remain, or once
-/// `goes_on` is false.
+/// Convergence of outcomes and of their derivatives by `wrt` with decreasing time step. A
+/// logarithmic wind is omitted, because it varies within half a metre of height, which these steps
+/// cross at once. Steps longer than the spin decay time are omitted too. Empty if too few steps
+/// remain, or once `goes_on` is false.
 ///
 /// # Errors
 /// The errors of [`jacobian`].
@@ -125,7 +126,8 @@ pub(super) fn convergence(
     let fading = fading(setup, &drive);
     let at = |level: usize, steps: u32| {
         let mut setup = *setup;
-        // half a step more, so that no step ends just before or after the landing
+        // the landing lies in the middle of the last step, so that no step ends close to the
+        // landing
         setup.flight.step = time / (f64::from(steps) - 0.5);
         // a flight that fails at too coarse a step is skipped
         let is_short = setup.flight.step <= 1.0 && setup.flight.step * fading <= 1.0;
@@ -151,7 +153,7 @@ pub(super) fn convergence(
 
 /// Outcomes with derivatives, computed with one time step.
 struct Flown {
-    /// Level of the number of steps; see [`Levels`].
+    /// Level to which the number of steps belongs; see [`Levels`].
     level: usize,
     /// Time step, s.
     step: f64,
@@ -164,7 +166,7 @@ struct Comparison<'a> {
     drive: &'a Drive<f64>,
     scales: Vec<f64>,
     reference: Vec<Taylor>,
-    /// A flight that differs from the reference mainly by rounding.
+    /// Outcomes of a second reference flight, which differ from `reference` mainly by rounding.
     beside: Vec<Taylor>,
     flown: Vec<Flown>,
     measure: fn(&[Errors], u32, f64, f64) -> Option<Measured>,
@@ -172,7 +174,7 @@ struct Comparison<'a> {
 
 impl<'a> Comparison<'a> {
     /// Flies with the step sizes of all levels, after the reference flights. `None` if a reference
-    /// flight fails, or if fewer levels fly than an order needs.
+    /// flight fails, or if flights succeed at too few levels to measure an order.
     fn new(
         setup: &'a Setup<f64>,
         drive: &'a Drive<f64>,
@@ -260,8 +262,8 @@ impl<'a> Comparison<'a> {
     }
 }
 
-/// Flight time at the reference step. With the setup's own step its error may be comparable with
-/// the steps compared here, and one of these steps could end at the landing.
+/// Flight time at the reference step. At the setup's own step, the error of the flight time may be
+/// as large as the steps compared here, so that one of these steps could end at the landing.
 fn fine_flight_time(setup: &Setup<f64>, about: f64) -> Option<f64> {
     let mut setup = *setup;
     setup.flight.step = about / f64::from(REFERENCE);
@@ -273,9 +275,9 @@ fn fine_flight_time(setup: &Setup<f64>, about: f64) -> Option<f64> {
 /// - Dense output of degree 7: the error is h⁸ in a position and h⁷ in its derivatives. In a
 ///   velocity, and in a root of a velocity, the order is one less.
 /// - Apex: within a step, the velocity error is h^p times a function of the position in the step.
-///   The apex moves through the step at a rate 1/h, so its derivatives have errors h^(p−1). Here
-///   the steps are chosen so that the landing lies in the middle of a step, where this function is
-///   flat.
+///   The apex moves through the step at a rate 1/h, so its derivatives have errors h^(p−1). A
+///   landing does not lose this order, because the steps are chosen so that it lies in the middle
+///   of a step, where this function is flat.
 fn orders_of_smooth_law(setup: &Setup<f64>, of: Outcome) -> [u32; 2] {
     let interpolated = match of.computed_from() {
         // with spin damping the spin at landing is interpolated with degree 5
@@ -301,7 +303,7 @@ fn fading(setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
 }
 
 /// Errors of the value, relative to the outcome's magnitude, and of each gradient entry, relative
-/// to the largest entry unless the gradient is negligible.
+/// to the largest entry or to a tiny fraction of the outcome's magnitude.
 fn errors(found: &Taylor, reference: &Taylor, size: f64, scales: &[f64]) -> [Vec<f64>; 2] {
     let entries = reference
         .gradient

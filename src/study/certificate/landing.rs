@@ -115,9 +115,9 @@ fn ending_with_a_step(setup: &Setup<f64>) -> Result<(Setup<f64>, Landed<f64>)> {
     Ok((setup, landed))
 }
 
-/// Carry, lateral and flight time of the drive with a changed parameter: its state at the landing
-/// time of the unchanged drive, extrapolated along that drive's landing velocity. `None` without a
-/// flight.
+/// Carry, lateral and flight time of a drive with a changed parameter: the drive's state at the
+/// landing time of the unchanged drive, extrapolated along the landing velocity of the unchanged
+/// drive. `None` without a flight.
 fn extrapolated_landing(
     setup: &Setup<f64>,
     landed: &Landed<f64>,

@@ -60,10 +60,10 @@ pub struct NotExamined {
 /// Results of all checks of a drive's derivatives.
 #[derive(Clone, Debug)]
 pub struct Certificate {
-    /// Each outcome by each parameter, in descending order of severity.
+    /// Each derivative of an outcome by a parameter, in descending order of severity.
     pub rows: Vec<Row>,
-    /// Derivatives at the landing compared with differences at a fixed time; empty without a
-    /// suitable landing.
+    /// Derivatives at the landing compared with differences at a fixed time; empty if no landing
+    /// can be tested.
     pub landing: Vec<AtLanding>,
     /// Smoothness of each flight outcome where the number of steps changes.
     pub continuity: Vec<Continuity>,
@@ -293,7 +293,7 @@ impl Work<'_> {
     }
 }
 
-/// The rows of all parameters, in parallel.
+/// Computes the rows of all parameters in parallel.
 fn rows_by_parameter(
     setup: &Setup<f64>,
     drive: &Drive<f64>,

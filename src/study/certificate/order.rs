@@ -22,7 +22,8 @@ const FITTED: usize = 4;
 /// lower order has a share near 1.
 const SHARE: f64 = 0.25;
 
-/// Largest negligible lower-order term, in units of its standard error, for scattering errors.
+/// Largest negligible lower-order term if the errors scatter, in units of the term's standard
+/// error.
 const DEVIATIONS: f64 = 4.0;
 
 /// Signed errors at one step: of a value, or of each entry of a gradient.
@@ -54,7 +55,8 @@ pub(super) struct Measured {
     pub falls_short: bool,
 }
 
-/// Measures the order from errors above the rounding `floor`; `None` if there are too few.
+/// Measures the order from errors above the rounding `floor`; `None` if too few levels have such
+/// errors.
 pub(super) fn measure(
     samples: &[Errors],
     expected: u32,
@@ -92,7 +94,8 @@ pub(super) fn measure_largest(
     })
 }
 
-/// Logarithms of step and largest error of each level above rounding; `None` if there are too few.
+/// Logarithms of step and largest error of each level above rounding; `None` if there are too few
+/// such levels.
 fn levels_above_rounding(samples: &[Errors], power: i32, floor: f64) -> Option<Vec<(f64, f64)>> {
     let count = samples.iter().map(|sample| sample.level).max()? + 1;
     let of_level = |level: usize| samples.iter().filter(move |sample| sample.level == level);
@@ -112,7 +115,7 @@ fn levels_above_rounding(samples: &[Errors], power: i32, floor: f64) -> Option<V
 }
 
 /// Fits e/h^p = d/h + a + b h + c h² and tests d for each entry. A significant d must also explain
-/// the errors better than a further term in h, because the fit omits such terms.
+/// the errors better than one more power of h, because the fit omits higher powers.
 fn has_lower_term(samples: &[&Errors], power: i32) -> bool {
     let Some(last) = samples.last() else {
         return false;
@@ -193,8 +196,8 @@ mod tests {
             .falls_short
     }
 
-    /// An error of order 5. At coarse steps its next terms dominate, and at all but three levels it
-    /// is rounding.
+    /// An error of order 5. At coarse steps its next terms dominate, and at all but three levels
+    /// the error is rounding.
     #[test]
     fn higher_order_terms_at_coarse_steps_are_no_lower_order() {
         let e = |h: f64| h.powi(5) * (1.1 - 15.0 * h - 80.0 * h * h);

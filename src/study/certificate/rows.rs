@@ -22,7 +22,8 @@ pub struct Row {
     pub num_dual: Agreement,
     /// ∂²/∂p² compared with differences of ∂/∂p; `None` if it does not exist or is discontinuous.
     pub second: Option<Check>,
-    /// Orders of the Taylor remainders: at least 1, 2 and 3.
+    /// Orders of the Taylor remainders of degree 0, 1 and 2; exact derivatives give at least 1, 2
+    /// and 3.
     pub slopes: [Option<f64>; 3],
 }
 
@@ -78,8 +79,8 @@ pub(super) fn demand(setup: &Setup<f64>) -> Demand {
     }
 }
 
-/// The rows of several outcomes by one parameter; `None` once `is_stopped` is true. `exact` are the
-/// derivatives to certify, from the original evaluation.
+/// The rows for the derivatives of several outcomes by one parameter; `None` once `is_stopped` is
+/// true. `exact` are the derivatives to certify, from the original evaluation.
 ///
 /// # Errors
 /// The errors of [`Evaluator::new`]. A neighbouring drive without an outcome gives no sample.
@@ -155,8 +156,8 @@ impl<'a> Neighbours<'a> {
         })
     }
 
-    /// `number` of each outcome at the value `x` of the parameter. NaN if the drive lacks one of
-    /// the outcomes; empty once stopped.
+    /// The number that `number` selects for each outcome, at the value `x` of the parameter. NaN if
+    /// the drive lacks one of the outcomes; empty once stopped.
     fn sample(
         &self,
         evaluator: &Evaluator,
@@ -223,8 +224,9 @@ impl<'a> Neighbours<'a> {
     }
 }
 
-/// Compares with few steps first. If a comparison fails, it is repeated with all steps, because the
-/// outcome may have an extremum within the smallest of the few steps.
+/// Compares with differences over a few step sizes first. If a comparison fails, it is repeated
+/// with all step sizes, because the outcome may have an extremum within the smallest of the few
+/// steps.
 pub(super) fn in_few_steps<T>(
     sample: impl Fn(Vec<i32>) -> Vec<Ladder>,
     judge: impl Fn((usize, Ladder)) -> T,

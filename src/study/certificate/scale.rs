@@ -41,8 +41,8 @@ fn usual(parameter: &Parameter) -> f64 {
 }
 
 /// Magnitude of the terms that an outcome is computed from, SI; the outcome's rounding error is
-/// relative to this. Lateral distance: the carry. Angle of a direction: 1. Spin from an impact: the
-/// ball speed divided by the ball radius.
+/// relative to this magnitude. It is the carry for a lateral distance, 1 for the angle of a
+/// direction, and the ball speed divided by the ball radius for the spin from an impact.
 pub(super) fn size(of: Outcome, setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
     let launch = &drive.launch;
     let made_of = match (&drive.flight, of.quantity()) {

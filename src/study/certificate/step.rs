@@ -41,7 +41,7 @@ pub struct StepError {
     pub derivative_error: Option<f64>,
     /// The error of the derivative relative to the outcome, for a change of the parameter by its
     /// typical size.
-    // the largest of all derivatives
+    // the largest of these errors over all derivatives
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub derivative_error_of_outcome: f64,
@@ -64,8 +64,8 @@ impl StepError {
     }
 }
 
-/// Truncation errors of flight outcomes and their derivatives by `wrt`; empty if a step of an
-/// eighth is not allowed.
+/// Truncation errors of flight outcomes and their derivatives by `wrt`; empty if an eighth of the
+/// setup's time step is not an allowed step.
 ///
 /// # Errors
 /// The errors of [`jacobian`].

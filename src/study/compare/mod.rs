@@ -45,7 +45,8 @@ pub struct Difference {
     /// Shares of the differing parameters.
     pub by_parameter: Shares,
     /// For an outcome of the flight: shares of the launch conditions and of the flight's
-    /// parameters. `None` if both launches are given, because `by_parameter` is then equal.
+    /// parameters. `None` if both launches are given, because `by_parameter` then contains these
+    /// shares.
     pub by_launch: Option<Shares>,
 }
 
@@ -87,7 +88,7 @@ impl Comparison {
         let are_alike = setups[0].launch.spin.is_some() == setups[1].launch.spin.is_some();
         let (path, launches) = match (are_given, are_alike) {
             (true, true) => (Path::new(setups), None),
-            // the launches are equal, but their spins have different parameters
+            // both launches are given, but only one of them by its total spin
             (true, false) => (Path::new(as_launched(launches)), None),
             (false, _) => (Path::new(setups), Some(Path::new(as_launched(launches)))),
         };
@@ -137,8 +138,8 @@ impl Comparison {
             .collect()
     }
 
-    /// Splits of the outcomes that both drives have: by parameter and, if the launches have a path
-    /// of their own, by launch condition.
+    /// Divides the differences of the outcomes that both drives have: by parameter and, if the
+    /// launches have a separate path, by launch condition.
     fn splits(&self, of: &[Outcome]) -> (Split<'_>, Option<Split<'_>>) {
         let has = |of: &Outcome| self.drives.iter().all(|drive| of.value(drive).is_some());
         let of: Vec<Outcome> = of.iter().copied().filter(has).collect();
@@ -227,7 +228,7 @@ fn as_launched(drives: [(&Setup<f64>, &Drive<f64>); 2]) -> [Setup<f64>; 2] {
             spin[1],
         ]
     });
-    // remove differences of rounding
+    // remove differences that are only rounding
     for (b, a) in b.iter_mut().zip(a) {
         if (*b - a).abs() < ROUNDING * a.abs().max(1.0) {
             *b = a;

@@ -57,8 +57,8 @@ pub struct Shares {
     pub setups: [Setup<f64>; 2],
     /// Each cause with its share, in the order of the parameter table; discrete changes come last.
     pub shares: Vec<Share>,
-    /// Difference minus the sum of the shares, SI. At most `error`, unless a derivative is
-    /// discontinuous on the path.
+    /// Difference minus the sum of the shares, SI. Its magnitude is at most `error`, unless a
+    /// derivative is discontinuous on the path.
     pub remainder: f64,
     /// Error estimate of a share, SI. For a smooth aerodynamic law it is rounding (1e-11 of the
     /// outcome), for a piecewise law at most 1e-8.

@@ -169,8 +169,8 @@ mod tests {
         assert!(found.error < 1e-11, "{}", found.error);
     }
 
-    /// |x − c|³ at hundreds of places c: its second derivative has kinks, like the derivatives of a
-    /// drive.
+    /// A sum of |x − c|³ over hundreds of positions c: its second derivative has kinks, like the
+    /// derivatives of a drive.
     #[test]
     fn exact_integral_with_hundreds_of_corners_is_within_the_error_estimate() {
         let places: Vec<f64> = (0..300)

@@ -117,7 +117,7 @@ impl<'a> Split<'a> {
         let place = self.of.iter().position(|one| *one == of);
         match (here, place) {
             (Some(all), Some(place)) => Ok(all[place].clone()),
-            // another outcome does not exist at this point: evaluate this one separately
+            // another outcome does not exist at this point: evaluate `of` alone
             _ => Ok(flown(&evaluator(&[of])?)?.swap_remove(0)),
         }
     }

@@ -57,7 +57,8 @@ pub(super) struct SwingInformation {
 
 impl SwingInformation {
     /// # Errors
-    /// The errors of [`Evaluator::at`], if the mean swing with the club of a shot is not a strike.
+    /// The errors of [`Evaluator::at`], if the mean swing, made with the club of a shot, does not
+    /// strike the ball.
     pub(super) fn new(
         shots: &[&Delivered],
         of: &[Outcome],

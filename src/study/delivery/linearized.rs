@@ -9,7 +9,7 @@ use crate::parameters::Setup;
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, Normal};
 
-/// Number of sampled swings; each is used with its mirror image about the mean.
+/// Number of pairs of sampled swings: a swing and its mirror image about the mean.
 const PAIRS: u64 = 256;
 
 /// Launches of swings x ~ N(mean, C): f(x) = f(mean) + bias + slopes (x − mean) + e, where e has
@@ -75,8 +75,8 @@ impl LinearizedLaunches {
             .collect();
         if samples.len() < PAIRS as usize {
             let reason = "the swings behind the shots would vary so much that more than half of \
-                          them are no strike; name fewer parameters (`vary`), or smaller \
-                          uncertainties (`sigma`)";
+                          them would not strike the ball; give fewer parameters (`vary`), or \
+                          smaller uncertainties (`sigma`)";
             return Err(Error::Delivery {
                 reason: reason.into(),
             });

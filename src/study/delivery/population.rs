@@ -125,7 +125,7 @@ impl Population {
         if shots.len() < LEAST_SHOTS {
             let least = counted(LEAST_SHOTS as u64, "shot");
             let reason = format!(
-                "it takes {least} whose delivery is found, and there are {}",
+                "a distribution needs {least} whose delivery is found, and there are {}",
                 shots.len()
             );
             return Err(Error::Delivery { reason });

@@ -91,7 +91,7 @@ impl Delivered {
     }
 }
 
-/// Threshold for unidentified directions: the shot removes a smaller fraction of the prior variance
+/// A direction is unidentified if the shot removes less than this fraction of the prior variance
 /// along the direction.
 const UNIDENTIFIED_BELOW: f64 = 0.5;
 /// Threshold for the components of a direction. Smaller components are omitted.

@@ -79,9 +79,9 @@ fn check(measured: &[Measurement], unknowns: &[Unknown]) -> Result<()> {
     let refuse = |reason: String| Error::Delivery { reason };
     if measured.is_empty() || unknowns.is_empty() {
         let what = if measured.is_empty() {
-            "nothing is measured"
+            "no outcome of the launch is measured"
         } else {
-            "nothing is sought"
+            "no parameter is to be found"
         };
         return Err(refuse(format!(
             "{what}; give a launch, and parameters to find"
@@ -109,7 +109,7 @@ fn posteriors(
 ) -> Result<Vec<Posterior>> {
     let information = jacobian.transpose() * jacobian + DMatrix::identity(free.len(), free.len());
     let covariance = information.try_inverse().ok_or_else(|| Error::Delivery {
-        reason: "the uncertainties of the measurements are too far apart to be computed with"
+        reason: "the uncertainties of the measurements differ by too many orders of magnitude"
             .into(),
     })?;
     let posterior = |(i, unknown): (usize, &Unknown)| {

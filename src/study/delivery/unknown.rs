@@ -53,7 +53,7 @@ impl Unknown {
     }
 
     /// The unknown with a launch monitor's value as prior. The uncertainty is the monitor's, unless
-    /// the user gave one.
+    /// the user gave an uncertainty.
     pub fn measured_as(self, value: f64) -> Self {
         let Self {
             parameter,
@@ -90,7 +90,7 @@ impl Unknown {
     }
 }
 
-/// Search range around a value.
+/// Search range around a value, within the allowed range; `None` if it is empty.
 fn search_range(parameter: &Parameter, value: f64, sigma: f64) -> Option<[f64; 2]> {
     let range = parameter.range;
     let (low, high) = (
@@ -172,7 +172,7 @@ fn default_unknowns(setup: &Setup<f64>, sigmas: &[Sigma]) -> Result<Vec<Unknown>
         let [low, high] = search_range(parameter, prior, sigma).ok_or_else(|| {
             let (name, value) = (parameter.name, parameter.show(Some(prior)));
             refuse(format!(
-                "{name} = {value} leaves no room to move; set it to another value"
+                "the search range around {name} = {value} is empty; set it to another value"
             ))
         })?;
         all.push(Unknown {
@@ -208,7 +208,8 @@ fn varied_unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Resul
         }
         if low == high {
             return Err(refuse(format!(
-                "the range of {name} is a single value; give a wider one, or `set` it"
+                "the range of {name} is a single value; give a wider range, or fix its value with \
+                 `set`"
             )));
         }
         let prior = setup.value(parameter).unwrap_or(0.5 * (low + high));

@@ -84,7 +84,8 @@ impl DesignConstraint {
                 (value, price_of(value, both))
             }
             Enforcement::Limit(k) => {
-                // the search satisfied the limit of the smoothed goal
+                // the search enforces the limit on the smoothed goal, so this value decides about
+                // the multiplier
                 let smoothed = solution.constraints.get(k);
                 let value = best.constraints().get(k).map(|(_, at)| at.value);
                 (

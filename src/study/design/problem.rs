@@ -190,9 +190,9 @@ impl Design {
         match (self.varies(moves), swung) {
             (true, Some(swung)) => {
                 let source = format!(
-                    "the swings have values of it, and a varied parameter changes {} too: the rule \
-                     on the {} could be met on average only; leave it out of the swings, or leave \
-                     the rules out with `rules none`",
+                    "the swings have values of it, and a varied parameter changes {} too: the \
+                     rule on the {} could be met on average only; remove the parameter from the \
+                     swings, or the rules with `rules none`",
                     of.name(),
                     rule.name
                 );
@@ -213,7 +213,7 @@ impl Design {
                     .collect::<Result<Vec<f64>>>()?;
                 let worst = each.into_iter().reduce(f64::max).unwrap_or(rule.bound());
                 self.note_endless(scenarios, rule, &places);
-                let advice = "give the distribution ends within it";
+                let advice = "limit the distribution to values that the rule allows";
                 let value = checked(rule, worst, REACHED, advice)?;
                 Ok(Some(Enforcement::Value(value)))
             }
@@ -295,7 +295,7 @@ impl Design {
                 rule,
                 worst,
                 REACHED,
-                "give the distribution ends within it",
+                "limit the distribution to values that the rule allows",
             )?));
         }
         let value = setup.value(parameter).unwrap_or_default();
@@ -357,8 +357,7 @@ impl Design {
             let count = counted(scenarios.points.len() as u64, "swing");
             self.notes.push(format!(
                 "the rule on the {} is checked at {count} only, since the distribution of {} has \
-                 no ends; give it ends with \
-                 truncated(MEAN,DEVIATION,LOW,HIGH)",
+                 no ends; limit it with truncated(MEAN,DEVIATION,LOW,HIGH)",
                 rule.name,
                 names.join(" and ")
             ));
@@ -478,8 +477,8 @@ fn check_strikes(setup: &Setup<f64>, scenarios: &Scenarios, vary: &[Vary]) -> Re
             mm(high)
         );
         let refuse = |why: String| {
-            let advice = "give the strikes ends with truncated(MEAN,DEVIATION,LOW,HIGH), or leave \
-                          such swings out";
+            let advice = "limit the strikes with truncated(MEAN,DEVIATION,LOW,HIGH), or remove \
+                          such swings";
             Err(Error::Unreadable {
                 name: "the strikes".into(),
                 source: format!("{strike}, {why}; {advice}").into(),
@@ -494,7 +493,7 @@ fn check_strikes(setup: &Setup<f64>, scenarios: &Scenarios, vary: &[Vary]) -> Re
         if (high * high / roll + toe * toe / bulge) / third >= 1.0 {
             let (bulge, roll) = (mm(bulge), mm(roll));
             return refuse(format!(
-                "where a face with a bulge of {bulge} and a roll of {roll} ends"
+                "beyond the edge of a face with a bulge of {bulge} and a roll of {roll}"
             ));
         }
     }

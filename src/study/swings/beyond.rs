@@ -11,8 +11,8 @@ use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 
-/// Share of the swings that exceed each validity limit of the model, with the design of a setup.
-/// Swings that do not land are not counted. `None` once `stop` is true.
+/// For each validity limit of the model: the share of the swings that exceed it, with the design of
+/// `setup`. Swings that do not land are not counted. `None` once `stop` is true.
 pub fn beyond_share(
     setup: &Setup<f64>,
     scenarios: &Scenarios,
@@ -59,8 +59,9 @@ fn warnings(
 
 impl Optimum {
     /// Warnings about the setup at the optimum and about its drives, and about the total of the
-    /// drive at the start, if the answer compares both totals. Without an optimum, the warnings are
-    /// about the setup only. Once `stop` is true, a warning says that the swings were not checked.
+    /// drive at the start, if the totals before and after the search are compared. Without an
+    /// optimum, the warnings are about the setup only. Once `stop` is true, a warning says that the
+    /// swings were not checked.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let mut of = self.search.outcomes();
         if self.compares_totals() {

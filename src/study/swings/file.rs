@@ -82,9 +82,7 @@ fn recorded(setup: &Setup<f64>, table: &mut dyn Points, path: &Path) -> Result<S
         setup.column(parameter.name)?;
     }
     if table.rows() == 0 {
-        return Err(refuse(
-            "it has no row; a table of swings has one for each swing".into(),
-        ));
+        return Err(refuse("it has no rows; give one row for each swing".into()));
     }
     let mut values = vec![];
     while table.read(4096, &mut values)? > 0 {}

@@ -24,7 +24,7 @@ pub(in crate::study) fn columns(
     stop: &AtomicBool,
 ) -> Result<Vec<Vec<f64>>> {
     let blocks: Vec<&[Vec<f64>]> = scenarios.points.chunks(BLOCK).collect();
-    // a batch needs a parameter, and one drive has none
+    // a batch needs a parameter that varies, and the scenario of one drive has none
     let batch = match scenarios.is_one_drive() {
         true => None,
         false => Some(Batch::new(setup, &scenarios.parameters, of, &[])?),

@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 
 /// A goal over swings as a function of some design parameters, with derivatives up to second order.
 /// It can be the objective of any optimizer. Measures with a kink or jump (`lowest`, `highest`,
-/// `within`) are smoothed. The setup determines method and step
+/// `within`) are smoothed. The setup determines integration method and time step
 /// ([`StepChoice`](crate::integration::StepChoice) chooses them).
 ///
 /// ```
@@ -36,9 +36,9 @@ pub struct GoalFunction {
 }
 
 impl StepChoice {
-    /// Selects method and step for a goal over swings as a function of parameters. Like
-    /// [`for_function`](Self::for_function), but within the ranges of the swings. Interrupted once
-    /// `stop` is true.
+    /// Selects integration method and time step for a goal over swings as a function of parameters.
+    /// Like [`for_function`](Self::for_function), but within the ranges of the swings. Interrupted
+    /// once `stop` is true.
     ///
     /// # Errors
     /// The errors of [`for_function`](Self::for_function); [`Error::Stopped`] after an interrupt.

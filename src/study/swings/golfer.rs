@@ -219,7 +219,8 @@ impl Swings {
 }
 
 /// Cholesky factor: the lower triangular L with A = L Lᵀ, for a positive semidefinite A with unit
-/// diagonal. If A is not positive semidefinite, the index of the row that fails.
+/// diagonal. If A is not positive semidefinite, the error is the index of the row at which the
+/// factorization fails.
 fn factored(a: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, usize> {
     /// Tolerance of a negative pivot: a pivot above −`ROUNDING` counts as 0, because correlations
     /// are given with few digits.

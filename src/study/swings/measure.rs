@@ -253,7 +253,7 @@ fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
 struct LowestShare<'a> {
     /// Values or gradients, with weights.
     drives: &'a [(&'a Taylor, f64)],
-    /// −1 for the highest share.
+    /// 1 for the lowest share, −1 for the highest share.
     sign: f64,
     /// α.
     share: f64,
@@ -268,7 +268,7 @@ impl LowestShare<'_> {
         let t = self.threshold();
         let terms = self.drives.iter().map(|(f, weight)| {
             let [value, slope, bend] = self.plus(t - self.sign * f.value);
-            // −φ(t − u) by f
+            // derivatives of −φ(t − u) by f
             let by_f = [-value, self.sign * slope, -bend];
             (*f, by_f.map(|part| weight / self.share * part))
         });
@@ -323,7 +323,8 @@ impl LowestShare<'_> {
         }
     }
 
-    /// Adds the change of t with the variables x, (∂²/∂t∂x)(∂²/∂t∂x)ᵀ / (−∂²/∂t²).
+    /// Adds to the Hessian the term of the change of t with the variables x, (∂²/∂t∂x)(∂²/∂t∂x)ᵀ /
+    /// (−∂²/∂t²).
     fn add_threshold_change(&self, t: f64, hessian: &mut [Vec<f64>]) {
         let bends: Vec<f64> = self
             .drives
@@ -474,7 +475,7 @@ mod tests {
         let mut sorted = values.clone();
         sorted.sort_by(f64::total_cmp);
         let low = sorted[..2].iter().sum::<f64>() / 2.0;
-        // a third of the numbers: three, and a third of the fourth
+        // the highest third of ten numbers: three numbers, and a third of the fourth
         let high = (sorted[7..].iter().sum::<f64>() + sorted[6] / 3.0) / (10.0 / 3.0);
         let inside = values.iter().filter(|value| value.abs() <= 9.0).count() as f64 / 10.0;
         let of = Outcome::Carry;
@@ -501,7 +502,7 @@ mod tests {
         }
     }
 
-    /// All drives are equal, so every share has the common value, for any weights.
+    /// All drives are equal, so the mean of every share is their common value, for any weights.
     #[test]
     fn exact_shares_of_identical_drives() {
         let weights = [0.5, 0.25, 0.15, 0.1];

@@ -81,7 +81,7 @@ impl Pareto {
         }
     }
 
-    /// The reason for a front without a knee.
+    /// The reason why the front has no knee; `None` if it has a knee, or after an interrupt.
     pub fn no_knee(&self) -> Option<String> {
         let [first, second] = self
             .search

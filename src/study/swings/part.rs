@@ -3,7 +3,7 @@
 use super::scenarios::{Rule, Scenarios};
 use nalgebra::{DMatrix, DVector};
 
-/// Number of scenarios per scenario of the subset.
+/// The subset contains about one in this number of scenarios.
 const ONE_IN: usize = 16;
 /// Minimum number of scenarios in the subset.
 const LEAST: usize = 128;
@@ -13,8 +13,8 @@ const PER_MOMENT: usize = 2;
 /// Indices of the scenarios in the subset, in order, and the number of scenarios that each of them
 /// represents. All scenarios are used if the subset would save less than half.
 ///
-/// The first points of a sequence are spread as evenly as the whole sequence. A subset of the nodes
-/// of Gauss's rule is not a quadrature rule.
+/// The first points of a sequence are spread as evenly as the whole sequence. Gauss's rule keeps
+/// all its nodes, because a subset of them is not a quadrature rule.
 pub(in crate::study) fn part_of(scenarios: &Scenarios) -> (Vec<usize>, Vec<f64>) {
     let all = scenarios.points.len();
     let count = (all / ONE_IN)
@@ -43,7 +43,7 @@ fn moments(parameters: usize) -> usize {
 /// all scenarios, by least squares from equal weights. A mean over the subset is then exact for
 /// quadratic functions of the parameters.
 fn part_weights(part: &[usize], scenarios: &Scenarios) -> Vec<f64> {
-    /// Relative tolerance of singular values: a parameter may be constant or depend on others.
+    /// Relative tolerance of singular values: parameters may be constant or linearly dependent.
     const ROUNDING: f64 = 1e-9;
     let n = scenarios.parameters.len();
     let over_all = |f: &dyn Fn(&[f64]) -> f64| {

@@ -47,10 +47,10 @@ pub enum GoalError {
     /// The error of the quadrature: twice the change of the goal with 1.5 times as many nodes.
     Quadrature(f64),
     /// The 99 % interval of the goal over all swings, and the number of independent sequences of
-    /// swings whose scatter gives the interval. It contains the reported value.
+    /// swings whose scatter gives the interval. The interval contains the reported value.
     Sampling(Interval, usize),
-    /// Unknown, because the ball does not fly in one of the other scenarios: the swing, and the
-    /// reason.
+    /// Unknown, because the ball does not fly in a swing of the other scenarios. The text names the
+    /// swing and the reason.
     Unknown(String),
 }
 
@@ -123,7 +123,7 @@ fn computed(
     Ok(Price { nominal, errors })
 }
 
-/// The search over other scenarios.
+/// `search` with other scenarios.
 fn over(search: &Search, scenarios: Scenarios) -> Search {
     Search {
         scenarios,

@@ -114,14 +114,14 @@ fn resample(n: usize, seed: u64, stream: u64) -> Vec<f64> {
 /// The optimum of a resample.
 struct Round {
     x: Vec<f64>,
-    /// Value of the objective at this optimum over the resample; `None` if the ball does not fly in
-    /// one of the swings.
+    /// Value of the objective at this optimum, with the swings of the resample; `None` if the ball
+    /// does not fly in one of the swings.
     value: Option<f64>,
-    /// The gain of the best design over the setup's own, over the resample.
+    /// The gain of the best design over the setup's design, with the swings of the resample.
     gain: Option<f64>,
 }
 
-/// The search over a resample from the best design; `None` if it does not converge.
+/// The search over a resample, started at the best design; `None` if it does not converge.
 fn searched_again(
     problem: &SearchProblem,
     best: &Optimum,

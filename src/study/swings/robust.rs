@@ -28,11 +28,11 @@ const USUAL: [([(&str, &str); 1], &str); 4] = [
     ([(LAW, "launch-monitor")], "what a launch monitor predicts"),
     (
         [(LAW, "ferguson")],
-        "radar flights of a ball of 2021: the independent alternative",
+        "fitted to radar flights of a ball of 2021, independently of the default law",
     ),
     (
         [("impact.friction", "0.3")],
-        "the least friction of a driver's face that is published, 0.3 to 0.5",
+        "the smallest of the published frictions of a driver's face, 0.3 to 0.5",
     ),
     (
         [("impact.gear_scale", "0.5")],
@@ -124,7 +124,7 @@ impl Model {
     }
 }
 
-/// Minimax design: its greatest loss over several models is smallest.
+/// Minimax design: the design whose greatest loss over several models is smallest.
 #[derive(Clone, Debug)]
 pub struct Robust {
     /// The search.
@@ -191,8 +191,8 @@ impl Robust {
     }
 
     /// Decrease of the greatest loss per unit by which a bound of a variable is widened (lower
-    /// bound, upper bound). It is the multiplier of the bound minus the gains of the models' own
-    /// best designs, weighted by [`shares`](Self::shares).
+    /// bound, upper bound). It is the multiplier of the bound, minus what each model's own best
+    /// design gains from the wider bound, weighted by [`shares`](Self::shares).
     pub fn bound_prices(&self, variable: usize) -> [f64; 2] {
         let price = |multipliers: fn(&Solution) -> &[f64]| {
             let of_bests = self.shares.iter().zip(&self.models);
@@ -359,8 +359,8 @@ fn shares(solution: &Solution, limits: usize) -> Vec<f64> {
 
 /// The losses of the models as functions of the design: fₖ(x) − f*ₖ, minimized.
 ///
-/// As a [`Problem`], the functions of (x, t): t, and for each model its loss less t and its limited
-/// goals.
+/// As a [`Problem`], they have the variables (x, t) and these functions: t, and for each model its
+/// loss minus t and its limited goals.
 struct Losses<'a> {
     search: &'a Search,
     /// Problem of each model.
@@ -389,12 +389,13 @@ impl<'a> Losses<'a> {
         })
     }
 
-    /// The loss of a model with these goals.
+    /// The loss of a model whose goals have these values.
     fn loss(&self, model: usize, goals: &[f64]) -> f64 {
         self.search.sense.sign() * goals[0] - self.least[model]
     }
 
-    /// The loss of a model with these goals; `None` if they violate a constraint.
+    /// The loss of a model whose goals have these values; `None` if the values violate a
+    /// constraint.
     fn feasible_loss(&self, model: usize, goals: &[f64]) -> Option<f64> {
         let mut limits = self.search.subject_to.iter().zip(&goals[1..]);
         let is_feasible = limits.all(|(limit, value)| limit.is_met(*value));
@@ -455,7 +456,7 @@ impl<'a> Losses<'a> {
             .collect()
     }
 
-    /// The loss of each model with these goals.
+    /// The loss of each model, from the values of its goals.
     fn of(&self, goals: &[Vec<f64>]) -> Vec<f64> {
         let all = goals.iter().enumerate();
         all.map(|(model, goals)| self.loss(model, goals)).collect()

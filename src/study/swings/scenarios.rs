@@ -46,13 +46,13 @@ pub struct Scenarios {
 const MOST_INTEGRATED: usize = 3;
 /// Number of nodes per parameter, for one, two and three parameters.
 const NODES: [usize; MOST_INTEGRATED] = [32, 16, 8];
-/// Number of scenarios for more parameters.
+/// Number of scenarios for more than three parameters.
 const SCENARIOS: usize = 512;
 /// Largest number of scenarios in a search.
 const MOST_SCENARIOS: usize = 100_000;
 /// Number of independent sequences that estimate the error of a goal.
 const SEQUENCES: u32 = 8;
-/// Minimum number of points of each of these sequences.
+/// Minimum number of points of a sequence that estimates the error of a goal.
 const POINTS: usize = 2048;
 
 impl Rule {
@@ -60,8 +60,8 @@ impl Rule {
     /// scenarios.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for fewer than 2 scenarios or more than 100,000, and for a given count
-    /// of recorded swings.
+    /// [`Error::Unreadable`] for fewer than 2 scenarios or more than 100,000, and for a `count`
+    /// with recorded swings.
     pub fn of(swings: &Swings, count: Option<usize>, seed: u32) -> Result<Self> {
         let refuse = |count: usize, reason: String| {
             Err(Error::Unreadable {
@@ -108,12 +108,11 @@ impl Rule {
         let why = match (self, seed) {
             (Self::Sequence { .. }, _) | (_, None) => return Ok(()),
             (Self::Quadrature(_), _) => {
-                "up to 3 distributed parameters are integrated by Gauss's rules, in which nothing \
-                 is random; give `scenarios` too, or leave it out"
+                "up to 3 distributed parameters are integrated by Gauss's rules, which need no \
+                 seed; give `scenarios` too, or leave the seed out"
             }
             (Self::Recorded, _) => {
-                "recorded swings are the scenarios themselves, in which nothing is random; leave \
-                 it out"
+                "recorded swings are the scenarios themselves, without a seed; leave the seed out"
             }
         };
         Err(Error::Unreadable {
@@ -145,7 +144,7 @@ impl Scenarios {
         self.parameters.iter().enumerate().map(range).collect()
     }
 
-    /// One drive, the setup's own. The mean of an outcome is the outcome.
+    /// One scenario: the setup's own drive. The mean of an outcome is then the outcome itself.
     pub fn one_drive() -> Self {
         Self {
             parameters: vec![],
@@ -192,7 +191,7 @@ impl Scenarios {
                     .map_err(|source| Error::Unreadable {
                         name: format!("a swing of the distribution of {}", parameter.name),
                         source: format!(
-                            "{source}; give it ends with truncated(MEAN,DEVIATION,LOW,HIGH)"
+                            "{source}; limit it with truncated(MEAN,DEVIATION,LOW,HIGH)"
                         )
                         .into(),
                     })?;
@@ -216,9 +215,9 @@ impl Scenarios {
         })
     }
 
-    /// Independent scramblings of Sobol's sequence over the same distributions, for estimates that
-    /// no search has used. Each has at least as many points as there are scenarios. Empty without
-    /// distributions.
+    /// Independent scramblings of Sobol's sequence over the same distributions, for estimates from
+    /// points that no search has used. Each sequence has at least as many points as there are
+    /// scenarios. Empty without distributions.
     pub(in crate::study) fn sequences(&self) -> Vec<Result<Self>> {
         let Some(swings) = &self.distributed else {
             return vec![];
@@ -227,7 +226,7 @@ impl Scenarios {
             Rule::Sequence { count, seed } => (count.max(POINTS), seed),
             _ => (POINTS, 0),
         };
-        // far from the seeds that users usually choose
+        // keeps the seeds far from the seeds that users usually choose
         let seed = |round: u32| seed.wrapping_add(0x9e37_79b9_u32.wrapping_mul(round + 1));
         (0..SEQUENCES)
             .map(|round| {
@@ -255,7 +254,7 @@ impl Scenarios {
         } else {
             1_usize << bounded.len()
         };
-        // without an infinite distribution all scenarios have the same corners
+        // if all distributions are bounded, all scenarios have the same corners
         let others = if endless.is_empty() {
             1
         } else {
@@ -321,8 +320,8 @@ fn sequence_point(inputs: &[Uncertain], factor: &[Vec<f64>], k: u64, seed: u32) 
         .collect()
 }
 
-/// Product of the Gauss rules of the distributions; for correlated parameters, of their normal
-/// scores.
+/// Product of the Gauss rules of the distributions; for correlated parameters, product of the Gauss
+/// rules of their normal scores.
 fn quadrature_points(
     inputs: &[Uncertain],
     factor: &[Vec<f64>],

@@ -109,7 +109,7 @@ impl Strokes {
             return Err(refuse(
                 ":1".into(),
                 format!(
-                    "the head '{}' names no unit of length; {how}",
+                    "the column head '{}' names no unit of length; {how}",
                     &heads[distance]
                 ),
             ));

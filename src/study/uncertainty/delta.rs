@@ -15,8 +15,8 @@ pub struct Moments {
 
 /// Mean and standard deviation of a function of independent random variables by the delta method,
 /// from derivatives at their means: first order (exact for linear functions) and second order
-/// (exact for quadratic functions without mixed terms of higher order). The second is `None`
-/// without a Hessian.
+/// (exact for quadratic functions without mixed terms of higher order). The second-order result is
+/// `None` without a Hessian.
 ///
 /// ```text
 ///   mean = f + ½ Σ H_ii μ₂ᵢ

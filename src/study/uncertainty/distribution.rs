@@ -48,8 +48,8 @@ pub enum Distribution {
 const FIRST_ZERO_OF_J0: f64 = 2.404_825_557_695_773;
 
 impl Distribution {
-    /// The distribution with this name and these numbers. `None` if the name is unknown, or has
-    /// another count of numbers.
+    /// The distribution with this name and these numbers. `None` if the name is unknown, or if the
+    /// distribution needs another count of numbers.
     fn named(name: &str, numbers: &[f64]) -> Option<Self> {
         Some(match (name, numbers) {
             ("normal", &[mean, deviation]) => Self::Normal { mean, deviation },
@@ -120,7 +120,7 @@ impl Distribution {
     pub fn quantile(&self, p: f64) -> f64 {
         assert!(
             (0.0..=1.0).contains(&p),
-            "a share of all is from 0 to 1; it is {p}"
+            "a probability must be from 0 to 1, but it is {p}"
         );
         // a checked width is positive, so the constructors below succeed
         match *self {
@@ -350,7 +350,7 @@ impl Uncertain {
                 format!("there is no distribution \"{}\"; {how}", kind.trim()).into(),
             ));
         }
-        // the standard deviation is a difference: it has no offset
+        // the standard deviation is a difference, which is converted without the offset of its unit
         let is_difference = |at: usize| matches!(kind.trim(), "normal" | "truncated") && at == 1;
         let amounts = inside.split(',').enumerate().map(|(at, part)| {
             let read = if is_difference(at) {

@@ -1,6 +1,6 @@
 use statrs::distribution::{ContinuousCDF, Normal};
 
-/// Smallest ratio of the variances of an ellipse. With a smaller ratio it is a line, up to
+/// Smallest ratio of the variances of an ellipse. With a smaller ratio the ellipse is a line, up to
 /// rounding.
 const FLAT: f64 = 1e-14;
 

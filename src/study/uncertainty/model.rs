@@ -69,8 +69,8 @@ pub struct Statistics {
     /// Indices of each variable, in order; `None` if the outcome does not vary.
     #[serde(skip)]
     pub indices: Vec<Option<Indices>>,
-    /// Number of omitted points with a drive that does not have the outcome.
-    // the indices omit them
+    /// Number of points that are omitted because one of their drives does not have the outcome.
+    // the indices also omit these points
     #[serde(rename = "rows_left_out")]
     pub left_out: usize,
 }
@@ -122,8 +122,8 @@ impl Design {
         })
     }
 
-    /// Statistics of an output from its values at the points, in the same order; `None` with fewer
-    /// than two finite values.
+    /// Statistics of an output from its values at the points, in the order of the points; `None`
+    /// with fewer than two finite values.
     ///
     /// # Panics
     /// If the number of values differs from the number of points in a set.
@@ -337,7 +337,7 @@ fn quantile(sorted: &[f64], p: f64) -> f64 {
     sorted[below] + part * (sorted[above] - sorted[below])
 }
 
-/// 95 % interval of an estimate from its resamples, widened to their scatter.
+/// 95 % interval of an estimate: quantiles of its resamples, extended to contain the estimate.
 fn interval(value: f64, mut drawn: Vec<f64>) -> Interval {
     drawn.retain(|value| value.is_finite());
     if drawn.is_empty() {

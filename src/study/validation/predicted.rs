@@ -134,7 +134,7 @@ fn curve(mut setup: Setup<f64>, case: &Case) -> Option<f64> {
     Some(lateral? * cos - carry? * sin)
 }
 
-/// Longest carry by loft, with its launch.
+/// Quantities of the drive at the loft of longest carry.
 fn best(mut setup: Setup<f64>, case: &Case) -> Result<Vec<(Compared, f64)>> {
     if let (Some(speed), Some(attack)) = (case.club_speed, case.attack_angle) {
         (setup.swing.speed, setup.swing.attack_angle) = (speed, attack);

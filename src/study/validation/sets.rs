@@ -6,9 +6,10 @@ use serde::Serialize;
 pub enum Computation {
     /// From the published launch.
     Launch,
-    /// From the published launch, in each case's air, relative to the first case.
+    /// From the published launch, in each case's air; the carry is relative to the first case.
     Altitude,
-    /// From the launch of the first case, in each case's air, relative to the first case.
+    /// From the launch of the first case, in each case's air; the carry is relative to the first
+    /// case.
     AltitudeAlone,
     /// Club of a preset with its face open by the face-to-path angle.
     FaceToPath,
@@ -93,7 +94,7 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "pga-driver",
         title: "PGA TOUR averages, driver",
-        about: "TrackMan's averages of 2023 and 2019, and those of 2010, flown from their launch.",
+        about: "TrackMan's averages of 2023, 2019 and 2010, flown from their launch.",
         air: NOT_STATED,
         misses: AVERAGES,
         computation: Computation::Launch,
@@ -117,7 +118,8 @@ pub static SETS: [Set; 14] = [
         title: "PGA TOUR radar, five seasons",
         about: "Tracked tee shots, 10 000 to 114 000 a season, flown from the season's average \
                 launch.",
-        air: "that of the events: in 2022-23 its density was 0.992 of that at 25 °C and sea level",
+        air: "the air at the events; in 2022-23 its density was 0.992 times the density at 25 °C \
+              and sea level",
         misses: "Elevation and wind are not taken out. The time of flight is not compared: the \
                  published 6.2 to 6.4 s is 0.4 to 0.8 s less than with any \
                  law that meets the apex, and how it is defined is not known.",
@@ -168,12 +170,12 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "altitude",
         title: "Gain of carry on high courses",
-        about: "Seven events of the PGA TOUR, the same players there and elsewhere; the launch is \
-                that of each event.",
+        about: "Seven events of the PGA TOUR, with the same players there and elsewhere, flown \
+                from the launch of each event.",
         air: "stated, as a fraction of the density at 25 °C and sea level",
-        misses: "The launch at sea level is taken as the season's average. At altitude players \
-                 launch up to 3° higher, and with that launch laws gain \
-                 more than is measured.",
+        misses: "The launch at sea level is assumed to be the season's average. At altitude \
+                 players launch up to 3° higher, and with this launch the laws gain more carry \
+                 than is measured.",
         computation: Computation::Altitude,
         is_averaged: false,
         preset: None,
@@ -182,9 +184,9 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "altitude-alone",
         title: "Gain of carry on high courses, by the air alone",
-        about: "The same events with the launch of sea level.",
+        about: "The events of altitude, flown from the launch at sea level.",
         air: "stated, as a fraction of the density at 25 °C and sea level",
-        misses: "The measured gain contains that of the higher launch.",
+        misses: "The measured gain includes the effect of the higher launch.",
         computation: Computation::AltitudeAlone,
         is_averaged: false,
         preset: None,
@@ -193,8 +195,8 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "face-to-path",
         title: "Curve by face-to-path",
-        about: "TrackMan's curve of four centred drives; the club is that of tour-average and \
-                lpga-average, its face open by the angle.",
+        about: "TrackMan's curve of four centred drives, computed with the clubs of tour-average \
+                and lpga-average; the face is open by the face-to-path angle.",
         air: NOT_STATED,
         misses: "Output of a vendor's model.",
         computation: Computation::FaceToPath,
@@ -217,9 +219,9 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "chart-optima",
         title: "TrackMan's driver chart, its optima",
-        about: "For the 30 rows of longest carry: the loft of the longest carry is sought at the \
-                same club speed and attack angle, with the club of tour-average, the default, and \
-                its launch is compared.",
+        about: "The 30 rows of longest carry: the loft of longest carry is computed for the club \
+                of tour-average (the default) at the row's club speed and attack angle; carry and \
+                launch at this loft are compared.",
         air: NOT_STATED,
         misses: CHART,
         computation: Computation::Optimum,
@@ -230,7 +232,8 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "chart-optima-centred",
         title: "TrackMan's driver chart, its optima with a centred strike",
-        about: "The same with the club of modern-driver, which is struck on the sweet spot.",
+        about: "The rows of chart-optima with the club of modern-driver, whose strike is on the \
+                sweet spot.",
         air: NOT_STATED,
         misses: CHART,
         computation: Computation::Optimum,
@@ -241,8 +244,8 @@ pub static SETS: [Set; 14] = [
     Set {
         name: "chart-optima-impact",
         title: "TrackMan's driver chart, its optima with an impact like the chart's",
-        about: "The same with the club of lpga-average, from which the ball leaves with launch \
-                angle and spin in the chart's ratio.",
+        about: "The rows of chart-optima with the club of lpga-average, whose launch angle and \
+                spin have the chart's ratio.",
         air: NOT_STATED,
         misses: CHART,
         computation: Computation::Optimum,
@@ -255,8 +258,9 @@ pub static SETS: [Set; 14] = [
         title: "Published simulations",
         about: "Eight drives that others computed: Winfield & Tan, Stengel, TrackMan's 6 irons, a \
                 patent, Nathan's calculator.",
-        air: "stated for two, which are flown in it; not stated for the others",
-        misses: "Models, each with a law of its own; the ball is that of modern-driver for all.",
+        air: "stated for two drives, which are flown in this air; not stated for the others",
+        misses: "The drives come from models, each with its own law. All are flown with the ball \
+                 of modern-driver.",
         computation: Computation::Launch,
         is_averaged: false,
         preset: None,
