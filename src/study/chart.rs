@@ -195,6 +195,9 @@ pub fn chart(
     )
 }
 
+/// Callback for an iteration.
+type Show = Rc<dyn Fn(&Iteration)>;
+
 /// Callbacks and cancellation flag of a chart.
 #[derive(Clone, Default)]
 pub struct ChartObserver {
@@ -204,7 +207,7 @@ pub struct ChartObserver {
     /// and further values if there is no optimum at the low end.
     pub beginning: Option<Rc<dyn Fn(f64)>>,
     /// Receives every iteration of every search.
-    pub iteration: Option<Rc<dyn Fn(&Iteration)>>,
+    pub iteration: Option<Show>,
 }
 
 impl ChartObserver {
