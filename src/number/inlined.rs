@@ -1,6 +1,6 @@
-//! Inlining: the macro `inlined!`, and [`Numbers::not_inlined`](super::Numbers::not_inlined) for each
-//! level. A function that is not inlined uses only the instructions of its own `target_feature`. One
-//! module per level, so that they are compiled in parallel.
+//! Inlining: the macro `inlined!`, and [`Numbers::not_inlined`](super::Numbers::not_inlined) for
+//! each level. A function that is not inlined uses only the instructions of its own
+//! `target_feature`. One module per level, so that they are compiled in parallel.
 
 /// A closure with `#[inline(always)]`; see [Inlining](crate::number).
 macro_rules! inlined {

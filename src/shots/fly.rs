@@ -16,8 +16,8 @@ use std::sync::atomic::Ordering;
 #[derive(Clone, Debug)]
 pub struct Flying {
     batch: Batch,
-    /// True if the setup describes the ground of the shots, so that total, run and lateral total are
-    /// compared (false).
+    /// True if the setup describes the ground of the shots, so that total, run and lateral total
+    /// are compared (false).
     pub is_on_their_ground: bool,
 }
 
