@@ -114,8 +114,8 @@ pub(crate) fn read_error_text(error: &std::io::Error) -> String {
     format!("it cannot be read ({why})")
 }
 
-/// Reason why a file cannot be written: "the disk is full". Messages of this program, inside an [`std::io::Error`], are
-/// returned unchanged.
+/// Reason why a file cannot be written: "the disk is full". Messages of this program, inside an
+/// [`std::io::Error`], are returned unchanged.
 pub(crate) fn write_error_text(error: &std::io::Error) -> String {
     use std::io::ErrorKind;
     let why = match error.kind() {

@@ -59,7 +59,7 @@ impl Batch {
                 .iter_mut()
                 .chain(&mut block.derivatives)
                 .for_each(|column| column[row] = f64::NAN);
-            let setup = self.setup.with_values(&self.parameters, &block.point(row));
+            let setup = self.setup.with_values(&self.parameters, block.point(row));
             let Ok(setup) = setup.and_then(|setup| setup.validate().map(|()| setup)) else {
                 continue;
             };
