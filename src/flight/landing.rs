@@ -95,13 +95,13 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
                     to: &mut *step.to,
                     ..step
                 };
-                // copies: the loop's own lanes and events stay in registers
+                // copies for the closure: the loop's own lanes and events stay in registers
                 let lanes_before = lanes;
-                let events = events;
+                let expected = events;
                 lanes = T::not_inlined(inlined!(|| self.locate_events(
                     &step,
                     lanes_before,
-                    events,
+                    expected,
                     &mut result
                 )));
             }
