@@ -114,10 +114,11 @@ fn defined(files: &BTreeMap<String, Names>, module: &str, path: &str) -> String 
     if files.contains_key(&next) {
         return defined(files, &next, rest);
     }
+    // a file names its own macro by the same path
     let handed_on = files[module]
         .uses
         .iter()
-        .find(|of| of.is_handed_on && of.name == name);
+        .find(|of| of.is_handed_on && of.name == name && of.path != path);
     handed_on.map_or(module.to_owned(), |of| defined(files, module, &of.path))
 }
 
