@@ -360,7 +360,7 @@ fn of_two_searches_at_once_with_one_checkpoint_one_is_refused() {
         assert_eq!(refused.len(), 1, "{outputs:?}");
         let said = String::from_utf8_lossy(&refused[0].stderr);
         assert!(
-            said.contains("another search just created it")
+            said.contains("another search has just created this file")
                 || said.contains("belongs to another question"),
             "{said}"
         );

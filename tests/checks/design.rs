@@ -361,7 +361,7 @@ fn designs_outside_the_rules_or_the_face_are_refused_by_name() {
                 "--set=club.face_semi_axis=1mm",
                 "--vary=club.loft=10deg..14deg",
             ],
-            &["a roll of 100 mm ends", "strike.high"],
+            &["a roll of 100 mm", "strike.high"],
         ),
         (
             &["--set=strike.toe=70mm"],

@@ -363,7 +363,7 @@ fn bad_goals_of_a_front_say_what_is_wrong() {
         ),
         (
             vec!["--maximize", "mean(carry)", "--minimize", "std(lateral)"],
-            "give these too, with --swings FILE",
+            "give the swings too, with --swings FILE",
         ),
         (
             vec!["--maximize", "cary", "--minimize", "lateral"],
@@ -387,7 +387,7 @@ fn bad_goals_of_a_front_say_what_is_wrong() {
         ),
         (
             [&both[..], &["--scenarios", "9"]].concat(),
-            "give these too",
+            "give the swings too",
         ),
         (
             [&both[..], &["-o", &toml, "--at", "-1"]].concat(),

@@ -130,7 +130,8 @@ fn same_air_of_each_row_in_calibrate_and_fly() {
     table.in_given_air();
     assert!(
         air(&table, 0).is_none()
-            && told(&table).contains("the given air replaces the air of each row"),
+            && told(&table)
+                .contains("the given air replaces the air that the export states for each row"),
         "{}",
         told(&table)
     );
@@ -159,11 +160,11 @@ fn given_air_overrides_that_of_the_export() {
         told.split_whitespace()
             .collect::<Vec<_>>()
             .join(" ")
-            .contains("the given air replaces the air of each row"),
+            .contains("the given air replaces the air that the export states for each row"),
         "{told}"
     );
     let (cold, told) = fly(&["--set", "air.temperature=0degC"]);
-    let says = "the given air replaces the air of each row, which the export states: Air Density";
+    let says = "the given air replaces the air that the export states for each row, which the export states: Air Density";
     let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         cold < own - 10.0 && words.matches("Air Density").count() == 1 && words.contains(says),

@@ -641,7 +641,7 @@ fn bad_swings_and_goals_are_refused_with_the_reason() {
     );
     let one = "--distribution=swing.path=normal(0deg,2deg)";
     let cases: [(&[&str], &str); 19] = [
-        (&["--scenarios", "9"], "give these too"),
+        (&["--scenarios", "9"], "give the swings too"),
         (&[one, "--scenarios", "1"], "from 2 to 100000"),
         (&[one, one], "two distributions"),
         (
