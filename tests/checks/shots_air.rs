@@ -164,7 +164,7 @@ fn given_air_overrides_that_of_the_export() {
         "{told}"
     );
     let (cold, told) = fly(&["--set", "air.temperature=0degC"]);
-    let says = "the given air replaces the air that the export states for each row, which the export states: Air Density";
+    let says = "the given air replaces the air that the export states for each row: Air Density";
     let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         cold < own - 10.0 && words.matches("Air Density").count() == 1 && words.contains(says),
