@@ -6,7 +6,7 @@ use crate::units::{Digits, Message, Quantity, System, significant};
 /// `Result` with longdrive's [`enum@Error`].
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// An error. Each message has the thing, its value, the allowed range, and advice.
+/// An error. Each message says what is wrong, with the value, the allowed range, and advice.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -98,7 +98,7 @@ pub enum Error {
         /// Advice.
         advice: String,
     },
-    /// Conflicting parameters, or a parameter that needs another one.
+    /// Conflicting parameters, or a parameter that needs another parameter.
     #[error("{given}: {reason}")]
     Together {
         /// The given or missing parameters.
@@ -332,10 +332,10 @@ pub enum Error {
         /// The reason, and advice.
         reason: String,
     },
-    /// A valid calibration whose rows do not fly.
+    /// A valid calibration with rows whose drives have no result, such as a ball that does not fly.
     #[error("calibration: {reason}")]
     NoFit {
-        /// Common status of the rows, or `no-answer` if they differ.
+        /// The status of the rows, or `no-answer` if their statuses differ.
         status: &'static str,
         /// The rows with their reasons, and advice.
         reason: String,

@@ -128,7 +128,7 @@ type FailingDrive = (usize, Option<(Outcome, f64)>);
 
 /// The compared drives with their reference flights.
 struct Sample<'s> {
-    /// The batch whose outcomes are the lengths, with the integration method of all choices.
+    /// The batch with the lengths as outcomes, and with the integration method [`METHOD`].
     batch: Batch,
     points: Vec<f64>,
     /// Points not tested yet.
@@ -305,7 +305,7 @@ fn integrated(setup: &Setup<f64>, step: f64) -> Setup<f64> {
     setup
 }
 
-/// The drives to compare, as consecutive values of the ranges' parameters.
+/// The points of the drives to compare: for each point, a value for each range.
 fn points(setup: &Setup<f64>, ranges: &[Vary]) -> Vec<f64> {
     // one drive if nothing varies
     if ranges.iter().all(|range| range.low == range.high) {

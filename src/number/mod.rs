@@ -128,7 +128,7 @@ pub trait Numbers:
         self * a + b
     }
 
-    /// x a + b with a plain factor.
+    /// x a + b, with a factor a that has no derivatives.
     #[inline(always)]
     fn scale_add(self, a: f64, b: Self) -> Self {
         self * a + b

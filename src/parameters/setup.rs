@@ -402,12 +402,13 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Sets a parameter to an SI value. `None` unsets an optional parameter, and resets a parameter
-    /// that others replace to its default.
+    /// Sets a parameter to an SI value. `None` unsets an optional parameter. It resets to its
+    /// default a parameter that other parameters replace.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`]; [`Error::NotANumber`]; [`Error::OtherLaw`] for a coefficient of
-    /// another law; [`Error::Unreadable`] for `None` if the parameter needs a value.
+    /// [`Error::OutOfRange`] if the value is outside the range, [`Error::NotANumber`] if it is NaN,
+    /// [`Error::OtherLaw`] if the parameter is a coefficient of another law, and
+    /// [`Error::Unreadable`] if `value` is `None` and the parameter needs a value.
     pub fn set_value(&mut self, parameter: &Parameter, value: Option<f64>) -> Result<()> {
         if let Some(value) = value {
             parameter.check(value)?;
@@ -448,8 +449,8 @@ impl Setup<f64> {
         }
     }
 
-    /// Resets a parameter to its default. The default is not used, because other parameters replace
-    /// this one.
+    /// Resets a parameter to its default. The drive does not use the default, because other
+    /// parameters replace this parameter.
     pub(crate) fn reset(&mut self, parameter: &Parameter) {
         if let (Some(Slot::Required(place)), Some(default)) =
             (self.slot(parameter), parameter.default_value())
@@ -462,8 +463,10 @@ impl Setup<f64> {
     /// together.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`], also for more than 1e8 steps; [`Error::NotANumber`];
-    /// [`Error::Inertia`]; [`Error::Launch`]; [`Error::Together`].
+    /// [`Error::OutOfRange`] if a value is outside its range, or if the time limit contains more
+    /// than 1e8 steps; [`Error::NotANumber`] if a value is NaN; [`Error::Inertia`] if the inertia
+    /// tensor is not positive definite; [`Error::Launch`] if the launch conditions are incomplete
+    /// or conflict; [`Error::Together`] if weather or wind is given twice or incompletely.
     pub fn validate(&self) -> Result<()> {
         self.validate_but_launch()?;
         self.check_launch(&[])?;

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// Default number of bins.
 const USUAL: usize = 64;
-/// Maximum number of bins, because every part of a sweep stores all bins.
+/// Maximum number of bins. Every part of a sweep stores all bins.
 const MOST: usize = 100_000;
 
 /// Equal bins of an outcome, SI, from `low` to `high`.

@@ -139,7 +139,7 @@ pub enum Answer {
 }
 
 impl Answer {
-    /// Value, derivatives (for an optimum its position, deg), and a note.
+    /// The result as a value, its derivatives (or the position of an optimum, deg), and a note.
     pub fn parts(self) -> (f64, Vec<f64>, String) {
         match self {
             Self::Drive(taylor) => {

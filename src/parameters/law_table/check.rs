@@ -4,8 +4,8 @@ use super::grid::{Axis, AxisVariable, Grid};
 use super::read::{Fault, Node, Nodes};
 use super::surface::{Cell, Surface};
 
-/// Spin ratio below which the lift of a table without spin or spin ratio falls to 0. All drives
-/// have larger spin ratios.
+/// Spin ratio below which the lift falls to 0, for a table that has no axis of spin or spin ratio.
+/// All drives have larger spin ratios.
 const FULL_LIFT: f64 = 0.02;
 
 /// Smallest distance of two lines of the grid, relative to the largest value. Closer lines are
