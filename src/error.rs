@@ -122,7 +122,8 @@ pub enum Error {
         /// The reason, and advice.
         reason: String,
     },
-    /// A search without parameters to vary, or a gradient without parameters.
+    /// An operation without its parameters or outcomes, such as a search without parameters to
+    /// vary.
     #[error("nothing to {doing}: name at least one {what}")]
     Nothing {
         /// The operation: "vary", "differentiate by".

@@ -469,7 +469,7 @@ def main():
     clocks, loads = lines([BUILD / "machine"]), [os.getloadavg()[0]]
     (near,) = lines([OURS, "one-micrometre"])
     if not (near["single"] and near["grid"]):
-        sys.exit("no method and step is within 1 µm of the reference")
+        sys.exit("no combination of method and step is within 1 µm of the reference")
     progress(
         "at 1 µm: "
         + "; ".join(

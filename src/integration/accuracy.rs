@@ -155,7 +155,7 @@ impl<'s> Sample<'s> {
         if lengths.is_empty() {
             lengths.push(Outcome::Carry);
         }
-        // a batch needs at least one parameter: use one that every setup has
+        // a batch needs at least one parameter: use a parameter that every setup has
         let own = |parameter| {
             let value = setup.value(parameter).unwrap_or_default();
             Vary {

@@ -332,7 +332,8 @@ impl Setup<f64> {
             self.apply_text(name, text, *bare)?;
         }
         refuse_idle_turf(|known| settings.iter().any(|(name, ..)| *name == known))?;
-        // reset last: a reset needs the parameter that replaces the parameter to reset
+        // resets come last: a parameter can be reset only after the parameter that replaces it is
+        // set
         let is_reset = |(name, text, _): &&(&str, &str, bool)| is_reset(name, text);
         let numbers = || {
             settings
@@ -503,7 +504,8 @@ impl Setup<f64> {
     ///
     /// # Errors
     /// The errors of [`parameter`](Self::parameter); [`Error::NotVariable`] for a setting, the law,
-    /// an unset parameter or an infinite radius.
+    /// an unset parameter, an infinite radius, a parameter that others replace, and a parameter of
+    /// the club if the launch is given.
     pub fn variable(&self, name: &str) -> Result<&'static Parameter> {
         let refuse = |reason: String| {
             Err(Error::NotVariable {

@@ -72,7 +72,7 @@ impl Bins {
         let low = quantity.read(&low).map_err(unreadable)?;
         if !(low.is_finite() && high.is_finite() && low < high) {
             return Err(refuse(format!(
-                "its ends must be finite, and the lower one below the upper one; {example}"
+                "both edges must be finite, and the lower edge below the upper edge; {example}"
             )));
         }
         Ok(Self {
