@@ -221,7 +221,7 @@ pub enum Error {
         /// Unusual conditions, and advice.
         advice: String,
     },
-    /// A drive whose caller set the interrupt flag.
+    /// A drive that was interrupted: its caller set the interrupt flag.
     #[error("stopped before the ball landed")]
     Stopped,
     /// A drive without a landing (docs/model.md, Landing).
@@ -453,7 +453,7 @@ pub(crate) fn nearest<'a>(
         .iter()
         .map(|(similarity, _)| *similarity)
         .max_by(f64::total_cmp)?;
-    // among equally similar names, prefer the one that looks most similar: o like 0, l like 1
+    // among equally similar names, prefer the name that looks most similar: o like 0, l like 1
     let glyphs = |text: &str| text.replace('0', "o").replace('1', "l");
     let by_glyphs = |known: &str| similarity(&glyphs(name), &glyphs(known));
     // of equally similar names, take the first: swing.speed before wind.speed

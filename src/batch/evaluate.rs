@@ -143,7 +143,7 @@ impl Batch {
     /// computes each derivative separately.
     ///
     /// # Errors
-    /// [`Error::Stopped`].
+    /// [`Error::Stopped`] if `stop` became true.
     fn differentiate(
         &self,
         setup: &Setup<f64>,

@@ -23,7 +23,7 @@ struct Extrapolated {
     variable: usize,
     flown: FlownRange,
     /// Change of the carry, m, if the variable is held at the ends of the range; `None` if the law
-    /// itself holds the variable, or if one of the two flights does not land.
+    /// itself holds the variable, or if the ball does not land with the variable free or held.
     change: Option<f64>,
 }
 

@@ -32,7 +32,7 @@ pub struct Collision<T> {
     pub restitution: T,
     /// Tangential coefficient of restitution e_t.
     pub tangential_restitution: T,
-    /// Scale of the gear effect g; `None` for 1.
+    /// Scale g of the gear effect; `None` means g = 1.
     pub gear_scale: Option<T>,
 }
 

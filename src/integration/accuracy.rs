@@ -70,8 +70,8 @@ const ROUNDING: f64 = 1e-12;
 /// ```
 ///
 /// # Errors
-/// [`Error::Tolerance`] for a tolerance ≤ 0, and for a tolerance that no step down to 4 ms reaches,
-/// with the worst drive; [`Error::NoFlight`] if no drive lands; the errors of [`Batch::new`].
+/// [`Error::Tolerance`] if `tolerance` is ≤ 0, or if no step down to 4 ms reaches it (the message
+/// names the worst drive); [`Error::NoFlight`] if no drive lands; the errors of [`Batch::new`].
 pub fn accuracy(
     setup: &Setup<f64>,
     ranges: &[Vary],
@@ -122,8 +122,8 @@ pub(super) fn accuracy_until(
     Err(Error::Tolerance { tolerance, reason })
 }
 
-/// A drive for which a step fails: its row, and the failing outcome with its error in m. `None` if
-/// the drive does not land.
+/// A drive for which a step fails: its row, and the failing outcome with its error in m, or `None`
+/// if the drive does not land.
 type FailingDrive = (usize, Option<(Outcome, f64)>);
 
 /// The compared drives with their reference flights.

@@ -259,7 +259,7 @@ impl Setup<f64> {
             .find(|ways| ways.replaced.contains(&parameter.name))?;
         let by = ways.by.iter().find(|name| self.is_set(name))?;
         Some(format!(
-            "{by} is given, and {}; name one of these",
+            "{by} is given, and {}; name a parameter that determines it instead",
             ways.rule
         ))
     }

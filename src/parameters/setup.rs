@@ -224,8 +224,8 @@ impl Setup<f64> {
     /// The parameter of this name.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the nearest name, or [`Error::OtherLaw`] for a coefficient of
-    /// another law.
+    /// [`Error::Unknown`], with the nearest name, if no parameter has this name, and
+    /// [`Error::OtherLaw`] if a coefficient of another law has it.
     pub fn parameter(&self, name: &str) -> Result<&'static Parameter> {
         if let Some(row) = self.row(name) {
             return Ok(row);
@@ -358,8 +358,8 @@ impl Setup<f64> {
     /// keeps its coefficients.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the nearest name; [`Error::Together`] for the law of a table without
-    /// a table.
+    /// [`Error::Unknown`], with the nearest name, if no law has this name, and [`Error::Together`]
+    /// for the law `table` if no table is set.
     pub fn set_law(&mut self, name: &str) -> Result<()> {
         let name = name.trim();
         if name == TABLE_LAW {
