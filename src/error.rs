@@ -338,7 +338,7 @@ pub enum Error {
     NoFit {
         /// The status of the rows, or `no-answer` if their statuses differ.
         status: &'static str,
-        /// The rows with their reasons, and advice.
+        /// The failed rows, the reason for each row, and advice.
         reason: String,
     },
     /// An invalid setting or problem of the optimizer.

@@ -101,8 +101,8 @@ impl<T: Numbers> Collision<T> {
         !self.restitution.below(0.0) & !(-self.restitution).below(-1.0)
     }
 
-    /// u⁻: velocity of the contact point of the club relative to the ball's before impact, m/s (eq.
-    /// 8).
+    /// u⁻: velocity of the club's contact point relative to the contact point of the ball, before
+    /// impact, m/s (eq. 8).
     #[inline(always)]
     pub fn approach(&self) -> Vector<T> {
         self.club_velocity + self.club_spin.cross(self.contact)
