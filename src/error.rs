@@ -6,7 +6,7 @@ use crate::units::{Digits, Message, Quantity, System, significant};
 /// `Result` with longdrive's [`enum@Error`].
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// An error. Each message has the thing, its value, the allowed range, and advice.
+/// An error. Each message says what is wrong, with the value, the allowed range, and advice.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -98,7 +98,7 @@ pub enum Error {
         /// Advice.
         advice: String,
     },
-    /// Conflicting parameters, or a parameter that needs another one.
+    /// Conflicting parameters, or a parameter that needs another parameter.
     #[error("{given}: {reason}")]
     Together {
         /// The given or missing parameters.
@@ -122,7 +122,8 @@ pub enum Error {
         /// The reason, and advice.
         reason: String,
     },
-    /// A search without parameters to vary, or a gradient without parameters.
+    /// An operation without its parameters or outcomes, such as a search without parameters to
+    /// vary.
     #[error("nothing to {doing}: name at least one {what}")]
     Nothing {
         /// The operation: "vary", "differentiate by".
@@ -220,7 +221,7 @@ pub enum Error {
         /// Unusual conditions, and advice.
         advice: String,
     },
-    /// A drive whose caller set the interrupt flag.
+    /// A drive that was interrupted: its caller set the interrupt flag.
     #[error("stopped before the ball landed")]
     Stopped,
     /// A drive without a landing (docs/model.md, Landing).
@@ -332,12 +333,12 @@ pub enum Error {
         /// The reason, and advice.
         reason: String,
     },
-    /// A valid calibration whose rows do not fly.
+    /// A valid calibration with rows whose drives have no result, such as a ball that does not fly.
     #[error("calibration: {reason}")]
     NoFit {
-        /// Common status of the rows, or `no-answer` if they differ.
+        /// The status of the rows, or `no-answer` if their statuses differ.
         status: &'static str,
-        /// The rows with their reasons, and advice.
+        /// The failed rows, the reason for each row, and advice.
         reason: String,
     },
     /// An invalid setting or problem of the optimizer.
@@ -452,7 +453,7 @@ pub(crate) fn nearest<'a>(
         .iter()
         .map(|(similarity, _)| *similarity)
         .max_by(f64::total_cmp)?;
-    // among equally similar names, prefer the one that looks most similar: o like 0, l like 1
+    // among equally similar names, prefer the name that looks most similar: o like 0, l like 1
     let glyphs = |text: &str| text.replace('0', "o").replace('1', "l");
     let by_glyphs = |known: &str| similarity(&glyphs(name), &glyphs(known));
     // of equally similar names, take the first: swing.speed before wind.speed

@@ -31,7 +31,7 @@ impl<T> Launch<T> {
 }
 
 impl<T: Numbers> Launch<T> {
-    /// The launch with these launch conditions, SI. The inverse is
+    /// The launch with these launch conditions, SI. The inverse functions are
     /// [`ball_speed`](Self::ball_speed), [`launch_angle`](Self::launch_angle),
     /// [`launch_direction`](Self::launch_direction), [`backspin`](Self::backspin) and
     /// [`sidespin`](Self::sidespin).

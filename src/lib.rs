@@ -53,7 +53,7 @@
 //! | numbers, quantity strings, errors | [`number`], [`units`], [`error`] |
 
 #![warn(clippy::missing_errors_doc, missing_docs)]
-// without the commands, some items have no user
+// without the feature `commands`, some items are unused
 #![cfg_attr(not(feature = "commands"), allow(dead_code, unused_imports))]
 
 #[macro_use]

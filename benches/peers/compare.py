@@ -34,8 +34,9 @@ TITLES = {
     "W&T": "23 optima, Winfield & Tan",
     "W&T-1um": "the 23 at 1 µm",
 }
-# operations of a run whose instructions are counted; for T6, repetitions: each computes GRID_POINTS
-# points, or SAMPLED_POINTS if the peer computes only every 25th attack angle
+# number of operations in a run whose instructions are counted. For T6 it is the number of
+# repetitions of GRID_POINTS points, or of SAMPLED_POINTS points if the peer computes only every
+# 25th attack angle
 OPERATIONS = {
     "T1": 10,
     "T2": 10,
@@ -468,7 +469,7 @@ def main():
     clocks, loads = lines([BUILD / "machine"]), [os.getloadavg()[0]]
     (near,) = lines([OURS, "one-micrometre"])
     if not (near["single"] and near["grid"]):
-        sys.exit("no method and step is within 1 µm of the reference")
+        sys.exit("no combination of method and step is within 1 µm of the reference")
     progress(
         "at 1 µm: "
         + "; ".join(

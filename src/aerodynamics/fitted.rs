@@ -35,8 +35,8 @@ pub struct Fitted {
     pub speed: Option<[f64; 2]>,
     /// Description of the data that the law was fitted to.
     pub to: &'static str,
-    /// Clamped ends (below, above) of each of [`ranges`](Self::ranges). Beyond the other ends the
-    /// law is extrapolated.
+    /// For each of [`ranges`](Self::ranges), true for the ends (below, above) at which the law
+    /// clamps the variable. Beyond an end with false, the law is extrapolated.
     pub held: [[bool; 2]; 4],
 }
 
@@ -101,8 +101,8 @@ impl Fitted {
         }
     }
 
-    /// For each range, true for the ends (below, above) that `flown` exceeds: the least and the
-    /// greatest value of each variable.
+    /// For each range, true for the ends (below, above) that a flight exceeds. `flown` has the
+    /// least and the greatest value of each variable.
     pub(crate) fn exceeded_ends(&self, flown: [[f64; 2]; 4]) -> [[bool; 2]; 4] {
         let ranges = self
             .ranges()

@@ -102,7 +102,7 @@ pub trait AerodynamicLaw<T: Numbers> {
     /// direction without spin.
     ///
     /// All laws are inlined into the equation of motion. A long law calls [`Numbers::not_inlined`]
-    /// with a `move` closure, so that it does not slow down the others (`src/number/mod.rs`,
+    /// with a `move` closure, so that it does not slow down the other laws (`src/number/mod.rs`,
     /// "Pipelines").
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T>;
 

@@ -11,8 +11,8 @@ const SMOOTH_BELOW: f64 = 0.042;
 const LARGEST: f64 = 0.3;
 /// Width of the upper clamp of the spin ratio.
 const HELD_OVER: f64 = 0.1;
-/// Start of the lower clamp of Re/10⁵: 1/r² makes the lift negative at lower values. In the slowest
-/// measured shots Re/10⁵ was 0.8.
+/// Start of the lower clamp of r = Re/10⁵: the term in 1/r² makes the lift negative at lower r. In
+/// the slowest measured shots r was 0.8.
 const SMALLEST: f64 = 0.6;
 /// Width of the lower clamp of Re/10⁵.
 const HELD_UNDER: f64 = 0.2;

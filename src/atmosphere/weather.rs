@@ -14,7 +14,7 @@ pub struct AirState<T> {
 }
 
 impl<T: Numbers> AirState<T> {
-    /// Density and viscosity as given, or from the weather if it is given.
+    /// Density and viscosity as given, or computed from the weather if the weather is given.
     ///
     /// ```
     /// use longdrive::{Setup, atmosphere::AirState};

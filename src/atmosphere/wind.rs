@@ -27,7 +27,7 @@ struct Profile<T> {
 }
 
 impl<T: Numbers> WindField<T> {
-    /// The wind of the parameters `wind` over `ground`.
+    /// The wind of the parameters `wind`. A logarithmic profile starts at the height of `ground`.
     #[inline(always)]
     pub fn new(wind: &Wind<T>, ground: &Ground<T>) -> Self {
         let profile = wind.roughness.map(|roughness| {

@@ -9,8 +9,8 @@ use std::fmt;
 pub enum Status {
     /// The ball landed; all outcomes exist.
     Landed,
-    /// The ball left the face but did not fly: it was launched downwards, or its path is below the
-    /// height of the ground. Only outcomes of the launch exist.
+    /// The ball left the face but did not fly: it was launched downwards, or its highest point is
+    /// not above the ground. Only outcomes of the launch exist.
     NoFlight,
     /// The ball is still in the air at `flight.time_limit`. Only outcomes of the launch exist.
     Aloft,
@@ -85,7 +85,8 @@ impl StatusCounts {
         self.beyond.merge(other.beyond);
     }
 
-    /// Counts with these numbers of drives by status, and these numbers beyond the validity limits.
+    /// The counts from the number of drives by status, and the number of drives beyond each
+    /// validity limit.
     pub fn of(counts: &BTreeMap<Status, u64>, beyond: ExceededCount) -> Self {
         Self {
             statuses: Status::ALL.map(|status| counts.get(&status).copied().unwrap_or_default()),

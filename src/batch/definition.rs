@@ -8,7 +8,7 @@ use crate::parameters::{NO_CLUB, Parameter, Setup, refuse_twice};
 #[derive(Clone, Debug)]
 pub struct Batch {
     pub(super) setup: Setup<f64>,
-    /// Swept parameters. Each point has one value for each of them.
+    /// Swept parameters. Each point has a value for each swept parameter.
     pub(super) parameters: Vec<&'static Parameter>,
     pub(super) of: Vec<Outcome>,
     /// Parameters of differentiation; empty for values only.
@@ -24,11 +24,11 @@ impl Batch {
     /// Creates a batch of the outcomes `of` at points of `parameters`, with derivatives by `wrt`.
     ///
     /// # Errors
-    /// Errors of [`Setup::validate`]; [`Error::Nothing`] if `of` or `parameters` is empty;
-    /// [`Error::NotVariable`], [`Error::Unknown`] and [`Error::OtherLaw`] of [`Setup::variable`];
-    /// [`Error::OtherLaw`] also for a coefficient that belongs to another law but has the same name
-    /// in the setup's law; [`Error::SearchRange`] if `parameters` repeats a parameter, and
-    /// [`Error::Together`] if `wrt` does.
+    /// The errors of [`Setup::validate`], of [`Setup::column`] for `parameters`, and of
+    /// [`Setup::variable`] for `wrt`; [`Error::Nothing`] if `of` or `parameters` is empty;
+    /// [`Error::OtherLaw`] if a coefficient belongs to another law, even if the setup's law has a
+    /// coefficient of the same name; [`Error::SearchRange`] if `parameters` repeats a parameter,
+    /// and [`Error::Together`] if `wrt` repeats a parameter.
     pub fn new(
         setup: &Setup<f64>,
         parameters: &[&'static Parameter],

@@ -104,8 +104,8 @@ impl Batch {
     /// accepted.
     ///
     /// # Errors
-    /// [`Error::Stopped`]; the error of a drive that has no impact or a diverged flight. The status
-    /// of this drive is already in the block.
+    /// [`Error::Stopped`] if `stop` became true; the error of a drive without an impact or with a
+    /// diverged flight, whose status is then already in the block.
     fn evaluate_scalar(
         &self,
         mut setup: Setup<f64>,
@@ -143,7 +143,7 @@ impl Batch {
     /// computes each derivative separately.
     ///
     /// # Errors
-    /// [`Error::Stopped`].
+    /// [`Error::Stopped`] if `stop` became true.
     fn differentiate(
         &self,
         setup: &Setup<f64>,

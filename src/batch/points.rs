@@ -17,7 +17,7 @@ pub trait Points {
     /// Moves to a row, from which [`read`](Self::read) continues.
     ///
     /// # Errors
-    /// Errors in the rows before `row`, if they must be read.
+    /// The errors of the rows before `row`, if this source must read them to reach `row`.
     fn seek(&mut self, row: u64) -> Result<()>;
 
     /// Appends up to `most` rows to `values`, SI, with a value for each parameter. Returns the

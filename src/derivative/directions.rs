@@ -4,7 +4,7 @@ use crate::number::{Lanes, Level, MOST_PER_LANE, Mask, inlined};
 /// directions.
 #[derive(Clone, Copy)]
 pub(super) struct Directions<'a> {
-    /// Indices in order; each lane takes as many as its number type has directions.
+    /// Indices in order. Each lane takes as many variables as its number type has directions.
     pub variables: &'a [usize],
     /// True if the directions are pairs, one pair per lane, for a mixed second derivative.
     pub are_pairs: bool,

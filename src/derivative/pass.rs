@@ -46,7 +46,7 @@ pub(super) struct Point<'a> {
 pub(super) enum Stage<'a> {
     /// The whole drive.
     Whole,
-    /// Impact only; in `taylors` the components of the launch follow the outcomes.
+    /// Impact only. The components of the launch come after the outcomes in `Pass::taylors`.
     Impact,
     /// Flight only, from this launch.
     Flight(&'a [Taylor]),
@@ -240,7 +240,8 @@ impl Pass<'_> {
         Ok(())
     }
 
-    /// Writes the derivatives of the components of the launch, which follow the outcomes.
+    /// Writes the derivatives of the components of the launch, which come after the outcomes in
+    /// `taylors`.
     #[inline(always)]
     fn put_launch<J: Lanes<Lane: Derivatives>>(
         &mut self,

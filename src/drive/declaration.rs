@@ -89,8 +89,8 @@ pub struct Instrument {
     /// Source, or "assumed" with the reasoning if no source was found. Braces enclose lengths and
     /// speeds, which are printed in the user's units.
     pub(super) source: &'static str,
-    /// Values that a drive can have. A measured value outside is an error of the table, such as a
-    /// wrong unit. `None` if any value is accepted.
+    /// Values that a drive can have. A measured value outside of them is taken for an error of the
+    /// table, such as a wrong unit. `None` if any value is accepted.
     pub(crate) plausible: Option<Plausible>,
     /// Column heads of exports, in lower case, without punctuation.
     pub(crate) heads: &'static [&'static str],

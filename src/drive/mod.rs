@@ -59,9 +59,10 @@ impl<T: Number> Drive<T> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OffFace`], [`Error::NoStrike`], [`Error::Jammed`], [`Error::Diverged`];
-    /// [`Error::OutOfRange`] and [`Error::NotANumber`] as in [`fly`](crate::flight::fly). A ball
-    /// that does not fly is a result, not an error: see [`Flight`].
+    /// [`Error::OffFace`], [`Error::NoStrike`] and [`Error::Jammed`] as in
+    /// [`strike`](crate::impact::strike); [`Error::Diverged`], [`Error::OutOfRange`] and
+    /// [`Error::NotANumber`] as in [`fly`](crate::flight::fly). A ball that does not fly is a
+    /// result, not an error: see [`Flight`].
     pub fn new(setup: &Setup<T>) -> Result<Self> {
         setup.flight.check_steps()?;
         Self::without_step_check(setup, None)
@@ -71,7 +72,8 @@ impl<T: Number> Drive<T> {
     /// until `stop` is true.
     ///
     /// # Errors
-    /// The errors of [`new`](Self::new), except the error for the step; [`Error::Stopped`].
+    /// The errors of [`new`](Self::new), except the error for the step; [`Error::Stopped`] after an
+    /// interrupt.
     pub(crate) fn without_step_check(setup: &Setup<T>, stop: Option<&AtomicBool>) -> Result<Self> {
         let fly = |launch: &Launch<T>| Inputs::new(setup, launch, true).fly(stop, None);
         if let Some(launch) = Launch::given(setup) {

@@ -123,7 +123,7 @@ impl Outcome {
     /// The outcome of this name.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the nearest name.
+    /// [`Error::Unknown`], with the nearest name, if no outcome has this name.
     pub fn named(name: &str) -> Result<Self> {
         Self::EVERY
             .iter()

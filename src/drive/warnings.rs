@@ -13,7 +13,7 @@ use crate::units::{Digits, Message, Quantity};
 use std::sync::atomic::AtomicBool;
 
 /// Smallest share of the flight time outside the range that causes a warning, for a variable that
-/// the law holds.
+/// the law itself holds at the end of the range.
 const LEAST_WARNED_SHARE: f64 = 0.01;
 
 /// A variable of a flight outside the range that the law was fitted to.
@@ -23,7 +23,7 @@ struct Extrapolated {
     variable: usize,
     flown: FlownRange,
     /// Change of the carry, m, if the variable is held at the ends of the range; `None` if the law
-    /// itself holds the variable, or if one of the two flights does not land.
+    /// itself holds the variable, or if the ball does not land with the variable free or held.
     change: Option<f64>,
 }
 
@@ -265,7 +265,7 @@ impl Drive<f64> {
 
     /// Values along the flight of each variable with a known range of the law, in the order of
     /// [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges); `None` for a variable without a
-    /// known range, and without air or a flight.
+    /// known range, and for all variables if there is no air or no flight.
     pub fn flown_ranges(&self, setup: &Setup<f64>) -> [Option<FlownRange>; 4] {
         self.flown_ranges_until(setup, &AtomicBool::new(false))
     }

@@ -94,9 +94,9 @@ pub(crate) fn stays_within(
     stays && flight.is_ok()
 }
 
-/// The flow `stream` with `variable` moved to the nearer end of the range. The Reynolds number and
-/// the airspeed stay unless they are `variable`; the spin follows from the spin ratio, and the spin
-/// ratio from the spin.
+/// The flow `stream` with `variable` moved to the nearer end of the range. Spin ratio and spin move
+/// together, at constant airspeed and Reynolds number. The Reynolds number moves alone. The
+/// airspeed moves at constant spin ratio and Reynolds number.
 fn hold(stream: Stream<f64>, variable: usize, [low, high]: [f64; 2]) -> Stream<f64> {
     let mut held = stream;
     match variable {
@@ -105,7 +105,7 @@ fn hold(stream: Stream<f64>, variable: usize, [low, high]: [f64; 2]) -> Stream<f
         }
         SPIN => held.spin = stream.spin.clamp(low, high),
         REYNOLDS => held.reynolds_per_speed = stream.reynolds().clamp(low, high) / stream.speed,
-        // the airspeed: spin ratio and Reynolds number stay
+        // the airspeed, at constant spin ratio and Reynolds number
         _ => {
             let speed = stream.speed.clamp(low, high);
             held = Stream::new(

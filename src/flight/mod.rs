@@ -41,7 +41,8 @@ impl<T: Number> Inputs<T> {
     ///
     /// # Errors
     /// [`Error::Diverged`](crate::Error::Diverged) if drag and lift change the airspeed too much
-    /// within a step, or if a number overflows; [`Error::Stopped`](crate::Error::Stopped).
+    /// within a step, or if a number overflows; [`Error::Stopped`](crate::Error::Stopped) after an
+    /// interrupt.
     pub(crate) fn fly(
         &self,
         stop: Option<&AtomicBool>,

@@ -120,7 +120,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
             Some(damping) => damping.mul_add(speed, self.decay),
         };
         let spin_rate = -(decay_rate * node.spin);
-        // a loop, for a single call site of the equation of motion
+        // a loop instead of two calls: the equation of motion is inlined only once
         let mut shifted = [node.rate; 2];
         for (rate, time) in shifted
             .iter_mut()

@@ -238,7 +238,7 @@ impl<T: Numbers> FlightResult<T> {
     ///
     /// # Errors
     /// [`Error::Diverged`] if drag and lift change the airspeed too much within a step, or if a
-    /// number overflows; [`Error::Stopped`].
+    /// number overflows; [`Error::Stopped`] after an interrupt.
     #[inline(always)]
     pub(crate) fn no_landing_reason(
         &self,

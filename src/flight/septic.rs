@@ -160,7 +160,7 @@ impl<T: Numbers> Path<T> {
     /// The path within a step.
     #[inline(always)]
     pub fn new<L: AerodynamicLaw<T>>(inputs: &Inputs<T, L>, step: &Step<'_, T>, h: f64) -> Self {
-        // a loop, for a single call site of the equation of motion
+        // a loop instead of two calls: the equation of motion is inlined only once
         let mut jerks = [step.velocity_increment; 2];
         for (jerk, node) in jerks.iter_mut().zip([&*step.from, &*step.to]) {
             *jerk = inputs.rate_per_time(node).acceleration;

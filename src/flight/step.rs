@@ -85,7 +85,7 @@ impl<'a, T: Numbers, L: AerodynamicLaw<T>> Stepper<'a, T, L> {
         }
     }
 
-    /// Advances a step to the next one.
+    /// Replaces a step by the next step.
     #[inline(always)]
     pub fn advance(&mut self, step: &mut Step<'_, T>) {
         std::mem::swap(&mut step.from, &mut step.to);

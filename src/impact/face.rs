@@ -85,9 +85,9 @@ const MOST_STEPS: usize = 200;
 
 impl Strike<f64> {
     /// Strike on the sweet spot, where the face normal passes through the centre of mass, by
-    /// fixed-point iteration: each step follows the last normal from the centre of mass to the
-    /// depth of the last impact point. `None` if the face is so curved that there is no sweet spot
-    /// near the centre of mass.
+    /// fixed-point iteration. Each step goes from the centre of mass along the normal of the
+    /// previous impact point, up to the depth of that point. `None` if the face is so curved that
+    /// there is no sweet spot near the centre of mass.
     pub fn on_sweet_spot(club: &Club<f64>) -> Option<Self> {
         let head = Head::new(club);
         let Some([cg_high, cg_toe]) = head.cg_offset else {

@@ -27,9 +27,9 @@ pub(super) struct Limited<T: Numbers> {
     separating: T,
 }
 
-/// Impulse under Coulomb friction (docs/model.md, eq. 11). If the sticking impulse is outside of the
-/// friction cone, J = j (n + μ t̂) with t̂ the direction of the sticking J_t. Continuous at the limit;
-/// the derivative is not.
+/// Impulse under Coulomb friction (docs/model.md, eq. 11). If the sticking impulse is outside of
+/// the friction cone, J = j (n + μ t̂) with t̂ the direction of the sticking J_t. At the limit of
+/// friction the impulse is continuous, but its derivative is not.
 #[inline(always)]
 pub(super) fn limited<T: Numbers>(
     collision: &Collision<T>,

@@ -71,7 +71,7 @@ impl<T: Numbers> Head<T> {
     }
 
     /// Face centre relative to the centre of mass, in the head frame, at this loft. If the position
-    /// of the centre of mass is not given, this is the sweet spot.
+    /// of the centre of mass is not given, the face centre is the sweet spot.
     #[inline(always)]
     pub(super) fn face_centre(&self, loft: T) -> Vector<T> {
         let [high, toe] = self.cg_offset.unwrap_or_else(|| [T::zero(); 2]);

@@ -45,7 +45,8 @@ pub struct Impact<T> {
 /// The impact of a setup.
 ///
 /// # Errors
-/// [`Error::OffFace`], [`Error::NoStrike`], [`Error::Jammed`].
+/// [`Error::OffFace`] if the strike is beyond the ellipsoid of the face, [`Error::NoStrike`] if the
+/// face does not move towards the ball, and [`Error::Jammed`] if the impact has no solution.
 pub fn strike<T: Number>(setup: &Setup<T>) -> Result<Impact<T>> {
     let delivery = Delivery::new(&setup.swing);
     let collision = Collision::new(setup, &delivery)?;

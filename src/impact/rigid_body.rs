@@ -32,7 +32,7 @@ pub struct Collision<T> {
     pub restitution: T,
     /// Tangential coefficient of restitution e_t.
     pub tangential_restitution: T,
-    /// Scale of the gear effect g; `None` for 1.
+    /// Scale g of the gear effect; `None` means g = 1.
     pub gear_scale: Option<T>,
 }
 
@@ -101,8 +101,8 @@ impl<T: Numbers> Collision<T> {
         !self.restitution.below(0.0) & !(-self.restitution).below(-1.0)
     }
 
-    /// u⁻: velocity of the contact point of the club relative to the ball's before impact, m/s (eq.
-    /// 8).
+    /// u⁻: velocity of the club's contact point relative to the contact point of the ball, before
+    /// impact, m/s (eq. 8).
     #[inline(always)]
     pub fn approach(&self) -> Vector<T> {
         self.club_velocity + self.club_spin.cross(self.contact)
@@ -162,7 +162,7 @@ impl<T: Numbers> Collision<T> {
             [arm.y, -arm.x, zero],
         ];
         let mut columns = [n; 3];
-        // a loop, for a single call site
+        // a loop instead of three copies: its calls are inlined only once
         for (column, (arm_cross_e, along)) in columns
             .iter_mut()
             .zip(arm_crosses.into_iter().zip(n.to_array()))
@@ -208,8 +208,8 @@ impl<T: Number> Collision<T> {
     /// The collision of a setup with this delivery.
     ///
     /// # Errors
-    /// [`Error::OffFace`]; [`Error::Jammed`] if the restitution at this speed is not between 0 and
-    /// 1.
+    /// [`Error::OffFace`] if the strike is beyond the ellipsoid of the face, and [`Error::Jammed`]
+    /// if the restitution at this speed is not between 0 and 1.
     #[inline]
     pub fn new(setup: &Setup<T>, delivery: &Delivery<T>) -> Result<Self> {
         let (head, face) = (
@@ -317,7 +317,8 @@ impl<T: Number> Collision<T> {
     /// Two perpendicular unit tangents of the face at the contact point.
     fn tangents(&self) -> [Vector<T>; 2] {
         let n = self.normal;
-        // a direction perpendicular to the axis that is farther from the normal
+        // a direction perpendicular to the normal, and to Y or, if the normal is nearly along Y, to
+        // X
         let across = if n.y.re().abs() < 0.9 {
             Vector::new(n.z, T::zero(), -n.x)
         } else {
@@ -372,8 +373,8 @@ impl<T: Number> SpeedSystem<T> {
         }
     }
 
-    /// Adds the equations of the separation velocity along the normal and the tangents (eq. 7): it
-    /// is −(coefficient) × approach velocity.
+    /// Adds the equations of the separation velocity along the normal and the tangents (eq. 7):
+    /// this velocity is −(coefficient of restitution) × (approach velocity).
     fn add_separation(&mut self, collision: &Collision<T>, directions: &[Vector<T>; 3]) {
         let Self { a, b } = self;
         let approach = collision.approach();

@@ -70,8 +70,8 @@ const ROUNDING: f64 = 1e-12;
 /// ```
 ///
 /// # Errors
-/// [`Error::Tolerance`] for a tolerance ≤ 0, and for a tolerance that no step down to 4 ms reaches,
-/// with the worst drive; [`Error::NoFlight`] if no drive lands; the errors of [`Batch::new`].
+/// [`Error::Tolerance`] if `tolerance` is ≤ 0, or if no step down to 4 ms reaches it (the message
+/// names the worst drive); [`Error::NoFlight`] if no drive lands; the errors of [`Batch::new`].
 pub fn accuracy(
     setup: &Setup<f64>,
     ranges: &[Vary],
@@ -122,13 +122,13 @@ pub(super) fn accuracy_until(
     Err(Error::Tolerance { tolerance, reason })
 }
 
-/// A drive for which a step fails: its row, and the failing outcome with its error in m. `None` if
-/// the drive does not land.
+/// A drive for which a step fails: its row, and the failing outcome with its error in m, or `None`
+/// if the drive does not land.
 type FailingDrive = (usize, Option<(Outcome, f64)>);
 
 /// The compared drives with their reference flights.
 struct Sample<'s> {
-    /// The batch whose outcomes are the lengths, with the integration method of all choices.
+    /// The batch with the lengths as outcomes, and with the integration method [`METHOD`].
     batch: Batch,
     points: Vec<f64>,
     /// Points not tested yet.
@@ -155,7 +155,7 @@ impl<'s> Sample<'s> {
         if lengths.is_empty() {
             lengths.push(Outcome::Carry);
         }
-        // a batch needs at least one parameter: use one that every setup has
+        // a batch needs at least one parameter: use a parameter that every setup has
         let own = |parameter| {
             let value = setup.value(parameter).unwrap_or_default();
             Vary {
@@ -305,7 +305,7 @@ fn integrated(setup: &Setup<f64>, step: f64) -> Setup<f64> {
     setup
 }
 
-/// The drives to compare, as consecutive values of the ranges' parameters.
+/// The points of the drives to compare: for each point, a value for each range.
 fn points(setup: &Setup<f64>, ranges: &[Vary]) -> Vec<f64> {
     // one drive if nothing varies
     if ranges.iter().all(|range| range.low == range.high) {

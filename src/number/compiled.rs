@@ -22,8 +22,8 @@ pub(crate) trait OverNumbers {
     fn over<J: Lanes<Lane: Derivatives>>(&mut self, per_lane: usize) -> Self::Output;
 }
 
-/// Runs `work` for one drive, whose lanes are directions: values, gradients, or Hessians (a pair of
-/// variables in each lane).
+/// Runs `work` for one drive, in which each lane has its own directions: values, gradients, or
+/// Hessians (a pair of variables in each lane).
 #[inline(always)]
 pub(crate) fn over_directions<V: Lanes<Lane = f64>, W: OverNumbers>(
     work: &mut W,
@@ -38,8 +38,8 @@ pub(crate) fn over_directions<V: Lanes<Lane = f64>, W: OverNumbers>(
     }
 }
 
-/// Runs `work` for a sweep, whose lanes are drives, with derivatives by up to [`MOST_PER_LANE`]
-/// parameters.
+/// Runs `work` for a sweep, in which each lane is a drive, with derivatives by up to
+/// [`MOST_PER_LANE`] parameters.
 #[inline(always)]
 pub(crate) fn over_drives<V: Lanes<Lane = f64>, W: OverNumbers>(
     work: &mut W,

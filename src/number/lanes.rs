@@ -13,8 +13,8 @@ pub(crate) trait Lanes: Numbers {
     /// Lanes with the values `f(0)`, `f(1)`, … and zero derivatives.
     fn with_values(f: impl FnMut(usize) -> f64) -> Self;
     /// Seeds derivatives: the derivative in direction d is 1 in the lanes of `changes_in(d)`, else
-    /// 0. The directions of the outer jet are numbered from `first` on, the directions of its inner
-    ///    jets follow.
+    /// 0. The directions of the outer jet have numbers from `first` on; the directions of its inner
+    /// jets follow.
     fn seeded(self, changes_in: &impl Fn(usize) -> Self::Mask, first: usize) -> Self;
 }
 

@@ -128,7 +128,7 @@ pub trait Numbers:
         self * a + b
     }
 
-    /// x a + b with a plain factor.
+    /// x a + b, with a factor a that has no derivatives.
     #[inline(always)]
     fn scale_add(self, a: f64, b: Self) -> Self {
         self * a + b
@@ -192,8 +192,8 @@ pub trait Numbers:
     ///
     /// - integer a: [`powi`](Numbers::powi) with |a|, for any x; for a < 0 the reciprocal of that
     ///   power, infinite at 0.
-    /// - non-integer a > 0: 0 at 0, with derivatives up to order ⌊a⌋; the next one is infinite. NaN
-    ///   for x < 0.
+    /// - non-integer a > 0: 0 at 0, with derivatives up to order ⌊a⌋; the next derivative is
+    ///   infinite. NaN for x < 0.
     /// - non-integer a < 0: infinite at 0, NaN for x < 0.
     #[inline(always)]
     fn powf(self, a: f64) -> Self {

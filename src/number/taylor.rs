@@ -30,7 +30,7 @@ impl Taylor {
     /// there are any.
     ///
     /// # Panics
-    /// If the numbers differ; the message names both.
+    /// If the numbers differ; the message names both numbers.
     #[track_caller]
     pub(crate) fn expect_derivatives_by(&self, count: usize, of_what: &str) {
         let (first, rows) = (

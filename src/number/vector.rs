@@ -59,7 +59,7 @@ impl<T: Numbers> Vector<T> {
         )
     }
 
-    /// k v + b with a plain factor k.
+    /// k v + b, with v = `self` and a factor k that has no derivatives.
     #[inline(always)]
     pub(crate) fn scale_add(self, k: f64, b: Self) -> Self {
         Self::new(

@@ -110,8 +110,8 @@ pub(crate) fn follows_from(name: &str, other: &str) -> bool {
         .any(|ways| ways.replaced.contains(&name) && ways.by.contains(&other))
 }
 
-/// End of a sentence with the parameters that may replace the parameter `name`; empty if there are
-/// none.
+/// End of a sentence, which lists the parameters that may replace the parameter `name`; empty if
+/// none can replace it.
 pub(super) fn instead(name: &str) -> String {
     let ways = WAYS.iter().find(|ways| ways.replaced.contains(&name));
     ways.map_or_else(String::new, |ways| {
@@ -191,8 +191,8 @@ impl Setup<f64> {
     }
 
     /// Warnings about weather outside the validated range of the equation of the density
-    /// (docs/sources.md), which is then extrapolated. The equation is for 15 °C and above; colder
-    /// air holds little vapour, and the density of dry air is known.
+    /// (docs/sources.md), where this equation is extrapolated. The range begins at 15 °C, but
+    /// colder air causes no warning: it holds little vapour, and the density of dry air is known.
     pub(super) fn weather_warnings(&self) -> Vec<Message> {
         const PRESSURE: [f64; 2] = [60_000.0, 110_000.0];
         // altitudes with about these pressures in the standard atmosphere, m
@@ -251,14 +251,15 @@ impl Setup<f64> {
         )))
     }
 
-    /// Reason why the value of a parameter is not used: a set parameter replaces it.
+    /// Reason why the value of a parameter is not used: a set parameter replaces it. `None` if the
+    /// value is used.
     pub fn why_replaced(&self, parameter: &Parameter) -> Option<String> {
         let ways = WAYS
             .iter()
             .find(|ways| ways.replaced.contains(&parameter.name))?;
         let by = ways.by.iter().find(|name| self.is_set(name))?;
         Some(format!(
-            "{by} is given, and {}; name one of these",
+            "{by} is given, and {}; name a parameter that determines it instead",
             ways.rule
         ))
     }

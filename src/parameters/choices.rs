@@ -31,7 +31,7 @@ impl Golfer {
     /// The golfer of this name.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the nearest name.
+    /// [`Error::Unknown`], with the nearest name, if no golfer has this name.
     pub fn named(name: &str) -> Result<Self> {
         let name = name.trim();
         Self::ALL
@@ -80,7 +80,7 @@ impl SpeedOf {
     /// The point of this name.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the nearest name.
+    /// [`Error::Unknown`], with the nearest name, if no point has this name.
     pub fn named(name: &str) -> Result<Self> {
         let name = name.trim();
         Self::ALL
@@ -144,7 +144,7 @@ impl Method {
     /// The method of this name.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the nearest name.
+    /// [`Error::Unknown`], with the nearest name, if no method has this name.
     pub fn named(name: &str) -> Result<Self> {
         let name = name.trim();
         Self::ALL

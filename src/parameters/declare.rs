@@ -62,7 +62,7 @@ use std::hash::{Hash, Hasher};
 pub enum Kind {
     /// Always has a value.
     Required,
-    /// May be unset; its documentation says what unset means.
+    /// May be unset. The documentation of the parameter says what unset means.
     Optional,
     /// A setting of the computation, without derivatives.
     Setting,
@@ -297,7 +297,7 @@ macro_rules! parameter_struct {
                 $Group { $( $field: slot!(map $kind f $field self.$field), )+ }
             }
 
-            /// The value of a parameter; `None` if it belongs to another struct.
+            /// Mutable access to the value of a parameter; `None` if it belongs to another struct.
             fn slot(&mut self, parameter: &Parameter) -> Option<Slot<'_, T>> {
                 let rows = $Group::<f64>::rows();
                 // most parameters belong to another struct
@@ -402,7 +402,7 @@ macro_rules! parameter_groups {
                 groups.into_iter().flatten().collect()
             }
 
-            /// The value of a parameter; `None` for a coefficient of another law.
+            /// Mutable access to the value of a parameter; `None` for a coefficient of another law.
             #[inline(never)]
             pub(super) fn slot(&mut self, parameter: &Parameter) -> Option<Slot<'_, T>> {
                 $( if let Some(slot) = self.$group.slot(parameter) { return Some(slot); } )+

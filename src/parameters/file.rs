@@ -169,8 +169,8 @@ impl Setup<f64> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Toml`] if the text is not TOML; [`Error::InFile`] with line and column of another
-    /// error.
+    /// [`Error::Toml`] if the text is not TOML, and [`Error::InFile`], with line and column, if a
+    /// key or a value is wrong.
     pub fn from_toml(text: &str, file: &str) -> Result<Self> {
         SetupFile::read(text, file).map(|file| file.setup)
     }

@@ -34,8 +34,8 @@ impl<T: Copy> LaunchConditions<T> {
 }
 
 impl Setup<f64> {
-    /// Checks that the launch conditions (set, or among `names`) are complete: none, or ball speed,
-    /// launch angle and one form of the spin.
+    /// Checks that the launch conditions (set, or among `names`) are complete: either none is
+    /// given, or ball speed, launch angle and one form of the spin are given.
     ///
     /// # Errors
     /// [`Error::Launch`] with the missing or duplicate condition.

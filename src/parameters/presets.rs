@@ -315,7 +315,7 @@ impl Preset {
     /// The preset of this name.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the nearest name.
+    /// [`Error::Unknown`], with the nearest name, if no preset has this name.
     pub fn known(name: &str) -> Result<&'static Self> {
         Self::named(name).ok_or_else(|| {
             let names = PRESETS.iter().map(|preset| preset.name);
@@ -352,7 +352,7 @@ impl Setup<f64> {
     /// `winfield-tan` or `mae494`.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the nearest name.
+    /// [`Error::Unknown`], with the nearest name, if no preset has this name.
     pub fn preset(name: &str) -> Result<Self> {
         // parsed once: the texts with their units take longer to parse than a drive takes
         static SETUPS: [OnceLock<Setup<f64>>; PRESETS.len()] =

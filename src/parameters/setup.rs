@@ -224,8 +224,8 @@ impl Setup<f64> {
     /// The parameter of this name.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the nearest name, or [`Error::OtherLaw`] for a coefficient of
-    /// another law.
+    /// [`Error::Unknown`], with the nearest name, if no parameter has this name, and
+    /// [`Error::OtherLaw`] if a coefficient of another law has it.
     pub fn parameter(&self, name: &str) -> Result<&'static Parameter> {
         if let Some(row) = self.row(name) {
             return Ok(row);
@@ -332,7 +332,8 @@ impl Setup<f64> {
             self.apply_text(name, text, *bare)?;
         }
         refuse_idle_turf(|known| settings.iter().any(|(name, ..)| *name == known))?;
-        // reset last: a reset needs the parameter that replaces the parameter to reset
+        // resets come last: a parameter can be reset only after the parameter that replaces it is
+        // set
         let is_reset = |(name, text, _): &&(&str, &str, bool)| is_reset(name, text);
         let numbers = || {
             settings
@@ -357,8 +358,8 @@ impl Setup<f64> {
     /// keeps its coefficients.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the nearest name; [`Error::Together`] for the law of a table without
-    /// a table.
+    /// [`Error::Unknown`], with the nearest name, if no law has this name, and [`Error::Together`]
+    /// for the law `table` if no table is set.
     pub fn set_law(&mut self, name: &str) -> Result<()> {
         let name = name.trim();
         if name == TABLE_LAW {
@@ -402,12 +403,13 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Sets a parameter to an SI value. `None` unsets an optional parameter, and resets a parameter
-    /// that others replace to its default.
+    /// Sets a parameter to an SI value. `None` unsets an optional parameter. It resets to its
+    /// default a parameter that other parameters replace.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`]; [`Error::NotANumber`]; [`Error::OtherLaw`] for a coefficient of
-    /// another law; [`Error::Unreadable`] for `None` if the parameter needs a value.
+    /// [`Error::OutOfRange`] if the value is outside the range, [`Error::NotANumber`] if it is NaN,
+    /// [`Error::OtherLaw`] if the parameter is a coefficient of another law, and
+    /// [`Error::Unreadable`] if `value` is `None` and the parameter needs a value.
     pub fn set_value(&mut self, parameter: &Parameter, value: Option<f64>) -> Result<()> {
         if let Some(value) = value {
             parameter.check(value)?;
@@ -448,8 +450,8 @@ impl Setup<f64> {
         }
     }
 
-    /// Resets a parameter to its default. The default is not used, because other parameters replace
-    /// this one.
+    /// Resets a parameter to its default. The drive does not use the default, because other
+    /// parameters replace this parameter.
     pub(crate) fn reset(&mut self, parameter: &Parameter) {
         if let (Some(Slot::Required(place)), Some(default)) =
             (self.slot(parameter), parameter.default_value())
@@ -462,8 +464,10 @@ impl Setup<f64> {
     /// together.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`], also for more than 1e8 steps; [`Error::NotANumber`];
-    /// [`Error::Inertia`]; [`Error::Launch`]; [`Error::Together`].
+    /// [`Error::OutOfRange`] if a value is outside its range, or if the time limit contains more
+    /// than 1e8 steps; [`Error::NotANumber`] if a value is NaN; [`Error::Inertia`] if the inertia
+    /// tensor is not positive definite; [`Error::Launch`] if the launch conditions are incomplete
+    /// or conflict; [`Error::Together`] if weather or wind is given twice or incompletely.
     pub fn validate(&self) -> Result<()> {
         self.validate_but_launch()?;
         self.check_launch(&[])?;
@@ -500,7 +504,8 @@ impl Setup<f64> {
     ///
     /// # Errors
     /// The errors of [`parameter`](Self::parameter); [`Error::NotVariable`] for a setting, the law,
-    /// an unset parameter or an infinite radius.
+    /// an unset parameter, an infinite radius, a parameter that others replace, and a parameter of
+    /// the club if the launch is given.
     pub fn variable(&self, name: &str) -> Result<&'static Parameter> {
         let refuse = |reason: String| {
             Err(Error::NotVariable {

@@ -15,7 +15,8 @@ impl<T> FlightConditions<T> {
     /// Refuses a flight of more than 1e8 steps, and a step that is not positive.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] or [`Error::NotANumber`] for this step or time limit.
+    /// [`Error::OutOfRange`] if the step or the time limit is outside its range, or if there are
+    /// too many steps; [`Error::NotANumber`] if one of the two is NaN.
     #[inline]
     pub(crate) fn check_steps(&self) -> Result<()> {
         let is_short = self.step > 0.0 && self.time_limit / self.step <= MOST_STEPS;

@@ -95,7 +95,7 @@ impl Setup<f64> {
     /// Sets the numbers of a turf: restitution, friction, compliance and rolling; not the slopes.
     ///
     /// # Errors
-    /// [`Error::Unknown`] with the nearest name.
+    /// [`Error::Unknown`], with the nearest name, if no turf has this name.
     pub fn set_turf(&mut self, name: &str) -> Result<()> {
         let name = name.trim();
         let turf = TURFS.iter().find(|turf| turf.name == name).ok_or_else(|| {

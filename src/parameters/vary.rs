@@ -126,7 +126,7 @@ impl Vary {
     /// values of the parameter; drives outside of these values do not exist.
     ///
     /// # Errors
-    /// [`Error::NotANumber`]; [`Error::SearchRange`] for a reversed range.
+    /// [`Error::NotANumber`] if an end is NaN, and [`Error::SearchRange`] if the range is reversed.
     pub(crate) fn check(&self) -> Result<()> {
         let Self {
             parameter,

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// Default number of bins.
 const USUAL: usize = 64;
-/// Maximum number of bins, because every part of a sweep stores all bins.
+/// Maximum number of bins. Every part of a sweep stores all bins.
 const MOST: usize = 100_000;
 
 /// Equal bins of an outcome, SI, from `low` to `high`.
@@ -72,7 +72,7 @@ impl Bins {
         let low = quantity.read(&low).map_err(unreadable)?;
         if !(low.is_finite() && high.is_finite() && low < high) {
             return Err(refuse(format!(
-                "its ends must be finite, and the lower one below the upper one; {example}"
+                "both edges must be finite, and the lower edge below the upper edge; {example}"
             )));
         }
         Ok(Self {

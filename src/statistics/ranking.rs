@@ -4,9 +4,9 @@ use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// Default number of rows.
+/// Default number of ranked rows.
 const USUAL: usize = 10;
-/// Maximum number of rows, because every part of a sweep stores all rows.
+/// Maximum number of ranked rows. Every part of a sweep stores its own ranked rows.
 const MOST: usize = 10_000;
 
 /// Selection of rows: the rows with the highest or lowest values of an outcome.
@@ -21,10 +21,10 @@ pub struct RankingSpec {
 }
 
 impl RankingSpec {
-    /// Reads `OUTCOME:N`, for example `carry:10`; the default number is 10.
+    /// Reads `OUTCOME:N`, for example `carry:10`; the default of N is 10.
     ///
     /// # Errors
-    /// [`Error::SearchRange`] for an invalid number, [`Error::Unknown`].
+    /// [`Error::SearchRange`] if N is invalid, and [`Error::Unknown`] if the outcome is unknown.
     pub fn read(text: &str, highest: bool) -> Result<Self> {
         let (name, most) = match text.rsplit_once(':') {
             None => (text, Some(USUAL)),

@@ -35,7 +35,7 @@ impl Amount {
         })
     }
 
-    /// The product of this number and one SI unit of a quantity.
+    /// This number times one SI unit of the quantity `by`.
     pub fn times(self, by: Quantity) -> Self {
         Self {
             dimension: self.dimension.times(by.dimension, 1),

@@ -117,8 +117,8 @@ pub(crate) fn fixed(number: f64, decimals: usize) -> String {
     }
 }
 
-/// The text of a number, perhaps with a unit, with a plus sign if the number is positive and its
-/// text is not zero.
+/// The text of a number, with a plus sign if the number is positive and its text is not zero. The
+/// text may include a unit.
 pub(crate) fn signed(number: f64, text: String) -> String {
     if number > 0.0 && !is_zero(leading_number(&text)) {
         format!("+{text}")

@@ -53,8 +53,8 @@ impl Message {
         self
     }
 
-    /// Appends a quantity with an SI value, and the unit for its text. [`System::unit`] gives the
-    /// unit of the other system.
+    /// Appends a quantity with its SI value. The text shows it in `unit`, or in the unit of a
+    /// system that [`System::unit`] gives for `unit`.
     #[must_use]
     pub fn quantity(
         mut self,

@@ -309,7 +309,8 @@ impl Quantity {
     /// Splits a string into number and unit; the unit may be empty.
     ///
     /// # Errors
-    /// [`UnitError::NoNumber`], [`UnitError::NotANumber`].
+    /// [`UnitError::NoNumber`] if the string does not start with a number, and
+    /// [`UnitError::NotANumber`] if the number is NaN.
     pub fn split(self, text: &str) -> Result<(f64, &str), UnitError> {
         let unit = self.usual_unit();
         match split_number(text.trim()) {
@@ -398,8 +399,8 @@ impl Quantity {
         }
     }
 
-    /// Hint for an unknown unit: different case, a degree without `deg`, or a decimal comma before
-    /// the unit.
+    /// Hint for an unknown unit: the unit in the right case or with the missing `deg`, or the
+    /// advice to write a decimal point instead of a comma. Empty if none applies.
     fn hint(self, unit: &str) -> String {
         if unit
             .strip_prefix(',')

@@ -775,7 +775,7 @@ fn a_sweep_that_cannot_be_divided_is_refused_with_advice() {
     refused(&["--part", "x"], "--part 17/1000");
     refused(
         &["--part", "1/4", "--histogram", "carry=3m..2m"],
-        "the lower one below the upper one",
+        "the lower edge below the upper edge",
     );
     refused(
         &["--part", "1/4", "--histogram", "apex_height=3m..20m"],

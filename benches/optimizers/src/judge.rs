@@ -40,8 +40,8 @@ impl Judgement {
     }
 }
 
-/// An active bound or limit: its multiplier · slope is a term of the sum that balances ∇f. The
-/// multiplier is ≥ 0, or of any sign for an equality.
+/// An active bound or limit. Its multiplier times `slope` is one of the terms whose sum balances
+/// ∇f. The multiplier is ≥ 0; for an equality it has any sign.
 struct Active {
     slope: Vec<f64>,
     is_equality: bool,
@@ -120,9 +120,9 @@ fn active_set(case: &Case, x: &[f64], at: &Evaluation) -> (Vec<Active>, f64) {
     (active, worst)
 }
 
-/// Stationarity and complementarity with the best multipliers, in three passes. Each pass weights
-/// the components by the sizes of the terms of the pass before; the pass with the smallest residual
-/// counts.
+/// Stationarity and complementarity with the best multipliers, in three passes. Each pass divides
+/// every component by the size of its largest term in the previous pass. The pass with the smallest
+/// residual counts.
 fn multipliers_fit(active: &[Active], gradient: &[f64], value: f64) -> (f64, f64) {
     let n = gradient.len();
     let least = value.abs().max(1.0);
@@ -177,8 +177,8 @@ mod tests {
         assert!(residual("HS35", &[at[0], at[1], at[2] + 1e-4]) > 1e-5);
     }
 
-    /// HS4: f = (x₁ + 1)³/3 + x₂ increases from its bounds (1, 0): both multipliers have the right
-    /// sign only there.
+    /// HS4: f = (x₁ + 1)³/3 + x₂ increases from its lower bounds (1, 0), so only this point has
+    /// multipliers of the right sign for both bounds.
     #[test]
     fn multipliers_of_the_wrong_sign_do_not_pass() {
         assert!(residual("HS4", &[1.0, 0.0]) < 1e-14);

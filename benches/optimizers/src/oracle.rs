@@ -26,8 +26,8 @@ impl<'a> Oracle<'a> {
         }
     }
 
-    /// Evaluates the functions at `x` and passes them to `read`, which converts them for the
-    /// solver. Neither the evaluation nor `read` counts as the solver's time.
+    /// Evaluates the functions at `x` and passes their values to `read`, which converts them for
+    /// the solver. Neither the evaluation nor `read` counts as the solver's time.
     pub fn read<R>(&self, x: &[f64], read: impl FnOnce(&Evaluation) -> R) -> R {
         let started = Instant::now();
         let at = self.evaluation(x);

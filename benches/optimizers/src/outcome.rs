@@ -31,7 +31,7 @@ impl Outcome {
         }
     }
 
-    /// The point; `null` in JSON becomes NaN.
+    /// The last point of the solver, with NaN for each number that is `null` in JSON.
     pub fn point(&self) -> Vec<f64> {
         self.x.iter().map(|x| x.unwrap_or(f64::NAN)).collect()
     }

@@ -1,6 +1,6 @@
 //! Evaluates problems for a solver in another process. One request a line: `{}` returns all
-//! problems; `{"problem": "HS71", "x": [1, 5, 5, 1]}` returns f, c and their derivatives at x.
-//! Non-finite numbers are null: an open limit or bound, or an undefined value.
+//! problems; `{"problem": "HS71", "x": [1, 5, 5, 1]}` returns f, c and their derivatives at x. A
+//! number that is not finite is null: a missing limit or bound, or an undefined value.
 
 use crate::all;
 use crate::oracle::{evaluate, start};

@@ -25,7 +25,7 @@ impl Run<'_> {
     }
 }
 
-/// A solver's runs by the problem's name.
+/// The runs of a solver, by the name of the problem.
 struct Record<'a> {
     solver: &'a str,
     is_general: bool,
@@ -51,8 +51,7 @@ impl Record<'_> {
             .sum()
     }
 
-    /// Median over the problems of the ratio of `of(outcome)` of this solver to that of the other
-    /// solver.
+    /// Ratio of this solver's `of(outcome)` to the other solver's: the median over the problems.
     fn ratio(&self, other: &Self, problems: &[&str], of: impl Fn(&Outcome) -> f64) -> f64 {
         let both = problems
             .iter()

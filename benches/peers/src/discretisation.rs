@@ -19,7 +19,8 @@ const LADDERS: [[f64; 7]; 2] = [
 ];
 /// Largest error of carry, m, in the rows 'at 1 µm' of docs/performance.md.
 const MICROMETRE: f64 = 1e-6;
-/// Number of equidistant steps, up to `LONGEST_STEP`, that are tried for the rows 'at 1 µm'.
+/// Number of trial steps for the rows 'at 1 µm'. Their lengths are equidistant, up to
+/// `LONGEST_STEP`.
 const STEPS: u32 = 200;
 /// Longest tried step, s.
 const LONGEST_STEP: f64 = 2.0;

@@ -26,7 +26,7 @@ fn axes(by: &Discretisation) -> Result<Vec<Axis>> {
     AXES.iter().map(|text| Axis::read(&setup, text)).collect()
 }
 
-/// Carry and its two derivatives at a row of a block, 0 without a flight.
+/// Carry and its two derivatives in a row of a block; zeros if the ball does not fly.
 fn at(block: &Block, row: usize) -> [f64; 3] {
     let mut derivatives = block.derivatives(row).map(Option::unwrap_or_default);
     let carry = block.outcome(row, 0).unwrap_or_default();

@@ -139,7 +139,7 @@ pub enum Answer {
 }
 
 impl Answer {
-    /// Value, derivatives (for an optimum its position, deg), and a note.
+    /// The result as a value, its derivatives (or the position of an optimum, deg), and a note.
     pub fn parts(self) -> (f64, Vec<f64>, String) {
         match self {
             Self::Drive(taylor) => {
@@ -170,7 +170,8 @@ impl Answer {
 /// A task for repetition.
 type Ready = Box<dyn Fn() -> Result<Answer>>;
 
-/// The operation of a task of a single drive. Its arguments are checked here, once.
+/// The operation that computes a task of a single drive; `None` for another task. The arguments are
+/// checked here, not at each repetition.
 pub fn ready(task: &str, by: &Discretisation) -> Result<Option<Ready>> {
     match task {
         "W&T" => return winfield_tan(None).map(Some),

@@ -77,8 +77,8 @@ impl<T: Numbers> AerodynamicLaw<T> for BearmanHarvey<T> {
             spin: Some(SPINS.map(|rpm| rpm * RPM)),
             speed: Some(MEASURED),
             to: "a wind tunnel, Bearman & Harvey 1976",
-            // above the measured speeds the law is first extrapolated: the upper clamp of the speed
-            // begins at the last column, 88.1 m/s
+            // the law is extrapolated above the measured speeds: the upper clamp of the speed
+            // begins only at the last column, 88.1 m/s
             held: [[false; 2], [true; 2], [false; 2], [true, false]],
             ..Fitted::UNKNOWN
         }

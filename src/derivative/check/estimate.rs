@@ -1,5 +1,6 @@
 //! Richardson (1911) extrapolation of differences to step 0, with an estimate of truncation and
-//! rounding errors (after Ridders 1982: the change by the last orders).
+//! rounding errors. The truncation error is estimated by the change of the result if one difference
+//! is omitted (after Ridders 1982).
 
 /// Sides on which differences are taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,9 +35,9 @@ pub struct Estimate {
     pub uncertainty: f64,
 }
 
-/// Best estimate of all runs of consecutive differences, from small steps to large steps. The
-/// search ends when an estimate is as accurate as `enough`, or when two estimates differ by more
-/// than twice the sum of their uncertainties.
+/// The best estimate over all sequences of consecutive differences, from small steps to large
+/// steps. The search ends when an estimate is as accurate as `enough`, or when two estimates differ
+/// by more than twice the sum of their uncertainties.
 pub(super) fn estimate(
     differences: &[Option<Difference>],
     side: Side,

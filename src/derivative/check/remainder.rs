@@ -26,8 +26,8 @@ fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
         let above_rounding = |rung: &Rung| {
             let value = if sign > 0.0 { rung.above? } else { rung.below? };
             let remainder = (value - ladder.centre - polynomial(sign * rung.step)).abs();
-            // if large terms of the function cancel, their rounding also affects its change over a
-            // step
+            // if large terms of the function cancel, their rounding also affects the change of the
+            // function over a step
             let of_the_change = rounding_of(ladder.rounded * rung.step / size);
             (remainder > ABOVE_ROUNDING * rounding.max(rounding_of(value)).max(of_the_change))
                 .then(|| ((rung.step / size).log10(), remainder.log10()))

@@ -49,7 +49,7 @@ pub const NEXT_TO_NOTHING: f64 = 1e-2;
 pub struct Demand {
     /// Smallest tolerance, relative to the derivative (or to the size below which the derivative is
     /// negligible). Jumps of higher derivatives, for example where the number of steps of a flight
-    /// changes, disturb differences more than the comparison of small steps shows.
+    /// changes, disturb differences by more than the error estimate.
     pub least_bar: f64,
     /// Relative error that differences must resolve. For a negligible derivative
     /// ([`NEXT_TO_NOTHING`]) the error is relative to the size below which a derivative is
@@ -110,8 +110,8 @@ pub struct Check {
     #[serde(rename = "tolerance", serialize_with = "crate::json::number")]
     #[cfg_attr(test, schemars(with = "Number"))]
     pub bar: f64,
-    /// The one-sided derivatives below and above a corner, SI; `null` on a side outside of the
-    /// parameter's range.
+    /// The one-sided derivatives below and above a corner, SI; `null` without a corner. One of the
+    /// two derivatives is `null` if its side is outside of the parameter's range.
     pub sides: Option<[Option<f64>; 2]>,
     /// V-curve of central differences, the largest step first.
     #[serde(skip)]
@@ -206,9 +206,9 @@ impl Ladder {
         NEXT_TO_NOTHING * self.size / self.scale
     }
 
-    /// One-sided derivatives at a corner; `None` without a corner. There the two derivatives differ
-    /// by more than ten times their error estimates, by more than 1e-4 of their size, and by more
-    /// than the rounding of the function's terms over the smallest step.
+    /// One-sided derivatives at a corner; `None` without a corner. At a corner the two derivatives
+    /// differ by more than ten times their error estimates, by more than 1e-4 of their size, and by
+    /// more than the rounding of the function's terms over the smallest step.
     fn corner(&self) -> Option<[Option<f64>; 2]> {
         let (below, above) = (self.slope(Side::Below, 0.0)?, self.slope(Side::Above, 0.0)?);
         let distance = (above.value - below.value).abs();

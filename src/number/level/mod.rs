@@ -13,8 +13,8 @@ use super::inlined;
 use std::fmt;
 
 /// Instruction set for computing drives. Each level is a separate copy of the code. Results of
-/// different levels agree to rounding; with one level, one version of longdrive and one operating
-/// system they are identical to the last bit.
+/// different levels agree to rounding. Results of the same level, version of longdrive and
+/// operating system are identical to the last bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
     /// Baseline instructions of the architecture. WebAssembly has this level or `Simd128`, not both.

@@ -4,8 +4,8 @@ use super::grid::{Axis, AxisVariable, Grid};
 use super::read::{Fault, Node, Nodes};
 use super::surface::{Cell, Surface};
 
-/// Spin ratio below which the lift of a table without spin or spin ratio falls to 0. All drives
-/// have larger spin ratios.
+/// Spin ratio below which the lift falls to 0, for a table that has no axis of spin or spin ratio.
+/// All drives have larger spin ratios.
 const FULL_LIFT: f64 = 0.02;
 
 /// Smallest distance of two lines of the grid, relative to the largest value. Closer lines are
@@ -91,7 +91,7 @@ fn lines(
     Ok(lines)
 }
 
-/// The nodes of a full grid, row by row: one at each crossing of the lines.
+/// The nodes of a full grid, row by row: a node at each crossing of the lines.
 fn full_grid<'a>(nodes: &'a Nodes, speeds: &[f64], spins: &[f64]) -> Result<Vec<&'a Node>, Fault> {
     // saturating: each axis may have as many lines as there are rows
     let size = speeds.len().saturating_mul(spins.len());
@@ -187,9 +187,10 @@ fn check_between_nodes(
     Ok(())
 }
 
-/// Samples along one direction of a cell: 0 to 1 within the cell, and one beyond each end at which
-/// the cell is outermost. `at` is the index of the cell's first line among `count` lines. `zero` is
-/// the coordinate of zero speed or spin, the smallest possible coordinate.
+/// Coordinates of the samples along one direction of a cell: from 0 to 1 within the cell, and a
+/// sample beyond each end at which the cell is outermost. `at` is the index of the cell's first
+/// line among `count` lines. `zero` is the coordinate of zero speed or spin, the smallest possible
+/// coordinate.
 fn samples(at: usize, count: usize, zero: f64) -> impl Iterator<Item = f64> {
     const INTERVALS: usize = 8;
     let below = if at == 0 && count > 1 {

@@ -71,8 +71,8 @@ pub struct Axis {
 pub(crate) struct Grid {
     pub speed: Option<Axis>,
     pub spin: Option<Axis>,
-    /// Variable with which the lift falls to 0, and the reciprocal, SI, of the value from which the
-    /// lift is full. `None` if the grid begins at zero spin.
+    /// The variable with which the lift falls to 0 below a limit, and the reciprocal of this limit,
+    /// SI. `None` if the grid begins at zero spin.
     pub full_lift: Option<(AxisVariable, f64)>,
     pub surface: Surface,
 }

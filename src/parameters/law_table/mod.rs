@@ -48,7 +48,7 @@ impl LawTable {
     /// out. Each row is a node of a full grid, in any order.
     ///
     /// # Errors
-    /// [`Error::Table`] with line and advice.
+    /// [`Error::Table`], with line and advice, if the file cannot be read or is not such a table.
     pub fn open(path: &Path) -> Result<&'static Self> {
         let file = path.display().to_string();
         let refuse = |fault: Fault| Error::Table {

@@ -40,7 +40,7 @@ impl Fault {
     }
 }
 
-/// Largest number of nodes, more than anyone measures: the splines are kept in memory.
+/// Largest number of nodes, because the splines are kept in memory. Nobody measures as many.
 const MOST_NODES: usize = 200_000;
 
 /// A row of the table.

@@ -1,12 +1,12 @@
 //! Natural bicubic splines through a grid of numbers. The surface is C² in both directions.
 
 /// A cell of the grid: its corner and reciprocal sizes (x, 1/width, y, 1/height), then 16
-/// coefficients for each of the two numbers. They multiply the powers of u and w, the coordinates
+/// coefficients for each of the two surfaces. They multiply the powers of u and w, the coordinates
 /// in the cell from 0 to 1: for each power of u, four powers of w.
 pub(crate) type Cell = [f64; 36];
 
-/// Surfaces through two numbers at each node of a grid. They live until the program ends, and
-/// their evaluation allocates no memory.
+/// Two surfaces over one grid, through two numbers at each node. They live until the program ends,
+/// and their evaluation allocates no memory.
 #[derive(Debug)]
 pub(crate) struct Surface {
     x: Knots,
@@ -208,8 +208,8 @@ fn slopes(
     }
     let per = |i: usize| 1.0 / (knots[i + 1] - knots[i]);
     let pull = |i: usize| 3.0 * (values[place(i + 1)] - values[place(i)]) * per(i) * per(i);
-    // tridiagonal system, row i: per(i−1) m(i−1) + 2 (per(i−1) + per(i)) m(i) + per(i) m(i+1)
-    // = pull(i−1) + pull(i), without the terms of missing neighbours
+    // tridiagonal system for the slopes m, row i: per(i−1) m(i−1) + 2 (per(i−1) + per(i)) m(i) +
+    // per(i) m(i+1) = pull(i−1) + pull(i), without the terms of missing neighbours
     for i in 0..count - 1 {
         for at in [i, i + 1] {
             diagonal[at] += 2.0 * per(i);

@@ -20,7 +20,7 @@ impl Program<'_, '_> {
         })
     }
 
-    /// The lower triangle, row by row.
+    /// The (row, column) indices of the lower triangle of the Hessian, row by row.
     fn triangle(&self) -> impl Iterator<Item = (usize, usize)> {
         (0..self.num_variables()).flat_map(|i| (0..=i).map(move |j| (i, j)))
     }
