@@ -88,8 +88,8 @@ pub(super) fn convexify(
     }
 }
 
-/// The Hessian with its curvature on the tangents of the active constraints reflected. Along the
-/// normals of these constraints the curvature is set to the Hessian's size.
+/// The Hessian, with its negative curvature on the tangents of the active constraints reflected.
+/// Along the normals of these constraints the curvature is set to the Hessian's size.
 fn reflected_along(
     hessian: &DMatrix<f64>,
     active: &[DVector<f64>],

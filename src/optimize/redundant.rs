@@ -5,8 +5,8 @@
 use super::state::{Evaluate, State};
 use argmin::core::Error;
 
-/// Limit for a multiplier, relative to the gradient of f. The KKT conditions prove no optimum if
-/// they hold only with a larger multiplier.
+/// Limit for a multiplier, relative to the gradient of f. If the KKT conditions hold only with a
+/// larger multiplier, they do not prove an optimum.
 const HUGE: f64 = 1e6;
 /// Maximum number of steps across redundant bounds in a search.
 const MOST_CROSSINGS: u32 = 10;

@@ -141,7 +141,7 @@ fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refus
     Ok(())
 }
 
-/// The launch parameters, then the other parameters of the table.
+/// Values of the launch parameters, then of the other parameters of the table.
 fn point(
     shot: &mut Shot,
     message: &Map<String, Json>,

@@ -9,7 +9,7 @@ pub(crate) struct Fault {
     /// The condition at fault.
     pub of: Outcome,
     pub why: &'static str,
-    /// True if the value is missing and the other values are valid.
+    /// True if the fault is a missing value; false if a stated value is invalid.
     pub is_missing: bool,
 }
 
@@ -34,7 +34,8 @@ impl Fault {
 /// The values of [`CONDITIONS`] in a row.
 pub(crate) type Stated = [Option<f64>; CONDITIONS.len()];
 
-/// Largest spin axis with backspin: tan 90° is infinite.
+/// Largest spin axis in a row with backspin, since sidespin = backspin · tan(axis), and tan 90° is
+/// infinite.
 const MOST_AXIS: f64 = std::f64::consts::FRAC_PI_2 - 1e-9;
 
 /// Largest relative difference of two spins that rounding explains. For example, rounding a spin
@@ -128,7 +129,7 @@ pub(crate) fn contradiction(
 /// conditions that have a column.
 ///
 /// # Errors
-/// Missing, contradictory or invalid conditions.
+/// The fault, if conditions are missing, contradictory or invalid.
 pub(crate) fn conditions(
     values: Stated,
     has: impl Fn(Outcome) -> bool,

@@ -53,8 +53,8 @@ pub(crate) fn words(name: &str) -> String {
     words.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The known column head nearest to an unknown column head, with at most one or two different
-/// letters: "ball speed" for `Ball Sped [mph]`.
+/// The known column head nearest to an unknown column head, if at most two letters differ: "ball
+/// speed" for `Ball Sped [mph]`.
 pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
     let words = words(split_unit(head).0);
     let near = heads()

@@ -34,7 +34,7 @@ pub struct FrontPoint {
     /// Derivative of the first function by the second along the front; `None` where it is not
     /// unique.
     pub slope: Option<f64>,
-    /// Derivative dx/ds of each variable.
+    /// Derivative dx/ds of each variable by the position s = a − b along the front.
     pub rates: Vec<f64>,
     /// Active set.
     pub active_set: ActiveSet,
