@@ -74,7 +74,7 @@ pub(super) struct State {
     solver: QpSolver,
     pub counters: Counters,
     pub effort: Effort,
-    /// Last reason why the functions were undefined at a trial point.
+    /// Last reason why the functions were undefined at a trial point; `None` if they never were.
     pub undefined_reason: Option<String>,
     #[serde(skip)]
     workspace: Workspace,

@@ -35,7 +35,7 @@ pub enum Status {
     Unbounded,
     /// The limit of iterations was reached.
     IterationLimit,
-    /// Interrupted by the caller; the point is the best so far.
+    /// Interrupted by the caller. The result is the best point so far.
     Interrupted,
     /// The functions are undefined at the start and at all other points tried.
     Undefined,

@@ -45,7 +45,7 @@ pub struct Fault {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Checked {
-    /// The definition of the sweep, as in each file under the key `longdrive`.
+    /// The definition of the sweep, which each file contains under the key `longdrive`.
     pub question: SweepDefinition,
     /// Number of valid parts.
     pub present: u64,

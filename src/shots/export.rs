@@ -124,7 +124,7 @@ impl Export {
         shot
     }
 
-    /// Values in a row of the launch parameters, then of the other parameters of the table.
+    /// Values of a row: the launch parameters, then the other parameters of the table.
     fn point<S: AsRef<str>>(&self, stated: &Conditions, row: &[S]) -> Result<Vec<f64>, Refusal> {
         let mut point = launch(
             stated,

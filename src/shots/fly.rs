@@ -37,8 +37,7 @@ impl Flying {
     ///
     /// # Errors
     /// The errors of [`Batch::new`], [`Error::Nothing`] if there is no outcome, and
-    /// [`Error::Unreadable`] if an outcome is not an outcome of the flight: the rows already state
-    /// the launch.
+    /// [`Error::Unreadable`] if a requested outcome does not belong to the flight.
     pub fn new(setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Self> {
         Self::with(setup, shots.parameters(), of)
     }

@@ -142,8 +142,8 @@ pub struct Shot {
     /// True if the launch direction, or the tilt of the spin (its axis or sidespin), is assumed.
     /// Lateral results are then not compared.
     pub is_straight_by_assumption: bool,
-    /// Input of the flight, SI, or the refusal: the launch (ball speed, launch angle, launch
-    /// direction, backspin, sidespin), then the other parameters of the table.
+    /// Input of the flight, SI: the launch (ball speed, launch angle, launch direction, backspin,
+    /// sidespin), then the other parameters of the table. An error if the row cannot be flown.
     pub(super) point: Result<Vec<f64>, Refusal>,
     /// True if the row has exactly one cell for each column head.
     pub(crate) has_cells_of_head: bool,

@@ -55,8 +55,8 @@ pub(crate) fn without_redundant_spins(values: Stated) -> Stated {
     [speed, angle, direction, spin, backspin, sidespin, axis]
 }
 
-/// True for a row that lacks the launch direction or the spin tilt: its lateral results cannot be
-/// compared.
+/// True for a row without a launch direction, or without a spin tilt (spin axis or sidespin). The
+/// lateral results of such a row cannot be compared.
 pub(crate) fn is_straight_by_assumption(values: &Stated) -> bool {
     let [_, _, direction, _, _, sidespin, axis] = values;
     direction.is_none() || sidespin.is_none() && axis.is_none()
@@ -147,7 +147,7 @@ pub(crate) fn conditions(
     if angle.abs() >= std::f64::consts::FRAC_PI_2 {
         return Err(Fault::invalid(
             Outcome::LaunchAngle,
-            "the launch must be between −90° and 90°",
+            "the launch angle must be between −90° and 90°",
         ));
     }
     let [back, side] = spin_components(spins, has)?;

@@ -118,9 +118,9 @@ pub(crate) fn in_degrees(columns: &[Column]) -> Option<String> {
     })
 }
 
-/// Ignores columns of an export and returns remarks. Ignores unknown columns. If the launch is
-/// measured, also ignores the columns of the club, and the redundant spin columns, unless each row
-/// selects its spin columns.
+/// Ignores the unknown columns of an export. If the launch is measured, also ignores the smash
+/// factor, the columns of the club that `club` excludes, and the redundant spin columns, unless
+/// each row selects its spin columns. Returns remarks.
 pub(super) fn ignore_columns(
     columns: &mut [Column],
     club: ClubColumns,

@@ -18,7 +18,7 @@ pub struct Front {
     pub bend: f64,
     /// Number of dominated points that were removed.
     pub dominated: usize,
-    /// Reason why a part of the front is missing, if any.
+    /// Reason why a part of the front is missing; `None` if the front is complete.
     pub ended: Option<String>,
     /// True if the computation was interrupted.
     pub interrupted: bool,

@@ -50,7 +50,7 @@ pub enum Status {
     Stalled,
     /// The limit of iterations was reached.
     IterationLimit,
-    /// Interrupted by the caller; the point is the best so far.
+    /// Interrupted by the caller. The result is the best point so far.
     Interrupted,
     /// The residuals are undefined at the start.
     Undefined,
@@ -111,7 +111,7 @@ pub struct Fit {
     pub evaluations: u64,
     /// Number of trial points at which the residuals were undefined.
     pub refused: u64,
-    /// Last reason why the residuals were undefined at a trial point.
+    /// Last reason why the residuals were undefined at a trial point; `None` if they never were.
     pub why_refused: Option<String>,
 }
 

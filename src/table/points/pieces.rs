@@ -23,7 +23,7 @@ pub(super) trait Pieces: Sized {
     /// next piece. 0 at the end.
     fn left(&mut self) -> Result<usize, String>;
 
-    /// Next values of a column, at most the remaining rows.
+    /// The next `rows` values of a column; `rows` must not exceed [`left`](Self::left).
     fn values(&mut self, column: usize, rows: usize) -> Result<Vec<Option<f64>>, String>;
 
     /// Skips rows whose values were read.
