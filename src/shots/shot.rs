@@ -85,8 +85,8 @@ impl Club {
     ];
 
     /// Club data from stated values, in the order of [`NAMES`](Self::NAMES). An implausible value
-    /// counts as not measured, with a note in `notes`. A club speed of 0 counts as not measured; if
-    /// all values are 0, so do the other values.
+    /// counts as not measured, with a note in `notes`. A club speed of 0 counts as not measured. If
+    /// all values are 0, no value counts as measured.
     pub(super) fn measured(stated: [Option<StatedOfClub<'_>>; 4], notes: &mut Vec<String>) -> Self {
         let is_still = stated[0].is_some_and(|speed| speed.value == 0.0);
         if is_still && stated.iter().flatten().all(|stated| stated.value == 0.0) {
@@ -223,7 +223,7 @@ pub(super) struct Further {
 /// The value if it is in the parameter's range; `name` is its column head.
 ///
 /// # Errors
-/// A message, if the value is outside the range.
+/// The refusal, if the value is outside the range.
 pub(super) fn within(parameter: &Parameter, value: f64, name: &str) -> Result<f64, Refusal> {
     if parameter.range.contains(value) {
         return Ok(value);

@@ -28,7 +28,7 @@ pub(crate) enum Content {
     Written,
 }
 
-/// A column with the unit of its numbers; SI if the column head has no unit.
+/// A column. Its numbers are in `unit`, or in SI if there is no unit.
 #[derive(Clone, Debug)]
 pub(crate) struct Column {
     pub content: Content,

@@ -62,8 +62,8 @@ pub(crate) fn is_straight_by_assumption(values: &Stated) -> bool {
     direction.is_none() || sidespin.is_none() && axis.is_none()
 }
 
-/// Message for contradictory or unusable spin values of a row; `back` and `side` are the values
-/// used.
+/// Message for contradictory or unusable spin values of a row; `back` and `side` are the backspin
+/// and sidespin used.
 pub(crate) fn contradiction(
     values: Stated,
     [back, side]: [f64; 2],
