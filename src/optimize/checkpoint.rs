@@ -1,5 +1,5 @@
-//! Checkpoint file of several searches: results of the searches that have ended, snapshots of the
-//! running searches.
+//! Checkpoint file of several searches: the results of the searches that have ended, and snapshots
+//! of the running searches.
 
 use super::observer::Snapshot;
 use super::solution::Solution;
@@ -42,8 +42,8 @@ impl Checkpoint {
     /// Opens a checkpoint file, or creates it if it does not exist.
     ///
     /// # Errors
-    /// [`Error::Checkpoint`] for a file that cannot be read or written, is not a checkpoint, or
-    /// belongs to another problem.
+    /// [`Error::Checkpoint`] if the file cannot be read or written, is not a checkpoint, or belongs
+    /// to another problem.
     pub fn open(path: &Path, question: &str) -> Result<Self> {
         let refuse = |reason: String| Error::Checkpoint {
             file: path.display().to_string(),

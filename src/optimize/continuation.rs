@@ -1,5 +1,5 @@
-//! Continuation of an optimum along a parameter: adaptive steps, the predictor, and the location of
-//! changes.
+//! Continuation of an optimum along a parameter: adaptive steps, the predictor, and the search for
+//! the parameter value at which a property of the optimum changes.
 
 use super::domain::Bounds;
 
@@ -41,7 +41,7 @@ impl AdaptiveStep {
         }
     }
 
-    /// Halves the step; `false` if it is already the shortest.
+    /// Halves the step. Returns false if the step is already the shortest.
     pub fn halve(&mut self) -> bool {
         let can = self.step > SHORTEST * self.width;
         if can {
@@ -50,7 +50,7 @@ impl AdaptiveStep {
         can
     }
 
-    /// Doubles the step after a good prediction.
+    /// Doubles the step if the predicted optimum was near the corrected optimum.
     pub fn adapt(&mut self, distance: f64) {
         if distance < NEAR {
             self.step = (2.0 * self.step).min(LONGEST * self.width);

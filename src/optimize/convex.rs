@@ -31,8 +31,8 @@ pub(super) struct Convexified {
 ///    is exact on the tangents, which preserves Newton's rate of convergence;
 /// 3. this sum with its negative eigenvalues λ reflected to `reflection` |λ|, at least 1e-8 of the
 ///    largest (Gill, Murray & Wright 1981, §4.4.2.1, with reflection in place of truncation). The
-///    added curvature keeps the larger curvature of the normals out of the tangents' eigenvalues.
-///    If `reflection` < 1, the Hessian is reflected on the tangents only.
+///    added curvature separates the normals' eigenvalues from the tangents' eigenvalues. If
+///    `reflection` < 1, the Hessian is reflected on the tangents only.
 ///
 /// A zero Hessian stays zero: the program is then linear. The result is written to `convex`.
 pub(super) fn convexify(
@@ -88,8 +88,8 @@ pub(super) fn convexify(
     }
 }
 
-/// The Hessian with its curvature on the tangents of the active constraints reflected. Along the
-/// normals of these constraints the curvature is set to the Hessian's size.
+/// The Hessian, with its negative curvature on the tangents of the active constraints reflected.
+/// Along the normals of these constraints the curvature is set to the Hessian's size.
 fn reflected_along(
     hessian: &DMatrix<f64>,
     active: &[DVector<f64>],

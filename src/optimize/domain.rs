@@ -13,8 +13,8 @@ impl Bounds {
     /// Creates the limits and checks them.
     ///
     /// # Errors
-    /// [`Error::Optimizer`] for limits that are NaN, reversed or infinite on the wrong side, and
-    /// for vectors of different lengths.
+    /// [`Error::Optimizer`] if a limit is NaN or infinite on the wrong side, if limits are
+    /// reversed, or if the vectors differ in length.
     pub fn new(low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
         let bounds = Self { low, high };
         bounds.check()?;
@@ -105,7 +105,7 @@ impl Domain {
     /// A box, without constraints.
     ///
     /// # Errors
-    /// Errors of [`Bounds::new`]; [`Error::Optimizer`] without variables.
+    /// Errors of [`Bounds::new`], and [`Error::Optimizer`] if there are no variables.
     pub fn new(low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
         if low.is_empty() {
             return Err(Error::Optimizer(

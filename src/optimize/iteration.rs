@@ -23,6 +23,7 @@ pub struct Iteration {
     /// Actual reduction of the merit function by the step: −∞ where the functions are undefined; 0
     /// at the start.
     pub actual_reduction: f64,
-    /// The model at the iterate, for an observer with [`models`](super::Observer::models).
+    /// The model at the iterate; `None` unless the observer requests
+    /// [`models`](super::Observer::models).
     pub model: Option<QuadraticModel>,
 }

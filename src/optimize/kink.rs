@@ -9,9 +9,9 @@ use serde::{Deserialize, Serialize};
 pub struct Kink {
     /// Index of the variable.
     pub variable: usize,
-    /// Derivative just below the kink; `None` outside the bounds.
+    /// Derivative just below the kink; `None` if the kink lies on the lower bound.
     pub slope_below: Option<f64>,
-    /// Derivative just above the kink; `None` outside the bounds.
+    /// Derivative just above the kink; `None` if the kink lies on the upper bound.
     pub slope_above: Option<f64>,
 }
 
@@ -67,7 +67,7 @@ pub(super) fn find<E>(
     Ok(None)
 }
 
-/// The objective just to one side of a point.
+/// The derivatives of the objective just beside a point, on one side.
 struct Side {
     x: f64,
     slope: f64,

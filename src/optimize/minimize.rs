@@ -19,8 +19,8 @@ use std::sync::Arc;
 /// Minimises a function within a domain from a start, which is first projected on the bounds.
 ///
 /// # Errors
-/// [`Error::Optimizer`] for an invalid domain, start or option. A search that does not converge has
-/// a [`Status`], not an error.
+/// [`Error::Optimizer`] if the domain, the start or an option is invalid. A search that does not
+/// converge has a [`Status`], not an error.
 pub fn minimize(
     problem: &dyn Problem,
     domain: &Domain,
@@ -33,8 +33,8 @@ pub fn minimize(
 /// Like [`minimize`], with an observer.
 ///
 /// # Errors
-/// Errors of [`minimize`]; [`Error::Optimizer`] for a snapshot of another problem; errors of saving
-/// a snapshot.
+/// Errors of [`minimize`] and of the observer's `save`, and [`Error::Optimizer`] if the snapshot to
+/// resume belongs to another problem.
 pub fn minimize_observed(
     problem: &dyn Problem,
     domain: &Domain,
@@ -127,9 +127,9 @@ fn run(
     ))
 }
 
-/// Treats a kink on a bound towards which the objective falls: there the variable is optimal. Fixes
-/// the variable on the bound, with the one-sided derivative as multiplier, and minimises over the
-/// other variables.
+/// If the objective falls towards a bound, and has a kink on the bound, the variable is optimal on
+/// the bound. Fixes the variable there, with the one-sided derivative as multiplier, and minimises
+/// over the other variables.
 fn fix_on_bound(
     problem: &dyn Problem,
     domain: &Domain,

@@ -188,7 +188,7 @@ impl Model<'_> {
         (low, high)
     }
 
-    /// Step of least squared violation within the normal part of the trust region. If the
+    /// Step of least squared violation within the part [`NORMAL_PART`] of the trust region. If the
     /// second-order model of the violation rises along this step (across a narrow valley, for
     /// example), adds the curvature of the constraints and computes the step again.
     fn least_violation(&self, program: &QuadraticProgram, solver: &mut QpSolver) -> Step {

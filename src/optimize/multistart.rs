@@ -51,8 +51,8 @@ const SAME: f64 = 1e-6;
 /// spread over its scale on that side.
 ///
 /// # Errors
-/// [`Error::Optimizer`] for more starts or variables than the sequence has, and for an invalid
-/// domain or start.
+/// [`Error::Optimizer`] if there are more starts than the sequence has points, or more variables
+/// than it has dimensions, or if the domain or the start is invalid.
 pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f64>>> {
     domain.check(start)?;
     let (bounds, scale) = (&domain.variables, domain.variables.scale(start));
@@ -86,8 +86,8 @@ pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f6
 /// results of searches that found no optimum. The order does not depend on the number of threads.
 ///
 /// # Errors
-/// Errors of [`minimize`](super::minimize()); [`Error::Optimizer`] without starts, and for a
-/// checkpoint of another problem.
+/// Errors of [`minimize`](super::minimize()), and [`Error::Optimizer`] if there are no starts, or
+/// if the checkpoint belongs to another problem.
 pub fn minimize_from(
     problem: &(dyn Problem + Sync),
     domain: &Domain,
@@ -229,8 +229,8 @@ fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimum> {
 }
 
 /// Largest scaled derivative of each constraint at the results of all searches (1 if unknown): a
-/// common unit of violation. The unit γ of a search is no common unit, because it depends on the
-/// start.
+/// common unit of violation. The unit γ of a single search depends on its start, so it is no common
+/// unit.
 fn steepest(domain: &Domain, locals: &[LocalMinimum]) -> Vec<f64> {
     let mut steepest = vec![0.0_f64; domain.constraints.dimension()];
     for LocalMinimum { solution, .. } in locals {

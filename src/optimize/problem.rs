@@ -12,9 +12,9 @@ pub trait Problem {
     ///
     /// # Errors
     /// The reason, in a sentence, why the functions have no value at `x`. The search then shortens
-    /// its step. If the [`interrupt`](super::Observer::interrupt) flag of the search is set by
-    /// then, the search ends at the previous iterate instead: a long evaluation may check this
-    /// flag, and return an error once it is set.
+    /// its step, or, if its [`interrupt`](super::Observer::interrupt) flag is set, ends at the
+    /// previous iterate. A long evaluation may therefore check this flag, and return an error once
+    /// it is set.
     fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String>;
 }
 

@@ -5,13 +5,13 @@
 use super::state::{Evaluate, State};
 use argmin::core::Error;
 
-/// Limit for a multiplier, relative to the gradient of f. The KKT conditions prove no optimum if
-/// they hold only with a larger multiplier.
+/// Limit for a multiplier, relative to the gradient of f. If the KKT conditions hold only with a
+/// larger multiplier, they do not prove an optimum.
 const HUGE: f64 = 1e6;
 /// Maximum number of steps across redundant bounds in a search.
 const MOST_CROSSINGS: u32 = 10;
 /// First step along the constraint, in units of the scale. Each further step is a quarter of the
-/// previous one.
+/// previous step.
 const FIRST_STEP: f64 = 0.25;
 /// Maximum number of steps along the constraint.
 const STEPS: u32 = 8;
@@ -48,8 +48,9 @@ impl State {
         })
     }
 
-    /// Steps down the gradient of f in the other variables, then back onto the constraints. If the
-    /// new point has a lower objective, restarts the search there and returns true.
+    /// Steps down the gradient of f, without moving the variable on the bound, then back onto the
+    /// constraints. If the new point has a lower objective, restarts the search there and returns
+    /// true.
     pub fn step_across_bound(
         &mut self,
         pair: &RedundantBound,

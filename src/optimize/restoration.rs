@@ -3,7 +3,7 @@
 //! A search may end where no step of the linearised constraints, and no negative curvature, reduces
 //! the violation. This point may be a local minimum of the violation, or a point where its gradient
 //! and curvature vanish together. Neither proves that the constraints are inconsistent. So the
-//! violation is also minimised from other points before the verdict "infeasible".
+//! search ends as infeasible only after the violation has also been minimised from other points.
 
 use super::domain::Domain;
 use super::least_squares::{self, Rows};
@@ -19,11 +19,11 @@ const STARTS: u32 = 32;
 const ITERATIONS: u64 = 50;
 /// Maximum number of restorations in a search.
 const MAX_RESTORATIONS: u32 = 3;
-/// The search continues from the new point if the ratio of the new to the current violation is at
-/// most this.
+/// Largest ratio of the new to the current violation with which the search continues from the new
+/// point.
 const CONTINUE_BELOW: f64 = 0.99;
-/// Before it ends, an infeasible search moves to the new point if the ratio of the new to the
-/// current violation is at most this. A smaller reduction is rounding.
+/// Largest ratio of the new to the current violation with which an infeasible search moves to the
+/// new point before it ends. A smaller reduction is rounding.
 const MOVE_BELOW: f64 = 1.0 - 1e-6;
 
 impl State {

@@ -1,5 +1,5 @@
-//! Second-order test of stationary points: saddle points and maxima have directions of negative
-//! curvature.
+//! Second-order test of stationary points: saddle points and maxima, unlike minima, have directions
+//! of negative curvature.
 
 use super::model::lagrangian_hessian;
 use super::null_space::tangent_basis;

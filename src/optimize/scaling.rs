@@ -39,7 +39,8 @@ pub(super) struct Scaling {
     pub domain: Domain,
     /// Scale sᵢ of each variable ([`Bounds::scale`](super::Bounds::scale)).
     pub scale: Vec<f64>,
-    /// Scale γⱼ of each constraint: its largest scaled derivative, or violation, at the start.
+    /// Scale γⱼ of each constraint: the larger of its violation and its largest scaled derivative,
+    /// at the start.
     pub gamma: Vec<f64>,
     /// Size φ₀ of the objective at the start.
     pub initial_size: f64,
@@ -58,7 +59,7 @@ pub struct Residual {
 }
 
 impl Residual {
-    /// The largest of the three.
+    /// The largest of the three residuals.
     pub fn largest(self) -> f64 {
         self.stationarity
             .max(self.feasibility)
@@ -66,8 +67,8 @@ impl Residual {
     }
 }
 
-/// The variable whose motion by its distance from 0 reduces the Lagrangian most, to first order. A
-/// large reduction far from 0 shows divergence.
+/// The variable with the largest [rate](Outward::rate) of reduction of the Lagrangian. A large rate
+/// far from 0 shows that the variable diverges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Outward {
     /// Index of the variable.
@@ -76,8 +77,8 @@ pub(super) struct Outward {
     pub at: f64,
     /// Distance from 0, in units of the variable's scale.
     pub distance: f64,
-    /// First-order reduction of the Lagrangian, relative to φ, if the variable moves by its
-    /// distance from 0, or to its bound if the bound is nearer.
+    /// Reduction of the Lagrangian, to first order and relative to φ, if the variable moves by as
+    /// much as its distance from 0, or to its bound if the bound is nearer.
     pub rate: f64,
     /// True if the Lagrangian falls as the variable moves away from 0, and no bound lies ahead.
     pub is_open: bool,

@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, DVector};
 /// Derivatives of an optimum by a parameter p.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Response {
-    /// df*/dp: by the envelope theorem, the partial derivative of the Lagrangian.
+    /// df*/dp: by the envelope theorem, the partial derivative of the Lagrangian by p.
     pub value: f64,
     /// d²f*/dp².
     pub curvature: f64,
@@ -22,8 +22,8 @@ pub struct Response {
     pub multipliers: Vec<f64>,
     /// dc/dp of the constraint functions along the optimum.
     pub constraints: Vec<f64>,
-    /// Derivative of the Lagrangian's gradient by p: the rate of an active lower bound's
-    /// multiplier, and the negative rate of an active upper bound's multiplier.
+    /// Derivative by p of the Lagrangian's gradient. In a variable at its lower bound, it is the
+    /// derivative of the bound's multiplier; at its upper bound, the negative derivative.
     pub slopes: Vec<f64>,
 }
 
@@ -171,9 +171,9 @@ fn check_shape(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<
 /// their derivatives by (x, p), the parameter last; only the last row of each Hessian is used.
 ///
 /// # Errors
-/// [`Error::NotConverged`] for a solution that did not converge; [`Error::Optimizer`] for a
-/// solution without Hessians, for different dimensions, and for a singular KKT system: the optimum
-/// is then not isolated, and has no derivative.
+/// [`Error::NotConverged`] if the solution did not converge, and [`Error::Optimizer`] if it has no
+/// Hessians, if dimensions differ, or if the KKT system is singular, because an optimum that is not
+/// isolated has no derivative.
 pub fn response(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<Response> {
     let n = solution.x.len();
     if solution.status != Status::Converged {

@@ -46,7 +46,7 @@ pub struct Solution {
     /// First iterate: the start, or the best of several other points if f is undefined at the
     /// start.
     pub initial_point: Vec<f64>,
-    /// Reason why the functions are undefined at the start, if they are.
+    /// Reason why the functions are undefined at the start; `None` if they are defined.
     pub undefined_at_start: Option<String>,
 }
 

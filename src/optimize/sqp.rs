@@ -37,10 +37,10 @@ pub struct Sqp {
 pub(super) struct Progress {
     pub state: Option<State>,
     pub verdict: Option<Verdict>,
-    /// True if an interrupt ended the last iteration early. argmin counts that iteration too; the
-    /// reported count leaves it out.
+    /// True if an interrupt ended the last iteration early. argmin counts this iteration; the
+    /// reported number of iterations does not.
     pub is_interrupted_within: bool,
-    /// Reason why f is undefined at the start, if it is.
+    /// Reason why f is undefined at the start; `None` if f is defined there.
     pub undefined_at_start: Option<String>,
     /// First iterate: the start, or another point if f is undefined at the start.
     pub initial_point: Vec<f64>,

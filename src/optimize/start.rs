@@ -4,7 +4,7 @@ use super::scaling::Point;
 
 /// Number of points tried if f is undefined at the start. The search begins at the best point at
 /// which f is defined. If f is undefined at all of these points, further points are tried until f
-/// is defined.
+/// is defined, up to the limit of the options.
 const CHOICE: u32 = 8;
 
 /// Finds the first iterate: the start, or another point of the box if f is undefined there.
@@ -46,8 +46,8 @@ pub(super) fn first_point(
     (best, Some(why))
 }
 
-/// Point `k` of a low-discrepancy sequence over the box, from the centre on: multiples of powers of
-/// the generalised golden ratio (Roberts 2018).
+/// Point `k` of a low-discrepancy sequence over the box: multiples, modulo 1, of powers of the
+/// inverse generalised golden ratio (Roberts 2018). Point 0 is the centre.
 pub(super) fn spread(bounds: &Bounds, start: &[f64], k: u32) -> Vec<f64> {
     let n = start.len();
     let scale = bounds.scale(start);

@@ -41,8 +41,8 @@ pub struct Effort {
     /// Quadratic programs solved by Clarabel, then polished to an exact KKT point of its active
     /// set.
     pub clarabel: u64,
-    /// Quadratic programs whose step is Clarabel's own solution: no exact KKT point was found
-    /// nearby.
+    /// Quadratic programs whose step is Clarabel's own solution, because no exact KKT point was
+    /// found nearby.
     pub unpolished: u64,
     /// Steps with inconsistent linearised constraints, which were relaxed.
     pub relaxed: u64,
@@ -74,7 +74,7 @@ pub(super) struct State {
     solver: QpSolver,
     pub counters: Counters,
     pub effort: Effort,
-    /// Last reason why the functions were undefined at a trial point.
+    /// Last reason why the functions were undefined at a trial point; `None` if they never were.
     pub undefined_reason: Option<String>,
     #[serde(skip)]
     workspace: Workspace,
@@ -310,9 +310,9 @@ impl State {
         }
     }
 
-    /// True if the merit function changes by little more than rounding, but the KKT residual
-    /// halves: near a solution the gradient has more correct digits than the merit function (Hager
-    /// & Zhang 2005, SIAM J. Optim. 16, section 2).
+    /// True if the merit function changes by little more than rounding, but the KKT residual falls
+    /// by half or more. Near a solution the gradient has more correct digits than the merit
+    /// function (Hager & Zhang 2005, SIAM J. Optim. 16, section 2).
     pub fn halves_the_residual(&self, trial: &Trial) -> bool {
         let Some(point) = &trial.point else {
             return false;

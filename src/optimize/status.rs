@@ -3,10 +3,11 @@
 //!
 //! Each stopping test is one function. All quantities are relative: variables to
 //! [`Bounds::scale`](super::Bounds::scale) (s); the objective to φ = max(|f|, min(1, φ₀)), with φ₀
-//! the larger of |f| and its largest s-scaled derivative at the start; constraint j to γⱼ, its
-//! largest s-scaled derivative at the start. The KKT residual is the maximum of the stationarity
-//! maxᵢ sᵢ |pᵢ|/φ (p: gradient of the Lagrangian, projected on the bounds), the constraint
-//! violations over γ, and the complementarity: multiplier times distance from its limit, over φ.
+//! the larger of |f| and its largest s-scaled derivative at the start; constraint j to γⱼ, the
+//! larger of its violation and its largest s-scaled derivative at the start. The KKT residual is
+//! the maximum of the stationarity maxᵢ sᵢ |pᵢ|/φ (p: gradient of the Lagrangian, projected on the
+//! bounds), the constraint violations over γ, and the complementarity: multiplier times distance
+//! from its limit, over φ.
 
 use super::kink::Kink;
 use super::redundant::RedundantBound;
@@ -34,7 +35,7 @@ pub enum Status {
     Unbounded,
     /// The limit of iterations was reached.
     IterationLimit,
-    /// Interrupted by the caller; the point is the best so far.
+    /// Interrupted by the caller. The result is the best point so far.
     Interrupted,
     /// The functions are undefined at the start and at all other points tried.
     Undefined,
@@ -148,7 +149,8 @@ impl Verdict {
         }
     }
 
-    /// The KKT conditions hold only because a huge multiplier balances a redundant bound.
+    /// Verdict for a point at which the KKT conditions hold only because a huge multiplier balances
+    /// a redundant bound.
     pub fn degenerate(pair: &RedundantBound, residual: f64) -> Self {
         let RedundantBound {
             variable,
@@ -188,8 +190,9 @@ pub(super) fn gradient_test(residual: Residual, tolerance: f64) -> Option<Verdic
     })
 }
 
-/// True if the predicted reduction is within the rounding of the merit function. The KKT residual
-/// alone is not enough: relative to a large constant in f any derivative is small.
+/// True if the predicted reduction is within the rounding of the merit function. A small KKT
+/// residual alone does not end a search: if f contains a large constant, any derivative is small
+/// relative to f.
 pub(super) fn gain_test(state: &mut State) -> bool {
     let step = state.trial_step();
     state.predicted_reduction(&step) <= NOISE * state.merit_size()

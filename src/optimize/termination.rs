@@ -15,8 +15,8 @@ use argmin::core::Error;
 
 impl Sqp {
     /// Applies the stopping tests. A converged point is checked for negative curvature, a redundant
-    /// bound and a kink; an infeasible point is followed by a feasibility restoration. The search
-    /// continues if one of these checks finds a better point.
+    /// bound and a kink. From an infeasible point, a feasibility restoration is tried. The search
+    /// continues if a check or the restoration finds a better point.
     pub(super) fn apply_stopping_tests(
         &mut self,
         state: &mut State,

@@ -18,7 +18,7 @@ pub enum FaultKind {
     Damaged,
     /// A part of another sweep.
     OtherQuestion,
-    /// A part of this sweep by another version of longdrive.
+    /// A part of this sweep computed by another version of longdrive.
     OtherVersion,
     /// A part of this sweep computed on a processor with another instruction set, or with another C
     /// library.
@@ -45,7 +45,7 @@ pub struct Fault {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Checked {
-    /// The definition of the sweep, as in each file under the key `longdrive`.
+    /// The definition of the sweep, which each file contains under the key `longdrive`.
     pub question: SweepDefinition,
     /// Number of valid parts.
     pub present: u64,
@@ -53,15 +53,15 @@ pub struct Checked {
     pub missing: Vec<u64>,
     /// Faults of files.
     pub faults: Vec<Fault>,
-    /// Temporary files of running or killed writers; ignored.
+    /// Temporary files of writers that are running or were killed. The check ignores them.
     pub unfinished: Vec<String>,
     /// Number of rows of the valid parts.
     pub rows: u64,
     /// Size of the valid parts, bytes.
     pub bytes: u64,
     /// SHA-256 of the lines `SHA-256 of the file, two spaces, name of the file` of all parts in
-    /// order: the output of `sha256sum part-*.parquet | sha256sum`. Only for a complete set whose
-    /// contents were read.
+    /// order: the output of `sha256sum part-*.parquet | sha256sum`. `None` if a part is missing, or
+    /// if the contents were not read.
     pub sha256: Option<String>,
     /// Statistics of the rows.
     #[serde(flatten)]
@@ -76,9 +76,9 @@ impl Checked {
 }
 
 /// Checks the footers of a folder of parts: valid, missing and faulty files. `wanted` defines the
-/// sweep to check; its number of parts and its instructions are taken from the files. Without
-/// `wanted`, the sweep to check is the sweep that most files belong to. With `contents`, also reads
-/// the rows, compares their SHA-256 with the footers, and computes the SHA-256 of the set.
+/// sweep to check, except its number of parts, instruction set and C library, which the files
+/// determine. Without `wanted`, checks the sweep that most files belong to. With `contents`, also
+/// reads the rows, compares their SHA-256 with the footers, and computes the SHA-256 of the set.
 ///
 /// # Errors
 /// [`Error::Results`] if `folder` cannot be read or has no readable part.
@@ -280,8 +280,8 @@ fn question(
         .values()
         .filter(|(_, of)| like_wanted(of))
         .max_by_key(|(count, _)| *count);
-    // no file agrees with `wanted`: complete `wanted` with the number of parts, instructions and
-    // functions of another file
+    // no file agrees with `wanted`: take its number of parts, instructions and functions from the
+    // first file
     let of_none = || {
         found
             .first()

@@ -4,8 +4,8 @@ use crate::fingerprint::Fingerprint;
 use crate::statistics::SummarySpec;
 use serde::{Deserialize, Serialize};
 
-/// Definition of a sweep: everything that the bytes of its parts depend on. Numbers are written to
-/// the last digit.
+/// Definition of a sweep: everything that the bytes of its parts depend on. Numbers are written
+/// with all digits.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SweepDefinition {
@@ -19,8 +19,8 @@ pub struct SweepDefinition {
     pub outcomes: String,
     /// Parameters by which derivatives are computed; empty if there are only values.
     pub derivatives: String,
-    /// The largest integration error (defect) of a drive, m (docs/model.md, eq. 16a); `inf` for the
-    /// step of the setup.
+    /// The largest integration error (defect) of a drive, m (docs/model.md, eq. 16a); `inf` if the
+    /// step of the setup is used without a limit of the error.
     pub largest_defect: String,
     /// The histograms and best rows of each footer.
     pub summary: String,

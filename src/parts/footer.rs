@@ -21,7 +21,7 @@ pub struct Part {
     pub part: u64,
     /// Number of parts.
     pub parts: u64,
-    /// First row in the whole sweep, from 0.
+    /// Index of the part's first row among all rows of the sweep, from 0.
     pub first_row: u64,
     /// Number of rows.
     pub rows: u64,
@@ -36,7 +36,8 @@ pub struct Part {
     pub summary: Summary,
 }
 
-/// File of a part, with a description of its content. Neither depends on threads or on repetition.
+/// File of a part, with a description of its content. A repetition of the computation, on any
+/// number of threads, gives the same file and description.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Manifest {

@@ -37,7 +37,7 @@ impl Dataset {
     /// the histograms `bins` and the best rows `rankings`.
     ///
     /// # Errors
-    /// [`Error::Together`] if there are more parts than blocks of rows; errors of
+    /// [`Error::Together`] if there are more parts than blocks of rows, and errors of
     /// [`SummarySpec::new`].
     pub fn new(
         batch: Batch,
@@ -77,7 +77,7 @@ impl Dataset {
     ///
     /// # Errors
     /// [`Error::Results`] if the folder has a part of another sweep, if another file has the name
-    /// of this part (`overwrite` replaces the file), or if the file cannot be written; errors of
+    /// of this part and `overwrite` is false, or if the file cannot be written, and errors of
     /// [`rows_of`](Self::rows_of) and [`Batch::run`].
     pub fn write(
         &self,
@@ -220,8 +220,8 @@ impl Dataset {
             .map_err(|reason| format!("{reason}; {advice}"))
     }
 
-    /// Refuses a folder that contains a part of another sweep. For speed, reads one file only;
-    /// `check` reads all files.
+    /// Refuses a folder that contains a part of another sweep. For speed, reads only one file;
+    /// [`check`](super::check()) reads all files.
     fn refuse_other_sweep(&self, folder: &Path, place: &Path) -> Result<()> {
         let entries = fs::read_dir(folder).map_err(|error| Error::Results {
             file: folder.display().to_string(),

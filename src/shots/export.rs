@@ -47,7 +47,7 @@ impl Export {
     }
 
     /// The refusal that an earlier run of `fly` wrote into the row. `None` if the row still
-    /// contains the faulty value: the new refusal `now` then names it.
+    /// contains the faulty value, because the new refusal `now` then names this value.
     fn refused_before<S: AsRef<str>>(&self, row: &[S], now: &Refusal) -> Option<Refusal> {
         let [_, flight, reason, _] = row.get(self.added.clone())?.first_chunk()?;
         // for a row without valid cells, `fly` writes the whole row into the first cell
@@ -124,7 +124,7 @@ impl Export {
         shot
     }
 
-    /// The launch parameters of a row, then the other parameters of the table.
+    /// Values of a row: the launch parameters, then the other parameters of the table.
     fn point<S: AsRef<str>>(&self, stated: &Conditions, row: &[S]) -> Result<Vec<f64>, Refusal> {
         let mut point = launch(
             stated,

@@ -13,7 +13,7 @@ pub struct Flown {
     /// For each shot, its row in the block; `None` for a refused shot.
     pub(super) flights: Vec<Option<usize>>,
     pub(super) block: Block,
-    /// True if roll-outs are compared.
+    /// True if the predicted and measured roll-outs are compared.
     pub(super) is_on_their_ground: bool,
     pub(super) section: Option<Section>,
 }

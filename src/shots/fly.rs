@@ -17,7 +17,7 @@ use std::sync::atomic::Ordering;
 pub struct Flying {
     batch: Batch,
     /// True if the setup describes the ground of the shots, so that total, run and lateral total
-    /// are compared (false).
+    /// are compared. False by default.
     pub is_on_their_ground: bool,
 }
 
@@ -36,8 +36,8 @@ impl Flying {
     /// Prepares the outcomes of these shots with the setup's ball, air and law.
     ///
     /// # Errors
-    /// The errors of [`Batch::new`]; [`Error::Nothing`] without an outcome; [`Error::Unreadable`]
-    /// for a launch condition, because the rows already state it.
+    /// The errors of [`Batch::new`], [`Error::Nothing`] if there is no outcome, and
+    /// [`Error::Unreadable`] if a requested outcome does not belong to the flight.
     pub fn new(setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Self> {
         Self::with(setup, shots.parameters(), of)
     }
@@ -78,7 +78,7 @@ impl Flying {
     /// Ranges of launches for which the integration method and step are chosen.
     ///
     /// # Errors
-    /// [`Error::Unknown`] for an unknown parameter, which does not occur.
+    /// [`Error::Unknown`] if a launch parameter is unknown, which does not occur.
     pub fn usual(setup: &Setup<f64>) -> Result<Vec<Vary>> {
         let range = |(name, low, high, unit): &(&str, f64, f64, &str)| {
             let parameter = setup.parameter(name)?;
@@ -112,7 +112,8 @@ impl Flying {
     /// results in the order of the rows.
     ///
     /// # Errors
-    /// Errors of the source and of `sink`; rows before an unreadable place are delivered first.
+    /// Errors of the source and of `sink`. `sink` first receives the rows before an unreadable
+    /// place.
     pub fn fly<R: Send>(
         &self,
         shots: &mut Shots,

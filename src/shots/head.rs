@@ -40,7 +40,7 @@ pub struct Export {
     pub(super) further: Vec<Further>,
     /// Column with the origin of the spin.
     pub(super) spin_type: Option<usize>,
-    /// Column with the conditions of the values.
+    /// Column that states the conditions for which the values hold, such as normalized weather.
     pub(super) condition: Option<usize>,
     /// Column with the name of the club.
     pub(super) club_name: Option<usize>,
@@ -68,7 +68,7 @@ impl Export {
     /// Interprets the column heads of a table for shots.
     ///
     /// # Errors
-    /// [`Error::Table`] for a missing launch column, or a unit of the wrong dimension.
+    /// [`Error::Table`] if a launch column is missing, or if a unit has the wrong dimension.
     pub(super) fn read(setup: &Setup<f64>, mut head: Head, table: &TextTable) -> Result<Self> {
         add_totals(setup, &mut head)?;
         let meant = Interpretation::of(Some(setup), &mut head, table);
@@ -158,7 +158,7 @@ impl Export {
     /// parameters that the first section does not have.
     ///
     /// # Errors
-    /// The name of a parameter without a column in this section.
+    /// The name of a parameter that has no column in this section.
     pub(super) fn align(
         &mut self,
         further: &[&'static Parameter],

@@ -47,8 +47,8 @@ pub(crate) struct Interpretation {
 }
 
 impl Interpretation {
-    /// Interprets the columns of an export and adapts them. Does not change other tables. With
-    /// `setup`, each row's own air is used.
+    /// Interprets the columns of an export, and changes them accordingly. A table that is not an
+    /// export stays unchanged. If `setup` is given, each row's own air is used.
     pub fn of(setup: Option<&Setup<f64>>, head: &mut Head, table: &TextTable) -> Self {
         if !head.format.is_export {
             return Self::default();

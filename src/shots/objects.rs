@@ -10,11 +10,12 @@ const LONGEST: usize = 1 << 16;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
     Between,
-    /// Within an object; the number is that of the open braces and brackets.
+    /// Within an object, with the number of open braces and brackets.
     Inside(usize),
-    /// Within a string of an object; the flag is true after a backslash.
+    /// Within a string of an object, with the number of open braces and brackets; the flag is true
+    /// after a backslash.
     Text(usize, bool),
-    /// In other text, until the end of the line.
+    /// In text outside of objects, until the end of the line.
     Astray,
     /// In the rest of an object that is too long.
     TooLong,

@@ -59,8 +59,8 @@ fn number(of: &Map<String, Json>, group: &str, key: &str) -> Result<Option<f64>,
     }
 }
 
-/// Origin of a value in a message that `fly` wrote. All forms of the spin (spin, axis, backspin,
-/// sidespin) share one origin.
+/// Origin of a value in a message that `fly` wrote. Total spin, spin axis, backspin and sidespin
+/// share one origin.
 fn origin(message: &Map<String, Json>, of: Outcome) -> Option<Origin> {
     let origins = message.get("Flight")?.get("Origins")?;
     let spins: &[Outcome] = if OF_SPIN.contains(&of) { &OF_SPIN } else { &[] };
@@ -100,7 +100,8 @@ fn suggestion(ball: &Map<String, Json>, key: &str) -> String {
 }
 
 /// Reads the shot of a message. A message without ball data, such as a heartbeat, is refused. A
-/// line that `fly` wrote must have values of the parameters `further`, and of no others.
+/// message can also be a line that `fly` wrote; its `parameters` must then be exactly those in
+/// `further`.
 pub(super) fn shot(record: Record, further: &[&'static Parameter]) -> Shot {
     let Record {
         line,
@@ -237,7 +238,7 @@ fn option(message: &Map<String, Json>, key: &str) -> Option<bool> {
 /// The ball data of a message.
 ///
 /// # Errors
-/// A message without ball data, or refused by an earlier run of `fly`.
+/// The refusal, if the message has no ball data, or if an earlier run of `fly` refused it.
 fn ball_data(message: &Map<String, Json>) -> Result<&Map<String, Json>, Refusal> {
     let flight = |key: &str| message.get("Flight")?.get(key)?.as_str();
     if let (Some(REFUSED), Some(reason)) = (flight("Status"), flight("Reason")) {

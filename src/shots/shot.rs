@@ -84,8 +84,9 @@ impl Club {
         "swing.face_angle",
     ];
 
-    /// Club data from stated values, in the order of [`NAMES`](Self::NAMES). Implausible values
-    /// count as not measured and get a note; a club at rest was not measured.
+    /// Club data from stated values, in the order of [`NAMES`](Self::NAMES). An implausible value
+    /// counts as not measured, with a note in `notes`. A club speed of 0 counts as not measured. If
+    /// all values are 0, no value counts as measured.
     pub(super) fn measured(stated: [Option<StatedOfClub<'_>>; 4], notes: &mut Vec<String>) -> Self {
         let is_still = stated[0].is_some_and(|speed| speed.value == 0.0);
         if is_still && stated.iter().flatten().all(|stated| stated.value == 0.0) {
@@ -138,10 +139,11 @@ pub struct Shot {
     pub is_normalized: Option<bool>,
     /// Notes on assumed or unused values.
     pub notes: Vec<String>,
-    /// True if direction or spin tilt is assumed, so that lateral results are not compared.
+    /// True if the launch direction, or the tilt of the spin (its axis or sidespin), is assumed.
+    /// Lateral results are then not compared.
     pub is_straight_by_assumption: bool,
     /// Input of the flight, SI: the launch (ball speed, launch angle, launch direction, backspin,
-    /// sidespin), then the other parameters of the table.
+    /// sidespin), then the other parameters of the table. An error if the row cannot be flown.
     pub(super) point: Result<Vec<f64>, Refusal>,
     /// True if the row has exactly one cell for each column head.
     pub(crate) has_cells_of_head: bool,
@@ -221,7 +223,7 @@ pub(super) struct Further {
 /// The value if it is in the parameter's range; `name` is its column head.
 ///
 /// # Errors
-/// A value outside the range.
+/// The refusal, if the value is outside the range.
 pub(super) fn within(parameter: &Parameter, value: f64, name: &str) -> Result<f64, Refusal> {
     if parameter.range.contains(value) {
         return Ok(value);

@@ -33,7 +33,7 @@ pub struct Shots {
     pub(super) layout: Layout,
     pub(super) rows: Rows,
     pub(super) parameters: Vec<&'static Parameter>,
-    /// True for JSON lines written by `fly`.
+    /// True if the source is JSON lines written by `fly`.
     is_written: bool,
 }
 
@@ -78,8 +78,9 @@ impl Shots {
     /// default all rows.
     ///
     /// # Errors
-    /// The errors of [`read`](Self::read), errors of opening the file, and an error for a filter if
-    /// the file is not a table. If the filter selects no row, an error follows the last row.
+    /// The errors of [`read`](Self::read), and [`Error::Table`](crate::Error::Table) if the file
+    /// cannot be opened, or if it is not a table and `filter` is not empty. If the filter selects
+    /// no row, an error follows the last row.
     pub fn open(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
         let text = if path == Path::new("-") {
             Text::open("standard input", io::stdin())?
@@ -95,8 +96,8 @@ impl Shots {
     /// Reads CSV with column heads, or JSON, in UTF-8, UTF-16 or Windows-1252.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for an unreadable or empty text, a missing launch
-    /// column, an unknown column, or a unit of the wrong dimension.
+    /// [`Error::Table`](crate::Error::Table) if the text is unreadable or empty, if a launch column
+    /// is missing, if a column is unknown, or if a unit has the wrong dimension.
     pub fn read(
         setup: &Setup<f64>,
         name: &str,

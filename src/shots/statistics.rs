@@ -146,7 +146,7 @@ pub struct ShotStatistics {
     pub rows: u64,
     /// Number of rows whose ball landed.
     pub flown: u64,
-    /// Rows that were refused, or whose ball did not land, by kind of reason.
+    /// Rows that were refused, and rows whose ball did not land, by kind of reason.
     pub refused: BTreeMap<&'static str, Refused>,
     /// Residuals by ball speed.
     pub bands: Vec<Band>,
@@ -154,9 +154,9 @@ pub struct ShotStatistics {
     pub all: Vec<Sums>,
     /// Shots by the name of the club, for tables with such a column; at most 40 clubs.
     pub clubs: BTreeMap<String, ClubShots>,
-    /// Number of rows whose export states an estimated or modelled spin.
+    /// Number of rows whose spin is estimated or modelled, as the export states.
     pub spin_not_measured: u64,
-    /// Number of rows whose export states normalized values.
+    /// Number of rows whose values are normalized, as the export states.
     pub normalized: u64,
     /// Number of rows with notes on assumed or unused values.
     pub noted: u64,

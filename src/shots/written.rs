@@ -141,7 +141,7 @@ fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refus
     Ok(())
 }
 
-/// The launch parameters, then the other parameters of the table.
+/// Values of a line: the launch parameters, then the other parameters of the table.
 fn point(
     shot: &mut Shot,
     message: &Map<String, Json>,
@@ -153,8 +153,8 @@ fn point(
         .find(|(name, _)| further.iter().all(|parameter| parameter.name != *name))
     {
         let reason = format!(
-            "the row has a value of its own of {name}, which the first row has not; fly the table \
-             that the lines were made of"
+            "the line has a value of {name}, but the first line has none; fly the original table \
+             of these lines"
         );
         return Err(Refusal::new(Refusal::JSON, reason));
     }

@@ -10,7 +10,8 @@ use crate::units::Quantity;
 const RANGE: [f64; 2] = [0.6, 1.6];
 
 impl Column {
-    /// True for an air column of an export, false for a column of the parameter `air.density`.
+    /// True for a column in which an export states the air. False for a column with the head
+    /// `air.density`, which is an ordinary parameter.
     pub fn is_stated_air(&self) -> bool {
         self.head != AIR
             && matches!(self.content, Content::Input(parameter) if parameter.name == AIR)
@@ -19,7 +20,7 @@ impl Column {
     /// Parses the air density of a row, SI.
     ///
     /// # Errors
-    /// A sentence if the cell states no density, or a density that does not occur on golf courses.
+    /// A message, if the cell states no density, or a density that does not occur on golf courses.
     pub fn stated_air(&self, cell: &str) -> Result<f64, String> {
         let name = &self.head;
         if self.is_weather {

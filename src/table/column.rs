@@ -18,7 +18,7 @@ pub(crate) enum Content {
     Outcome(Outcome),
     /// The standard uncertainty of a measured outcome.
     Sigma(Outcome),
-    /// Names of stationary parameters: at their values the carry is at its maximum.
+    /// Names of stationary parameters: the carry of the row is the maximum over these parameters.
     Stationary,
     /// Standard uncertainty of the location of the carry's maximum.
     SigmaStationary,
@@ -28,7 +28,7 @@ pub(crate) enum Content {
     Written,
 }
 
-/// A column with the unit of its numbers; SI if the column head has no unit.
+/// A column. Its numbers are in `unit`, or in SI if there is no unit.
 #[derive(Clone, Debug)]
 pub(crate) struct Column {
     pub content: Content,
@@ -37,7 +37,7 @@ pub(crate) struct Column {
     /// The parsed unit, if it matches the column's quantity.
     size: Option<Unit>,
     pub format: Format,
-    /// True for an angle of an export without a unit, which is read in degrees.
+    /// True if the column is an angle of an export and has no unit. It is read in degrees.
     pub is_in_assumed_degrees: bool,
     /// True for a launch condition whose column head is its dotted name.
     pub is_dotted_condition: bool,
@@ -55,7 +55,7 @@ pub(crate) struct Column {
     pub is_weather: bool,
 }
 
-/// Format of a table; by default of a table in SI.
+/// Format of a table. The default is the format of a table in SI.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Format {
     /// True for an export of a launch monitor: unknown columns are ignored.
@@ -202,7 +202,7 @@ impl Column {
         self.content == Content::Note && self.head != NOTE && !self.is_of_given_air
     }
 
-    /// True for an angle without a unit, which is read in degrees.
+    /// True if the column is an angle without a unit, and is read in degrees.
     pub fn is_in_assumed_degrees(&self) -> bool {
         self.is_in_assumed_degrees && self.content != Content::Note
     }
@@ -239,7 +239,8 @@ impl Column {
             (None, _) => Ok(()),
             (Some(unit), Some(quantity)) => {
                 let of_the_head = |e: UnitError| match e {
-                    // the table holds no number, so the message names only the unit
+                    // the column head contains a unit without a number, so the message names only
+                    // the unit
                     UnitError::WrongKind {
                         wanted, examples, ..
                     } => self.unreadable(format!(
@@ -345,7 +346,7 @@ impl Column {
         }
     }
 
-    /// One unit of the column, SI.
+    /// Size of the column's unit, SI.
     pub fn one(&self) -> f64 {
         let size = self
             .unit
@@ -354,7 +355,7 @@ impl Column {
         size.unwrap_or(1.0)
     }
 
-    /// The unit in the column head; otherwise SI.
+    /// The unit in the column head; the SI unit if the head states no unit.
     pub fn unit(&self) -> &str {
         self.unit
             .as_deref()
@@ -365,7 +366,7 @@ impl Column {
     /// Parses a cell to SI with the golfer's sign convention; `None` for an empty cell and for NaN.
     ///
     /// # Errors
-    /// A sentence for a cell that is not a finite number.
+    /// A message, if the cell is not a finite number.
     pub fn value(&self, cell: &str) -> std::result::Result<Option<f64>, String> {
         if cell.is_empty() || cell.trim().parse().is_ok_and(f64::is_nan) {
             return Ok(None);

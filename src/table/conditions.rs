@@ -9,7 +9,7 @@ pub(crate) struct Fault {
     /// The condition at fault.
     pub of: Outcome,
     pub why: &'static str,
-    /// True if the value is missing and the other values are valid.
+    /// True if the fault is a missing value; false if a stated value is invalid.
     pub is_missing: bool,
 }
 
@@ -34,7 +34,8 @@ impl Fault {
 /// The values of [`CONDITIONS`] in a row.
 pub(crate) type Stated = [Option<f64>; CONDITIONS.len()];
 
-/// Largest spin axis with backspin: tan 90° is infinite.
+/// Largest spin axis in a row with backspin, since sidespin = backspin · tan(axis), and tan 90° is
+/// infinite.
 const MOST_AXIS: f64 = std::f64::consts::FRAC_PI_2 - 1e-9;
 
 /// Largest relative difference of two spins that rounding explains. For example, rounding a spin
@@ -54,15 +55,15 @@ pub(crate) fn without_redundant_spins(values: Stated) -> Stated {
     [speed, angle, direction, spin, backspin, sidespin, axis]
 }
 
-/// True for a row that lacks the launch direction or the spin tilt: its lateral results cannot be
-/// compared.
+/// True for a row without a launch direction, or without a spin tilt (spin axis or sidespin). The
+/// lateral results of such a row cannot be compared.
 pub(crate) fn is_straight_by_assumption(values: &Stated) -> bool {
     let [_, _, direction, _, _, sidespin, axis] = values;
     direction.is_none() || sidespin.is_none() && axis.is_none()
 }
 
-/// Message for contradictory or unusable spin values of a row; `back` and `side` are the values
-/// used.
+/// Message for contradictory or unusable spin values of a row; `back` and `side` are the backspin
+/// and sidespin used.
 pub(crate) fn contradiction(
     values: Stated,
     [back, side]: [f64; 2],
@@ -128,7 +129,7 @@ pub(crate) fn contradiction(
 /// conditions that have a column.
 ///
 /// # Errors
-/// Missing, contradictory or invalid conditions.
+/// The fault, if conditions are missing, contradictory or invalid.
 pub(crate) fn conditions(
     values: Stated,
     has: impl Fn(Outcome) -> bool,
@@ -146,7 +147,7 @@ pub(crate) fn conditions(
     if angle.abs() >= std::f64::consts::FRAC_PI_2 {
         return Err(Fault::invalid(
             Outcome::LaunchAngle,
-            "the launch must be between −90° and 90°",
+            "the launch angle must be between −90° and 90°",
         ));
     }
     let [back, side] = spin_components(spins, has)?;

@@ -107,7 +107,7 @@ impl DecimalMarkCheck {
     /// Checks a cell against all cells so far.
     ///
     /// # Errors
-    /// A sentence if this cell, or an earlier cell, is ambiguous.
+    /// A message, if this cell or an earlier cell is ambiguous.
     pub fn check(&mut self, row: u64, column: &Column, text: &str) -> Result<(), String> {
         if !(column.format.has_decimal_comma && column.is_a_number()) {
             return Ok(());

@@ -36,7 +36,7 @@ impl Encoding {
     /// Decodes a line.
     ///
     /// # Errors
-    /// A sentence for invalid bytes.
+    /// A message, if the bytes are invalid in this encoding.
     pub fn text(self, bytes: Vec<u8>) -> Result<String, &'static str> {
         match String::from_utf8(bytes) {
             Ok(text) => Ok(text),
@@ -85,7 +85,8 @@ pub(crate) struct Decoded<R> {
 /// Decodes a source in UTF-8 or UTF-16, with or without a byte-order mark.
 ///
 /// # Errors
-/// Errors of the source; [`io::ErrorKind::Other`] for invalid UTF-16, here or during a later read.
+/// Errors of the source, and [`io::ErrorKind::Other`] if the text is invalid UTF-16. Later reads
+/// can return the same errors.
 pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
     // at most two byte-order marks and one byte
     let mut raw = vec![];

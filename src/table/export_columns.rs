@@ -67,7 +67,7 @@ pub(crate) enum ClubColumns {
 pub(crate) enum SpinSource {
     /// One choice of columns for the whole table.
     Table,
-    /// A choice in each row among the values of this row:
+    /// Each row selects among its own values:
     /// [`without_redundant_spins`](super::conditions::without_redundant_spins).
     Row,
 }
@@ -118,8 +118,9 @@ pub(crate) fn in_degrees(columns: &[Column]) -> Option<String> {
     })
 }
 
-/// Ignores columns of an export and returns remarks. Ignored are unknown columns; club columns, if
-/// the launch is measured; and redundant spin columns, unless each row selects its spin columns.
+/// Ignores the unknown columns of an export. If the launch is measured, also ignores the smash
+/// factor, the columns of the club that `club` excludes, and the redundant spin columns, unless
+/// each row selects its spin columns. Returns remarks.
 pub(super) fn ignore_columns(
     columns: &mut [Column],
     club: ClubColumns,

@@ -71,7 +71,7 @@ impl Head {
     /// units.
     ///
     /// # Errors
-    /// The unreadable columns, with reasons.
+    /// [`ColumnErrors`] with the unreadable columns, if there are any.
     pub fn read(
         setup: &Setup<f64>,
         heads: Vec<String>,

@@ -53,8 +53,8 @@ pub(crate) fn words(name: &str) -> String {
     words.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The known column head nearest to an unknown column head, with at most one or two different
-/// letters: "ball speed" for `Ball Sped [mph]`.
+/// The known column head nearest to an unknown column head, if at most two letters differ: "ball
+/// speed" for `Ball Sped [mph]`.
 pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
     let words = words(split_unit(head).0);
     let near = heads()
@@ -139,10 +139,10 @@ fn is_simulated(word: &str) -> bool {
         .eq_ignore_ascii_case("sim")
 }
 
-/// Parses a line of units below the column heads, each `[mph]` or empty; `None` for another line.
-/// At least one cell below a known column head must be a unit, and no cell may be a number. An
-/// unknown word below a known column head is also returned as a unit, so that it is reported as an
-/// error.
+/// Parses a line of units below the column heads, each `[mph]` or empty; `None` if the line is not
+/// a line of units. At least one cell below a known column head must be a unit, and no cell may be
+/// a number. An unknown word below a known column head is also returned as a unit, so that it is
+/// reported as an error.
 pub(super) fn units_row(heads: &[String], cells: &[String]) -> Option<Vec<Option<String>>> {
     let is_known = |head: &str| {
         let name = split_unit(head).0;

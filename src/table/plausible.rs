@@ -60,7 +60,8 @@ struct InSi {
     high: f64,
 }
 
-/// Plausible values in SI. Inclusive ends get a margin for the rounding of a unit conversion.
+/// Plausible values in SI. An end that belongs to the range is moved outwards by a margin for the
+/// rounding of a unit conversion.
 static IN_SI: LazyLock<Vec<InSi>> = LazyLock::new(|| {
     let in_si = |of: Outcome| {
         let plausible = of.plausible()?;

@@ -20,7 +20,7 @@ pub struct Record {
     pub line: u64,
     /// The text.
     pub text: String,
-    /// True if all quotes of a row and all braces of an object are closed.
+    /// True if all quotes of the row, or all braces of the object, are closed.
     pub is_whole: bool,
 }
 

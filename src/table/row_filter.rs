@@ -38,7 +38,7 @@ impl RowFilter {
     /// Reads conditions `COLUMN=VALUE`. Several values of one column are alternatives.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for a text without a column and a value.
+    /// [`Error::Unreadable`] if a text has no column or no value.
     pub fn read(texts: &[String]) -> Result<Self> {
         let mut columns: Vec<ColumnFilter> = vec![];
         for text in texts {
@@ -80,7 +80,7 @@ impl RowFilter {
     /// Finds the columns of the conditions among the column heads of a section.
     ///
     /// # Errors
-    /// The reason if there is no such column.
+    /// A message, if there is no column with the name in a condition.
     pub(super) fn begin(&mut self, heads: &[String]) -> Result<(), String> {
         for column in &mut self.columns {
             let at = heads.iter().position(|head| column.is_named(head));
@@ -116,7 +116,7 @@ impl RowFilter {
     /// Checks after the last row that some row satisfied the conditions.
     ///
     /// # Errors
-    /// The reason, with the values of the columns.
+    /// A message with the values of the columns, if no row satisfied the conditions.
     pub(super) fn finish(&self) -> Result<(), String> {
         if self.is_empty() || self.kept > 0 || self.rows == 0 {
             return Ok(());

@@ -60,7 +60,7 @@ impl Text {
     /// Opens a text in UTF-8, UTF-16 or Windows-1252, with or without byte-order marks.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for a source that cannot be read.
+    /// [`Error::Table`](crate::Error::Table) if the source cannot be read.
     pub fn open(name: &str, source: impl Read + Send + 'static) -> Result<Self> {
         let name = SourceName(name.into());
         let mut source = name.io(decoded(source))?;
@@ -113,8 +113,8 @@ impl TextTable {
     /// Opens a table and reads its first line of column heads.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for an empty table, an unclosed quote in the column
-    /// heads, an unknown column, and errors of the source.
+    /// [`Error::Table`](crate::Error::Table) if the source cannot be read, if the table is empty,
+    /// if a quote in the column heads is not closed, or if a column is unknown.
     pub fn open(text: Text, setup: &Setup<f64>, wanted: &TableOptions) -> Result<(Self, Head)> {
         let Text {
             name,
@@ -217,8 +217,8 @@ impl TextTable {
     /// The next row or line of column heads; `None` at the end.
     ///
     /// # Errors
-    /// Errors of the source; lines that are not text, or too long; a table without a row that
-    /// the filter selects.
+    /// [`Error::Table`](crate::Error::Table) if the source cannot be read, if a line is not text or
+    /// is too long, or, at the end, if the filter selected no row.
     pub fn next_entry(&mut self) -> Result<Option<Entry>> {
         let Some(record) = self.record()? else {
             self.filter

@@ -121,7 +121,7 @@ fn same_flights_of_json_lines_with_their_own_parameters() {
     ]);
     assert!(
         said.out
-            .contains("a value of its own of ball.mass, which the first row has not"),
+            .contains("the line has a value of ball.mass, but the first line has none"),
         "{}",
         said.out
     );

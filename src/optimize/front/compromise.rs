@@ -1,4 +1,4 @@
-//! Compromises of a front, and the step from one compromise to the next.
+//! Compromises, which are the points of a front, and the step from one compromise to the next.
 
 use super::context::{Combined, FrontContext, with_limit};
 use super::result::{FrontEvent, FrontPoint};
@@ -11,8 +11,8 @@ use crate::optimize::sensitivity::{ActiveSet, Response, first_event, response};
 use crate::optimize::solution::Solution;
 use crate::optimize::status::Status;
 
-/// Limit of the front's slope. Steeper slopes count as infinite, and slopes below the inverse as
-/// zero, because rounding dominates them.
+/// Limit of the front's slope. A larger slope counts as infinite, and a slope below the inverse of
+/// the limit counts as zero, because rounding dominates both.
 const STEEPEST: f64 = 1e8;
 
 /// A compromise, with its derivatives along the front.

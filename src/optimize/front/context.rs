@@ -17,14 +17,15 @@ use std::cell::Cell;
 /// Relative tolerance within which a value of a function counts as equal to its minimum.
 pub(super) const SAME: f64 = 1e-9;
 /// Allowed increase of a function above its minimum, as a fraction of its change over the front.
-/// The other function selects a minimiser within this increase.
+/// The points within this increase count as minimisers; the point at which the other function is
+/// smallest is selected.
 const UNIQUE_WITHIN: f64 = 1e-7;
 /// A minimum is isolated if the ratio of the smallest to the largest curvature is above this limit.
 const FLAT: f64 = 1e-9;
 /// Message for an interrupted front.
 pub(super) const PART_MISSING: &str = "interrupted: a part of the front is missing";
-/// A front has a knee only if its deviation from a straight line, relative to the line's length, is
-/// at least this.
+/// Smallest deviation of a front with a knee from the straight line between its ends, relative to
+/// the length of that line.
 pub(super) const STRAIGHT: f64 = 0.01;
 
 /// Problem made of weighted sums of two functions: the objective and the last constraint function

@@ -30,8 +30,8 @@ use std::cell::Cell;
 /// `observers` receive every search, with its number, and can interrupt the work.
 ///
 /// # Errors
-/// [`FrontError::NoEnd`] if the minimisation of one function does not converge; errors of
-/// [`minimize`](super::minimize()).
+/// [`FrontError::NoEnd`] if the minimisation of one function does not converge, and
+/// [`FrontError::Refused`] with the errors of [`minimize`](super::minimize()).
 pub fn front(
     problem: &dyn Problem,
     domain: &Domain,

@@ -18,7 +18,7 @@ pub struct Front {
     pub bend: f64,
     /// Number of dominated points that were removed.
     pub dominated: usize,
-    /// Reason why a part of the front is missing, if any.
+    /// Reason why a part of the front is missing; `None` if the front is complete.
     pub ended: Option<String>,
     /// True if the computation was interrupted.
     pub interrupted: bool,
@@ -34,7 +34,7 @@ pub struct FrontPoint {
     /// Derivative of the first function by the second along the front; `None` where it is not
     /// unique.
     pub slope: Option<f64>,
-    /// Derivative dx/ds of each variable.
+    /// Derivative dx/ds of each variable by the position s = a − b along the front.
     pub rates: Vec<f64>,
     /// Active set.
     pub active_set: ActiveSet,

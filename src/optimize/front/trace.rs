@@ -166,7 +166,7 @@ fn trace(plane: &Plane<'_>, from: Compromise, end: f64) -> Path {
         points,
         ended: Some(reason),
     };
-    // progress of the trace: s, or −s in a backward trace; it rises from −1 to 1
+    // progress of the trace, which rises from −1 to 1: s, or −s in a backward trace
     let travelled = |place: &Compromise| end * place.at;
     while let Some(here) = points.last().cloned()
         && travelled(&here) < 1.0

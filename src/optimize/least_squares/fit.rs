@@ -22,12 +22,12 @@ const MOST_DAMPING: f64 = 1e20;
 /// Smallest damping. JᵀJ of the scaled columns is accurate to about 1e-16; with less damping,
 /// rounding would drive steps along directions in which the residuals do not change.
 const LEAST_DAMPING: f64 = 1e-12;
-/// Longest undamped step with which a fit counts as converged if no step lowers the sum. Relative
-/// to the point and the distance travelled (Moré 1978, MINPACK's `xtol`). The gradient is no
-/// criterion near a sum of 0, where the residuals are rounding errors.
+/// Longest undamped step with which a fit counts as converged if no step lowers the sum. The unit
+/// is the size of the point and of the distance travelled (Moré 1978, MINPACK's `xtol`). The
+/// gradient is no criterion near a sum of 0, where the residuals are rounding errors.
 const SHORTEST: f64 = 1e-8;
 
-/// Name of the convergence measure in messages: 0 at a stationary point.
+/// Name, in messages, of the convergence measure, which is 0 at a stationary point.
 const COSINE: &str = "cosine between the residuals and their slopes";
 
 /// Outcome of a fit.
@@ -50,7 +50,7 @@ pub enum Status {
     Stalled,
     /// The limit of iterations was reached.
     IterationLimit,
-    /// Interrupted by the caller; the point is the best so far.
+    /// Interrupted by the caller. The result is the best point so far.
     Interrupted,
     /// The residuals are undefined at the start.
     Undefined,
@@ -111,7 +111,7 @@ pub struct Fit {
     pub evaluations: u64,
     /// Number of trial points at which the residuals were undefined.
     pub refused: u64,
-    /// Last reason why the residuals were undefined at a trial point.
+    /// Last reason why the residuals were undefined at a trial point; `None` if they never were.
     pub why_refused: Option<String>,
 }
 
@@ -136,7 +136,8 @@ impl FitObserver {
 /// Fits from a start, which is first projected on the bounds.
 ///
 /// # Errors
-/// [`Error::Optimizer`] for an invalid start, tolerance or loss, and for a domain with constraints.
+/// [`Error::Optimizer`] if the start, the tolerance or the loss is invalid, or if the domain has
+/// constraints.
 pub fn fit(
     residuals: &impl Residuals,
     domain: &Domain,
@@ -146,11 +147,11 @@ pub fn fit(
     fit_observed(residuals, domain, start, options, &FitObserver::default())
 }
 
-/// Fits from every start in parallel; results sorted by increasing sum. The order does not depend
-/// on the number of threads. [`starts`](super::super::starts) creates starts.
+/// Fits from every start in parallel. Returns the fits by increasing sum; their order does not
+/// depend on the number of threads. [`starts`](super::super::starts) creates starts.
 ///
 /// # Errors
-/// Errors of [`fit`]; [`Error::Optimizer`] without starts.
+/// Errors of [`fit`], and [`Error::Optimizer`] if there are no starts.
 pub fn fit_from(
     residuals: &(impl Residuals + Sync),
     domain: &Domain,
@@ -397,7 +398,7 @@ impl FitState {
     /// Evaluates a trial point, and moves there if the sum falls. Returns true if it moved.
     ///
     /// # Errors
-    /// The verdict of a fit that was interrupted during the evaluation.
+    /// The verdict of the fit, if it was interrupted during the evaluation.
     fn try_step(
         &mut self,
         step: ModelStep,

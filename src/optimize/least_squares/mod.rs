@@ -47,8 +47,8 @@ pub trait Residuals {
     ///
     /// # Errors
     /// The reason, in a sentence, why the residuals are undefined at `x`. The fit then shortens its
-    /// step. If the [`interrupt`](FitObserver::interrupt) flag is set by then, the fit ends at the
-    /// previous iterate.
+    /// step, or, if the [`interrupt`](FitObserver::interrupt) flag is set, ends at the previous
+    /// iterate.
     fn evaluate(&self, x: &[f64]) -> Result<Rows, String>;
 }
 

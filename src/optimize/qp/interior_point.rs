@@ -172,8 +172,8 @@ impl StandardForm {
         let length_unit = program.largest_bound();
         let curvature = program.hessian.amax() * length_unit * length_unit;
         let slope = program.largest_gradient_component() * length_unit;
-        // if curvature dominates, use the geometric mean, so that neither slope nor curvature
-        // becomes smaller than the tolerances
+        // if curvature dominates, use the geometric mean of slope and curvature as unit, so that
+        // neither becomes smaller than the tolerances
         let value_unit = if slope > 0.0 {
             (slope * slope.max(curvature)).sqrt()
         } else {

@@ -8,8 +8,8 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 const DEPENDENT: f64 = 1e-14;
 /// Threshold for eigenvalues after equilibration. Smaller eigenvalues count as zero.
 const RANK: f64 = 1e-13;
-/// Equilibration ends when all factors of a pass are between the inverse of this number and this
-/// number. The largest entry of each row is then between 1/16 and 16.
+/// Equilibration ends when all factors of a pass are between 1/4 and 4. The largest entry of each
+/// row is then between 1/16 and 16.
 const ALIKE: f64 = 4.0;
 /// Largest residual of consistent dependent equations, relative to the largest right-hand side.
 const INCONSISTENT: f64 = 1e-9;

@@ -1,5 +1,5 @@
-//! Quadratic programs: a warm start from the previous active set, else Clarabel, polished to an
-//! exact KKT point (`QpSolver::solve`).
+//! Quadratic programs, solved by a warm start from the previous active set. If it fails, Clarabel
+//! solves the program, and polishing gives an exact KKT point (`QpSolver::solve`).
 
 mod interior_point;
 mod linear;
@@ -109,8 +109,8 @@ mod tests {
         assert!((step.weights[0] - 0.7).abs() < 1e-14 && (step.weights[1] - 0.3).abs() < 1e-14);
     }
 
-    /// Random convex programs with rows. Some are infeasible; in most of them the first row is an
-    /// equality.
+    /// Random convex programs with rows. Some programs are infeasible. In most programs the first
+    /// row is an equality.
     fn random_programs_with_rows(count: usize) -> impl Iterator<Item = QuadraticProgram> {
         let mut state = 0.3_f64;
         let mut random = move || {

@@ -351,7 +351,7 @@ impl QuadraticProgram {
 }
 
 impl Step {
-    /// Projects a step on the bounds; a variable within rounding of a bound is set to it.
+    /// Projects a step on the bounds; a variable within rounding of a bound is set to the bound.
     pub(super) fn project_on_bounds(&mut self, program: &QuadraticProgram) {
         let rounding = BOUND_ROUNDING * self.d.amax();
         for i in 0..self.d.len() {

@@ -142,7 +142,7 @@ impl Energy {
 }
 
 impl Subsystems {
-    /// Both subsystems, and the optimum of the whole system.
+    /// The best flight alone and the best impact alone, beside the optimum of the whole system.
     pub(super) fn new(optimum: &Row) -> Result<Self> {
         let setup = &optimum.best.setup;
         let quantities = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin];

@@ -2,7 +2,7 @@
 //! (1994).
 //!
 //! The report's flight loop overshoots the ground, which makes carry discontinuous; its optimizer
-//! failed on the resulting steps, and a regression replaced the optimizer. Here the report's
+//! failed on these discontinuities, and a regression replaced the optimizer. Here the report's
 //! constants are used in Winfield & Tan's equations (preset `mae494`), and every printed optimum is
 //! compared with the exact optimum.
 

@@ -18,21 +18,21 @@ pub struct Noise {
     pub attack_angle: f64,
     /// The time step of the report's flight loop, s.
     pub step: f64,
-    /// The step of forward differences by loft, rad: √ε, as in MATLAB's `fmincon`.
+    /// The increment of the loft for forward differences, rad: √ε, as in MATLAB's `fmincon`.
     pub difference: f64,
     /// The jumps (teeth) of the carry in `zoom`.
     pub teeth: Sawtooth,
     /// The derivative of carry by loft at each loft, m/rad.
     pub slopes: Vec<Slopes>,
-    /// Number of lofts where the sign of the difference is wrong.
+    /// Number of lofts at which the forward difference of the report's loop has the wrong sign.
     pub wrong_signs: usize,
     /// Forward differences of the report's loop at loft 10°, for shorter time steps.
     pub shorter_steps: Vec<ShorterStep>,
-    /// Differences at loft 10° with larger steps of the loft.
+    /// Forward differences at loft 10° with larger increments of the loft.
     pub longer_differences: Vec<LongerDifference>,
     /// The carry by loft near 10°.
     pub zoom: Vec<Landings>,
-    /// Searches for each way to compute the landing and each method.
+    /// Searches, by definition of the landing and by method.
     pub searches: Vec<Searches>,
 }
 
@@ -47,11 +47,11 @@ pub struct ShorterStep {
     pub overshot: f64,
 }
 
-/// Forward differences for a larger step of the loft.
+/// Forward differences for a larger increment of the loft.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LongerDifference {
-    /// The step of the loft, rad.
+    /// The increment of the loft, rad.
     pub difference: f64,
     /// The forward difference of the report's loop, m/rad.
     #[serde(rename = "loop")]
@@ -62,7 +62,7 @@ pub struct LongerDifference {
     pub smooth: f64,
 }
 
-/// Carry at one loft for three definitions of the landing.
+/// Carry at one loft, by three definitions of the landing.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Landings {
@@ -208,8 +208,9 @@ fn loop_slopes(setup: &Setup<f64>, loft: f64, by: f64, step: f64) -> Result<[f64
 }
 
 impl Sawtooth {
-    /// Finds the jumps. Two neighbouring points are a jump if the change of the loop's carry
-    /// differs from the change of the smooth carry by more than three times the smooth change.
+    /// Finds the jumps. A jump lies between two neighbouring points if the loop's carry and the
+    /// smooth carry change by different amounts, and the difference is more than three times the
+    /// change of the smooth carry.
     fn of(zoom: &[Landings]) -> Self {
         let jump = |pair: &[Landings]| {
             let smooth = pair[1].smooth - pair[0].smooth;

@@ -36,7 +36,8 @@ impl Regression {
     /// The regression of the listing's data.
     ///
     /// # Errors
-    /// [`Error::Optimizer`], [`Error::NotConverged`].
+    /// [`Error::Optimizer`] if the regression's matrix is singular, and [`Error::NotConverged`] if
+    /// a search for a maximum fails.
     pub fn new() -> Result<Self> {
         let (fitted, evaluated) = ([0, 2, 3, 4, 5], [0, 1, 2, 3, 4]);
         let slipped = Polynomial {

@@ -29,7 +29,7 @@ pub struct End {
     /// End point, with the carry of the smooth landing.
     #[serde(rename = "end")]
     pub at: Delivery,
-    /// Number of flights; a flight with exact derivatives counts once.
+    /// Number of computed flights. A flight with exact derivatives counts as one.
     pub flights: u64,
     /// Termination message of the method.
     pub message: String,

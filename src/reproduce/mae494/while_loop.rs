@@ -22,11 +22,12 @@ pub struct LoopLanding {
 }
 
 /// Integrates the flight in steps of `step` s until the height is negative, as in the listing. The
-/// velocity has explicit Euler steps, because the listing's `ode45` integrates a constant. The
-/// position moves with the new velocity.
+/// velocity has explicit Euler steps, because within a step the listing's `ode45` integrates a
+/// constant acceleration. The position moves with the new velocity.
 ///
 /// # Errors
-/// The errors of [`strike`]; [`Error::NoFlight`] if the ball is airborne at the time limit.
+/// The errors of [`strike`], and [`Error::NoFlight`] if the ball is still airborne at the time
+/// limit.
 pub(super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
     let launch = strike(setup)?.launch;
     let air = AirState::of(&setup.air);
@@ -72,15 +73,15 @@ pub(super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Result<LoopL
 pub struct LoopRow {
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// Characteristic size of the parameter, which scales the difference steps.
+    /// Characteristic size of the parameter, the unit of the increments of the differences.
     pub scale: f64,
     /// Differences of the loop's carry compared with the exact derivative.
     pub check: Check,
 }
 
 impl LoopRow {
-    /// Difference of the loop's carry at the step nearest to 1e-8 of `scale`, a step that
-    /// optimizers use.
+    /// Finite difference of the loop's carry for the increment nearest to 1e-8 of `scale`.
+    /// Optimizers use such increments.
     pub fn small_difference(&self) -> Option<f64> {
         let distance = |step: f64| (step / self.scale / 1e-8).ln().abs();
         let nearest = self
@@ -98,8 +99,8 @@ impl LoopRow {
     }
 }
 
-/// Allowed range of the loop's step, s. A shorter step takes too long; a longer step gives too few
-/// points.
+/// Allowed range of the loop's time step, s. A shorter step takes too long; a longer step gives too
+/// few points of the flight.
 const LOOP_STEPS: [f64; 2] = [1e-4, 1.0];
 
 /// True for a setup that the report's loop models: no wind, no spin damping, and a ground at the
@@ -120,10 +121,10 @@ fn is_modelled(setup: &Setup<f64>) -> bool {
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] if `step` is outside 0.0001 s to 1 s; [`Error::Undefined`] if the loop
-/// does not model the setup (a stated launch, wind, spin damping, or a ground that is not level
-/// with the tee); errors of [`strike`](crate::impact::strike); [`Error::NoFlight`] without a
-/// landing.
+/// [`Error::OutOfRange`] if `step` is outside 0.0001 s to 1 s, [`Error::Undefined`] if the setup
+/// has a stated launch, wind, spin damping, or a ground that is not level with the tee, which the
+/// loop does not model, [`Error::NoFlight`] if the ball does not land before the time limit, and
+/// errors of [`strike`](crate::impact::strike).
 pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
     let [least, most] = LOOP_STEPS;
     if !(least..=most).contains(&step) {
@@ -146,8 +147,9 @@ pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
     fly_past_the_ground(setup, step)
 }
 
-/// Differences of the report's loop for each carry row of a certificate. Empty if the loop does not
-/// model the setup: wind, spin damping, or a ground that is not level with the tee.
+/// Finite differences of the report's loop for the carry rows of a certificate, except derivatives
+/// by wind and by the height of the ground. Empty if the setup has wind, spin damping, or a ground
+/// that is not level with the tee, which the loop does not model.
 pub fn while_loop(setup: &Setup<f64>, rows: &[Row]) -> Vec<LoopRow> {
     if !is_modelled(setup) {
         return vec![];

@@ -52,7 +52,7 @@ impl WinfieldTan {
 ///
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum) and
-/// [`calibrate`](crate::study::calibrate::calibrate), which only a modified preset could cause.
+/// [`calibrate`](crate::study::calibrate::calibrate), which occur only if the preset is modified.
 pub fn winfield_tan(mut progress: impl FnMut(&str)) -> Result<WinfieldTan> {
     let setup = Setup::preset("winfield-tan")?;
     progress("the single shot");

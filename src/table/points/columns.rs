@@ -80,7 +80,7 @@ impl Columns {
     /// Positions of the columns of these parameters.
     ///
     /// # Errors
-    /// The name of a parameter without a column.
+    /// The name of a parameter that has no column.
     pub fn places_of(
         &self,
         parameters: &[&'static Parameter],

@@ -41,9 +41,9 @@ impl CsvRows {
     /// Opens a file and interprets its column heads.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for an unreadable file, an unknown or repeated column,
-    /// a table without a column of a parameter, and a unit of the wrong dimension. Reading a row
-    /// fails for a cell that is not a number or whose decimal mark is uncertain.
+    /// [`Error::Table`](crate::Error::Table) if the file is unreadable, if a column is unknown or
+    /// repeated, if no column is a parameter, or if a unit has the wrong dimension. Reading a row
+    /// fails if a cell is not a number, or if its decimal mark is ambiguous.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let (table, head) = opened(setup, path)?;
         let columns = Columns::new(setup, &table.name, &head)?;

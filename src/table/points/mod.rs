@@ -31,10 +31,10 @@ use std::path::Path;
 /// otherwise. The whole table is read once, so that errors appear before any work.
 ///
 /// # Errors
-/// [`Error::Table`](crate::Error::Table) for an unknown extension; an unreadable, damaged or
-/// truncated file; no column of a parameter; an unknown, repeated or non-numeric column; a unit of
-/// the wrong dimension; and a value that is missing, not a number, infinite, or whose decimal mark
-/// is uncertain.
+/// [`Error::Table`](crate::Error::Table) if the extension is unknown, if the file is unreadable,
+/// damaged or truncated, if no column is a parameter, if a column is unknown, repeated or not
+/// numeric, if a unit has the wrong dimension, or if a value is not a number, is infinite, or has
+/// an ambiguous decimal mark. A missing value is no error: its row gets a status.
 pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points + Send>> {
     let refused =
         |reason: &str| Err(SourceName(path.display().to_string()).refused(String::new(), reason));

@@ -23,7 +23,7 @@ pub(super) trait Pieces: Sized {
     /// next piece. 0 at the end.
     fn left(&mut self) -> Result<usize, String>;
 
-    /// Next values of a column, at most the remaining rows.
+    /// The next `rows` values of a column; `rows` must not exceed [`left`](Self::left).
     fn values(&mut self, column: usize, rows: usize) -> Result<Vec<Option<f64>>, String>;
 
     /// Skips rows whose values were read.
@@ -42,9 +42,9 @@ impl<P: Pieces> PieceRows<P> {
     /// Opens a file and interprets its columns.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) for an unreadable or truncated file, and for a column
-    /// that is not a parameter, is repeated or is not numeric. Reading a row fails for an infinite
-    /// value that the parameter does not allow.
+    /// [`Error::Table`](crate::Error::Table) if the file is unreadable or truncated, or if a column
+    /// is not a parameter, is repeated or is not numeric. Reading a row fails if a value is
+    /// infinite, unless the parameter allows infinity.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let file = SourceName(path.display().to_string());
         let pieces = P::open(path).map_err(|reason| file.refused(String::new(), reason))?;

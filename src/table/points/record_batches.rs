@@ -25,7 +25,7 @@ const TAIL: usize = 10;
 pub(super) struct RecordBatches {
     file: InputFile,
     pub(super) schema: Arc<Schema>,
-    /// End of the messages: end of the stream, or footer of the file.
+    /// Offset of the end of the messages: the end of a stream, or the footer of a file.
     end: u64,
     order: Order,
 }

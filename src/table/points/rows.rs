@@ -39,7 +39,7 @@ impl<R: Rows> Table<R> {
     /// Reads the whole table once.
     ///
     /// # Errors
-    /// Errors of an unreadable table.
+    /// The errors of reading the rows.
     pub fn new(mut rows: R) -> Result<Self> {
         let none = |parameter: &&'static Parameter| Vary {
             parameter,
