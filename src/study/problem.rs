@@ -140,7 +140,7 @@ impl SearchProblem {
         })
     }
 
-    /// The problem with a limit of the drives' defect, m. Drives with a larger defect are repeated
+    /// The problem with a limit on the drives' defect, m. Drives with a larger defect are repeated
     /// with shorter steps.
     pub fn with_largest_defect(mut self, largest_defect: f64) -> Self {
         let limited = |drive: Evaluator| drive.with_largest_defect(largest_defect);

@@ -41,7 +41,7 @@ pub struct Resampled {
 const POWER: f64 = 1.959_963_985 + 0.841_621_234;
 
 /// The optima of resamples of recorded swings. `None` if fewer than half of the searches converged,
-/// if all swings are equal, and if `stop` became true before the end.
+/// if all swings are equal, or if `stop` became true before the end.
 ///
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum).
@@ -117,7 +117,8 @@ struct Round {
     /// Value of the objective at this optimum, with the swings of the resample; `None` if the ball
     /// does not fly in one of the swings.
     value: Option<f64>,
-    /// The gain of the best design over the setup's design, with the swings of the resample.
+    /// The gain of the best design over the setup's design, with the swings of the resample; `None`
+    /// if the ball does not fly in one of the swings.
     gain: Option<f64>,
 }
 
@@ -152,7 +153,7 @@ fn searched_again(
 }
 
 /// The number of swings at which a mean gain is significant, from the gains over resamples of n
-/// swings.
+/// swings. `None` if the mean gain is not positive.
 fn swings_needed(mean: f64, gains: &[f64], n: usize) -> Option<u64> {
     let moments = Moments::of(gains.iter().copied());
     let deviation = moments.deviation().unwrap_or(f64::NAN);
