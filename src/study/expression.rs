@@ -288,7 +288,7 @@ fn is_at_most(sign: &str) -> Option<bool> {
     }
 }
 
-/// Splits a constraint at its comparison signs, and returns the texts and the signs.
+/// Splits a constraint at its comparison signs, and returns the texts and the signs in their order.
 fn split(text: Piece<'_>) -> Result<Vec<Piece<'_>>> {
     let mut pieces = vec![];
     let mut from = 0;

@@ -8,7 +8,7 @@ use crate::parameters::{LaunchConditions, Setup};
 /// Carry as a function of launch angle and backspin at constant ball speed.
 #[derive(Clone, Debug)]
 pub struct Launches {
-    /// The setup of the first drive. The launch that its impact produces is given explicitly.
+    /// The setup of the first drive. It states the launch of this drive in place of the impact.
     pub setup: Setup<f64>,
     /// The ball speed, m/s.
     pub ball_speed: f64,

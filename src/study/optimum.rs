@@ -243,8 +243,8 @@ pub(super) fn local_optimum(
 /// For one drive, further searches start at better points of a [`Sample`], as in [`optimum`].
 ///
 /// # Errors
-/// The errors of [`optimum`]; [`Error::Nothing`] without starts; an error for more starts than the
-/// sequence of starting points has.
+/// The errors of [`optimum`]; [`Error::Nothing`] if `count` is 0; [`Error::Optimizer`] for more
+/// starts than the sequence of starting points has.
 pub fn optima(
     setup: &Setup<f64>,
     search: &Search,
@@ -328,7 +328,8 @@ struct Study {
     search: Search,
     problem: SearchProblem,
     interrupt: Arc<AtomicBool>,
-    /// The values of the goals over the swings at the setup's own design.
+    /// The values of the goals over the swings at the setup's own design; `None` as in
+    /// [`Optimum::as_set_up`].
     as_set_up: Option<Vec<f64>>,
     /// True if the outcomes of one drive are evaluated again at the end of a search, without
     /// derivatives, which changes their rounding.

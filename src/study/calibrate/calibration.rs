@@ -19,7 +19,8 @@ pub struct Estimate {
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub value: f64,
-    /// The standard uncertainty, SI; `null` if the data do not determine it.
+    /// The standard uncertainty, SI; `null` if the data do not determine the parameter or the scale
+    /// of the uncertainties, or if the estimate is at a bound.
     #[serde(rename = "standard_uncertainty", serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub standard_error: Option<f64>,

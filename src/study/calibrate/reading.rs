@@ -488,8 +488,8 @@ impl Reading {
         Ok(())
     }
 
-    /// True if the row states the club speed and all its club values are 0: the club was not
-    /// measured.
+    /// True if every club value that the row states is 0, and the club speed is one of these
+    /// values: the club was not measured.
     fn is_still(&self, record: Values<'_>) -> bool {
         let of_club =
             self.columns
@@ -700,7 +700,8 @@ impl Reading {
 fn assumed_sigma(column: &Column, outcome: Outcome) -> Message {
     let Some((instrument, sigma)) = instrument(outcome) else {
         return format!(
-            "{0} has no column 'sigma {0}': each row is weighted as if its standard uncertainty were 1 {1}",
+            "{0} has no column 'sigma {0}': each row is weighted as if its standard uncertainty \
+             were 1 {1}",
             outcome.name(),
             column.unit()
         )

@@ -22,7 +22,7 @@ const NEIGHBOURS: usize = 8;
 /// functions of δ). The outcome's own change over this distance is subtracted.
 const SPACING: f64 = 1e-12;
 
-/// Factor from the scatter of the samples to the tolerance of a jump.
+/// Tolerance of a jump, in multiples of the scatter of the samples.
 const BAR: f64 = 4.0;
 
 /// Relative tolerances of jumps of value, gradient and Hessian, for rounding that a few samples may

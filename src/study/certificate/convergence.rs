@@ -40,12 +40,12 @@ const ROUNDING_FACTOR: f64 = 10.0;
 /// rounding.
 const ROUNDING: [f64; 2] = [1e-12, 1e-11];
 
-/// Deficit of the slope of the errors, relative to the expected order, above which a lower-order
-/// term is fitted. A smaller deficit can come from the next term of the error, which still matters
-/// at these steps; a mistake in a method costs a whole order.
+/// If the slope of the errors is below the expected order by more than this, a lower-order term is
+/// fitted. The next term of the error, which still matters at these steps, can lower the slope by
+/// less; a mistake in a method lowers it by a whole order.
 const ALLOWED_DEFICIT: f64 = 0.75;
 
-/// Numbers of steps per flight, in levels that double.
+/// Numbers of time steps of the flights. The numbers double from level to level.
 pub(super) struct Levels {
     /// Smallest number of steps of the coarsest level.
     coarsest: u32,

@@ -38,7 +38,8 @@ impl<'a> Split<'a> {
     }
 
     /// Share of each cause in the difference `amount` of one outcome; `size` is the outcome's
-    /// magnitude, for rounding. Shares do not depend on the other outcomes.
+    /// magnitude, to which the rounding error is relative. Shares do not depend on the other
+    /// outcomes.
     pub fn shares(&mut self, of: Outcome, amount: f64, size: f64) -> Result<Shares> {
         let halves: &[(usize, [f64; 2])] = if self.path.discrete.is_empty() {
             &[(0, [0.0, 1.0])]

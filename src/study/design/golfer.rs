@@ -32,7 +32,7 @@ pub const GOLFER: &str = "one golfer's 58 drives (Bliss & Langdown 2026: speed 3
 /// Swings with the scatter of a measured golfer, about the swing of a setup.
 ///
 /// # Errors
-/// The errors of [`Swings::distributed`] for a setup without a club.
+/// The errors of [`Setup::variable`] if the setup gives the launch, so that it has no club.
 pub fn golfer(setup: &Setup<f64>) -> Result<Swings> {
     let inputs = SCATTER.iter().map(|(name, deviation)| {
         let parameter = setup.variable(name)?;

@@ -353,7 +353,7 @@ mod tests {
     use crate::drive::Outcome;
     use crate::number::{Jet, Mixed, Numbers};
 
-    /// Ten "drives" that are smooth functions of two variables.
+    /// "Drive" `k` of ten: a smooth function of two variables.
     fn drive(k: usize, x: Mixed, y: Mixed) -> Mixed {
         let k = k as f64;
         Numbers::sin(x * (1.0 + 0.1 * k)) * 20.0 + y * x * (k - 4.0) + y * y * 3.0 + k * k * 0.3

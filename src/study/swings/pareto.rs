@@ -51,7 +51,7 @@ pub struct Pareto {
     pub interrupted: bool,
 }
 
-/// A point of the front: no design is better in both goals.
+/// A point of the front: no other design is better in both goals.
 #[derive(Clone, Debug)]
 pub struct ParetoPoint {
     /// The varied parameters, SI.

@@ -27,11 +27,12 @@ pub struct Resampled {
     pub goal: Interval,
     /// The number of resamples whose search converged.
     pub rounds: usize,
-    /// The 95 % interval of the gain over the design before the search.
+    /// The 95 % interval of the gain over the design before the search; `null` if the ball does not
+    /// fly in one of the swings.
     #[serde(rename = "better_than_set_up")]
     pub gain: Option<Interval>,
     /// The number of swings needed to distinguish the best design from the design before the
-    /// search.
+    /// search; `null` if the gain is unknown or not positive.
     // at a confidence of 95 % and a power of 80 %
     #[serde(rename = "swings_to_tell")]
     pub swings_needed: Option<u64>,

@@ -160,7 +160,7 @@ impl OutcomeUncertainty {
     }
 
     /// The parameter to measure first: the parameter with the largest first-order index, and the
-    /// mean standard deviation that remains once this parameter is known. `None` if the outcome
+    /// root of the mean variance that remains once this parameter is known. `None` if the outcome
     /// does not vary, or no index is positive.
     pub fn measure_first(&self, inputs: &[Uncertain]) -> Option<MeasureFirst> {
         let sampled = self.sampled.as_ref()?;

@@ -43,11 +43,11 @@ pub struct Score {
     pub of: Compared,
     /// Number of drives that have the quantity and fly.
     pub count: usize,
-    /// The mean difference, computed minus published, SI.
+    /// The mean difference, computed minus published, SI; `null` if `count` is 0.
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub bias: Option<f64>,
-    /// The mean absolute difference, SI.
+    /// The mean absolute difference, SI; `null` if `count` is 0.
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub mean_absolute_error: Option<f64>,
