@@ -141,8 +141,8 @@ impl Constraint {
         Err(Error::SearchRange {
             name: self.expression.clone(),
             reason: format!(
-                "its limits are {low} and {high}; the lower limit must be a number not above the upper \
-                 limit"
+                "its limits are {low} and {high}; the lower limit must be a number not above the \
+                 upper limit"
             ),
         })
     }

@@ -22,8 +22,9 @@ pub(super) struct Split<'a> {
 #[derive(Default)]
 struct Side {
     evaluator: Option<Evaluator>,
-    /// Derivatives of the outcomes, times the parameter differences, at the positions already flown;
-    /// `None` if an outcome does not exist there. The key is the bits of the position on the path.
+    /// Derivatives of the outcomes, times the parameter differences, at the positions that are
+    /// already flown; `None` if an outcome does not exist there. The key is the bits of the
+    /// position on the path.
     flown: HashMap<u64, Option<Vec<Vec<f64>>>>,
 }
 

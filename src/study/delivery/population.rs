@@ -305,8 +305,8 @@ impl Solution {
         }
     }
 
-    /// Variance of each parameter from shot to shot along the identified directions, with the errors
-    /// of the launch monitor.
+    /// Variance of each parameter from shot to shot along the identified directions, with the
+    /// launch monitor's errors.
     fn sampling_variances(&self) -> DVector<f64> {
         let along = &self.directions.identified;
         let size = along.ncols();
