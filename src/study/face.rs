@@ -30,8 +30,8 @@ pub struct Face {
     pub by_toe: Option<[f64; 4]>,
     /// Impact point of the longest carry among the grid nodes on the face, with that carry.
     pub longest: ([f64; 2], f64),
-    /// Points on the face, with the tilt of the spin axis relative to a strike on the sweet spot,
-    /// rad, + right.
+    /// Points on the face, with the tilt of the spin axis relative to a strike on the sweet spot
+    /// (on the face centre if there is no sweet spot), rad, + right.
     pub tilts: Vec<([f64; 2], f64)>,
 }
 
