@@ -41,7 +41,8 @@ pub struct ChartPoint {
     pub best: Optimum,
     /// Active bounds and constraints.
     pub active: Vec<Active>,
-    /// Change of the active set, or a jump to another local optimum.
+    /// Change of the active set, or a jump to another local optimum, if either occurs at this
+    /// point.
     pub event: Option<ChartEvent>,
 }
 
@@ -98,8 +99,8 @@ impl std::fmt::Display for ChartEvent {
 }
 
 impl Chart {
-    /// Warnings for optima outside the validity limits, or with strikes off the face, with the
-    /// affected parts of the range.
+    /// Warnings about optima outside the validity limits and about strikes off the face, each with
+    /// the affected parts of the range.
     pub fn warnings(&self) -> Vec<Message> {
         let Some(first) = self.points.first() else {
             return vec![];

@@ -15,7 +15,7 @@ pub struct Effects {
     /// Value of the outcome, SI.
     pub value: f64,
     /// Effects of all parameters. Parameters with an uncertainty come first, by magnitude of the
-    /// effect; the others follow, by elasticity.
+    /// effect; parameters without an uncertainty follow, by elasticity.
     pub effects: Vec<Effect>,
 }
 

@@ -288,7 +288,7 @@ fn is_at_most(sign: &str) -> Option<bool> {
     }
 }
 
-/// Splits a constraint at its comparison signs, and returns the texts and the signs.
+/// Splits a constraint at its comparison signs, and returns the texts and the signs in their order.
 fn split(text: Piece<'_>) -> Result<Vec<Piece<'_>>> {
     let mut pieces = vec![];
     let mut from = 0;
@@ -574,7 +574,7 @@ fn head_outcome(piece: Piece<'_>, name: &str) -> Result<Outcome> {
         ))),
         Err(_) => Err(piece.error(
             advice_on_parameter(name)
-                .unwrap_or_else(|| format!("'{name}' is no measure; there are {MEASURES}")),
+                .unwrap_or_else(|| format!("'{name}' is no measure; use {MEASURES}")),
         )),
     }
 }
@@ -640,7 +640,7 @@ impl<'a> Call<'a> {
             }
             ("mean" | "std" | "rms" | "lowest" | "highest" | "within" | "strokes", _) => {
                 return Err(self.piece.error(format!(
-                    "{} does not have the arguments that it needs; there are {MEASURES}",
+                    "{} does not have the arguments that it needs; use {MEASURES}",
                     self.name
                 )));
             }
@@ -689,7 +689,7 @@ impl<'a> Call<'a> {
                 name.trim(),
                 self.inside
             ),
-            None => format!("'{}' is no measure; there are {MEASURES}", self.name),
+            None => format!("'{}' is no measure; use {MEASURES}", self.name),
         })
     }
 }

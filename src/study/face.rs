@@ -30,14 +30,16 @@ pub struct Face {
     pub by_toe: Option<[f64; 4]>,
     /// Impact point of the longest carry among the grid nodes on the face, with that carry.
     pub longest: ([f64; 2], f64),
-    /// Points on the face, with the tilt of the spin axis relative to the sweet spot, rad, + right.
+    /// Points on the face, with the tilt of the spin axis relative to a strike on the sweet spot
+    /// (on the face centre if there is no sweet spot), rad, + right.
     pub tilts: Vec<([f64; 2], f64)>,
 }
 
 /// Half-width and half-height of a typical driver face, m.
 const HALF: [f64; 2] = [0.055, 0.025];
 
-/// Largest half-width or half-height of the face, as a fraction of the ellipsoid's semi-axis.
+/// Largest half-width or half-height of the face, as a fraction of the semi-axis in that direction
+/// of the ellipsoid that models the face.
 const WITHIN: f64 = 0.95;
 
 /// Numbers of points of [`Face::plane`], across and up the face.

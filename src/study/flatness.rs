@@ -74,7 +74,7 @@ pub struct Direction {
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub reach: f64,
-    /// The losses of drives computed at this multiple, in both directions, SI.
+    /// The losses of drives computed at plus and minus this multiple of the direction, SI.
     // `None` outside of the ranges, and for a drive that does not fly
     pub losses: [Option<f64>; 2],
 }
@@ -193,8 +193,8 @@ impl<'a> Top<'a> {
             .collect()
     }
 
-    /// The loss at a point, or the constraint that it violates; `None` for a drive that does not
-    /// fly.
+    /// The loss at a point, or the index of a constraint that the point violates; `None` for a
+    /// drive that does not fly.
     fn lost_at(&self, x: &[f64]) -> Option<Result<f64, usize>> {
         let values: Vec<f64> = self
             .values

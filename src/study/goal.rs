@@ -115,7 +115,7 @@ impl Constraint {
     }
 
     /// Distance of a value from the range: positive above the upper limit, negative below the lower
-    /// one.
+    /// limit, 0 between them.
     pub fn violation(&self, value: f64) -> f64 {
         value - value.clamp(self.low, self.high)
     }
@@ -141,7 +141,8 @@ impl Constraint {
         Err(Error::SearchRange {
             name: self.expression.clone(),
             reason: format!(
-                "its limits are {low} and {high}; the lower must be a number not above the upper"
+                "its limits are {low} and {high}; the lower limit must be a number not above the \
+                 upper limit"
             ),
         })
     }

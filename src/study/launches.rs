@@ -8,7 +8,7 @@ use crate::parameters::{LaunchConditions, Setup};
 /// Carry as a function of launch angle and backspin at constant ball speed.
 #[derive(Clone, Debug)]
 pub struct Launches {
-    /// The setup of the first drive, with the launch that the impact produces given explicitly.
+    /// The setup of the first drive. It states the launch of this drive in place of the impact.
     pub setup: Setup<f64>,
     /// The ball speed, m/s.
     pub ball_speed: f64,
@@ -66,7 +66,8 @@ impl Launches {
     ///
     /// # Errors
     /// The errors of [`Drive::new`] and [`Batch::new`](crate::batch::Batch::new);
-    /// [`Error::Nothing`] without a drive; [`Error::NoFlight`] if no launch of the plane flies.
+    /// [`Error::Nothing`] if `drives` is empty; [`Error::NoFlight`] if no launch of the plane
+    /// flies.
     pub fn around(drives: &[(&str, &Setup<f64>)]) -> Result<Self> {
         let mut launched = vec![];
         let mut first = None;
@@ -131,7 +132,7 @@ impl Launches {
 }
 
 /// Position of the maximum of each row: vertex of the parabola through the best node and its
-/// neighbours.
+/// neighbours. A row with its maximum at an end has no position.
 fn ridge(plane: &Plane) -> Vec<[f64; 2]> {
     let width = (plane.across.high - plane.across.low) / (plane.columns - 1) as f64;
     let best = |(row, values): (usize, &[Option<f64>])| {

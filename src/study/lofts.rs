@@ -40,7 +40,7 @@ pub fn lofts(setup: &Setup<f64>, other: &Setup<f64>) -> Result<Option<Plane>> {
     Ok(Some(plane).filter(|_| flies))
 }
 
-/// A range of `count` values in equal steps of whole degrees, which contains two values near its
+/// A range of `count` values in equal steps of whole degrees, with the two `values` near its
 /// middle. Values outside of the parameter's range have no drives.
 fn steps(parameter: &'static Parameter, values: [f64; 2], count: usize, least: f64) -> Vary {
     let [low, high] = [f64::min, f64::max].map(|end| end(values[0], values[1]) / DEGREE);

@@ -26,14 +26,15 @@ pub struct Map {
     /// Derivatives of the outcome by both parameters at each node, SI; `None` if the drive does not
     /// have the outcome.
     pub gradients: Vec<Option<[f64; 2]>>,
-    /// Reason why the first node without a value has no value.
+    /// Reason why the first node without a value has no value; `None` if every node has a value.
     pub missing: Option<Message>,
     /// Gradients at a coarser grid of points.
     pub slopes: Vec<Slope>,
 }
 
 impl Map {
-    /// Message if the outcome is constant up to rounding, so that there is nothing to draw.
+    /// Message for an outcome that is constant up to rounding, so that there is nothing to draw;
+    /// `None` for any other outcome.
     pub fn flat(&self) -> Option<Message> {
         let known = || self.values.iter().flatten().copied();
         let (low, high) = (

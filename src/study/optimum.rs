@@ -67,7 +67,7 @@ impl Optimum {
         is_distance.contains(&self.search.of.outcome()) && run.is_some_and(|run| run != 0.0)
     }
 
-    /// The objective at the optimum, SI.
+    /// The objective at the optimum, SI; `None` if the ball does not fly in one of the drives.
     pub fn value(&self) -> Option<f64> {
         Some(self.goals.as_ref()?[0])
     }
@@ -112,7 +112,7 @@ pub struct LocalOptimum {
     pub solution: Solution,
     /// Exact objective at the optimum, SI; `None` if a drive does not fly.
     pub value: Option<f64>,
-    /// Numbers of the starts whose searches ended at the optimum.
+    /// Indices, from 0, of the starts whose searches ended at the optimum.
     pub starts: Vec<usize>,
 }
 
@@ -243,8 +243,8 @@ pub(super) fn local_optimum(
 /// For one drive, further searches start at better points of a [`Sample`], as in [`optimum`].
 ///
 /// # Errors
-/// The errors of [`optimum`]; [`Error::Nothing`] without starts; an error for more starts than the
-/// sequence of starting points has.
+/// The errors of [`optimum`]; [`Error::Nothing`] if `count` is 0; [`Error::Optimizer`] for more
+/// starts than the sequence of starting points has.
 pub fn optima(
     setup: &Setup<f64>,
     search: &Search,
@@ -328,7 +328,8 @@ struct Study {
     search: Search,
     problem: SearchProblem,
     interrupt: Arc<AtomicBool>,
-    /// The values of the goals over the swings at the setup's own design.
+    /// The values of the goals over the swings at the setup's own design; `None` as in
+    /// [`Optimum::as_set_up`].
     as_set_up: Option<Vec<f64>>,
     /// True if the outcomes of one drive are evaluated again at the end of a search, without
     /// derivatives, which changes their rounding.
@@ -360,7 +361,7 @@ impl Study {
     }
 
     /// Compares the end of a search with a sample of the ranges, and improves it by searches from
-    /// points of the sample. `None` for swings, and once interrupted.
+    /// points of the sample. `None` for a search over swings, and after an interrupt.
     fn improved(
         &self,
         end: &Solution,
@@ -416,7 +417,8 @@ impl Study {
         })
     }
 
-    /// Exact goals at the end of a search, also after an interrupt.
+    /// Exact goals at the end of a search, also after an interrupt. `None` if the ball does not fly
+    /// in one of the drives.
     fn goals(&self, solution: &Solution) -> Option<Vec<f64>> {
         let value = solution.value?;
         if self.search.is_of_outcomes() && !self.is_evaluated_again {

@@ -21,13 +21,13 @@ pub struct Plane {
     /// have the outcome.
     pub values: Vec<Vec<Option<f64>>>,
     /// Derivatives of each outcome by the two parameters at each node, SI, in the order of
-    /// `values`; empty if only values were computed.
+    /// `values`; `None` if they do not exist. Empty if only values were computed.
     pub gradients: Vec<Vec<Option<[f64; 2]>>>,
 }
 
 impl Plane {
     /// Flies a setup with two of its parameters at the nodes of a grid, with the gradients unless
-    /// `order` is [`Order::Value`]. The setup need not have values for these two.
+    /// `order` is [`Order::Value`]. The setup need not have values for these two parameters.
     ///
     /// # Errors
     /// The errors of [`Batch::new`].
@@ -81,7 +81,7 @@ impl Plane {
     }
 
     /// Position of the node with the largest value of outcome `of` among the positions that `may`
-    /// allows, with that value.
+    /// allows, with that value. `None` if no such node has a value.
     pub fn largest(&self, of: usize, may: impl Fn([f64; 2]) -> bool) -> Option<([f64; 2], f64)> {
         let values = self.values.get(of)?.iter().enumerate();
         let known = values

@@ -42,7 +42,7 @@ pub(super) struct SearchProblem {
     pub sense: Sense,
     /// An evaluator for each scenario.
     drives: Vec<Evaluator>,
-    /// Subset of the scenarios whose drives have second derivatives, in order.
+    /// Indices of the scenarios for which second derivatives are computed, in ascending order.
     part: Vec<usize>,
     /// Number of scenarios that each scenario in `part` represents.
     represents: Vec<f64>,
@@ -140,7 +140,7 @@ impl SearchProblem {
         })
     }
 
-    /// The problem with a limit of the drives' defect, m. Drives with a larger defect are repeated
+    /// The problem with a limit on the drives' defect, m. Drives with a larger defect are repeated
     /// with shorter steps.
     pub fn with_largest_defect(mut self, largest_defect: f64) -> Self {
         let limited = |drive: Evaluator| drive.with_largest_defect(largest_defect);
@@ -155,7 +155,8 @@ impl SearchProblem {
         self.vary.iter().filter_map(own).collect()
     }
 
-    /// The setup with the varied parameters set to `x`, and with its own swing.
+    /// The setup with the varied parameters set to `x`. The swing is the setup's own, not the swing
+    /// of a scenario.
     pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
         self.setup.with_values(&self.vary, x)
     }

@@ -22,8 +22,9 @@ pub struct Region {
     /// − 1 and the largest constraint violation, which is divided by the range of the constraint's
     /// goal over the map. `None` if the drive does not fly.
     pub misses: Vec<Option<f64>>,
-    /// Signed violation of an equality constraint at each node. The region lies on the line on
-    /// which it is 0.
+    /// Signed violation of the equality constraint at each node. The region lies on the line on
+    /// which the violation is 0. `None` without an equality constraint, or if it holds on the whole
+    /// grid.
     pub equation: Option<Vec<Option<f64>>>,
 }
 

@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Sample {
-    /// The number of points: a scrambled Sobol' sequence over the ranges.
+    /// The number of points, which are a scrambled Sobol' sequence over the ranges.
     pub points: usize,
     /// The number of points whose drives fly and meet every constraint.
     pub feasible: usize,

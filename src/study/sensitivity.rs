@@ -168,7 +168,7 @@ pub struct Changed {
     pub predicted: Vec<f64>,
     /// Optimum of the new search.
     pub resolved: Optimum,
-    /// First predicted change of the active set (first order).
+    /// First change of the active set that the first-order prediction gives, if any.
     pub event: Option<PredictedEvent>,
     /// Changes of the active set found by the new search.
     pub differences: Vec<Message>,

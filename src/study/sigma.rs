@@ -74,7 +74,7 @@ impl Sigma {
     ///
     /// # Errors
     /// [`Error::Unreadable`] for a value that is not positive and finite; the errors of
-    /// [`Setup::variable`]; [`Error::OtherLaw`].
+    /// [`Setup::variable`]; [`Error::OtherLaw`] for a coefficient of another law.
     pub(super) fn check(&self, setup: &Setup<f64>) -> Result<()> {
         let parameter = self.parameter;
         setup.check_variable(parameter)?;
@@ -139,8 +139,8 @@ enum Amount {
     Part(f64),
     /// Uncertainty of the mean wind, m/s, in addition to its gusts.
     Wind(f64),
-    /// Uncertainty of the mark of a strike, m. A strike that is measured from the sweet spot also
-    /// has the uncertainty of the sweet spot, [`SWEET_SPOT`].
+    /// Uncertainty of the position of a strike, read from its mark on the face, m. A strike that is
+    /// measured from the sweet spot also has the uncertainty of the sweet spot, [`SWEET_SPOT`].
     Strike(f64),
 }
 
@@ -154,8 +154,8 @@ const SWEET_SPOT: f64 = 3e-3;
 /// σ_v/σ_u: ratio of gusts across and along the wind (Panofsky & Dutton 1984: 1.92/2.39).
 const ACROSS: f64 = 0.8;
 
-/// Standard deviations of the wind to the right, downrange, and of its speed, from drive to drive.
-/// Turbulence intensity at the reference height: 1/ln(z_ref/z₀).
+/// Standard deviations from drive to drive of the wind to the right, of the wind downrange, and of
+/// the wind speed, m/s. Turbulence intensity at the reference height: 1/ln(z_ref/z₀).
 fn gusts(setup: &Setup<f64>) -> [f64; 3] {
     let wind = &setup.wind;
     let Wind {

@@ -313,9 +313,9 @@ impl Optimum {
     }
 
     /// True if a varied parameter does not affect the objective: over the range of the parameter
-    /// the objective changes, to second order, only by rounding. Over swings a change below 1 mm is
-    /// negligible, or below 1e-6 of an objective that is not a length. The optimal value of such a
-    /// parameter is arbitrary, or lies at a bound.
+    /// the objective changes, to second order, only by rounding. In a search over swings, a change
+    /// below 1 mm is negligible; if the objective is not a length, a change below 1e-6 of its
+    /// value. The optimal value of such a parameter is arbitrary, or lies at a bound.
     pub fn is_idle(&self, i: usize) -> bool {
         const ROUNDING: f64 = 1e-12;
         let size = self.value().unwrap_or_default().abs();
@@ -356,7 +356,8 @@ impl Optimum {
         slopes.chain(bends).all(|change| change.abs() < ROUNDING)
     }
 
-    /// Message on a moved start: with the setup's own values the ball does not fly.
+    /// Message if the search began elsewhere, because the ball does not fly with the setup's own
+    /// values.
     pub fn moved_start(&self) -> Option<String> {
         let why = self.solution.undefined_at_start.as_ref();
         let why = why.filter(|_| !self.solution.initial_point.is_empty())?;

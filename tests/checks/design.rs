@@ -99,7 +99,10 @@ fn a_rule_about_a_parameter_is_a_bound_of_it() {
     );
     let notes = found["design"]["notes"].to_string();
     assert!(
-        notes.contains("impact.restitution is varied up to the rule on the spring effect: 0.83"),
+        notes.contains(
+            "the range of impact.restitution stops at the limit of the rule on the spring effect: \
+             0.83"
+        ),
         "{notes}"
     );
     let closer = designed(&["--vary=impact.restitution=0.78..0.82"]);

@@ -19,16 +19,18 @@ pub struct Estimate {
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub value: f64,
-    /// The standard uncertainty, SI; `null` if the data do not determine it.
+    /// The standard uncertainty, SI; `null` if the data do not determine the parameter or the scale
+    /// of the uncertainties, or if the estimate is at a bound.
     #[serde(rename = "standard_uncertainty", serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub standard_error: Option<f64>,
-    /// The 95 % interval, SI.
+    /// The 95 % interval, SI; `null` without a standard uncertainty.
     pub interval_95: Option<[f64; 2]>,
     /// True if the estimate is at a bound of the range.
     #[serde(rename = "at_bound")]
     pub is_at_bound: bool,
-    /// True if the data determine the parameter; otherwise many values fit as well.
+    /// True if the data determine the parameter, false if many of its values fit the data equally
+    /// well.
     #[serde(rename = "determined")]
     pub is_determined: bool,
 }
@@ -39,17 +41,17 @@ pub struct Estimate {
 pub struct Remainder {
     /// The row of the table.
     pub row: usize,
-    /// The measured outcome; carry for a stationary parameter.
+    /// The measured outcome; carry if `parameter` is not `null`.
     #[serde(rename = "of")]
     pub outcome: Outcome,
     /// The parameter in which the row's carry is stationary; `null` for the residual of a measured
     /// outcome.
     #[serde(rename = "parameter")]
     pub stationary: Option<&'static Parameter>,
-    /// The measured value, SI; missing for a stationary parameter.
+    /// The measured value, SI; `null` if `parameter` is not `null`.
     pub measured: Option<f64>,
-    /// Computed − measured, SI. For a stationary parameter: distance of the computed optimum from
-    /// the row's value, to first order.
+    /// Computed − measured, SI. If `parameter` is not `null`: the parameter at the computed maximum
+    /// of carry (to first order) minus the row's value.
     pub difference: f64,
     /// `difference` divided by the standard uncertainty of the difference.
     pub residual: f64,

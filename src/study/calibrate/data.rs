@@ -16,8 +16,8 @@ impl ShotTable {
     /// Reads measured shots from the rows of a CSV file that `filter` selects, by default all rows.
     ///
     /// # Errors
-    /// The errors of [`read`](Self::read); a filter that selects no row, or that names a column
-    /// that the table does not have.
+    /// The errors of [`read`](Self::read), and [`Error::Table`] if `filter` selects no row or names
+    /// a column that the table does not have.
     pub fn open(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
         Self::opened(setup, path, filter, ClubColumns::Ignored)
     }

@@ -25,11 +25,12 @@ pub struct FitPlan {
 }
 
 impl FitPlan {
-    /// A plan for `NAME` or `NAME=LOW..HIGH` texts: least squares from the setup's values. A name
-    /// without a range gets the parameter's allowed range.
+    /// A plan to fit parameters, given as texts `NAME` or `NAME=LOW..HIGH`, by least squares from
+    /// the setup's values. Without `LOW..HIGH`, the range is the parameter's allowed range.
     ///
     /// # Errors
-    /// The errors of [`Vary::read`]; [`Error::Nothing`] without names.
+    /// [`Error::Nothing`] if `fit` is empty; [`Error::Calibration`] if a parameter occurs twice or
+    /// a range is a single value; the errors of [`Vary::read`].
     pub fn read(setup: &Setup<f64>, fit: &[String]) -> Result<Self> {
         if fit.is_empty() {
             return Err(Error::Nothing {
@@ -102,7 +103,7 @@ impl FitPlan {
             };
             if table.shots.iter().any(is_stationary) {
                 return refuse(format!(
-                    "{} cannot be fitted, because it is the stationary parameter of a row",
+                    "{} cannot be fitted, because a row states that carry is stationary in it",
                     parameter.name
                 ));
             }
@@ -166,16 +167,18 @@ fn check_measurements(shots: &[Shot]) -> Result<()> {
 
 /// Fits parameters of a setup to measured shots by least squares.
 ///
-/// The residual of a stationary parameter is the angle between the computed optimum of carry and
-/// the row's value, −slope/|curvature|. The curvature stays constant during a search; it is
-/// computed anew after each search until it no longer changes.
+/// If a row states that its carry is stationary in a parameter, the residual is the parameter at
+/// the computed maximum of carry (to first order) minus the row's value: slope/|curvature|. The
+/// curvature stays constant during a search, and is computed anew after each search until it no
+/// longer changes.
 ///
 /// # Errors
-/// [`Error::Calibration`] for a plan that does not fit the table, and for measured values that are
-/// not finite or have no standard uncertainty above 0; [`Error::OtherLaw`] and
-/// [`Error::SearchRange`] for the parameters to fit; [`Error::NoFit`] if no starting point was
-/// found at which every row can be computed; [`Error::NotConverged`] if interrupted before the fit
-/// began.
+/// [`Error::Calibration`] if the rows state a parameter to fit or do not depend on it, if there are
+/// fewer measured values than parameters to fit, or if a measured value is not finite or has no
+/// standard uncertainty above 0; [`Error::OtherLaw`] for a coefficient of another law;
+/// [`Error::SearchRange`] for an invalid range; [`Error::NoFit`] if no starting point was found
+/// from which every row can be computed; [`Error::NotConverged`] if the fit is interrupted before
+/// it begins.
 pub fn calibrate(
     setup: &Setup<f64>,
     table: &ShotTable,
@@ -227,7 +230,7 @@ pub fn calibrate(
     })
 }
 
-/// Starting points of the searches; all rows can be computed at one or more of them.
+/// Starting points of the searches. From at least one of them every row can be computed.
 fn starting_points(
     problem: &mut ShotResiduals<'_>,
     domain: &Domain,
@@ -245,7 +248,8 @@ fn starting_points(
     if observer.is_interrupted() {
         return Err(stopped("the fit began"));
     }
-    // no planned starting point allows every row to be computed: try others, as the optimizer does
+    // no planned starting point allows every row to be computed: try other starting points, as the
+    // optimizer does
     let other = starts(domain, own, START_TRIALS)?
         .into_iter()
         .find(|start| problem.begin(start));
@@ -296,7 +300,7 @@ impl Searches {
                 return Err(no_start(problem, own, observer));
             }
             let renewed = match problem.curvatures_at(&best.x) {
-                // an interrupted fit is settled only if no row has a stationary parameter
+                // after an interrupt the curvatures count as settled only if there are none
                 Err(_) if observer.is_interrupted() => {
                     let is_settled = problem.shots.iter().all(|shot| shot.stationary.is_empty());
                     return Ok(Self {

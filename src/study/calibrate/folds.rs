@@ -20,8 +20,8 @@ pub struct HeldOut {
 }
 
 impl HeldOut {
-    /// Mean of the squared residuals, in standard uncertainties; `None` if every fit was
-    /// interrupted.
+    /// Mean of the squares of the residuals, which are in standard uncertainties; `None` if every
+    /// fit was interrupted.
     pub fn mean_square(&self) -> Option<f64> {
         let sum: f64 = self
             .remainders
@@ -45,7 +45,7 @@ impl HeldOut {
     /// interrupted fit without residuals.
     ///
     /// # Errors
-    /// [`Error::NoFit`] with the rows that cannot be computed.
+    /// [`Error::NoFit`], which lists the rows, if rows cannot be computed.
     pub fn as_it_stands(
         setup: &Setup<f64>,
         table: &ShotTable,
@@ -68,8 +68,9 @@ impl HeldOut {
 /// Checks a plan and a number of folds before any fit.
 ///
 /// # Errors
-/// [`Error::Calibration`] for fewer than 2 folds or more folds than rows, for a plan that does not
-/// fit the table, and for folds with fewer fitted values than parameters.
+/// [`Error::Calibration`] if there are fewer than 2 folds or more folds than rows, or if the rows
+/// without a fold have fewer measured values than there are parameters to fit; the errors of
+/// [`calibrate`] about the plan.
 pub fn check_folds(table: &ShotTable, plan: &FitPlan, folds: usize) -> Result<()> {
     let refuse = |reason: String| Err(Error::Calibration { reason });
     let rows = table.shots.len();
@@ -105,8 +106,9 @@ pub fn check_folds(table: &ShotTable, plan: &FitPlan, folds: usize) -> Result<()
     Ok(())
 }
 
-/// k-fold cross-validation (Stone 1974): a fit to the other rows predicts every k-th row. After an
-/// interruption all remaining fits count as interrupted, and their rows are omitted.
+/// k-fold cross-validation (Stone 1974): a fold is every k-th row, and a fit to all other rows
+/// predicts the rows of the fold. After an interruption all remaining fits count as interrupted,
+/// and their rows are omitted.
 ///
 /// # Errors
 /// The errors of [`check_folds`] and [`calibrate`].

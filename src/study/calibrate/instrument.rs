@@ -3,7 +3,7 @@
 
 use crate::drive::{Instrument, Outcome};
 
-/// The measurement uncertainty of an outcome, with its value in SI; `None` if nothing is known.
+/// The measurement uncertainty of an outcome, with its value in SI; `None` if it is unknown.
 ///
 /// ```
 /// use longdrive::Outcome;

@@ -31,8 +31,8 @@ pub(super) struct Reading {
     pub is_launched: bool,
     /// True for an export of a launch monitor.
     pub is_export: bool,
-    /// Use of the club columns. `Read` for deliveries, which are computed from the launch without a
-    /// flight.
+    /// Use of the club columns. They are read for deliveries, which are computed from the launch
+    /// without a flight.
     pub club: ClubColumns,
     /// The column that names the club of each shot.
     pub club_name: Option<ClubName>,
@@ -118,7 +118,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// The value of column `at`, SI.
+    /// The value of column `at`, SI; `None` for an empty cell.
     fn value(self, at: usize, column: &Column) -> Result<Option<f64>, String> {
         match self {
             Self::Cells(_) => column.value(self.text(at)),
@@ -375,7 +375,7 @@ impl Reading {
                         Err(why) => row.no_air = Some(why),
                     }
                 }
-                // a row of a delivery may lack a value of the club
+                // in a table of deliveries a row may lack a value of the club
                 Content::Input(parameter)
                     if self.club == ClubColumns::Read && column.is_of_the_strike() =>
                 {
@@ -488,8 +488,8 @@ impl Reading {
         Ok(())
     }
 
-    /// True if the row states the club speed and all its club values are 0: the club was not
-    /// measured.
+    /// True if every club value that the row states is 0, and the club speed is one of these
+    /// values: the club was not measured.
     fn is_still(&self, record: Values<'_>) -> bool {
         let of_club =
             self.columns
@@ -700,7 +700,8 @@ impl Reading {
 fn assumed_sigma(column: &Column, outcome: Outcome) -> Message {
     let Some((instrument, sigma)) = instrument(outcome) else {
         return format!(
-            "{0} has no column 'sigma {0}': 1 {1} is taken for each row, as a weight",
+            "{0} has no column 'sigma {0}': each row is weighted as if its standard uncertainty \
+             were 1 {1}",
             outcome.name(),
             column.unit()
         )

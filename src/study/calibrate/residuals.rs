@@ -35,8 +35,8 @@ fn too_far(measurement: &Measurement, computed: f64) -> Error {
 fn reason(error: Error) -> String {
     match error {
         Error::Calibration { reason } => reason,
-        // an unphysical parameter value diverges with any step size, so the advice to shorten the
-        // step does not help
+        // with an unphysical parameter value the flight diverges at any step size, so the advice to
+        // shorten the step does not help
         Error::Diverged { time, .. } => format!(
             "with these values of the fitted parameters the flight diverges at t = {} s: drag or \
              lift is far too large",

@@ -238,7 +238,7 @@ impl Rows {
         remarks
     }
 
-    /// Warning about shots of several clubs, unless the filter selects them by the club.
+    /// Warning about shots of several clubs, unless the filter selects shots by the club.
     fn clubs_warning(&self, reading: &Reading, filter: &RowFilter) -> Option<Message> {
         let club = reading.club_name.as_ref()?;
         if self.clubs.len() < 2 || filter.names(&club.head) {
@@ -268,7 +268,7 @@ impl Rows {
     /// Builds the table. `reading` describes the columns of the table's first section.
     ///
     /// # Errors
-    /// [`Error::Table`] without a shot.
+    /// [`Error::Table`] if the table has no usable shot.
     pub fn table(mut self, reading: Reading, filter: &RowFilter) -> Result<ShotTable> {
         let left_out = self.rejected();
         if self.shots.is_empty() {

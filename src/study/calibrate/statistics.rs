@@ -51,12 +51,13 @@ pub struct Statistics {
     pub probability: Option<f64>,
     /// True if all residuals are rounding errors.
     pub is_exact: bool,
-    /// Factor applied to standard errors: √(χ²/ν) if not every uncertainty is stated and ν > 0,
-    /// otherwise 1. `None` if uncertainties are unknown and ν = 0.
+    /// Factor applied to standard errors: √(χ²/ν) if the table does not state every uncertainty,
+    /// unless ν = 0 or all residuals are rounding errors. Otherwise `None` if an uncertainty is
+    /// unknown ([`Uncertainties::Weights`]), and 1 if all are known.
     pub scale: Option<f64>,
     /// True if the scale is √(χ²/ν).
     pub is_scaled: bool,
-    /// Half-width of a 95 % interval in standard errors.
+    /// Half-width of a 95 % interval, in multiples of the standard error.
     pub reach: f64,
 }
 
@@ -261,7 +262,7 @@ impl Statistics {
             .any(|undetermined| undetermined.parts.iter().any(|(part, _)| *part == at))
     }
 
-    /// Standard error of a parameter.
+    /// Standard error of a parameter; `None` if its covariance is `None`.
     ///
     /// # Panics
     /// If the index is out of range.
@@ -269,7 +270,7 @@ impl Statistics {
         self.covariance[at][at].map(f64::sqrt)
     }
 
-    /// Correlation of two parameters.
+    /// Correlation of two parameters; `None` if their covariance is `None`.
     ///
     /// # Panics
     /// If an index is out of range.

@@ -40,7 +40,7 @@ pub(super) fn of_searches(
             Status::Stalled
         };
         best.message = format!(
-            "{}; but the curvatures, computed again at the optima, still change",
+            "{}; but the curvatures of carry, computed again at the optima, still change",
             best.message
         );
     }

@@ -1,6 +1,6 @@
 //! First derivatives computed with `num_dual::Dual64`, one flight per parameter. They are an
 //! independent check of the derivatives computed with jets: the two have no differentiation rule,
-//! lane or chain rule in common.
+//! SIMD lane or chain rule in common.
 
 use crate::derivative::check::{Ladder, Verdict};
 use crate::drive::{Drive, Outcome};

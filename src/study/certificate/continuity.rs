@@ -13,8 +13,8 @@ const FARTHEST: f64 = 0.1;
 /// Number of doublings that lead to the end of the search range.
 const DOUBLED: i32 = 9;
 
-/// Number of samples on each side of the change of the number of steps, to estimate the scatter by
-/// rounding.
+/// Number of samples on each side of the change of the number of time steps. They give the scatter
+/// by rounding.
 const NEIGHBOURS: usize = 8;
 
 /// Distance between neighbouring samples in units of the parameter's scale. Adjacent floating-point
@@ -22,7 +22,7 @@ const NEIGHBOURS: usize = 8;
 /// functions of δ). The outcome's own change over this distance is subtracted.
 const SPACING: f64 = 1e-12;
 
-/// Factor from the scatter of the samples to the tolerance of a jump.
+/// Tolerance of a jump, in multiples of the scatter of the samples.
 const BAR: f64 = 4.0;
 
 /// Relative tolerances of jumps of value, gradient and Hessian, for rounding that a few samples may
@@ -38,12 +38,12 @@ pub struct Continuity {
     pub of: Outcome,
     /// The parameter that varies.
     pub parameter: &'static Parameter,
-    /// Value of the parameter just before the number of steps changes, SI.
+    /// Value of the parameter just before the number of time steps changes, SI.
     pub at: f64,
-    /// Number of steps before and after the change.
+    /// Number of time steps before and after the change.
     pub steps: [usize; 2],
-    /// Jumps of value, gradient and Hessian by scaled parameters, relative to the largest entry or
-    /// the magnitude of the value's terms.
+    /// Jumps of value, gradient and Hessian by scaled parameters, relative to the largest entry, or
+    /// to the magnitude of the outcome's terms if that is larger.
     pub jumps: [f64; 3],
     /// Tolerances of the jumps of value, gradient and Hessian: 1e-13, 1e-12 and 1e-10, or more if
     /// rounding makes the samples scatter more.
@@ -172,7 +172,7 @@ fn entries(taylor: &Taylor, scales: &[f64], order: usize) -> Vec<f64> {
 }
 
 /// Jump between the means of two sides and its tolerance from their scatter, both relative to the
-/// largest entry or to `size`, the magnitude of the outcome's terms.
+/// larger of the largest entry and `size`, the magnitude of the outcome's terms.
 fn jump(before: &[Vec<f64>], after: &[Vec<f64>], size: f64, promised: f64) -> (f64, f64) {
     let (mut jump, mut scatter, mut size) = (0.0_f64, 0.0_f64, size);
     for entry in 0..before[0].len() {
@@ -206,7 +206,7 @@ fn steps(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Optio
 }
 
 /// Finds adjacent values of the parameter with different numbers of steps, in ascending order. The
-/// search stops once `goes_on` is false.
+/// search stops once `goes_on` returns false.
 fn change(
     setup: &Setup<f64>,
     parameter: &'static Parameter,

@@ -17,10 +17,10 @@ const LEVELS: Levels = Levels {
     octaves: 0.36,
 };
 
-/// Step sizes for a law with joins. A step across a join has an error of h^(k+2) times a function
-/// of the join's position in the step. The sum varies irregularly between flights, so only the
-/// largest error of many flights decreases with a power of h, and only once a step rarely crosses
-/// two joins.
+/// Step sizes for a piecewise law with k continuous derivatives at its joins. A step across a join
+/// has an error of h^(k+2) times a function of the join's position in the step. The sum varies
+/// irregularly between flights, so only the largest error of many flights decreases with a power of
+/// h, and only once a step rarely crosses two joins.
 pub(super) const LEVELS_ACROSS_JOINS: Levels = Levels {
     coarsest: 64,
     count: 4,
@@ -40,14 +40,14 @@ const ROUNDING_FACTOR: f64 = 10.0;
 /// rounding.
 const ROUNDING: [f64; 2] = [1e-12, 1e-11];
 
-/// Allowed amount by which the slope of the errors is below the expected order. Beyond this a
-/// lower-order term is fitted. The next term of the error still matters at these steps; a mistake
-/// in a method costs a whole order.
+/// If the slope of the errors is below the expected order by more than this, a lower-order term is
+/// fitted. The next term of the error, which still matters at these steps, can lower the slope by
+/// less; a mistake in a method lowers it by a whole order.
 const ALLOWED_DEFICIT: f64 = 0.75;
 
-/// Numbers of steps per flight, in levels that double.
+/// Numbers of time steps of the flights. The numbers double from level to level.
 pub(super) struct Levels {
-    /// First number of steps of the coarsest level.
+    /// Smallest number of steps of the coarsest level.
     coarsest: u32,
     pub count: usize,
     /// Flights per level, with logarithmically spaced numbers of steps.
@@ -71,11 +71,11 @@ impl Levels {
 pub struct Convergence {
     /// The outcome.
     pub of: Outcome,
-    /// The steps, s.
+    /// The time steps, s.
     pub steps: Vec<f64>,
-    /// The relative error of the value at each step.
+    /// The relative error of the value for each time step.
     pub value_errors: Vec<f64>,
-    /// The relative error of the gradient at each step.
+    /// The relative error of the gradient for each time step.
     pub gradient_errors: Vec<f64>,
     /// The measured orders for value and gradient; `null` if the errors are dominated by rounding.
     pub orders: [Option<f64>; 2],
@@ -86,12 +86,12 @@ pub struct Convergence {
     pub limited_by_law: Option<u32>,
     /// `pass` or `fail`.
     pub verdict: Verdict,
-    /// True if the order is lower than expected. A low slope of the errors is not sufficient,
-    /// because it also occurs where the first two error terms cancel.
+    /// For value and gradient: true if the order is lower than expected. A low slope of the errors
+    /// is not sufficient, because it also occurs where the first two error terms cancel.
     #[serde(skip)]
     pub falls_short: [bool; 2],
-    /// Sensitivity of the test: true if these errors would fail the test of an order that is higher
-    /// by one.
+    /// Sensitivity of the test, for value and gradient: true if the errors would fail the test of
+    /// an order that is higher by one.
     #[serde(skip)]
     pub would_show: [bool; 2],
 }
@@ -106,7 +106,7 @@ impl Convergence {
 /// Convergence of outcomes and of their derivatives by `wrt` with decreasing time step. A
 /// logarithmic wind is omitted, because it varies within half a metre of height, which these steps
 /// cross at once. Steps longer than the spin decay time are omitted too. Empty if too few steps
-/// remain, or once `goes_on` is false.
+/// remain, or if `goes_on` returns false.
 ///
 /// # Errors
 /// The errors of [`jacobian`].
@@ -262,8 +262,9 @@ impl<'a> Comparison<'a> {
     }
 }
 
-/// Flight time at the reference step. At the setup's own step, the error of the flight time may be
-/// as large as the steps compared here, so that one of these steps could end at the landing.
+/// Flight time at the reference step; `None` if the ball does not land. At the setup's own step,
+/// the error of the flight time may be as large as the steps compared here, so that one of these
+/// steps could end at the landing.
 fn fine_flight_time(setup: &Setup<f64>, about: f64) -> Option<f64> {
     let mut setup = *setup;
     setup.flight.step = about / f64::from(REFERENCE);

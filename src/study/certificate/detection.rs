@@ -14,7 +14,7 @@ pub enum InjectedError {
     Sign,
     /// Too large by the factor 1 + 1e-6.
     Millionth,
-    /// Landing time treated as constant, like a flight loop that stops after a fixed step.
+    /// Landing time treated as constant, as in a flight loop that stops after a fixed step.
     LandingTerm,
 }
 
@@ -81,7 +81,7 @@ impl LandingTerms {
         })
     }
 
-    /// Landing term of an outcome's derivative.
+    /// Landing term of an outcome's derivative; `None` for an outcome without a landing term.
     fn of(&self, row: &Row) -> Option<f64> {
         let place = AT_LANDING.iter().position(|of| *of == row.of)?;
         let (_, time) = self

@@ -319,7 +319,7 @@ fn rows_by_parameter(
 }
 
 /// The checks of the flight without a result, with the reason. `empty` is in the order landing,
-/// continuity, convergence; `prevented` is an interruption or a corner.
+/// continuity, convergence; `prevented` is the common reason, if any: an interruption or a corner.
 fn not_examined(
     empty: [bool; 3],
     prevented: Option<&'static str>,
@@ -339,7 +339,8 @@ fn not_examined(
         ),
         (
             "smoothness where the number of time steps changes",
-            "the number does not change within a tenth of the first parameter's size",
+            "the number of time steps stays the same if the first parameter changes by up to a \
+             tenth of its value, or of a typical value",
         ),
         (
             "convergence with the time step",

@@ -249,7 +249,7 @@ mod tests {
                 !falls_short(|h| h.powi(4) * (1.0 - h / zero) * (1.0 - 3.0 * h / zero), 4),
                 "{zero}"
             );
-            // an error of an order lower by one
+            // an error with an order that is lower by one
             for size in [1.0, 10.0] {
                 assert!(
                     falls_short(

@@ -22,8 +22,8 @@ pub struct Row {
     pub num_dual: Agreement,
     /// ∂²/∂p² compared with differences of ∂/∂p; `None` if it does not exist or is discontinuous.
     pub second: Option<Check>,
-    /// Orders of the Taylor remainders of degree 0, 1 and 2; exact derivatives give at least 1, 2
-    /// and 3.
+    /// Orders of the Taylor remainders of degree 0, 1 and 2: with exact derivatives at least 1, 2
+    /// and 3. `None` if too few remainders exceed rounding.
     pub slopes: [Option<f64>; 3],
 }
 
@@ -156,8 +156,8 @@ impl<'a> Neighbours<'a> {
         })
     }
 
-    /// The number that `number` selects for each outcome, at the value `x` of the parameter. NaN if
-    /// the drive lacks one of the outcomes; empty once stopped.
+    /// The result of `number` for each outcome, at the value `x` of the parameter. All NaN if the
+    /// drive lacks one of the outcomes; empty once `is_stopped` returns true.
     fn sample(
         &self,
         evaluator: &Evaluator,

@@ -13,14 +13,15 @@ use serde::Serialize;
 /// Step ratio of the comparison flight; order 4 leaves 1/4096 of the error.
 const SHORTER: f64 = 8.0;
 
-/// Lower bound of the divisor of a derivative's relative error. The divisor is the change of the
-/// outcome over the parameter's scale, relative to the outcome's size.
+/// Lower bound of the divisor of a derivative's relative error. The divisor is the derivative times
+/// the parameter's scale, relative to the outcome's size.
 const LEAST: f64 = 1e-6;
 
 /// Relative derivative error that triggers a warning.
 const WORTH_A_WORD: f64 = 1e-6;
 
-/// The error of the time step in an outcome.
+/// The truncation error of an outcome and of its derivatives, from a comparison with a shorter time
+/// step.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[cfg_attr(test, schemars(rename = "StepErrorReport"))]
@@ -29,19 +30,19 @@ pub struct StepError {
     pub of: Outcome,
     /// The time step and the shorter step for comparison, s.
     pub steps: [f64; 2],
-    /// The error of the value, relative to the numbers from which the outcome is computed.
+    /// The error of the value, relative to the magnitude of the terms from which the outcome is
+    /// computed.
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub value_error: f64,
-    /// The parameter whose derivative has the largest error.
+    /// The parameter whose derivative has the largest relative error.
     pub parameter: Option<&'static Parameter>,
     /// The relative error of that derivative.
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub derivative_error: Option<f64>,
-    /// The error of the derivative relative to the outcome, for a change of the parameter by its
-    /// typical size.
-    // the largest of these errors over all derivatives
+    /// The error of a derivative times the typical size of its parameter, relative to the outcome:
+    /// the largest of all parameters.
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub derivative_error_of_outcome: f64,

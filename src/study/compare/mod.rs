@@ -108,7 +108,7 @@ impl Comparison {
 
     /// Difference of an outcome, with the share of each cause. The share of a parameter p is ∫
     /// ∂f/∂p dp on the straight line from a to b, by exact derivatives, so that the shares add up
-    /// to the difference. Discrete changes happen at the middle.
+    /// to the difference. Discrete changes happen at the middle of the line.
     ///
     /// # Errors
     /// [`OfDrive`](crate::Error::OfDrive) if one of the two drives, or a drive between them, does

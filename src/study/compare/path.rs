@@ -16,7 +16,7 @@ pub enum Cause {
     Golfer,
     /// The point of the club head whose speed the swing states (discrete).
     SpeedOf,
-    /// A club strike or a given launch, with all parameters of both alternatives (discrete).
+    /// The choice between a club strike and a given launch, with all parameters of both (discrete).
     Launch,
     /// Air or wind that the setups give by different parameters (discrete).
     Ways(&'static Ways),

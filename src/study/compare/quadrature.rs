@@ -27,8 +27,8 @@ const MOST: usize = 1000;
 pub(super) struct Integrals {
     /// The values.
     pub values: Vec<f64>,
-    /// Error estimate: change by the last bisection of each interval, for the integral that changes
-    /// most.
+    /// Error estimate: sum over the intervals of the change by the last bisection, for the integral
+    /// that changes most.
     pub error: f64,
 }
 

@@ -22,8 +22,9 @@ pub(super) struct Split<'a> {
 #[derive(Default)]
 struct Side {
     evaluator: Option<Evaluator>,
-    /// Derivatives of the outcomes, times the parameter differences, at the positions already flown;
-    /// `None` if an outcome does not exist there. The key is the bits of the position on the path.
+    /// Derivatives of the outcomes, times the parameter differences, at the positions that are
+    /// already flown; `None` if an outcome does not exist there. The key is the bits of the
+    /// position on the path.
     flown: HashMap<u64, Option<Vec<Vec<f64>>>>,
 }
 
@@ -38,7 +39,8 @@ impl<'a> Split<'a> {
     }
 
     /// Share of each cause in the difference `amount` of one outcome; `size` is the outcome's
-    /// magnitude, for rounding. Shares do not depend on the other outcomes.
+    /// magnitude, to which the rounding error is relative. Shares do not depend on the other
+    /// outcomes.
     pub fn shares(&mut self, of: Outcome, amount: f64, size: f64) -> Result<Shares> {
         let halves: &[(usize, [f64; 2])] = if self.path.discrete.is_empty() {
             &[(0, [0.0, 1.0])]

@@ -19,7 +19,8 @@ use serde::Serialize;
 pub struct Population {
     /// Number of shots, at least 10.
     pub shots: usize,
-    /// Factor on the prior deviation along the directions that the shots do not identify, 0 to 1.
+    /// Factor, 0 to 1, by which the prior deviation is multiplied along the directions that the
+    /// shots do not identify.
     #[serde(rename = "kept")]
     pub prior_factor: f64,
     /// The launch outcomes, measured and computed from the distribution.
@@ -83,7 +84,8 @@ pub const LEAST_SHOTS: usize = 10;
 /// Information above which a direction is identified, in units of the prior. A shot then removes
 /// more than half of the prior variance along the direction.
 const IDENTIFIED: f64 = 1.0;
-/// Factors on the prior deviation of unidentified directions, tried in this order.
+/// Factors by which the prior deviation is multiplied along unidentified directions, in the order
+/// of the trials.
 const PRIOR_FACTORS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
 /// Maximum number of linearization points.
 const ITERATIONS: usize = 30;
@@ -206,8 +208,8 @@ struct Solution {
     prior_factor: f64,
 }
 
-/// Computes the distribution for one prior factor, iterated until the linearization point is its
-/// mean.
+/// Computes the distribution for one prior factor, iterated until the linearization point is the
+/// mean of the distribution.
 fn converged(
     setup: &Setup<f64>,
     shots: &[&Delivered],
@@ -303,8 +305,8 @@ impl Solution {
         }
     }
 
-    /// Variance of each parameter from shot to shot along the identified directions, with the errors
-    /// of the launch monitor.
+    /// Variance of each parameter from shot to shot along the identified directions, with the
+    /// launch monitor's errors.
     fn sampling_variances(&self) -> DVector<f64> {
         let along = &self.directions.identified;
         let size = along.ncols();
@@ -328,7 +330,7 @@ fn predicted(
             for (explained, (at, off)) in shot.explained.iter().zip(off) {
                 if *at == place {
                     let Measurement { value, sigma, .. } = explained.measured;
-                    // unwrap directions to within half a turn of the mean swing's
+                    // unwrap directions to within half a turn of the direction of the mean swing
                     let computed = of.unwrap_angle(value - off, launches.at[place]);
                     rows.push(DVector::from_vec(vec![
                         computed + off,

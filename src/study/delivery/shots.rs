@@ -51,7 +51,7 @@ pub fn launches(setup: &Setup<f64>) -> Vec<Measurement> {
         .collect()
 }
 
-/// A launch condition as a measured outcome.
+/// A launch condition as a measured outcome; `None` if no measurement uncertainty is known.
 fn measured(condition: &Parameter, value: f64) -> Option<Measurement> {
     let outcome = Outcome::named(condition.name.strip_prefix("launch.")?).ok()?;
     Some(Measurement {

@@ -14,8 +14,8 @@ use nalgebra::DMatrix;
 /// Methods for Atmospheric Sounding, ch. 2 and 5; docs/model.md).
 ///
 /// # Errors
-/// [`Error::Delivery`] without measurements or unknowns, for an outcome that does not belong to the
-/// launch, and if the setup's own values are not a strike; the errors of [`Evaluator::new`].
+/// [`Error::Delivery`] if `measured` or `unknowns` is empty, if a measured outcome does not belong
+/// to the launch, or if the setup's own values are not a strike; the errors of [`Evaluator::new`].
 pub fn delivery(
     setup: &Setup<f64>,
     measured: &[Measurement],

@@ -113,9 +113,9 @@ fn search_range(parameter: &Parameter, value: f64, sigma: f64) -> Option<[f64; 2
 /// empty. `sigmas` overrides the default uncertainties.
 ///
 /// # Errors
-/// [`Error::Delivery`] for a parameter that does not affect the launch, or an empty search range;
-/// [`Error::Unreadable`] for an uncertainty given twice, or for a parameter that is not among the
-/// unknowns.
+/// [`Error::Delivery`] if a parameter of `vary` does not affect the launch, or if a search range is
+/// empty; [`Error::Unreadable`] if `sigmas` contains a parameter twice, or a parameter that is not
+/// among the unknowns.
 pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<Vec<Unknown>> {
     refuse_given_twice(sigmas.iter().map(|sigma| sigma.parameter))?;
     let all = if vary.is_empty() {
@@ -130,7 +130,7 @@ pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<V
     if let Some(unused) = sigmas.iter().find(is_missing) {
         let names: Vec<_> = all.iter().map(|unknown| unknown.parameter.name).collect();
         let source = format!(
-            "it is not an unknown, so this has no effect; the unknowns are {}",
+            "it is not an unknown, so its uncertainty has no effect; the unknowns are {}",
             names.join(", ")
         );
         return Err(Error::Unreadable {

@@ -48,7 +48,7 @@ pub struct ConstraintState {
     pub constraint: DesignConstraint,
     /// Value of the limited quantity, SI; `None` if unknown.
     pub value: Option<f64>,
-    /// Distance to the nearer limit, SI; negative if violated.
+    /// Distance to the nearer limit, SI, negative if violated; `None` if the value is unknown.
     pub margin: Option<f64>,
     /// Gain of the goal per SI unit by which the limit is relaxed (Lagrange multiplier); `None` if
     /// the constraint is inactive.
@@ -84,8 +84,8 @@ impl DesignConstraint {
                 (value, price_of(value, both))
             }
             Enforcement::Limit(k) => {
-                // the search enforces the limit on the smoothed goal, so this value decides about
-                // the multiplier
+                // the search enforces the limit on the smoothed goal, so the smoothed value decides
+                // whether there is a multiplier
                 let smoothed = solution.constraints.get(k);
                 let value = best.constraints().get(k).map(|(_, at)| at.value);
                 (

@@ -18,7 +18,8 @@ const SCATTER: [(&str, &str); 6] = [
 /// Correlation of path and face angle, which gives the measured scatter of face to path, 4.07°.
 const PATH_WITH_FACE: f64 = 0.317;
 
-/// Truncation in standard deviations. Swings beyond this hit the ground, or far off the fairway.
+/// Truncation in standard deviations. Swings beyond it hit the ground, or send the ball far off the
+/// fairway.
 const WITHIN: f64 = 2.0;
 
 /// Source of the scatter.
@@ -31,7 +32,7 @@ pub const GOLFER: &str = "one golfer's 58 drives (Bliss & Langdown 2026: speed 3
 /// Swings with the scatter of a measured golfer, about the swing of a setup.
 ///
 /// # Errors
-/// The errors of [`Swings::distributed`] for a setup without a club.
+/// The errors of [`Setup::variable`] if the setup gives the launch, so that it has no club.
 pub fn golfer(setup: &Setup<f64>) -> Result<Swings> {
     let inputs = SCATTER.iter().map(|(name, deviation)| {
         let parameter = setup.variable(name)?;
@@ -52,8 +53,8 @@ pub fn golfer(setup: &Setup<f64>) -> Result<Swings> {
     Swings::distributed(inputs, &[Correlation::new(between, PATH_WITH_FACE)?])
 }
 
-/// Truncated normal distribution with this standard deviation after truncation. Bisection finds the
-/// larger standard deviation before truncation.
+/// Truncated normal distribution; `deviation` is its standard deviation after the truncation.
+/// Bisection finds the larger standard deviation before the truncation.
 fn cut(mean: f64, deviation: f64) -> Distribution {
     let of = |mean: f64, deviation: f64, wider: f64| {
         let [low, high] = [mean - WITHIN * deviation, mean + WITHIN * deviation];

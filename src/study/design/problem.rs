@@ -43,8 +43,8 @@ pub struct Design {
 
 impl Design {
     /// Adds the constraints of a design: the Rules of Golf unless disabled; a rigid body's
-    /// condition if the inertia varies; and the initial mass as budget if the mass varies without a
-    /// limit.
+    /// condition if the inertia varies; and the initial mass as upper limit if the mass varies
+    /// without a limit.
     ///
     /// # Errors
     /// [`Error::Rule`] for a setup or a range that breaks a rule; [`Error::Unreadable`] for strikes
@@ -335,7 +335,7 @@ impl Design {
             };
             *end = rule.bound();
             self.notes.push(format!(
-                "{} is varied up to the rule on the {}: {} (your range ends at {})",
+                "the range of {} stops at the limit of the rule on the {}: {} (yours reaches {})",
                 vary.parameter.name,
                 rule.name,
                 rule.show(rule.bound()),

@@ -36,7 +36,7 @@ pub fn beyond_share(
 }
 
 /// Warnings about a setup and its drives: for one drive the warnings of [`Drive::warnings_about`],
-/// over swings warnings with the share of the swings.
+/// for a search over swings, warnings with the share of the swings.
 fn warnings(
     setup: &Setup<f64>,
     scenarios: &Scenarios,

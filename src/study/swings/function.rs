@@ -11,8 +11,8 @@ use std::sync::atomic::AtomicBool;
 
 /// A goal over swings as a function of some design parameters, with derivatives up to second order.
 /// It can be the objective of any optimizer. Measures with a kink or jump (`lowest`, `highest`,
-/// `within`) are smoothed. The setup determines integration method and time step
-/// ([`StepChoice`](crate::integration::StepChoice) chooses them).
+/// `within`) are smoothed. The setup states the integration method and time step, which
+/// [`StepChoice`](crate::integration::StepChoice) can choose.
 ///
 /// ```
 /// use longdrive::Setup;
@@ -37,8 +37,8 @@ pub struct GoalFunction {
 
 impl StepChoice {
     /// Selects integration method and time step for a goal over swings as a function of parameters.
-    /// Like [`for_function`](Self::for_function), but within the ranges of the swings. Interrupted
-    /// once `stop` is true.
+    /// Like [`for_function`](Self::for_function), but the drives also cover the ranges of the
+    /// swings. Interrupted once `stop` is true.
     ///
     /// # Errors
     /// The errors of [`for_function`](Self::for_function); [`Error::Stopped`] after an interrupt.

@@ -20,7 +20,7 @@ pub enum Measure {
     /// Mean of the highest share of an outcome.
     Highest(Outcome, f64),
     /// Share of drives whose outcome is within this distance of 0. The search smooths the jump at
-    /// either limit over one unit.
+    /// either limit over one display unit.
     Within(Outcome, f64),
     /// Expected strokes to hole out from the ball's final position, on a hole of this length, m.
     Strokes(Strokes, f64),
@@ -30,9 +30,10 @@ pub enum Measure {
     One,
 }
 
-/// Smallest standard deviation, in units of the outcome. It keeps the square root smooth.
+/// Smallest standard deviation, in the display unit of the outcome. It keeps the square root
+/// smooth.
 const LEAST_DEVIATION: f64 = 1e-9;
-/// Smoothing width of a lowest or highest share, in units of the outcome.
+/// Smoothing width of the mean of a lowest or highest share, in the display unit of the outcome.
 const SMOOTHING: f64 = 0.1;
 
 impl Measure {
@@ -251,7 +252,7 @@ fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
 /// The lowest share α of the values uₖ = ±fₖ. Its mean, smoothed, is the maximum over t of
 /// t − 1/α Σ wₖ φ(t − uₖ), φ(z) = (z + √(z² + 4ε²))/2: for ε → 0 the mean of the lowest share.
 struct LowestShare<'a> {
-    /// Values or gradients, with weights.
+    /// Outcome of each drive, with its derivatives if they are needed, and weight of the drive.
     drives: &'a [(&'a Taylor, f64)],
     /// 1 for the lowest share, −1 for the highest share.
     sign: f64,
@@ -352,7 +353,7 @@ mod tests {
     use crate::drive::Outcome;
     use crate::number::{Jet, Mixed, Numbers};
 
-    /// Ten "drives" that are smooth functions of two variables.
+    /// "Drive" `k` of ten: a smooth function of two variables.
     fn drive(k: usize, x: Mixed, y: Mixed) -> Mixed {
         let k = k as f64;
         Numbers::sin(x * (1.0 + 0.1 * k)) * 20.0 + y * x * (k - 4.0) + y * y * 3.0 + k * k * 0.3

@@ -1,5 +1,5 @@
-//! Swings that vary: expectations over a golfer's drives as smooth functions of a design, with exact
-//! gradients and Hessians.
+//! Swings that vary: expectations over a golfer's drives as smooth functions of a design, with
+//! exact gradients and Hessians.
 //!
 //! ```text
 //!   distributions, recorded swings ──▶ scenarios with weights, independent of the design

@@ -35,10 +35,10 @@ pub struct Pareto {
     pub scenarios: Scenarios,
     /// The compromises, in order.
     pub points: Vec<ParetoPoint>,
-    /// Index of the knee (see [`Front::knee`]).
+    /// Index of the knee (see [`Front::knee`]); `None` if the front has no knee.
     pub knee: Option<usize>,
     /// The largest distance of the front from the straight line between its ends, divided by the
-    /// length of the line, with both goals scaled from one end to the other.
+    /// length of the line, with both goals scaled to run from 0 to 1 between the ends.
     pub bend: f64,
     /// Values of the goals at the setup's own design; `None` if the ball does not fly in one of the
     /// swings.
@@ -51,7 +51,7 @@ pub struct Pareto {
     pub interrupted: bool,
 }
 
-/// A point of the front: no design is better in both goals.
+/// A point of the front: no other design is better in both goals.
 #[derive(Clone, Debug)]
 pub struct ParetoPoint {
     /// The varied parameters, SI.
@@ -63,7 +63,7 @@ pub struct ParetoPoint {
     pub slope: Option<f64>,
     /// The active bounds and constraints.
     pub active: Vec<Active>,
-    /// Change of the active set, or jump to another branch, at this point.
+    /// Change of the active set, or jump to another branch, at this point, if any.
     pub event: Option<String>,
     /// True if the front is disconnected between the previous point and this one.
     pub is_apart: bool,

@@ -11,7 +11,7 @@ const LEAST: usize = 128;
 const PER_MOMENT: usize = 2;
 
 /// Indices of the scenarios in the subset, in order, and the number of scenarios that each of them
-/// represents. All scenarios are used if the subset would save less than half.
+/// represents. The subset is all scenarios if it would contain more than half of them.
 ///
 /// The first points of a sequence are spread as evenly as the whole sequence. Gauss's rule keeps
 /// all its nodes, because a subset of them is not a quadrature rule.

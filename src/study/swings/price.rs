@@ -23,7 +23,7 @@ pub struct Price {
 }
 
 impl Price {
-    /// The error of the objective.
+    /// The error of the objective; `None` without other scenarios.
     pub fn error(&self) -> Option<&GoalError> {
         self.errors.first()
     }

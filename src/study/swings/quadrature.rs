@@ -40,7 +40,7 @@ fn legendre([low, high]: [f64; 2], nodes: usize) -> Nodes {
         .collect()
 }
 
-/// Gauss rule of a density with this number of nodes. The recurrence follows from many samples of
+/// Gauss rule with this number of nodes for a density. The recurrence follows from many samples of
 /// the density (Stieltjes; Gautschi 1982).
 fn rule_of(parts: &[[f64; 2]], density: &dyn Fn(f64) -> f64, nodes: usize) -> Nodes {
     let ends = [parts[0][0], parts[parts.len() - 1][1]];

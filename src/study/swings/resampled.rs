@@ -27,11 +27,12 @@ pub struct Resampled {
     pub goal: Interval,
     /// The number of resamples whose search converged.
     pub rounds: usize,
-    /// The 95 % interval of the gain over the design before the search.
+    /// The 95 % interval of the gain over the design before the search; `null` if the ball does not
+    /// fly in one of the swings.
     #[serde(rename = "better_than_set_up")]
     pub gain: Option<Interval>,
     /// The number of swings needed to distinguish the best design from the design before the
-    /// search.
+    /// search; `null` if the gain is unknown or not positive.
     // at a confidence of 95 % and a power of 80 %
     #[serde(rename = "swings_to_tell")]
     pub swings_needed: Option<u64>,
@@ -41,7 +42,7 @@ pub struct Resampled {
 const POWER: f64 = 1.959_963_985 + 0.841_621_234;
 
 /// The optima of resamples of recorded swings. `None` if fewer than half of the searches converged,
-/// if all swings are equal, and if `stop` became true before the end.
+/// if all swings are equal, or if `stop` became true before the end.
 ///
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum).
@@ -117,7 +118,8 @@ struct Round {
     /// Value of the objective at this optimum, with the swings of the resample; `None` if the ball
     /// does not fly in one of the swings.
     value: Option<f64>,
-    /// The gain of the best design over the setup's design, with the swings of the resample.
+    /// The gain of the best design over the setup's design, with the swings of the resample; `None`
+    /// if the ball does not fly in one of the swings.
     gain: Option<f64>,
 }
 
@@ -152,7 +154,7 @@ fn searched_again(
 }
 
 /// The number of swings at which a mean gain is significant, from the gains over resamples of n
-/// swings.
+/// swings. `None` if the mean gain is not positive.
 fn swings_needed(mean: f64, gains: &[f64], n: usize) -> Option<u64> {
     let moments = Moments::of(gains.iter().copied());
     let deviation = moments.deviation().unwrap_or(f64::NAN);

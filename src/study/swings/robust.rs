@@ -100,7 +100,7 @@ impl Model {
     /// The setup, and the default models that differ from it.
     ///
     /// # Errors
-    /// Errors of the built-in changes, which a test excludes.
+    /// An error of a built-in change; a test shows that there is none.
     pub fn usual(setup: &Setup<f64>) -> Result<Vec<Self>> {
         let mut all = vec![Self::as_set_up(setup)];
         for (changes, reason) in USUAL {
@@ -206,9 +206,9 @@ impl Robust {
         ]
     }
 
-    /// Decrease of the greatest loss per unit by which a limit of a model is relaxed. The limit of
-    /// an equality constraint is raised. `limit` is the number of the constraint in
-    /// [`limits`](Self::limits).
+    /// Decrease of the greatest loss per unit by which a limit of a model is relaxed. For an
+    /// equality constraint: per unit by which its limit is raised. `limit` is the number of the
+    /// constraint in [`limits`](Self::limits).
     pub fn limit_price(&self, model: usize, limit: usize, at: &ConstraintValue) -> f64 {
         let is_equation = self.search.subject_to[limit].low == self.search.subject_to[limit].high;
         let of_best = self.models[model]
@@ -402,7 +402,8 @@ impl<'a> Losses<'a> {
         is_feasible.then(|| self.loss(model, goals))
     }
 
-    /// The loss of each model (row) with each design (column).
+    /// The loss of each model (row) with each design (column); `None` if a constraint is violated
+    /// or the ball does not fly in one of the swings.
     fn matrix(&self, designs: &[&[f64]]) -> Vec<Vec<Option<f64>>> {
         let at = |model: usize, x: &[f64]| {
             let goals = self.problems[model].values(x).ok()?;
@@ -413,7 +414,7 @@ impl<'a> Losses<'a> {
             .collect()
     }
 
-    /// The loss of each model with the design as set up.
+    /// The loss of each model with the design as set up; `None` as in [`matrix`](Self::matrix).
     fn as_set_up(&self) -> Vec<Option<f64>> {
         let own = |model: usize| {
             let goals = self.problems[model].as_set_up().ok()?;

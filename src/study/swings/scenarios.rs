@@ -121,7 +121,7 @@ impl Rule {
         })
     }
 
-    /// Gauss's rule with 1.5 times as many nodes.
+    /// Gauss's rule with 1.5 times as many nodes; `None` for any other rule.
     pub(super) fn finer(self) -> Option<Self> {
         match self {
             Self::Quadrature(nodes) => Some(Self::Quadrature(nodes + nodes / 2)),
@@ -254,7 +254,8 @@ impl Scenarios {
         } else {
             1_usize << bounded.len()
         };
-        // if all distributions are bounded, all scenarios have the same corners
+        // if all distributions are bounded, the combinations of the bounds are the same for every
+        // scenario
         let others = if endless.is_empty() {
             1
         } else {

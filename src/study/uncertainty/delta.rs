@@ -15,8 +15,7 @@ pub struct Moments {
 
 /// Mean and standard deviation of a function of independent random variables by the delta method,
 /// from derivatives at their means: first order (exact for linear functions) and second order
-/// (exact for quadratic functions without mixed terms of higher order). The second-order result is
-/// `None` without a Hessian.
+/// (exact for quadratic functions). The second-order result is `None` without a Hessian.
 ///
 /// ```text
 ///   mean = f + ½ Σ H_ii μ₂ᵢ
@@ -80,7 +79,7 @@ mod tests {
 
     #[test]
     fn exact_moments_of_a_linear_function_of_any_distributions() {
-        // 3 x − 2 y + z: variances 9·4 + 4·(6²/12) + 1·(3²+0+0−0…)/18
+        // 3 x − 2 y + z: variances 9·4 + 4·6²/12 + 3²/18
         let inputs = [
             Normal {
                 mean: 1.0,

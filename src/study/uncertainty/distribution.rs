@@ -80,7 +80,7 @@ impl Distribution {
         })
     }
 
-    /// Reason for an invalid distribution.
+    /// Reason why the distribution is invalid; `None` if it is valid.
     fn why_none(&self) -> Option<&'static str> {
         let (numbers, deviation) = match *self {
             Self::Normal { mean, deviation } => (vec![mean], Some(deviation)),
@@ -319,7 +319,8 @@ impl Uncertain {
     ///
     /// # Errors
     /// [`Error::Unreadable`] for invalid text; [`Error::OutOfRange`] if a bound or the mean is not
-    /// an allowed value; the errors of [`Setup::column`]: the setup need not have a value.
+    /// an allowed value; the errors of [`Setup::column`]. The setup need not have a value of the
+    /// parameter.
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source| Error::Unreadable {
             name: format!("the distribution {}", text.trim()),

@@ -37,7 +37,7 @@ pub struct Uncertainty {
     pub inputs: Vec<Uncertain>,
     /// Uncertainty of each outcome.
     pub outcomes: Vec<OutcomeUncertainty>,
-    /// Statuses of all N (d + 2) drives of the sample.
+    /// Statuses of all drives of the sample: N (d + 2) for N points and d parameters.
     pub status_counts: StatusCounts,
     /// Size and seed of the sample.
     pub plan: SamplePlan,
@@ -46,7 +46,7 @@ pub struct Uncertainty {
 }
 
 impl Uncertainty {
-    /// Fraction of the drives with allowed values that do not land.
+    /// Fraction of all drives that have allowed values but do not land.
     pub fn part_without_landing(&self) -> f64 {
         self.part_of(|status| !matches!(status, Status::Landed | Status::OutOfRange))
     }
@@ -109,10 +109,11 @@ pub struct OutcomeUncertainty {
     pub at_means: Option<Taylor>,
     /// Delta method, first and second order; `None` if the derivatives do not exist.
     pub delta: Option<(Moments, Option<Moments>)>,
-    /// Statistics of the sample; `None` if no drive has the outcome.
+    /// Statistics of the sample; `None` if fewer than two drives have the outcome.
     pub sampled: Option<Statistics>,
     /// Estimated upper bound of each parameter's total Sobol' index, from exact gradients (Sobol' &
-    /// Kucherenko 2009; Lamboni et al. 2013).
+    /// Kucherenko 2009; Lamboni et al. 2013). `None` if the outcome does not vary, or if no drive
+    /// has the derivative.
     pub slopes: Vec<Option<Slopes>>,
 }
 
@@ -127,7 +128,7 @@ pub struct Slopes {
     pub bound: Interval,
 }
 
-/// A landing ellipse, with the share of sampled landings inside.
+/// A landing ellipse, with the share of the sampled landings inside it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampledEllipse {
     /// The ellipse.
@@ -135,7 +136,7 @@ pub struct SampledEllipse {
     /// True if the ellipse comes from the gradients at the means, false if it comes from the
     /// sample.
     pub by_gradient: bool,
-    /// Share of the sampled landings inside.
+    /// Share of the sampled landings inside the ellipse.
     pub holds: f64,
 }
 
@@ -159,7 +160,7 @@ impl OutcomeUncertainty {
     }
 
     /// The parameter to measure first: the parameter with the largest first-order index, and the
-    /// mean standard deviation that remains once this parameter is known. `None` if the outcome
+    /// root of the mean variance that remains once this parameter is known. `None` if the outcome
     /// does not vary, or no index is positive.
     pub fn measure_first(&self, inputs: &[Uncertain]) -> Option<MeasureFirst> {
         let sampled = self.sampled.as_ref()?;
@@ -179,8 +180,8 @@ impl OutcomeUncertainty {
         let totals: Option<f64> = others
             .map(|(_, indices)| Some(indices.as_ref()?.total.value))
             .sum();
-        // the sum of the other total indices is an upper bound, which is more accurate if one index
-        // is close to 1
+        // the share of the variance that remains is 1 − `share`; its upper bound, the sum of the
+        // other total indices, is more accurate if one index is close to 1
         let left = totals
             .filter(|most| *most < 1.0 - share.low)
             .unwrap_or(1.0 - share.value);
@@ -195,8 +196,8 @@ impl OutcomeUncertainty {
 /// finished drives and the number of all drives.
 ///
 /// # Errors
-/// [`Error::Nothing`] without outcomes or uncertain parameters; [`Error::SearchRange`] for a
-/// parameter given twice; [`Error::Together`] for a sample of fewer than 2 points; the errors of
+/// [`Error::Nothing`] if `of` or `inputs` is empty; [`Error::SearchRange`] for a parameter given
+/// twice; [`Error::Together`] for a sample of fewer than 2 points; the errors of
 /// [`Uncertain::check`] and [`Batch::new`].
 pub fn uncertainty(
     setup: &Setup<f64>,

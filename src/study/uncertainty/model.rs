@@ -66,7 +66,8 @@ pub struct Statistics {
     #[serde(serialize_with = "by_level")]
     #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, f64>"))]
     pub quantiles: [f64; 3],
-    /// Indices of each variable, in order; `None` if the outcome does not vary.
+    /// Indices of each variable, in order; `None` if the outcome does not vary, or if fewer than
+    /// two points have it in all their drives.
     #[serde(skip)]
     pub indices: Vec<Option<Indices>>,
     /// Number of points that are omitted because one of their drives does not have the outcome.
@@ -209,7 +210,7 @@ impl Design {
     }
 
     /// Means over the points of A divided by the variance of an output, with bootstrap intervals
-    /// from joint resamples. `None` if a value is missing, or the output does not vary.
+    /// from joint resamples. `None` if the output does not vary, or if no point of A has a value.
     pub fn means_by_variance(
         &self,
         values: &[Vec<Option<f64>>],
@@ -315,8 +316,8 @@ fn index(random: &mut Xoshiro256PlusPlus, below: usize) -> usize {
     ((u128::from(random.next_u64()) * below as u128) >> 64) as usize
 }
 
-/// Relative tolerance of equality: values whose difference from each other is smaller, relative to
-/// the largest value, are equal up to rounding.
+/// Relative tolerance: values that differ by less than this fraction of the largest value are equal
+/// up to rounding.
 const SAME: f64 = 64.0 * f64::EPSILON;
 
 /// Reports whether values differ by more than rounding.

@@ -58,7 +58,7 @@ fn by_quantity<S: Serializer>(
 }
 
 impl Case {
-    /// Published value of a quantity, SI.
+    /// Published value of a quantity, SI; `None` if it was not published.
     pub fn published(&self, of: Compared) -> Option<f64> {
         Compared::ALL
             .iter()

@@ -43,11 +43,11 @@ pub struct Score {
     pub of: Compared,
     /// Number of drives that have the quantity and fly.
     pub count: usize,
-    /// The mean difference, computed minus published, SI.
+    /// The mean difference, computed minus published, SI; `null` if `count` is 0.
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub bias: Option<f64>,
-    /// The mean absolute difference, SI.
+    /// The mean absolute difference, SI; `null` if `count` is 0.
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub mean_absolute_error: Option<f64>,
@@ -84,11 +84,11 @@ pub struct LawScores {
     #[serde(serialize_with = "by_quantity")]
     #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<Compared, Score>"))]
     pub scores: Vec<Score>,
-    /// The bias of the first quantity in colder and warmer air; `null` if the source states the
-    /// air, and for optima.
+    /// The bias of the first quantity in colder and warmer air; `null` for a set whose source
+    /// states the air, and for a set of optima.
     pub bias_in_other_air: Option<BiasInOtherAir>,
-    /// The bias of carry, m, if the drive with the average launch is replaced by the mean over
-    /// drives with scattered launches; `null` if the published drives are no averages.
+    /// The bias of carry, m, if the mean over drives with scattered launches replaces the drive
+    /// with the average launch; `null` if the published drives are not averages.
     // scattered by [`SCATTER`]
     #[serde(rename = "bias_averaged", serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::Number"))]
@@ -103,7 +103,7 @@ fn by_quantity<S: Serializer>(
     serializer.collect_map(scores.iter().map(|score| (score.of.name(), score)))
 }
 
-/// The bias of a quantity for another air than the default.
+/// The bias of a quantity in colder and in warmer air than the default air.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct BiasInOtherAir {
