@@ -107,7 +107,7 @@ pub struct Matrix {
 }
 
 impl Matrix {
-    /// The matrix of these parameters with these entries, by row and column.
+    /// The matrix over the parameters `names`, with `entry(row, column)` as entries.
     pub(super) fn new<N: Into<Number>>(
         names: impl IntoIterator<Item = &'static str>,
         entry: impl Fn(usize, usize) -> N,

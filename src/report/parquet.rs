@@ -166,7 +166,7 @@ impl ParquetTable {
                 }
                 _ => {
                     return Err(ParquetError::General(format!(
-                        "column {number} has none of the requested kinds"
+                        "the values of column {number} do not have the type of the column"
                     )));
                 }
             }

@@ -85,8 +85,8 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     figure.noted(notes.join(" "))
 }
 
-/// Ranges of the coordinates of `layers` with margins: to the right, symmetric about the target
-/// line and at least as wide as the fairway; and downrange.
+/// Ranges of the coordinates of `layers`, with margins. The first range, to the right, is symmetric
+/// about the target line and at least as wide as the fairway; the second range is downrange.
 fn extents(layers: &[Layer]) -> [[f64; 2]; 2] {
     let points = || {
         layers.iter().flat_map(|layer| match layer {

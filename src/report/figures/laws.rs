@@ -53,8 +53,9 @@ const COEFFICIENTS: [f64; 2] = [0.0, 0.5];
 
 /// Laws of drag and lift as curves with measured points. The law of the setup has a colour, the
 /// others are grey. A curve is solid in the fitted range, and dashed elsewhere or if the range is
-/// unknown. Speeds and spins are for the ball and the air of a setup. `constant` is the value of
-/// the variable that is not on the axis: the Reynolds number or the spin ratio.
+/// unknown. A law that depends on the speed or the spin itself is drawn for the ball and the air of
+/// `setup`. `constant` is the value of the variable that is not on the axis: the Reynolds number or
+/// the spin ratio.
 pub fn laws_figure(
     laws: &[Law<f64>],
     setup: &Setup<f64>,
@@ -189,7 +190,7 @@ impl LawPlot {
         )
     }
 
-    /// The stream at a value of the horizontal axis.
+    /// The flow of air past the ball at a value of the horizontal axis.
     fn stream(&self, at: f64) -> Stream<f64> {
         let (spin_ratio, reynolds) = match self.over {
             Over::SpinRatio => (at, self.constant),

@@ -32,7 +32,7 @@ const FRAME: f64 = 160.0;
 /// The names of a figure's lines.
 pub(super) struct EndNames<'a> {
     names: Vec<Name<'a>>,
-    /// The width beside the frame of the axes, pixels.
+    /// The width that the names need beside the frame of the axes, pixels.
     pub room: f64,
 }
 
