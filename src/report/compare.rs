@@ -253,7 +253,7 @@ fn value(cause: Cause, setup: &Setup<f64>) -> CauseValue {
     }
 }
 
-/// The choice of a setup.
+/// The name of a cause's choice in a setup.
 fn choice(cause: Cause, setup: &Setup<f64>) -> &'static str {
     match cause {
         Cause::Golfer => setup.golfer.name(),

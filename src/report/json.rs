@@ -15,7 +15,7 @@ pub(super) fn components(vector: Vector<f64>) -> [Number; 3] {
     vector.to_array().map(Number::from)
 }
 
-/// A range of values; an open end is `"-inf"` or `"inf"`.
+/// A range of values; an infinite end is `"-inf"` or `"inf"`.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Range {

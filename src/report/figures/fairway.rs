@@ -223,7 +223,7 @@ fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
                 format!("run ({})", landing.name)
             },
             hue,
-            // the dashes leave another roll-out on the same line visible
+            // dashed, so that another roll-out on the same line stays visible
             is_dashed,
             points: vec![landing.at, rest],
         });

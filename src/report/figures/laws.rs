@@ -35,7 +35,8 @@ const REYNOLDS: [f64; 2] = [4e4, 2.4e5];
 /// Number of segments of a curve.
 const STEPS: usize = 240;
 
-/// Maximum relative distance of a measured point from the constant Reynolds number or spin ratio.
+/// Measured points are drawn if their Reynolds number or spin ratio differs from the constant value
+/// of the plot by at most this fraction.
 const NEAR: f64 = 0.1;
 
 /// A measured point. Spin ratio or Reynolds number is missing if the source averages over this

@@ -26,7 +26,7 @@ const OVER: f64 = 10.0;
 /// Maximum width of the names relative to the picture; wider names are wrapped.
 const WIDEST: f64 = 0.42;
 
-/// Width that names leave for the axes and the connectors, pixels.
+/// Minimum width that the names leave for the axes and the connectors, pixels.
 const FRAME: f64 = 160.0;
 
 /// The names of a figure's lines.
@@ -135,7 +135,7 @@ impl Name<'_> {
         APART * self.lines.len() as f64 + GAP
     }
 
-    /// The right end of the line inside the axes, pixels.
+    /// The right end of the line inside the axes, pixels; `None` if no part of the line is there.
     fn end(&self, plane: &Plane, figure: &Figure) -> Option<[f64; 2]> {
         let points = figure.layers.iter().filter_map(|layer| match layer {
             Layer::Line { name, points, .. } if whole_name(figure, name) == self.whole => {

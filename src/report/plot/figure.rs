@@ -83,8 +83,8 @@ pub enum Hue {
     Ink,
     /// Background elements.
     Faint,
-    /// A series, by number. After [`Hue::SERIES`] the colours repeat, with one more cross bar on
-    /// lines and points each time.
+    /// A series, by number. The colours repeat after [`Hue::SERIES`] series; each repetition has
+    /// one more cross bar on lines and points.
     Series(usize),
 }
 

@@ -61,7 +61,7 @@ pub struct OutcomeResiduals {
     #[serde(flatten)]
     pub all: SumsReport,
     /// The standard deviation of the difference between two launch monitors for the same drives,
-    /// SI.
+    /// SI; `null` if it is unknown.
     pub instruments: Option<f64>,
     /// The residuals by ball speed.
     pub bands: Vec<BandReport>,
