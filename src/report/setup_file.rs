@@ -105,7 +105,7 @@ fn rows(
         .collect())
 }
 
-/// The values. Method and step are omitted, unless the setup states them.
+/// The values without method and step, unless the setup states these.
 fn stated(rows: Vec<SourcedValue>, setup: &Setup<f64>) -> impl Iterator<Item = SourcedValue> {
     rows.into_iter()
         .filter(|row| setup.states_step || !is_of_step(row.name))

@@ -75,8 +75,8 @@ pub struct StudiesReport {
     /// The values of the goals at the design before the search, SI; `null` if the ball does not fly
     /// in one of the swings.
     pub as_set_up: Option<ByName<Number>>,
-    /// The best design for the mean swing; `null` without an optimum, or if the mean swing does not
-    /// fly.
+    /// The best design for the mean swing; `null` without an optimum, or if the ball of the mean
+    /// swing does not fly.
     pub nominal: Option<NominalReport>,
     /// Sentences about results that could not be computed.
     pub unknown: Vec<String>,

@@ -245,8 +245,8 @@ pub(in crate::report) fn settled(row: &Row) -> f64 {
     )
 }
 
-/// The agreement of derivatives at the landing with finite differences at a fixed time; `None` if
-/// there is no such derivative without a corner.
+/// The agreement of derivatives at the landing with finite differences at a fixed time; `None`
+/// without a derivative to compare.
 fn landing(certificate: &Certificate) -> Option<String> {
     let landing = &certificate.landing;
     let worst = landing

@@ -51,8 +51,8 @@ fn words(metric: &str, us: &str) -> Markup {
     both(|system| if system == System::Us { us } else { metric }.to_owned())
 }
 
-/// Converts the blocks of a page in order. The heading or short text before a table becomes its
-/// label.
+/// Converts the blocks of a page in order. The heading or short text before a table becomes the
+/// label of the table.
 struct Parts<'a> {
     /// The figures that are not converted yet.
     pairs: &'a [Pair],

@@ -150,7 +150,7 @@ fn arcs([x, y]: [[f64; 2]; 2], system: System) -> Vec<Layer> {
     let first = (y[0].max(0.0) / step).floor() as u32 + 1;
     let mut layers = vec![];
     for radius in (first..).map(|i| f64::from(i) * step) {
-        // an arc reaches the picture if the top of the arc does
+        // stop at the first arc whose top is above the picture
         if radius > y[1] {
             break;
         }

@@ -82,7 +82,7 @@ impl<'a> EndNames<'a> {
         let [_, top, right, bottom] = plane.frame;
         let placed = self.names.iter();
         let placed = placed.filter_map(|name| Some((name, name.end(plane, figure)?)));
-        // a line that leaves at the top ends before the right side
+        // a line that leaves the plot at the top ends before the right side
         let leaves = |at: [f64; 2]| at[1] < top + NEAR && at[0] < right - NEAR;
         let (mut leaving, mut placed): (Vec<_>, Vec<_>) = placed.partition(|(_, at)| leaves(*at));
         // the connectors of these lines run above the plot: the line that leaves first has the
@@ -159,7 +159,7 @@ fn spread(wanted: &[f64], heights: &[f64], [top, bottom]: [f64; 2]) -> Vec<f64> 
             above - 0.5 * height
         })
         .collect();
-    // blocks of touching boxes: their number and the sum of their targets
+    // for each block of touching boxes: the number of boxes, and the sum of their targets
     let mut blocks: Vec<(usize, f64)> = vec![];
     for (wanted, offset) in wanted.iter().zip(&offsets) {
         let mut block = (1, wanted - offset);

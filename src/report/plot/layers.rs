@@ -84,7 +84,7 @@ pub(super) fn is_area(layer: &Layer) -> bool {
     )
 }
 
-/// Draws one layer; `grounds` are its contour regions; their lines and all labels are drawn later.
+/// Draws one layer. `grounds` are its contour regions. Contour lines and labels are drawn later.
 pub(super) fn draw(canvas: &mut Canvas, plane: &Plane, layer: &Layer, grounds: &[Ground]) {
     let hue = layer.named().1.unwrap_or(Hue::Ink);
     let color = canvas.palette.of(hue);
