@@ -48,7 +48,8 @@ pub struct ChartPointReport {
     pub active: Vec<String>,
     /// The active bound of each parameter that is at a bound.
     pub bounds: ByName<BoundSide>,
-    /// The change of the active bounds and constraints at this point.
+    /// The change of the active bounds and constraints at this point, or a jump to another local
+    /// optimum; `null` without one.
     pub event: Option<String>,
 }
 

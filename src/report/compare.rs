@@ -53,11 +53,11 @@ pub struct DifferenceReport {
     pub values: Option<[Number; 2]>,
     /// The value of b minus the value of a, SI.
     pub difference: Number,
-    /// The shares of the parameters that differ.
+    /// The shares of the parameters that differ; `null` if the drives cannot be compared.
     pub by_parameter: Option<SharesReport>,
-    /// The shares of the launch conditions and the other inputs of the flight. `null` for an
-    /// outcome of the launch. `null` also if the setups state the launches, because `by_parameter`
-    /// then has these shares.
+    /// The shares of the launch conditions and the other inputs of the flight. `null` in three
+    /// cases: the drives cannot be compared; the outcome is one of the launch; or the setups state
+    /// the launches, so that `by_parameter` has these shares.
     pub by_launch: Option<SharesReport>,
     /// The reason why the drives cannot be compared; `null` if they can.
     pub message: Option<String>,
@@ -253,7 +253,7 @@ fn value(cause: Cause, setup: &Setup<f64>) -> CauseValue {
     }
 }
 
-/// The choice of a setup.
+/// The name of a cause's choice in a setup.
 fn choice(cause: Cause, setup: &Setup<f64>) -> &'static str {
     match cause {
         Cause::Golfer => setup.golfer.name(),
@@ -373,8 +373,8 @@ fn add_shares(
     document.add(table);
 }
 
-/// The remainder of a difference, which belongs to no share, with the reason; `None` if the
-/// remainder is a rounding error.
+/// The part of a difference that belongs to no share, with the reason; `None` if it is displayed as
+/// 0 or is a rounding error.
 fn remainder_text(difference: &Difference, split: &Shares, system: System) -> Option<String> {
     let of = difference.of;
     let remainder = shown::change(of, split.remainder, system);

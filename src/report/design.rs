@@ -153,8 +153,8 @@ impl Designed<'_> {
             .collect()
     }
 
-    /// The value of a parameter in the setup. An unset parameter has its equivalent number, if
-    /// there is one.
+    /// The value of a parameter in the setup. For an unset parameter: the number with the same
+    /// effect, if there is one.
     fn own(&self, parameter: &Parameter) -> Option<f64> {
         self.setup.value(parameter).or(parameter.unset)
     }

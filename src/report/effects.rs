@@ -41,8 +41,8 @@ pub struct OutcomeEffects {
     pub value: Number,
     /// The standard uncertainty of the outcome, SI, to first order for independent parameters.
     pub standard_uncertainty: Number,
-    /// The sum of the second-order terms, SI. `standard_uncertainty` omits these terms; `flown` of
-    /// each effect includes them.
+    /// The sum of the second-order terms, SI. `standard_uncertainty` omits these terms; `flown` in
+    /// each effect includes the second-order term of the effect.
     pub linearity: Number,
     /// The effects of the parameters, the largest first.
     pub effects: Vec<EffectReport>,
@@ -155,7 +155,7 @@ impl Report for EffectsReport<'_> {
     }
 }
 
-/// The sensitivities of an optimum, if it optimizes this outcome.
+/// The sensitivities in `totals`; `None` unless the optimum is of this outcome.
 fn totals_of(of: Outcome, totals: Option<(Outcome, &Totals)>) -> Option<&Totals> {
     let (optimized, totals) = totals?;
     (optimized == of).then_some(totals)

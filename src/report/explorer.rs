@@ -11,7 +11,7 @@ use crate::units::System;
 const VERSION: &str = "1";
 
 /// The state of the explorer for a setup: the text after `#` in the address of the explorer. The
-/// text has the preset, and each value that differs from the preset, as after `--set`.
+/// text has the preset and each value that differs from the preset, written as after `--set`.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::Preset, report::explorer_state, units::System};

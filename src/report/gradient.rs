@@ -29,9 +29,10 @@ pub struct OutcomeReport {
     pub of: Outcome,
     /// The value of the outcome, SI; `null` if the drive does not have it.
     pub value: Number,
-    /// The derivative by each parameter, SI.
+    /// The derivative by each parameter, SI; `null` if the drive does not have the outcome.
     pub gradient: Option<ByName<Number>>,
-    /// The second derivatives, SI; `null` if they were not requested.
+    /// The second derivatives, SI; `null` if they were not requested, or if the drive does not have
+    /// the outcome.
     pub hessian: Option<Matrix>,
     /// The reason why the drive does not have the outcome; `null` if it has the outcome.
     pub message: Option<String>,

@@ -15,7 +15,7 @@ pub(super) fn components(vector: Vector<f64>) -> [Number; 3] {
     vector.to_array().map(Number::from)
 }
 
-/// A range of values; an open end is `"-inf"` or `"inf"`.
+/// A range of values; an infinite end is `"-inf"` or `"inf"`.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Range {
@@ -107,7 +107,7 @@ pub struct Matrix {
 }
 
 impl Matrix {
-    /// The matrix of these parameters with these entries, by row and column.
+    /// The matrix over the parameters `names`, with `entry(row, column)` as entries.
     pub(super) fn new<N: Into<Number>>(
         names: impl IntoIterator<Item = &'static str>,
         entry: impl Fn(usize, usize) -> N,

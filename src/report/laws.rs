@@ -33,7 +33,8 @@ pub struct LawReport {
     pub fitted: FittedReport,
 }
 
-/// The data of a law's fit; `null` for an unknown range.
+/// The measurements to which a law was fitted, and the range of each quantity; `null` for an
+/// unknown range.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct FittedReport {

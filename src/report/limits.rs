@@ -19,7 +19,7 @@ pub(super) struct Objective {
 #[derive(Clone, Copy)]
 pub(super) struct Limit<'a> {
     pub constraint: &'a Constraint,
-    /// Value and multiplier of the minimized problem.
+    /// The value of the constraint, and its multiplier in the problem as a minimization.
     pub at: &'a ConstraintValue,
     /// The gradient of the limited goal by the varied parameters.
     pub slopes: &'a [f64],
@@ -29,7 +29,7 @@ pub(super) struct Limit<'a> {
 }
 
 impl<'a> Limit<'a> {
-    /// A constraint with its multiplier as the gain.
+    /// A constraint whose gain is its multiplier.
     pub fn new(constraint: &'a Constraint, at: &'a ConstraintValue, slopes: &'a [f64]) -> Self {
         Self {
             constraint,
@@ -52,8 +52,8 @@ pub(super) fn gain(constraint: &Constraint, at: &ConstraintValue) -> f64 {
 }
 
 impl Objective {
-    /// The gain for each unit of `by`, with its sign: "+2.11 yd for each degree". For golfers, the
-    /// gain is the price of the limit.
+    /// The gain for each unit of `by`, with its sign: "+2.11 yd for each degree". Texts for golfers
+    /// call this gain the price of the limit.
     pub fn price(self, amount: f64, by: (Quantity, &'static str), system: System) -> String {
         // for a minimized objective, a decrease is a gain
         let amount = if self.sense == Sense::Maximize {

@@ -21,7 +21,7 @@ pub(super) fn note(text: &str, width: usize) -> String {
 }
 
 /// Reasons for omissions, each reason once with all its names: "gravity, air.density: the reason".
-/// The order of the reasons is the order of their first names in `reasons`.
+/// The reasons are in the order of their first occurrence.
 pub fn by_reason<'a>(reasons: impl IntoIterator<Item = (&'a str, String)>) -> Vec<String> {
     let mut all: Vec<(String, String)> = vec![];
     for (name, reason) in reasons {

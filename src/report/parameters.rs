@@ -20,7 +20,7 @@ pub struct ParametersReport {
     pub laws: &'static [&'static str],
     /// The parameters of the setup, then the parameters of the other laws.
     pub parameters: Vec<ParameterReport>,
-    /// The choices of a setup that are no numbers, except the law.
+    /// The settings whose values are names, except the law.
     pub choices: Vec<ChoiceReport>,
     /// True if the setup states `flight.method` or `flight.step`. Otherwise a command that flies
     /// many drives chooses both.
@@ -54,19 +54,19 @@ pub struct ParameterReport {
     pub range: ParameterRange,
     /// The kind.
     pub kind: Kind,
-    /// The law, if the parameter is a coefficient of it.
+    /// The law that has this parameter as a coefficient; `null` for other parameters.
     pub law: Option<&'static str>,
     /// The meaning.
     pub doc: &'static str,
 }
 
-/// A choice of a setup that is no number.
+/// A setting whose value is a name.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ChoiceReport {
     /// The dotted name.
     pub choice: &'static str,
-    /// The name of the choice in the setup; `null` if no name has the numbers of the setup.
+    /// The name in the setup; `null` if the ground has the numbers of no turf.
     pub value: Option<&'static str>,
     /// The name by default.
     pub default: Option<&'static str>,
@@ -283,7 +283,7 @@ impl ChoiceReport {
     }
 }
 
-/// The choices of a setup that are no numbers, each with the alternatives.
+/// The settings whose values are names, each with all names.
 fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
     let usual = Setup::default();
     let methods = Method::ALL

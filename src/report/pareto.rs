@@ -43,7 +43,7 @@ pub struct ParetoReport<'a> {
     /// The distance of the knee from the chord between the ends, relative to the length of the
     /// chord. Each goal is scaled by its difference between the ends.
     pub bend: Number,
-    /// The goals before the search, SI; `null` if a swing does not fly.
+    /// The goals before the search, SI; `null` if the ball does not fly in one of the swings.
     pub as_set_up: Option<[Number; 2]>,
     /// Number of omitted points that other points dominate.
     pub dominated: usize,
@@ -83,7 +83,8 @@ pub struct ParetoPointReport {
     pub active: Vec<String>,
     /// The active bound of each parameter that is at a bound.
     pub bounds: ByName<BoundSide>,
-    /// The change of the active bounds and constraints at this point.
+    /// The change of the active bounds and constraints at this point, or a jump to another branch;
+    /// `null` without one.
     pub event: Option<String>,
 }
 

@@ -78,7 +78,7 @@ impl ParquetTable {
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `columns`.
     pub fn new(name: &str, columns: &[(String, Kind)], question: &str) -> Result<Self> {
-        // page indexes would make the footer depend on the position in the file
+        // no page indexes: they would make the footer depend on the position in the file
         let mut properties = WriterProperties::builder()
             .set_created_by(concat!("longdrive ", env!("CARGO_PKG_VERSION")).into())
             .set_statistics_enabled(EnabledStatistics::Chunk)
@@ -166,7 +166,7 @@ impl ParquetTable {
                 }
                 _ => {
                     return Err(ParquetError::General(format!(
-                        "column {number} has none of the requested kinds"
+                        "the values of column {number} do not have the type of the column"
                     )));
                 }
             }

@@ -35,8 +35,9 @@ impl SourcedValue {
     }
 }
 
-/// Inserts the choices of a setup next to the numbers that they concern: the golfer first, then the
-/// point of the club speed, the method before the step, law and table before the coefficients.
+/// Inserts the choices of a setup next to the numbers that they concern: the golfer first, the
+/// point of the club speed after the club speed, the method before the step, and law and table
+/// before the coefficients.
 fn insert_choices(rows: &mut Vec<SourcedValue>, choices: impl IntoIterator<Item = SourcedValue>) {
     for choice in choices {
         let place = match choice.name {
@@ -52,8 +53,8 @@ fn insert_choices(rows: &mut Vec<SourcedValue>, choices: impl IntoIterator<Item 
     }
 }
 
-/// The values of a preset with their sources. For values that the preset does not change, the
-/// source is the source of the parameter's default.
+/// The values of a preset with their sources. A value that the preset does not change has the
+/// source of the parameter's default.
 pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> {
     let entry = |name: &str| preset.entries.iter().find(|entry| entry.name == name);
     let mut rows: Vec<_> = setup
@@ -177,7 +178,7 @@ pub struct Change {
 /// ```
 ///
 /// # Errors
-/// None occurs, because a test reads all presets.
+/// No error occurs in practice: a test reads all presets.
 pub fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Vec<Change>> {
     let base = Setup::preset(preset.name)?;
     let used = setup

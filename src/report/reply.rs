@@ -4,8 +4,8 @@ use crate::error::Error;
 use crate::units::{Message, System};
 use serde::Serialize;
 
-/// An answer as one JSON object: the members of every answer first, then the result of the command.
-/// docs/json.md describes both.
+/// An answer as one JSON object: first the members that every answer has, then the result of the
+/// command. docs/json.md describes both.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Reply<T> {
@@ -88,7 +88,7 @@ impl Ending {
         let all = errors.len();
         let mut errors: Vec<&Error> = errors.into_iter().flatten().collect();
         let status = match (share(all - errors.len(), all), errors.first()) {
-            // the status of the errors, if all of them have this status
+            // the status of the errors, if all errors have the same status
             ("no-answer", Some(first))
                 if errors.iter().all(|error| error.status() == first.status()) =>
             {

@@ -44,7 +44,7 @@ pub struct RobustReport<'a> {
     pub greatest_loss: Number,
     /// The allowed loss, SI; `null` without one.
     pub within: Number,
-    /// True if no model loses more than the allowed loss.
+    /// True if no model loses more than the allowed loss; `null` without an allowed loss.
     pub holds_for_all: Option<bool>,
     /// The models.
     pub models: Vec<ModelReport>,
@@ -73,7 +73,7 @@ pub struct ModelReport {
     /// The multiplier of the model's loss, 0 to 1.
     pub share: Number,
     /// The model's losses with the best designs of all models, in the order of the models, SI;
-    /// `null` if a swing does not fly.
+    /// `null` if the ball does not fly in one of the swings.
     pub losses: Vec<Number>,
     /// The model's loss with the setup before the search, SI.
     pub loss_as_set_up: Number,
@@ -271,7 +271,7 @@ fn losses(found: &Robust, system: System) -> Table {
         .right(1..found.models.len() + 3)
         .with_caption(&format!(
             "losses of {} against each model's own best design, by design; {} if the design \
-             violates a limit, or a swing does not fly",
+             violates a limit, or if the ball does not fly in one of the swings",
             goal.expression,
             shown::NONE
         ))
@@ -364,8 +364,8 @@ fn add_constraints(document: &mut Document, found: &Robust, system: System) {
     }
 }
 
-/// The multiplier in words, `price`, if the bound or constraint is inactive for the robust design
-/// (zero `multipliers`) but active at a single model's optimum.
+/// The text `price` if the bound or constraint is inactive for the robust design (`multipliers` are
+/// 0) but active at the optimum of a single model; otherwise `None`.
 fn of_the_bests(multipliers: [f64; 2], price: String) -> Option<String> {
     Some(price).filter(|price| multipliers == [0.0; 2] && !price.starts_with("0 "))
 }

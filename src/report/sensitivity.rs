@@ -55,7 +55,7 @@ pub struct SensitivityOf {
     pub optimum: Option<ByName<Number>>,
     /// d²f*/dp², SI.
     pub curvature: Number,
-    /// The reason why the derivatives do not exist.
+    /// The reason why the derivatives do not exist; `null` if they exist.
     pub message: Option<String>,
 }
 
@@ -69,9 +69,10 @@ pub struct StatedChangeReport {
     pub change: f64,
     /// The optimum by derivatives.
     pub predicted: PredictedOptimum,
-    /// The optimum from a new search with the changed parameter.
+    /// The result of a new search with the changed parameter.
     pub resolved: ResolvedOptimum,
-    /// The first predicted change of the active bounds and constraints.
+    /// The first change of the active bounds and constraints that the derivatives predict; `null`
+    /// without one.
     pub event: Option<PredictedEvent>,
     /// The actual changes of the active bounds and constraints, or the reason why no optimum was
     /// found.
@@ -429,7 +430,7 @@ fn change(best: &Optimum, changed: &Changed, system: System) -> Table {
             .collect::<Vec<_>>()
     };
     let delta = shown::stated_difference(parameter, changed.change.delta, system);
-    // show the new value too: an amount without a sign could be read as a value
+    // show the new value too: a change without a sign looks like a value
     let to = best
         .setup
         .value(parameter)

@@ -12,8 +12,8 @@ const MOST_DIGITS: usize = 17;
 /// A setup as a setup file in TOML: its preset, then every parameter with its source. `about` are
 /// the first lines of the file. A remark in `remarks` replaces the source of its parameter. Method
 /// and step are in the file only if the setup states them; otherwise a program that reads the file
-/// may choose them. Air and wind of the preset are comments, so that another weather can be given
-/// with the file.
+/// may choose them. Values of air and wind that equal the preset's are comments, so that other
+/// weather can be given with the file.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::Preset, report::setup_toml};
@@ -25,7 +25,7 @@ const MOST_DIGITS: usize = 17;
 /// ```
 ///
 /// # Errors
-/// None occurs, because a test reads all presets.
+/// No error occurs in practice: a test reads all presets.
 pub fn setup_toml(
     setup: &Setup<f64>,
     preset: &Preset,
@@ -105,7 +105,7 @@ fn rows(
         .collect())
 }
 
-/// The values. Method and step are omitted, unless the setup states them.
+/// The values without method and step, unless the setup states these.
 fn stated(rows: Vec<SourcedValue>, setup: &Setup<f64>) -> impl Iterator<Item = SourcedValue> {
     rows.into_iter()
         .filter(|row| setup.states_step || !is_of_step(row.name))

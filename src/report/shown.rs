@@ -395,7 +395,7 @@ pub(super) fn ratio(
     .to_owned()
 }
 
-/// The number of a quotient in the units of a system, with the unit of the numerator.
+/// A quotient in the units of a system: its number, and the unit of its numerator.
 pub(super) fn quotient(
     of: (Quantity, &'static str),
     by: (Quantity, &'static str),
@@ -552,7 +552,8 @@ mod tests {
                 );
             }
         }
-        // one nanometre of carry per yard of ground height, and per g cm² of inertia
+        // 1 nm of carry per metre of ground height, and 0.1 nm per g cm² of inertia, are not
+        // rounding errors
         assert_eq!(
             shown(Outcome::Carry, 250.0, "ground.height", 1e-9, System::Metric),
             "1e-9 m per m"

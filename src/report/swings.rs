@@ -31,7 +31,7 @@ pub struct ScenariosReport {
     pub scenarios: usize,
     /// The rule that generates the swings.
     pub rule: ScenarioRule,
-    /// The seed of the sequence.
+    /// The seed of the sequence; `null` for other rules.
     pub seed: Option<u32>,
 }
 
@@ -75,21 +75,22 @@ pub struct StudiesReport {
     /// The values of the goals at the design before the search, SI; `null` if the ball does not fly
     /// in one of the swings.
     pub as_set_up: Option<ByName<Number>>,
-    /// The best design for the mean swing; `null` without an optimum, or if the mean swing does not
-    /// fly.
+    /// The best design for the mean swing; `null` without an optimum, or if the ball of the mean
+    /// swing does not fly.
     pub nominal: Option<NominalReport>,
     /// Sentences about results that could not be computed.
     pub unknown: Vec<String>,
     /// The error of the objective by Gauss's rules, SI: twice the change of the objective if the
-    /// number of nodes grows by half.
+    /// number of nodes grows by half; `null` for other rules.
     pub quadrature_error: Option<f64>,
-    /// The 99 % interval of the objective over all swings, from independent sequences of swings.
+    /// The 99 % interval of the objective over all swings, from independent sequences of swings;
+    /// `null` without these sequences.
     pub sampling: Option<SamplingReport>,
     /// The fraction of the swings whose ball ends where the table of expected strokes is
     /// extrapolated, 0 to 1; `null` without such a table.
     pub beyond_strokes: Option<f64>,
     /// The optima of resamples of recorded swings, and the number of swings needed to distinguish
-    /// the best design from the design before the search.
+    /// the best design from the design before the search; `null` without resamples.
     pub resampled: Option<Resampled>,
 }
 
@@ -110,7 +111,7 @@ pub struct NominalReport {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SamplingReport {
-    /// The 99 % interval, extended to `value` if it does not contain `value`.
+    /// The 99 % interval, extended to the reported `value` if this lies outside.
     pub interval: Interval,
     /// The number of sequences.
     pub sequences: usize,
@@ -168,8 +169,8 @@ fn unknown(price: Option<&Price>) -> Vec<String> {
     });
     let error = match price.error() {
         Some(GoalError::Unknown(why)) => Some(format!(
-            "the uncertainty of the best value is not known: one of the golfer's other swings does \
-             not fly ({why})"
+            "the uncertainty of the best value is not known: the ball does not fly in one of the \
+             golfer's other swings ({why})"
         )),
         _ => None,
     };
@@ -283,7 +284,7 @@ fn designs(best: &Optimum, nominal: Option<&Nominal>) -> Vec<String> {
     notes
 }
 
-/// Notes on constraints that the smoothed goal meets, but the exact goal does not.
+/// Notes on constraints that the smoothed goal meets but the exact goal violates.
 fn smoothed_limits(best: &Optimum, system: System) -> Vec<String> {
     let all = best.constraints();
     let pairs = all.iter().zip(&best.solution.constraints);

@@ -77,15 +77,16 @@ pub struct OutcomeUncertaintyReport {
     pub of: Outcome,
     /// True if the outcome varies by more than rounding errors.
     pub varies: bool,
-    /// The moments from the gradient at the means.
+    /// The moments from the gradient at the means; `null` if the gradient does not exist.
     pub delta: Option<Moments>,
-    /// The moments from gradient and Hessian at the means.
+    /// The moments from gradient and Hessian at the means; `null` if these do not exist.
     pub second_order: Option<Moments>,
     /// The statistics of the sample; `null` if no drive of the sample has the outcome.
     pub monte_carlo: Option<Statistics>,
-    /// The Sobol' indices: the share of each uncertain parameter in the variance.
+    /// The Sobol' indices of each uncertain parameter: its shares in the variance.
     pub indices: Vec<IndicesReport>,
-    /// The parameter whose exact knowledge reduces the uncertainty most.
+    /// The parameter whose exact knowledge reduces the uncertainty most; `null` if the outcome does
+    /// not vary, or if no index is positive.
     pub measure_first: Option<MeasureFirst>,
 }
 
@@ -101,7 +102,7 @@ pub struct IndicesReport {
     pub total: Option<Interval>,
     /// The mean of the squared derivative over the sample, SI.
     pub mean_square_slope: Number,
-    /// The upper bound of the total index, from the derivatives.
+    /// An estimated upper bound of the total index, from the derivatives of the sample.
     pub bound: Option<Interval>,
 }
 
@@ -463,7 +464,7 @@ fn shares_lines(
     shares.into_iter().chain(first).map(Line::item).collect()
 }
 
-/// The uncertain parameters by their index, the largest share of the variance first.
+/// The indices of the uncertain parameters, the largest share of the variance first.
 fn by_share(sampled: &Statistics) -> Vec<usize> {
     let total = |k: usize| sampled.indices[k].map_or(0.0, |indices| indices.total.value);
     let mut order: Vec<usize> = (0..sampled.indices.len()).collect();
@@ -551,7 +552,7 @@ fn ellipses(found: &Uncertainty, system: System) -> Table {
         let [long, short] = sampled.ellipse.half_axes;
         let lengths =
             [long, short].map(|axis| shown::spread(Carry, axis[0].hypot(axis[1]), system));
-        // choose the direction of the axis within 90° of downrange
+        // of the two directions of the axis, choose the direction within 90° of downrange
         let turned = (long[0] * long[1].signum()).atan2(long[1].abs());
         vec![
             format!(

@@ -981,8 +981,8 @@ fn starts_that_end_at_larger_sums_are_reported() {
         .collect::<Vec<_>>()
         .join(" ");
     assert_eq!(others, [("undefined", 5)], "{found}");
-    let told = "1 of 6 starts ended at this sum; 5 could not begin, because in some rows the \
-                ball does not fly there.";
+    let told = "1 of 6 starts ended at this sum of squares; 5 could not begin, because in some \
+                rows the ball does not fly with the parameters of the start.";
     assert!(said.contains(told), "{said}");
     assert!(
         said.contains("with narrower ranges more of the starts reach a minimum"),

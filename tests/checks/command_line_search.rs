@@ -329,7 +329,7 @@ fn differences_confirm_sensitivity_and_windows_as_json() {
     assert_eq!(text.status, 0);
     for words in [
         "swing.speed [mph]",
-        "within 1.00 yd of the best, each alone",
+        "within 1.00 yd of the best if one parameter alone",
         "together",
         "by the quadratic",
     ] {

@@ -342,7 +342,7 @@ fn a_robots_swings_keep_less_of_the_prior_spread() {
     are_given_back(&answer);
     let text = std::fs::read_to_string(&distribution).unwrap();
     assert!(
-        text.contains("# what the shots do not tell of the swings is spread by"),
+        text.contains("# in the directions that the shots do not identify, the swings have"),
         "{text}"
     );
 }

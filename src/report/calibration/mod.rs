@@ -36,18 +36,20 @@ pub struct CalibrationReport<'a> {
     pub covariance: Matrix,
     /// The correlations of the estimates, −1 to 1.
     pub correlation: Matrix,
-    /// Directions in parameter space that the data do not determine: the change of each parameter,
-    /// SI.
+    /// Combinations of parameters that the data do not determine, each as the changes of its
+    /// parameters, SI.
     pub undetermined: Vec<ByName<Number>>,
     /// χ² of the fit.
     pub chi_square: Number,
-    /// Number of values minus number of parameters.
+    /// The number of measured values minus the number of parameters that they determine, at least
+    /// 0. Parameters at a bound are not counted.
     pub degrees_of_freedom: usize,
-    /// The probability of a larger χ².
+    /// The probability of a χ² at least this large, if the model is right; `null` unless the data
+    /// state every uncertainty and leave degrees of freedom.
     pub probability: Number,
     /// √(χ²/degrees of freedom), by which the standard uncertainties are multiplied. It is 1 if the
-    /// data state every uncertainty, or if the residuals give no scale; `null` if the residuals
-    /// give no scale and no uncertainty is known.
+    /// data state every uncertainty. If the residuals give no scale, it is 1 if the uncertainty of
+    /// every value is known, and `null` otherwise.
     pub uncertainty_scale: Number,
     /// Iterations of the fit.
     pub iterations: u64,
@@ -103,7 +105,7 @@ impl DataReport {
 pub struct RefusedReport {
     /// Number of these points.
     pub count: u64,
-    /// The reason why the fit rejected the last of these points.
+    /// The reason why the fit rejected the last of these points; `null` without such points.
     pub last: Option<String>,
 }
 
@@ -141,11 +143,12 @@ pub struct HeldOutReport {
     pub fit: String,
     /// Number of folds of the cross-validation; 0 if nothing was fitted.
     pub folds: usize,
-    /// Number of fits by status; the rows of interrupted fits are omitted.
+    /// Number of fits of the cross-validation by status. The errors omit the rows held out of an
+    /// interrupted fit.
     pub fits: ByName<usize>,
     /// Root mean square of the residuals, each in units of its standard uncertainty.
     pub rms_standardized: Number,
-    /// Root mean square of the unscaled residuals of each outcome, SI.
+    /// Root mean square of the residuals of each outcome, not divided by their uncertainties, SI.
     pub rms: ByName<Number>,
 }
 
@@ -224,10 +227,7 @@ impl<'a> CalibrationReport<'a> {
         match stopped {
             0 => fit.message.clone(),
             _ if fit.status == Status::Interrupted => {
-                format!(
-                    "{}; fits for the held-out error that were not made: {of_all}",
-                    fit.message
-                )
+                format!("{}; not made for the held-out error: {of_all}", fit.message)
             }
             _ => format!(
                 "the held-out error leaves out the fits that were stopped: {of_all}; the fit \

@@ -3,7 +3,7 @@ use crate::report::figures::capital;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::study::calibrate::{Calibration, Remainder, ShotTable};
 
-/// A measured value and the computed value.
+/// A measured value with the computed value.
 struct Point {
     computed: f64,
     measured: f64,

@@ -45,12 +45,13 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
             counted((made - stopped) as u64, "start")
         ),
     };
-    let mut text = format!("{same} of {of} ended at this sum");
+    let mut text = format!("{same} of {of} ended at this sum of squares");
     for (status, count) in &found.elsewhere {
         text += &match status {
             Status::Undefined => {
                 format!(
-                    "; {count} could not begin, because in some rows the ball does not fly there"
+                    "; {count} could not begin, because in some rows the ball does not fly with the \
+                     parameters of the start"
                 )
             }
             _ => format!("; {count} ended at a larger sum ({status})"),
@@ -154,7 +155,7 @@ pub(super) fn to_its_error(
         .map(|error| 1.0 - (error / size).log10().floor());
     match decimals {
         Some(decimals @ 0.0..=9.0) => fixed(number, decimals as usize),
-        // for a very large or very small error, round to this place with significant digits
+        // for a large error, or for more than 9 decimals, round to this place by significant digits
         Some(decimals) if value != 0.0 => {
             let digits = number.abs().log10().floor() + decimals + 1.0;
             significant(number, digits.clamp(4.0, 17.0) as usize)
@@ -351,8 +352,8 @@ pub(super) struct OutcomeError {
     quantity: Quantity,
 }
 
-/// The root mean square of the held-out differences: one for each outcome, and one for each
-/// parameter whose optimum a row states.
+/// The root mean square of the held-out differences of each outcome, and of each parameter whose
+/// optimum a row states.
 pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
     // before the loop ends, `rms` is the sum of squares
     let mut all: Vec<(OutcomeError, usize)> = vec![];

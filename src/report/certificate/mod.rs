@@ -9,7 +9,7 @@ pub(super) use text::settled;
 use crate::study::certificate::Certificate;
 use crate::units::counted;
 
-/// The progress of an interrupted certificate.
+/// The progress of an interrupted certificate; `None` for a complete certificate.
 fn stopped(certificate: &Certificate) -> Option<String> {
     let [done, all] = certificate.stopped?;
     Some(format!(

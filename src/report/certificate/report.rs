@@ -40,8 +40,8 @@ pub struct CertificateReport<'a> {
     pub step_errors: &'a [StepError],
     /// Omitted checks, with the reasons.
     pub not_examined: &'a [NotExamined],
-    /// The finite differences of the carry of the MAE 494 report's while-loop, for each parameter
-    /// with a certified derivative of carry.
+    /// Finite differences of the carry that the while-loop of the MAE 494 report computes, for each
+    /// parameter with a certified derivative of carry.
     pub while_loop: Vec<LoopCheck<'a>>,
     /// Outcomes without derivatives at this drive, with the reasons.
     pub missing: &'a [Missing],
@@ -67,8 +67,8 @@ pub struct CertificateRow<'a> {
     pub tolerance: Number,
     /// The derivative from `num_dual::Dual64`.
     pub num_dual: Agreement,
-    /// The one-sided derivatives below and above a corner, SI; `null` on a side outside of the
-    /// parameter's range.
+    /// The one-sided derivatives below and above a corner, SI: `null` without a corner, and on a
+    /// side outside of the parameter's range.
     pub sides: Option<[Option<f64>; 2]>,
     /// The step at which the plain central difference has the smallest error, SI.
     pub best_step: Number,
@@ -77,7 +77,8 @@ pub struct CertificateRow<'a> {
     /// The slopes of the Taylor remainders of degree 0, 1 and 2 as functions of the step, in
     /// logarithmic scales; `null` if rounding dominates the remainder.
     pub taylor_slopes: [Number; 3],
-    /// The second derivative by the parameter.
+    /// The check of the second derivative by the parameter; `null` if this derivative does not
+    /// exist or is discontinuous.
     pub second: Option<&'a Check>,
     /// The error of plain central differences at each step: the V-curve.
     pub curve: Curve,
@@ -186,9 +187,9 @@ impl Report for CertificateReport<'_> {
         let mut document = Document::default();
         document.add(rows_table(&self.certificate.rows));
         document.list([Line::item(
-            "errors are the differences from numerical derivatives, and under num-dual from the \
-             derivative over num_dual::Dual64, relative to the exact derivative; absolute where it \
-             is 0",
+            "error: the difference from the numerical derivative; num-dual: the difference from the \
+             derivative over num_dual::Dual64; both relative to the exact derivative, or absolute \
+             if it is 0",
         )]);
         let lines = lines(self.certificate, self.loops, system);
         document.list(lines.into_iter().map(Line::item));

@@ -132,8 +132,8 @@ fn corner(row: &Row) -> String {
     format!("{of} has a corner in {parameter}: {slopes}")
 }
 
-/// A second derivative that fails although the first derivative passes. The table shows only the
-/// first derivative.
+/// A second derivative that fails although the first derivative passes; otherwise `None`. The table
+/// has only the first derivative.
 fn failure_of_second(row: &Row) -> Option<String> {
     let second = row
         .second
@@ -150,7 +150,8 @@ fn failure_of_second(row: &Row) -> Option<String> {
     ))
 }
 
-/// A first derivative that differs from the derivative by num-dual.
+/// The disagreement of a first derivative with the same derivative from num-dual; `None` if both
+/// agree.
 fn disagreement(row: &Row) -> Option<String> {
     let found = &row.num_dual;
     if found.holds() {
@@ -168,8 +169,8 @@ fn disagreement(row: &Row) -> Option<String> {
     ))
 }
 
-/// The agreement of first derivatives from jets and from num-dual: the largest difference relative
-/// to its tolerance.
+/// The agreement of first derivatives from jets and from num-dual, with the largest difference
+/// relative to its tolerance.
 fn agreement(rows: &[Row]) -> Option<String> {
     let part = |row: &&Row| row.num_dual.difference / row.num_dual.tolerance.max(f64::MIN_POSITIVE);
     let worst = rows.iter().max_by(|a, b| part(a).total_cmp(&part(b)))?;
@@ -234,7 +235,7 @@ pub(super) fn rows_table(rows: &[Row]) -> Table {
     Table::new(head, rows).right(3..=6)
 }
 
-/// The exact derivative of a row for display.
+/// The exact derivative of a row for display: 0 if it is a rounding error.
 pub(in crate::report) fn settled(row: &Row) -> f64 {
     shown::settled(
         row.first.exact,
@@ -244,7 +245,8 @@ pub(in crate::report) fn settled(row: &Row) -> f64 {
     )
 }
 
-/// The agreement of derivatives at the landing with finite differences at a fixed time.
+/// The agreement of derivatives at the landing with finite differences at a fixed time; `None`
+/// without a derivative to compare.
 fn landing(certificate: &Certificate) -> Option<String> {
     let landing = &certificate.landing;
     let worst = landing
@@ -341,7 +343,8 @@ fn convergence(found: &Convergence) -> String {
     )
 }
 
-/// The outcome and the derivative that have the largest error of the time step.
+/// The outcome and the derivative with the largest errors due to the time step, as text; `None`
+/// without such errors.
 fn step_error(errors: &[StepError]) -> Option<String> {
     let value = errors
         .iter()
@@ -363,7 +366,8 @@ fn step_error(errors: &[StepError]) -> Option<String> {
         let of_outcome = found.derivative_error_of_outcome;
         text += &format!(
             ", and d {of}/d {by} by {error:.0e} ({of_outcome:.0e} of {of} per size of the \
-             parameter); all others differ by less, and no verdict depends on it"
+             parameter); all other outcomes and derivatives \
+             differ by less, and no verdict depends on these errors"
         );
     }
     Some(text)

@@ -216,9 +216,9 @@ pub fn bound_warnings(all: &[Delivery], system: System) -> Vec<Message> {
             ends.join(" to ")
         };
         Some(Message::from(format!(
-            "{} of {} lies at the {} end of its search range, {ends}: the range determines it \
-             there, not the launch; `set` {} to a value nearer to the golfer's, or give it a \
-             larger `sigma`",
+            "{} of {} lies at the {} end of its search range, {ends}: the range, not \
+             the launch, determines this value; `set` {} to a value nearer to the golfer's, or give \
+             it a larger `sigma`",
             parameter.name,
             counted_of(
                 values.len() as u64,

@@ -91,9 +91,9 @@ pub fn population_warnings(population: &Population, system: System) -> Vec<Messa
     if population.prior_factor < 1.0 {
         let part = significant(population.prior_factor, 3);
         all.push(format!(
-            "what the shots do not tell of the swings is spread by {part} of the deviation that \
-             was assumed: by all of it the launches would \
-             not scatter as those of the shots"
+            "in the directions that the shots do not identify, the swings have {part} of the \
+             assumed deviation: with all of it, their launches would scatter differently from the \
+             shots"
         ));
     }
     let off: Vec<String> = population
@@ -122,9 +122,8 @@ pub fn population_warnings(population: &Population, system: System) -> Vec<Messa
         .collect();
     if !off.is_empty() {
         all.push(format!(
-            "the distribution of the swings does not give the shots back, by more than a quarter \
-             of their scatter: {}; the table of swings \
-             (.csv) does not have this error",
+            "the distribution of the swings does not reproduce the shots: a difference exceeds a \
+             quarter of their scatter: {}; the table of swings (.csv) does not have this error",
             off.join(", ")
         ));
     }

@@ -6,8 +6,8 @@ use maud::{Markup, html};
 
 /// A document as a self-contained HTML page, with the pictures and data of its figures as separate
 /// files. Returns all files, `index.html` first. `documents` is the document in each system of
-/// [`System::ALL`]; the reader can switch between the systems. The page opens with `system`, which
-/// also determines the names of the data.
+/// [`System::ALL`]; the reader can switch between the systems. The page opens in the units of
+/// `system`; the data files have the names of layers in these units.
 ///
 /// # Errors
 /// The errors of [`figure_svg`](crate::report::plot::figure_svg) and
@@ -51,7 +51,8 @@ fn words(metric: &str, us: &str) -> Markup {
     both(|system| if system == System::Us { us } else { metric }.to_owned())
 }
 
-/// Converts the blocks of a page in order. The text before a table is the label of the table.
+/// Converts the blocks of a page in order. The heading or short text before a table becomes the
+/// label of the table.
 struct Parts<'a> {
     /// The figures that are not converted yet.
     pairs: &'a [Pair],

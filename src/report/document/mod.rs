@@ -18,7 +18,7 @@ pub struct Document {
     parts: Vec<Part>,
 }
 
-/// A block and its detail, which determines the texts that show the block. Pages show all blocks.
+/// A block with its detail. Pages show all blocks.
 #[derive(Clone, Debug)]
 struct Part {
     block: Block,
@@ -30,7 +30,7 @@ struct Part {
 pub(super) enum Detail {
     /// All texts.
     Answer,
-    /// The block is in texts with every table. Texts for a screen have no space for it.
+    /// Texts that show every table, which a text for a screen does not.
     Rest,
     /// Texts about the computation.
     Computation,
@@ -253,7 +253,7 @@ impl Document {
         self.parts.extend(other.parts);
     }
 
-    /// Adds the blocks of another document, for texts with this detail.
+    /// Adds the blocks of another document with this detail.
     pub(super) fn append_detail(&mut self, other: Self, detail: Detail) {
         let before = self.parts.len();
         self.append(other);

@@ -35,7 +35,7 @@ impl TextOptions {
     }
 }
 
-/// The line in place of tables that a text leaves out.
+/// The line in place of the blocks that a text for a screen omits.
 const REST: &str = "the rest: `all`";
 
 impl Document {
@@ -113,7 +113,7 @@ fn table_text(found: &Table, options: &TextOptions) -> String {
     };
     let mut text = table(&head, &right, rows, most);
     if !found.row_notes.is_empty() {
-        // a table of single lines: the column heads, then the rows
+        // the first line has the column heads, each further line is a row
         let details = found.row_notes.iter().map(|details| note(details, width));
         let details = std::iter::once(String::new()).chain(details);
         text = text

@@ -15,8 +15,8 @@ pub struct ChartFigures {
     pub held: Vec<(Vary, String)>,
 }
 
-/// The optimum along a parameter: plots of its value, and of each varied parameter with the bounds
-/// of its range. `own` is the optimum of the drive as set up; the plots mark it. Texts are in the
+/// The optimum along a parameter: a plot of the optimal value, and a plot of each varied parameter
+/// with the bounds of its range. The plots mark `own`, the optimum for the setup. Texts are in the
 /// units of `system`.
 pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> ChartFigures {
     let mut found = ChartFigures {
@@ -43,11 +43,12 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
     found
 }
 
-/// A chart with the data that all its plots show: the optimum of the drive as set up, and the
-/// measure of the horizontal axis.
+/// A chart with the data that all its plots show: the optimum for the setup, and the quantity on
+/// the horizontal axis.
 struct Drawing<'a> {
     chart: &'a Chart,
-    /// The value of the chart's parameter in the drive as set up, with the optimum of this drive.
+    /// The value of the chart's parameter in the setup, with the optimum at this value; `None`
+    /// outside of the chart.
     own: Option<(f64, &'a Optimum)>,
     system: System,
     along: Measure,
@@ -129,7 +130,7 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// The mark of the drive as set up, with its value in words.
+    /// The mark of the optimum for the setup; `told` is the optimal value as text.
     fn own_mark(&self, at: f64, value: f64, told: &str) -> Layer {
         let place = shown::stated(self.chart.along.parameter, at, self.system);
         Layer::Mark {

@@ -61,7 +61,7 @@ struct Rows {
 }
 
 impl Rows {
-    /// The bars of the largest shares of a split, in rows below the present rows.
+    /// Adds a row below the others for each of the largest shares of a split, and returns the bars.
     fn bars(&mut self, difference: &Difference, split: &Shares) -> Vec<Bar> {
         let is_rounding =
             |share: &&Share| shown::is_rounding(difference.of, difference.values[0], share.amount);

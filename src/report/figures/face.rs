@@ -7,7 +7,7 @@ use crate::report::shown;
 use crate::study::Face;
 use crate::units::{Quantity, System, significant};
 
-/// Contour levels of the carry lost relative to the longest strike, in the displayed unit.
+/// Contour levels of the carry lost relative to the longest carry, in the displayed unit.
 const RINGS: [f64; 3] = [1.0, 5.0, 10.0];
 
 /// Length of the longest arrow, m on the face.
@@ -44,7 +44,7 @@ pub(super) fn above(face: &Face) -> Axis {
     ))
 }
 
-/// The name of the point from which the face measures strikes.
+/// The name of the origin of the coordinates on the face.
 fn origin(face: &Face) -> &'static str {
     if face.is_from_centre {
         "the centre of the face"

@@ -85,8 +85,8 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     figure.noted(notes.join(" "))
 }
 
-/// Ranges of the coordinates of `layers` with margins: to the right, symmetric about the target
-/// line and at least as wide as the fairway; and downrange.
+/// Ranges of the coordinates of `layers`, with margins. The first range, to the right, is symmetric
+/// about the target line and at least as wide as the fairway; the second range is downrange.
 fn extents(layers: &[Layer]) -> [[f64; 2]; 2] {
     let points = || {
         layers.iter().flat_map(|layer| match layer {
@@ -150,7 +150,7 @@ fn arcs([x, y]: [[f64; 2]; 2], system: System) -> Vec<Layer> {
     let first = (y[0].max(0.0) / step).floor() as u32 + 1;
     let mut layers = vec![];
     for radius in (first..).map(|i| f64::from(i) * step) {
-        // an arc reaches the picture if the top of the arc does
+        // stop at the first arc whose top is above the picture
         if radius > y[1] {
             break;
         }
@@ -223,7 +223,7 @@ fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
                 format!("run ({})", landing.name)
             },
             hue,
-            // the dashes leave another roll-out on the same line visible
+            // dashed, so that another roll-out on the same line stays visible
             is_dashed,
             points: vec![landing.at, rest],
         });

@@ -35,7 +35,8 @@ const REYNOLDS: [f64; 2] = [4e4, 2.4e5];
 /// Number of segments of a curve.
 const STEPS: usize = 240;
 
-/// Maximum relative distance of a measured point from the constant Reynolds number or spin ratio.
+/// Measured points are drawn if their Reynolds number or spin ratio differs from the constant value
+/// of the plot by at most this fraction.
 const NEAR: f64 = 0.1;
 
 /// A measured point. Spin ratio or Reynolds number is missing if the source averages over this
@@ -53,8 +54,9 @@ const COEFFICIENTS: [f64; 2] = [0.0, 0.5];
 
 /// Laws of drag and lift as curves with measured points. The law of the setup has a colour, the
 /// others are grey. A curve is solid in the fitted range, and dashed elsewhere or if the range is
-/// unknown. Speeds and spins are for the ball and the air of a setup. `constant` is the value of
-/// the variable that is not on the axis: the Reynolds number or the spin ratio.
+/// unknown. A law that depends on the speed or the spin itself is drawn for the ball and the air of
+/// `setup`. `constant` is the value of the variable that is not on the axis: the Reynolds number or
+/// the spin ratio.
 pub fn laws_figure(
     laws: &[Law<f64>],
     setup: &Setup<f64>,
@@ -189,7 +191,7 @@ impl LawPlot {
         )
     }
 
-    /// The stream at a value of the horizontal axis.
+    /// The flow of air past the ball at a value of the horizontal axis.
     fn stream(&self, at: f64) -> Stream<f64> {
         let (spin_ratio, reynolds) = match self.over {
             Over::SpinRatio => (at, self.constant),

@@ -24,8 +24,8 @@ impl fmt::Display for At {
     }
 }
 
-/// The colour of a drive, and true if its lines are dashed. Names other than "as set up" and
-/// "optimum" have a style by their index.
+/// The colour of a drive, and true if its lines are dashed. A name other than "as set up" and
+/// "optimum" has the style of the series `place`.
 pub(super) fn style(name: &str, place: usize) -> (Hue, bool) {
     match name {
         "as set up" => (Hue::SET_UP, false),

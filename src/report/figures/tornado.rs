@@ -5,7 +5,7 @@ use crate::report::shown::{self, is_rounding, spread};
 use crate::study::{self, Effect, Effects, Sigma};
 use crate::units::{System, counted};
 
-/// Bars shorter than this fraction of the longest are combined in one row.
+/// Bars shorter than this fraction of the longest bar are combined in one row.
 const SMALL: f64 = 0.02;
 
 /// Maximum number of rows. Smaller effects are combined in the last row.
@@ -84,7 +84,7 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System)
     ranked.sort_by(|a, b| size(b).total_cmp(&size(a)));
     let longest = ranked.first().map(size).filter(|longest| *longest > 0.0)?;
     let measure = Measure::outcome(effects.of);
-    // bars that are too short to see
+    // bars that are long enough to be visible
     let seen = ranked
         .iter()
         .take_while(|effect| size(effect) > SMALL * longest)

@@ -78,7 +78,7 @@ fn add_slopes(document: &mut Document, noise: &Noise, shown: Published) {
     );
 }
 
-/// Adds a table of finite differences with longer steps.
+/// Adds a table of finite differences with larger increments of the loft.
 fn add_longer_differences(document: &mut Document, noise: &Noise, shown: Published) {
     let rows = noise.longer_differences.iter().map(|slopes| {
         vec![

@@ -9,7 +9,7 @@ use crate::study::Optimum;
 use crate::units::{System, signed};
 
 /// Lines such as "carry 286.0 yd → 300.4 yd: +14.4 yd", with the change of the total. If the carry
-/// grows but the total falls, the lines include advice.
+/// grows but the total falls, a line has advice.
 pub(in crate::report) fn gain_lines(
     optimum: &Optimum,
     drive: &Drive<f64>,
@@ -98,7 +98,7 @@ pub(in crate::report) fn drive_lines(
             &shown::goal(&optimum.search.of, value, system),
         )),
     };
-    // an objective of the roll-out is shown with the other outcomes of the roll-out
+    // if the objective is an outcome of the roll-out, show the other outcomes of the roll-out too
     let run = [Outcome::Total, Outcome::Run]
         .into_iter()
         .filter(|other| of.is_some_and(|of| of.needs_run() && *other != of))

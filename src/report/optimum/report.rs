@@ -62,15 +62,16 @@ pub struct OptimumReport {
     /// The flight of the optimal drive; `null` for swings.
     #[cfg_attr(test, schemars(schema_with = "super::super::drive::flight_schema"))]
     pub flight: Option<ByName<Number>>,
-    /// The fitted range of the law, and the fraction of the optimal drive's flight outside of it.
+    /// The range of the law's fit and the range of the optimal flight, for each quantity of the
+    /// fit; `null` if there is no air or no flight, and for swings.
     pub law_range: Option<LawRanges>,
     /// For each varied parameter: the range in which it can vary alone and lose at most
     /// `window_loss`; `null` for swings, and without an optimum.
     pub window: Option<ByName<WindowReport>>,
-    /// The loss allowed in each window, SI.
+    /// The loss allowed in each window, SI; `null` without windows.
     pub window_loss: Number,
-    /// The part of the gain that the club gives with the swing as set up; `null` unless club and
-    /// swing are varied.
+    /// The gain of the optimum in two parts: from the club with the swing as set up, and from the
+    /// swing; `null` if the search does not vary both, or if the first part is unknown.
     pub club_alone: Option<ClubAloneReport>,
     /// The setup file that was written; `null` without one.
     pub file: Option<String>,
@@ -298,15 +299,16 @@ pub struct LimitReport {
     pub expression: String,
     /// The source of the rule; `null` for a limit of the user.
     pub source: Option<&'static str>,
-    /// The kind of enforcement: `bound` of a varied parameter, `limit` of the search, `value` that
-    /// no varied parameter changes, or `unknown`: its value is unknown.
+    /// How the search enforces the limit: `bound` of a varied parameter, or `limit` as a
+    /// constraint. `value`: no varied parameter changes the limited expression. `unknown`: the
+    /// value of the expression is unknown.
     #[cfg_attr(test, schemars(extend("enum" = ["bound", "limit", "value", "unknown"])))]
     pub by: &'static str,
     /// The lower limit, SI; `null` without one.
     pub low: Number,
     /// The upper limit, SI; `null` without one.
     pub high: Number,
-    /// The value of the expression, SI.
+    /// The value of the expression, SI; `null` if it is unknown.
     pub value: Number,
     /// The distance from the nearer limit, SI; negative if the limit is violated.
     pub margin: Number,

@@ -11,9 +11,10 @@ use serde::Serialize;
 pub struct Surroundings<'a> {
     /// The allowed loss, SI.
     pub loss: f64,
-    /// The window of each varied parameter for this loss.
+    /// The window of each varied parameter for the allowed loss.
     pub windows: &'a [Window],
-    /// The best value with the swing as set up.
+    /// The best value that club and ball achieve with the swing as set up; `None` if the search
+    /// does not vary both club and swing, or if this value is unknown.
     pub club_alone: Option<&'a ClubAlone>,
 }
 
@@ -27,7 +28,7 @@ impl Surroundings<'_> {
             .map(|(vary, window)| window_text(optimum, vary, window, system))
             .collect();
         let windows = format!(
-            "within {loss} of the best, each alone with the others at the optimum: {}",
+            "within {loss} of the best if one parameter alone changes: {}",
             windows.join(", ")
         );
         let club = self.club_alone.map(|club| club_text(optimum, club, system));
@@ -35,8 +36,8 @@ impl Surroundings<'_> {
     }
 }
 
-/// A window in words, such as "club.loft 5.36° to 6.94°", with the reason for each end that is not
-/// due to the loss.
+/// A window in words, such as "club.loft 5.36° to 6.94°". If something other than the loss limits
+/// an end, the text has the reason.
 fn window_text(optimum: &Optimum, vary: &Vary, window: &Window, system: System) -> String {
     let end = |value: f64, limit: WindowLimit| {
         let value = shown::parameter(vary.parameter, value, system);
@@ -58,7 +59,7 @@ fn window_text(optimum: &Optimum, vary: &Vary, window: &Window, system: System) 
 }
 
 /// The gain of the club in words, such as "the club alone, with the swing as set up: +2.60 yd
-/// (club.loft 10.40°); the swing too: +11.90 yd".
+/// (club.loft 10.40°); the swing too: +11.90 yd more".
 fn club_text(optimum: &Optimum, club: &ClubAlone, system: System) -> String {
     let goal = &optimum.search.of;
     let gain = |amount: f64| signed(amount, shown::goal_difference(goal, amount, system));
@@ -110,7 +111,8 @@ fn limit_name(optimum: &Optimum, limit: WindowLimit) -> String {
     }
 }
 
-/// The gain split into the part of the club with the swing as set up, and the rest, SI.
+/// The gain of the optimum in two parts: from the club with the swing as set up, and from the
+/// swing.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ClubAloneReport {

@@ -90,7 +90,7 @@ pub(in crate::report) fn add_place(
     add_constraints(document, optimum, system);
 }
 
-/// The varied parameters as a table; for swings, with the best design for the mean swing.
+/// The varied parameters as a table. For swings, a column has the best design for the mean swing.
 pub(in crate::report) fn place(optimum: &Optimum, over: &OverSwings, system: System) -> Table {
     let (search, solution) = (&optimum.search, &optimum.solution);
     let is_one_drive = search.scenarios.is_one_drive();
@@ -142,7 +142,7 @@ fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
             vec![constraint.expression.clone(), price]
         }
     });
-    // for swings, a row without a gain has no content
+    // for swings, omit a constraint without a gain: its value is in the table of the goals
     let rows: Vec<_> = rows
         .filter(|row| is_one_drive || !row[1].is_empty())
         .collect();
@@ -175,8 +175,8 @@ pub(in crate::report) fn add_convergence(
     }
 }
 
-/// The status of a search with its message: the numbers of the solver, or the meaning of the status
-/// for the drive.
+/// The status of a search with its message, which has the numbers of the solver or says what the
+/// status means for the drive.
 pub(in crate::report) fn ended_line(optimum: &Optimum, system: System) -> Line {
     Line::flush(format!(
         "{}: {} ({})",

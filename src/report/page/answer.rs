@@ -153,7 +153,7 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
     }
     let unit = system.unit(parameter.unit);
     let is_corner = best.solution.kink.is_some_and(|kink| kink.variable == i);
-    // for a number without unit, a change of 1 is too large
+    // a corner needs more words; a change of 1 is too large for a number without unit
     if is_corner || unit.is_empty() {
         return Some(bound_in_words(best, i, system));
     }

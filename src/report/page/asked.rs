@@ -15,7 +15,7 @@ use maud::{Markup, html};
 /// counts the others.
 const NAMED: usize = 3;
 
-/// The title of the page: the setup or the stated launch, and the first changes.
+/// The title of the page: the setup or the stated launch, and the first changes of the setup.
 pub(super) fn title(findings: &Findings, system: System) -> Result<String> {
     // a setup file has its own name
     if findings.is_of_a_file() {

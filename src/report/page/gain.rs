@@ -51,7 +51,7 @@ pub(super) fn steps(findings: &Findings, best: &Optimum) -> Markup {
     }
 }
 
-/// The outcome of the report; with the carry also the total, and with the total also the carry.
+/// The outcome of the report. Carry and total are shown together.
 fn outcomes(of: Outcome) -> Vec<Outcome> {
     match of {
         Outcome::Carry => vec![of, Outcome::Total],

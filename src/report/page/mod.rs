@@ -149,7 +149,8 @@ fn charts(findings: &Findings, chart: &Chart) -> Vec<Pair> {
         .collect()
 }
 
-/// The paths of drives that fly, from the side and from above, with reasons for missing views.
+/// The paths of drives that fly, from the side and from above, with the reason for each missing
+/// view in both systems of units.
 fn trajectories(flown: &[NamedDrive]) -> (Vec<Pair>, Vec<[String; 2]>) {
     let flying: Vec<NamedDrive> = flown
         .iter()
@@ -176,7 +177,7 @@ fn trajectories(flown: &[NamedDrive]) -> (Vec<Pair>, Vec<[String; 2]>) {
 /// The plots of a page, by section.
 struct Plots {
     drive: Vec<Pair>,
-    /// The reasons for missing views of the drive.
+    /// The reason for each missing view of the drive, in metric and in US units.
     left_out: Vec<[String; 2]>,
     strike: Vec<Pair>,
     /// Outcomes over the strike on the face.

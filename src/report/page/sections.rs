@@ -112,17 +112,17 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     }
 }
 
-/// The head of a column, repeated in each of its cells where the table is stacked.
+/// The head of a column, which a narrow page shows in each cell of the column.
 fn label(head: impl Render) -> Markup {
     html! { span.label { (head) } }
 }
 
-/// The column head of the windows of small loss.
+/// The head of the column of windows, with the loss that the windows allow.
 fn alone(of: Outcome, flatness: &Flatness) -> Markup {
     html! { "alone, for a loss of " (loss(of, flatness.loss)) }
 }
 
-/// The window of a parameter with a small loss, and the reasons for its ends.
+/// The window of a parameter, with the reason for each end that is not due to the loss.
 fn window(best: &Optimum, vary: &Vary, window: &Window) -> Markup {
     html! {
         span {
@@ -132,7 +132,7 @@ fn window(best: &Optimum, vary: &Vary, window: &Window) -> Markup {
     }
 }
 
-/// The reason for the end of a parameter's window of small loss, unless the loss ends it.
+/// The reason for an end of a window; empty if the end is due to the loss.
 fn limit(best: &Optimum, limit: WindowLimit) -> Markup {
     html! {
         @match limit {

@@ -39,8 +39,8 @@ impl Measure {
         Self::new(words(parameter.name), parameter.quantity, parameter.unit)
     }
 
-    /// The size of the unit of a system, in SI units. Dividing by this number is much faster than
-    /// parsing the unit for each value.
+    /// The size of the unit of a system, in SI units. To divide by this size is much faster than to
+    /// parse the unit for each value.
     pub fn unit_size(&self, system: System) -> f64 {
         self.quantity.size_of(system.unit(self.unit)).unwrap_or(1.0)
     }
@@ -76,7 +76,7 @@ impl Measure {
         units.head(&self.label, self.quantity, self.unit)
     }
 
-    /// An SI value as a number of a table.
+    /// An SI value as a number in the units of a table.
     pub fn number(&self, value: f64, units: TableUnits) -> f64 {
         units.number(value, self.quantity, self.unit)
     }

@@ -41,7 +41,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// The rows of a figure whose vertical axis has names.
+    /// The rows of a figure whose vertical axis shows names; `None` for other axes.
     pub fn of(figure: &Figure, width: f64) -> Option<Self> {
         let Scale::Names(names) = &figure.y.scale else {
             return None;
@@ -77,7 +77,7 @@ impl Rows {
         ROW + self.over()
     }
 
-    /// The height of names above the bars.
+    /// The height of the names above the bars; 0 if the names are on the left.
     fn over(&self) -> f64 {
         let most = self.names.iter().map(Vec::len).max().unwrap_or(0);
         if self.is_above {

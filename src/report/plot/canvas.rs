@@ -62,7 +62,7 @@ impl Stroke {
     }
 }
 
-/// A picture in progress: each element covers those drawn before.
+/// A picture in progress. Each element covers the elements drawn before it.
 pub(super) struct Canvas {
     pub palette: &'static Palette,
     /// The height, pixels.

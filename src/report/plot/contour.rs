@@ -78,7 +78,7 @@ pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
         .collect()
 }
 
-/// The region at and above each level, for these values over the field.
+/// The region at and above each level. `refined` has the values of the field on a finer grid.
 fn outlined(field: &Field, refined: &Refined, levels: &[f64]) -> Vec<Ground> {
     let (columns, rows) = (refined.columns, refined.rows);
     let builder = ContourBuilder::new(columns, rows, true);
@@ -141,9 +141,8 @@ fn outlined(field: &Field, refined: &Refined, levels: &[f64]) -> Vec<Ground> {
 
 /// Contour levels at round numbers: multiples of a step of 1, 2, 2.5 or 5 times a power of ten over
 /// the whole range. A stretch of the range that covers much of the map gets a finer step, perhaps
-/// repeatedly: a map is steep in some places and flat in others, and a single step would leave the
-/// flat top without a line. Within a stretch the step is constant, so that the distance of lines
-/// shows the slope.
+/// repeatedly: with a single step, the flat top of a map with steep sides would have no line.
+/// Within a stretch the step is constant, so that the distance of lines shows the slope.
 fn levels(sorted: &[f64]) -> Vec<f64> {
     let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
     let Some(mut step) = round_step((high - low) / FIRST_LINES) else {
@@ -202,10 +201,10 @@ struct Interval {
 }
 
 /// The range of levels to refine. It begins with the interval that has the largest share of the
-/// map, and grows by neighbours as long as `fits` accepts the number of lines: first by the larger
-/// neighbour, then by neighbours that are outermost or have a share above `LARGE`. `None` if the
-/// largest share is below `dense`, if that interval alone does not fit, or if no neighbour fits and
-/// the interval is not outermost.
+/// map, and grows by one neighbour at a time, the larger neighbour first, as long as `fits` accepts
+/// the number of lines. After the first neighbour, only neighbours that are outermost or have a
+/// share above `LARGE` are added. `None` if the largest share is below `dense`, if `fits` rejects
+/// the first interval, or if this interval cannot grow and is not outermost.
 fn dense_stretch(
     intervals: &[Interval],
     dense: f64,
@@ -375,8 +374,7 @@ mod tests {
     fn levels_are_round_numbers_and_a_flat_top_has_some() {
         let carry = |x: f64, y: f64| 279.2 - 130.0 * (x - 1.5).powi(2) - 20.0 * (y - 1.7).powi(2);
         for scale in [1.0, 0.9144, 0.013, 4200.0] {
-            // a grid as fine as in maps: a coarser one would not show the fraction between two
-            // levels
+            // a coarser grid would not resolve the fraction of the map between two levels
             let mut values: Vec<f64> = (0..41 * 41)
                 .map(|i| {
                     scale

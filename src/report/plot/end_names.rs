@@ -26,13 +26,13 @@ const OVER: f64 = 10.0;
 /// Maximum width of the names relative to the picture; wider names are wrapped.
 const WIDEST: f64 = 0.42;
 
-/// Width that names leave for the axes and the connectors, pixels.
+/// Minimum width that the names leave for the axes and the connectors, pixels.
 const FRAME: f64 = 160.0;
 
 /// The names of a figure's lines.
 pub(super) struct EndNames<'a> {
     names: Vec<Name<'a>>,
-    /// The width beside the frame of the axes, pixels.
+    /// The width that the names need beside the frame of the axes, pixels.
     pub room: f64,
 }
 
@@ -82,7 +82,7 @@ impl<'a> EndNames<'a> {
         let [_, top, right, bottom] = plane.frame;
         let placed = self.names.iter();
         let placed = placed.filter_map(|name| Some((name, name.end(plane, figure)?)));
-        // a line that leaves at the top ends before the right side
+        // a line that leaves the plot at the top ends before the right side
         let leaves = |at: [f64; 2]| at[1] < top + NEAR && at[0] < right - NEAR;
         let (mut leaving, mut placed): (Vec<_>, Vec<_>) = placed.partition(|(_, at)| leaves(*at));
         // the connectors of these lines run above the plot: the line that leaves first has the
@@ -135,7 +135,7 @@ impl Name<'_> {
         APART * self.lines.len() as f64 + GAP
     }
 
-    /// The right end of the line inside the axes, pixels.
+    /// The right end of the line inside the axes, pixels; `None` if no part of the line is there.
     fn end(&self, plane: &Plane, figure: &Figure) -> Option<[f64; 2]> {
         let points = figure.layers.iter().filter_map(|layer| match layer {
             Layer::Line { name, points, .. } if whole_name(figure, name) == self.whole => {
@@ -159,7 +159,7 @@ fn spread(wanted: &[f64], heights: &[f64], [top, bottom]: [f64; 2]) -> Vec<f64> 
             above - 0.5 * height
         })
         .collect();
-    // blocks of touching boxes: their number and the sum of their targets
+    // for each block of touching boxes: the number of boxes, and the sum of their targets
     let mut blocks: Vec<(usize, f64)> = vec![];
     for (wanted, offset) in wanted.iter().zip(&offsets) {
         let mut block = (1, wanted - offset);

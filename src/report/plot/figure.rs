@@ -22,7 +22,8 @@ pub struct Figure {
     pub layers: Vec<Layer>,
     /// The place of the names of lines.
     pub line_names: LineNames,
-    /// More views, drawn after this view. Views without contours show the data of this view.
+    /// More views, drawn after this view. The data file has only those with contours, since the
+    /// others repeat the data of this view.
     pub panels: Vec<Figure>,
     /// Number of views side by side, if the picture is wide enough.
     pub columns: usize,
@@ -82,8 +83,8 @@ pub enum Hue {
     Ink,
     /// Background elements.
     Faint,
-    /// A series, by number. After [`Hue::SERIES`] the colours repeat, with one more cross bar on
-    /// lines and points each time.
+    /// A series, by number. The colours repeat after [`Hue::SERIES`] series; each repetition has
+    /// one more cross bar on lines and points.
     Series(usize),
 }
 

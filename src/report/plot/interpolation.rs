@@ -19,8 +19,8 @@ pub(super) struct Refined {
 }
 
 impl Refined {
-    /// The cubic Hermite interpolation of a field with gradients; the nodes of a field without
-    /// gradients. `None` for a field with fewer than 2 columns or 2 rows, or without values.
+    /// The refined field by cubic Hermite interpolation. Without gradients, it has the nodes of the
+    /// field only. `None` for a field with fewer than 2 columns or 2 rows, or without values.
     pub fn new(field: &Field) -> Option<Self> {
         let (columns, rows) = (field.columns, field.rows());
         if columns < 2 || rows < 2 || field.values.iter().all(Option::is_none) {
@@ -38,8 +38,8 @@ impl Refined {
         }
         let times = INTERVALS.div_ceil(columns.max(rows) - 1);
         let [across, up] = slopes(field, &values);
-        // first along the rows, then along the columns; the slopes along the columns are
-        // interpolated along the rows too
+        // interpolate the values along the rows, then along the columns; the second step needs the
+        // slopes along the columns, which are also interpolated along the rows
         let by_row = |nodes: &[f64], slopes: &[f64]| -> Vec<f64> {
             let rows = nodes.chunks(columns).zip(slopes.chunks(columns));
             rows.flat_map(|(nodes, slopes)| hermite(nodes, slopes, times))
@@ -69,7 +69,7 @@ impl Refined {
         })
     }
 
-    /// The values divided by a unit.
+    /// Divides the values by a unit.
     pub fn over(mut self, unit: f64) -> Self {
         self.values.iter_mut().for_each(|value| *value /= unit);
         self
@@ -82,7 +82,7 @@ impl Refined {
     }
 }
 
-/// The derivatives across and up at each node, for a distance of one node. A node without a
+/// The derivatives across and up at each node, times the distance between nodes. A node without a
 /// gradient has the slope between its neighbours.
 fn slopes(field: &Field, values: &[f64]) -> [Vec<f64>; 2] {
     let (columns, rows) = (field.columns, field.rows());

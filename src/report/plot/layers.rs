@@ -84,7 +84,7 @@ pub(super) fn is_area(layer: &Layer) -> bool {
     )
 }
 
-/// Draws one layer; `grounds` are its contour regions, without their lines. Labels are drawn later.
+/// Draws one layer. `grounds` are its contour regions. Contour lines and labels are drawn later.
 pub(super) fn draw(canvas: &mut Canvas, plane: &Plane, layer: &Layer, grounds: &[Ground]) {
     let hue = layer.named().1.unwrap_or(Hue::Ink);
     let color = canvas.palette.of(hue);
@@ -108,8 +108,8 @@ pub(super) fn draw(canvas: &mut Canvas, plane: &Plane, layer: &Layer, grounds: &
             canvas.polygon(&outline, color, 0.22);
         }
         Layer::Contours(field) => ground(canvas, plane, field, grounds),
-        // bars are drawn with the names of the rows, a mark with its label: none of them appears
-        // alone
+        // other functions draw bars with the names of their rows, marks with their labels, and
+        // texts
         Layer::Bars { .. } | Layer::Mark { .. } | Layer::Text { .. } => {}
         // arrows are drawn after the labels, which have precedence
         Layer::Arrows { name, .. } if !name.is_empty() => {}
@@ -189,7 +189,7 @@ pub(super) fn label(
 }
 
 /// A free position for a label on a line, at least `apart` pixels beside other labels, as near as
-/// possible to the middle: the ends of several lines are often close together.
+/// possible to the middle of the line, because the ends of several lines are often close together.
 pub(super) fn place_on(
     labels: &Labels<'_>,
     plane: &Plane,

@@ -225,7 +225,7 @@ fn beside(
     };
     let inside = at[0].min(right - wide).max(left + wide);
     let over = |gap: f64| [-1.0, 1.0].map(|side| [inside, at[1] + side * (tall + gap)]);
-    // a label away from its mark covers less, but is less clear
+    // positions away from the mark cost more, because they are less clear
     let all = beside(GAP).map(|middle| (middle, 0));
     let all = all.chain(over(GAP).map(|middle| (middle, OVER_COST)));
     let far = FAR_GAPS.into_iter().zip(FAR_COSTS);
@@ -242,7 +242,7 @@ fn beside(
     let is_clear = |middle: &[f64; 2]| {
         let extent = Labels::extent(name, *middle);
         let own = distance(*at, extent);
-        // a label farther away has a line to its mark
+        // a label farther away than `FAR` has a line to its mark, so that other marks may be nearer
         let least = CLEAR + if own > FAR { SIZE } else { own };
         let mut others = others.iter();
         others.all(|other| distance(other.at, extent) > least)
@@ -300,7 +300,7 @@ pub(super) fn write_line_names(labels: &mut Labels<'_>, plane: &Plane, figure: &
         }
         match place_on(labels, plane, &places, name, APART) {
             Some(middle) => labels.write(name, middle, color, true),
-            // without its name, the line could not be identified
+            // write the name beside the line: without it, the line could not be identified
             None => {
                 if let Some(at) = places.get(places.len() / 2) {
                     write_near(labels, plane, name, *at, color, LINE);

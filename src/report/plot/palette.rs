@@ -111,7 +111,7 @@ impl Palette {
     }
 }
 
-/// The colour at a fraction of the way from one to another.
+/// The colour at a fraction of the way from one colour to another.
 fn mixed(from: Color, to: Color, part: f64) -> Color {
     let mix = |a: u8, b: u8| (f64::from(a) + part * (f64::from(b) - f64::from(a))).round() as u8;
     Color(mix(from.0, to.0), mix(from.1, to.1), mix(from.2, to.2))

@@ -19,8 +19,8 @@ const BOLD: [u16; 95] = [
     343, 1042, 712, 687, 716, 716, 493, 595, 478, 712, 652, 924, 645, 652, 582, 712, 365, 712, 838,
 ];
 
-/// The width assumed for other characters: the width of "−" and "±". Degree signs and exponents are
-/// narrower.
+/// The widths assumed for other characters, regular and bold: the widths of "−" and "±". Degree
+/// signs and exponents are narrower.
 const OTHER: [u16; 2] = [838, 870];
 
 /// The width of a text, pixels.

@@ -12,7 +12,7 @@ pub(super) struct Drawn {
     system: System,
     /// The size of the unit, SI.
     unit: f64,
-    /// The value in the unit that is 0 in SI.
+    /// The number in this unit that corresponds to 0 in SI.
     zero: f64,
     pub low: f64,
     pub high: f64,

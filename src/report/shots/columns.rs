@@ -115,7 +115,7 @@ pub(super) fn row(added: &Added, flown: &Flown, row: usize, bytes: &mut Vec<u8>)
     added.row(flown, row, bytes);
 }
 
-/// A value in a unit, rounded to eight digits to remove the rounding errors of the conversion.
+/// A value in a unit, rounded to six decimals to remove the rounding errors of the conversion.
 pub(super) fn in_unit(value: f64, quantity: Quantity, unit: &str) -> f64 {
     let number = value / size(quantity, unit);
     let digits = 1e6;

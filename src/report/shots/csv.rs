@@ -114,7 +114,7 @@ impl Copied {
     }
 
     /// The cells of a line, one for each column, without the cells that an earlier run of `fly`
-    /// added. A row of units may be shorter.
+    /// added. In a line with fewer cells, as a row of units may be, the missing cells are empty.
     fn own<'a, S: AsRef<str>>(&self, cells: &'a [S]) -> impl Iterator<Item = &'a str> {
         let (columns, added) = (self.export.heads.len(), self.export.added.clone());
         let cells = (0..columns).map(|at| cells.get(at).map_or("", AsRef::as_ref));

@@ -38,7 +38,7 @@ pub struct FlyRow {
     line: u64,
     /// The status of the drive.
     flight: RowStatus,
-    /// The reason why the row has no predicted outcome.
+    /// The reason why the row has no predicted outcomes; `null` if it has them.
     reason: Option<String>,
     /// Notes on values that are assumed, or not compared.
     notes: Vec<String>,

@@ -34,7 +34,7 @@ pub struct ShotsReport<'a> {
     pub normalized: u64,
     /// The residuals of each outcome, predicted − measured.
     pub residuals: Vec<OutcomeResiduals>,
-    /// The shots of each club, if the table names several.
+    /// The shots of each club; empty unless the table names several clubs.
     pub clubs: Vec<ClubShotsReport>,
     /// Remarks about the columns.
     pub remarks: Vec<Message>,
@@ -46,7 +46,7 @@ pub struct ShotsReport<'a> {
 pub struct RefusedRows {
     /// The kind of reason.
     pub kind: &'static str,
-    /// The number of these rows, and the first one.
+    /// The number of these rows, and the first row of them.
     #[serde(flatten)]
     pub refused: Refused,
 }
@@ -61,7 +61,7 @@ pub struct OutcomeResiduals {
     #[serde(flatten)]
     pub all: SumsReport,
     /// The standard deviation of the difference between two launch monitors for the same drives,
-    /// SI.
+    /// SI; `null` if it is unknown.
     pub instruments: Option<f64>,
     /// The residuals by ball speed.
     pub bands: Vec<BandReport>,

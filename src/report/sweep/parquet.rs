@@ -44,7 +44,7 @@ impl SweepParquet {
     }
 
     /// Number of blocks of [`CHUNK`] rows in a row group: fewer for wide tables. A group must fit
-    /// in memory, and a kill must not lose much work.
+    /// in memory, and an interruption must not lose much work.
     pub fn blocks_of_group(&self) -> usize {
         let width = 9 * self.columns.0.iter().sum::<usize>() + 1;
         (MOST_BYTES / width).clamp(LEAST_ROWS, MOST_ROWS) / CHUNK

@@ -79,7 +79,7 @@ fn histogram(histogram: &Histogram, system: System) -> Table {
     Table::new([of.as_str(), "rows"], rows).right([1])
 }
 
-/// The best rows by a column, with their points.
+/// The best rows by a column, with the swept parameters of each row.
 fn ranking(ranking: &Ranking, system: System) -> Table {
     let setup = Setup::default();
     let coordinate = |name: &str, value: &Option<Coordinate>| {

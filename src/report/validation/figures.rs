@@ -34,8 +34,8 @@ impl Over {
     }
 }
 
-/// The set of optima to plot. The impact of its club gives launch angle and spin in the ratio of
-/// the chart.
+/// The set of optima to plot. Its club is chosen so that the impact gives the chart's ratio of
+/// launch angle and spin.
 const OPTIMA: &str = "chart-optima-impact";
 
 /// Name of the band for the difference between two launch monitors.
@@ -176,7 +176,7 @@ fn of_law(law: Option<&LawScores>, of: Compared) -> &[crate::study::validation::
     score.map_or(&[], |score| &score.residuals)
 }
 
-/// The smallest and the largest value; 0 for both without data.
+/// The smallest and the largest value; both are 0 without data.
 fn ends(of: impl Iterator<Item = f64>) -> [f64; 2] {
     let found = of.fold(None, |ends: Option<[f64; 2]>, at| {
         let [low, high] = ends.unwrap_or([at; 2]);

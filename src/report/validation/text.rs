@@ -7,7 +7,8 @@ use crate::units::{System, counted, fixed, signed};
 /// The quantity of most sets.
 const CARRY: &str = "carry";
 
-/// The errors of the most interesting laws, figures, then each set with every law.
+/// The errors of the best law, the default law and the law `ALTERNATIVE` on every set, then
+/// figures, then each set with every law.
 pub(super) fn document(found: &[SetScores], system: System) -> Document {
     let mut document = Document::new("Laws of drag and lift beside published drives");
     let length = system.unit("yd");
@@ -153,12 +154,12 @@ fn one(document: &mut Document, set: &SetScores, system: System) {
     document.table(&head, rows);
 }
 
-/// The main quantity of a set.
+/// The first quantity of a set.
 fn first(set: &SetScores) -> Compared {
     set.set.computation.compared()[0]
 }
 
-/// Number of cases that have the main quantity of the set.
+/// Number of cases that have the first quantity of the set.
 fn first_published(set: &SetScores) -> usize {
     set.cases
         .iter()
