@@ -48,8 +48,8 @@ impl Rule {
     /// The destination of a file, if the rule allows it.
     ///
     /// # Errors
-    /// [`Error::Results`] if `path` is a folder, an input or an existing file, or if it cannot be
-    /// written.
+    /// [`Error::Results`] if `path` is a folder or an input, if the file exists and must not be
+    /// replaced, or if it cannot be written.
     pub fn file(&self, path: &Path) -> Result<Destination> {
         if running().host.keeps(path) {
             return Ok(Destination {

@@ -52,7 +52,7 @@ async function listed(wasm, stepRequest) {
 
 const hash = text => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
 
-/** The rules of the page: no request but those named, no script but its own. */
+/** The content security policy of the page: its own script only, requests only to `connect`. */
 const policy = ({ script, style, connect }) => [
   "default-src 'none'",
   `script-src ${script} 'wasm-unsafe-eval'`,

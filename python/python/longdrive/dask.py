@@ -23,7 +23,7 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
     """Computes all parts on the workers of a cluster.
 
     A worker receives a number and returns a row of the manifest: the memory of the scheduler grows
-    with the parts, not with the rows. The death of a worker, and a failure, lose one part.
+    with the parts, not with the rows. The death of a worker, or an error, loses one part only.
 
     Parameters
     ----------
