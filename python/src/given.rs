@@ -190,7 +190,7 @@ pub fn refuse_repeated(all: &[Given<'_>]) -> Answer<()> {
     }
 }
 
-/// Collects the entries of a nested dict; `depth` is 1 for the outermost.
+/// Collects the entries of a nested dict; `depth` is 1 for the outermost dict.
 fn flatten<'py>(
     dict: &Bound<'py, PyMapping>,
     prefix: &str,

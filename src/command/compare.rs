@@ -73,7 +73,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         }
     }
     let report = ComparisonReport::new(&comparison, &each, requests.each_ref().map(Request::title));
-    // no common origin: the report itself names both setups
+    // an empty origin: the report itself names both setups
     let origin = Origin::default();
     let answer = Answer::report(&report, &origin, warnings, args.pair.setup_args.json);
     Ok(answer.found(is_complete))

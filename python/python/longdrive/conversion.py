@@ -66,7 +66,7 @@ Value = Union[bool, int, float, str, Range, Distribution, Named, Joined, "list[V
 """The value of an argument."""
 
 FILES = {"FILE": "file", "DIR": "folder", "DIR or FILE.csv": "folder or of a CSV file"}
-"""Words in messages for the values of options that name a file or a folder."""
+"""Words for the placeholders of files and folders, for messages."""
 
 _UNITS = {"LENGTH": "m", "SPEED": "m/s", "ANGLE": "rad", "SPIN": "rad/s"}
 """SI units of the values of options, by the placeholder of the value in the help."""
