@@ -202,7 +202,7 @@ pub fn presets(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
 /// list of dict
 ///     For each outcome its ``name``, ``symbol``, ``si`` unit, usual ``unit``, ``doc``, and
 ///     ``part``: ``launch``, ``flight`` or ``head``. Outcomes of the head must be named:
-///     ``of="all"`` means the others.
+///     ``of="all"`` means all other outcomes.
 ///
 /// Examples
 /// --------

@@ -224,7 +224,7 @@ class Converter:
         Raises
         ------
         InputError
-            For other values; it names the argument or the parameter.
+            For other values. The message names the argument or the parameter.
         """
         if value is None:
             raise InputError(
@@ -309,7 +309,7 @@ def refuse_empty(option: Option, value: Any) -> None:
     Raises
     ------
     InputError
-        With the purpose of the option.
+        For such a value. The message has the purpose of the option.
     """
     needs_value = (
         option.argument in _NO_EMPTY or option.is_required or option.has_default

@@ -28,8 +28,8 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
     Parameters
     ----------
     client : Client
-        The client of the cluster. Every worker has longdrive, and the folder `output` under the
-        same name.
+        The client of the cluster. Every worker must have longdrive, and the folder `output` under
+        the same name.
     setup : SetupLike
         A setup, the name of a preset, or a dict.
     retries : int

@@ -30,7 +30,7 @@ class Error(Exception):
 class InputError(Error, ValueError):
     """Bad input: an unknown name, a value outside its range, an array of the wrong shape.
 
-    The message names the thing, its value, the allowed range, and what to type.
+    The message has the name, its value, the allowed range, and what to type.
     """
 
 

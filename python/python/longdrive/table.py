@@ -53,7 +53,7 @@ class Table:
     ``table["carry"]`` and ``table.derivative("carry", "club.loft")`` are columns, ``table[10:20]``
     is a table of some rows. ``polars.DataFrame(table)``, ``pyarrow.table(table)`` and
     ``pandas.DataFrame.from_arrow(table)`` share the memory, by Arrow's C stream interface; NaN is
-    null there. Functions that take points take a table.
+    null there. Functions that take points also take a table.
 
     Examples
     --------
@@ -295,7 +295,7 @@ class Table:
 
     @staticmethod
     def concatenate(tables: Iterable[Table]) -> Table:
-        """One table with the rows of several, such as those before and after an interruption.
+        """One table with the rows of several tables, such as before and after an interruption.
 
         Raises
         ------
