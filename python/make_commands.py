@@ -383,7 +383,7 @@ def docstring(command: dict[str, Any], options: list[dict[str, Any]], before: st
     lines += item(answer(command, before)[0], "", "The answer.")
     lines += section("Raises")
     lines += item("InputError", "", "For bad input.")
-    lines += item("NoAnswerError", "", "For a sound question without an answer.")
+    lines += item("NoAnswerError", "", "For a valid request without an answer.")
     lines += item("Interrupted", "", "After Ctrl-C, with the result so far.")
     lines += section("Examples")
     usual = f">>> longdrive.{name(command)}().status\n'done'"

@@ -340,8 +340,8 @@ pub fn batch<'py>(
     })
 }
 
-/// The warning of a batch without any requested outcome: the statuses, and the reason of the first
-/// drive.
+/// The warning of a batch in which no drive has a requested outcome: the number of drives by
+/// status, and the reason for row 0.
 fn none(
     setup: &Setup<f64>,
     parameters: &[&'static Parameter],
@@ -442,7 +442,8 @@ fn units(arrays: &Arrays, of: &[Outcome], wrt: &[&'static Parameter]) -> Vec<Str
     points.chain(outcomes).chain(derivatives).collect()
 }
 
-/// Computes the rows and appends them to the results in `to`, until Python takes those results.
+/// Computes the rows and appends them to the results in `to`. Rows that are computed after Python
+/// took the results are dropped.
 fn compute(
     batch: &Batch,
     mut arrays: Arrays,

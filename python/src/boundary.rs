@@ -52,8 +52,8 @@ impl From<Failure> for PyErr {
     }
 }
 
-/// An exception of `longdrive.errors`, a Python class, so that the exception can be pickled. The
-/// message names the arguments of Python.
+/// The exception `name` of `longdrive.errors`. Its class is written in Python, so that the
+/// exception can be pickled. The message names the arguments of Python.
 fn raised(name: &str, message: String, status: Option<&str>) -> PyErr {
     Python::attach(|py| {
         let class = py

@@ -229,11 +229,11 @@ type Ran<'py> = (
     Option<PyErr>,
 );
 
-/// Runs a command and waits for its answer: exit status, answer (parsed JSON, else a text), output
-/// files in memory, and the exception that interrupted it, if any. After Ctrl-C, interruptible work
-/// has two seconds, or until the next Ctrl-C, to answer with its result so far. Other work is
-/// abandoned: it writes no more, and in place of an answer is a list of the files that it has
-/// written.
+/// Runs a command, and returns its exit status, its answer (parsed JSON, else a text), its output
+/// files in memory, and the exception that interrupted the command, if any. After Ctrl-C,
+/// interruptible work has two seconds, or until the next Ctrl-C, to answer with its result so far.
+/// Other work is abandoned: it writes no more files, and a list of the files that it has written
+/// replaces the answer.
 ///
 /// Parameters
 /// ----------

@@ -25,8 +25,8 @@ impl Degrees {
         self.is_beyond |= !parameter.range.contains(value.to_radians());
     }
 
-    /// The warning about values outside of a parameter's range that are within the range in
-    /// degrees.
+    /// The warning about values outside of a parameter's range, if all of them would be within the
+    /// range as numbers in degrees.
     pub fn told(&self, parameter: &Parameter, all: u64) -> Option<String> {
         let (low, high) = self.range.filter(|_| !self.is_beyond)?;
         let name = parameter.name;

@@ -15,7 +15,8 @@ pub const PRESET: &str = "preset";
 /// Parameters whose values are names.
 const CHOICES: [&str; 6] = [LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF];
 
-/// The deepest nesting of dicts: a name has at most three parts, as `club.inertia.xx`.
+/// Limit of the nesting of dicts, against a dict within itself. Names such as `club.inertia.xx`
+/// need three levels.
 const DEEPEST: usize = 4;
 
 /// The unit of angles that are given as numbers.
@@ -26,7 +27,7 @@ pub enum AngleUnit {
 }
 
 impl AngleUnit {
-    /// The unit of the argument `angles`.
+    /// The unit that the argument `angles` names; radian without this argument.
     pub fn of(angles: Option<&Bound<'_, PyAny>>) -> Answer<Self> {
         let Some(angles) = angles else {
             return Ok(Self::Radian);
@@ -189,7 +190,7 @@ pub fn refuse_repeated(all: &[Given<'_>]) -> Answer<()> {
     }
 }
 
-/// Collects the entries of a nested dict; `depth` is 1 for the outermost.
+/// Collects the entries of a nested dict; `depth` is 1 for the outermost dict.
 fn flatten<'py>(
     dict: &Bound<'py, PyMapping>,
     prefix: &str,

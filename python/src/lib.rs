@@ -60,7 +60,7 @@ mod _longdrive {
 
     use super::*;
 
-    /// Adds the version, which is that of the program.
+    /// Adds the version, which equals the version of the program.
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         let py = module.py();

@@ -36,7 +36,7 @@ pub fn listed(what: &str, given: &Bound<'_, PyAny>) -> Answer<Vec<String>> {
     names.to_list()?.iter().enumerate().map(named).collect()
 }
 
-/// The outcomes of these names, each once; "all" for all outcomes of a drive.
+/// The outcomes of these names; "all" means all outcomes of a drive. A repeated name is an error.
 pub fn outcomes_named(names: &[String]) -> Answer<Vec<Outcome>> {
     let mut of = vec![];
     for name in names {
@@ -202,7 +202,7 @@ pub fn presets(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
 /// list of dict
 ///     For each outcome its ``name``, ``symbol``, ``si`` unit, usual ``unit``, ``doc``, and
 ///     ``part``: ``launch``, ``flight`` or ``head``. Outcomes of the head must be named:
-///     ``of="all"`` means the others.
+///     ``of="all"`` means all other outcomes.
 ///
 /// Examples
 /// --------

@@ -158,7 +158,7 @@ impl Over {
     /// Refuses an argument about swings if there are no swings.
     ///
     /// # Errors
-    /// For such an argument, with its name.
+    /// [`Failure::Input`], which names the argument.
     fn refuse_stray(&self) -> Answer<()> {
         let given = [
             ("correlation", !self.correlation.is_empty()),
@@ -219,8 +219,8 @@ impl PyObjective {
         }
         let found = match self.function.at(py, &x, to)? {
             Ok(found) => found,
-            // retry with the requested order: the derivatives may not exist although the value
-            // exists
+            // a higher derivative may not exist although the requested order does: retry with the
+            // requested order
             Err(_) if to > order => {
                 to = order;
                 self.lone(self.function.at(py, &x, order)?)?

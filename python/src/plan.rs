@@ -23,7 +23,7 @@ type Plan<'py> = (Bound<'py, PyDict>, Vec<(&'static str, f64, f64)>);
 /// setup
 ///     A setup, the name of a preset, or a dict.
 /// over
-///     Ranges, as ``longdrive sweep --over`` takes them; with `sample` without counts.
+///     Ranges, as ``longdrive sweep --over`` takes them; without counts if `sample` is given.
 /// sample
 ///     The number of points of a quasi-random sequence.
 /// seed

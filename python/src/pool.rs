@@ -21,8 +21,8 @@ struct Own {
 static OWN: AtomicPtr<Own> = AtomicPtr::new(std::ptr::null_mut());
 
 /// The threads of this process, as many as the processors that it may use (`available_parallelism`
-/// knows the quota of a container). There is no lock in it: another thread could hold one at the
-/// moment of a fork, and the child would wait for it forever.
+/// knows the quota of a container). The function uses no lock: if another thread held the lock at
+/// the moment of a fork, the child would wait for it forever.
 fn pool() -> std::io::Result<&'static ThreadPool> {
     let process = std::process::id();
     let known = OWN.load(Ordering::Acquire);
@@ -60,16 +60,16 @@ fn shared(own: *const Own) -> Option<&'static Own> {
 
 /// The result of work that Python may interrupt.
 pub enum Ended<R> {
-    /// The work ended; with the exception, if Python interrupted it.
+    /// The result of the work, with the exception if Python interrupted the work.
     Done(R, Option<PyErr>),
     /// The work was abandoned.
     Left(PyErr),
 }
 
-/// Runs work on the threads of this process. Its parallel parts (rayon) use these threads, and
-/// never wait for threads of a process before a fork. Meanwhile other threads of Python run. Within
-/// 20 ms of a Ctrl-C, `stop` is true, which the work checks, and Python's exception is returned.
-/// `watch` is called at each check.
+/// Runs work on the threads of this process, while other threads of Python run. The parallel parts
+/// of the work (rayon) use these threads too: after a fork they do not wait for threads that only
+/// the parent process has. Within 20 ms of a Ctrl-C, sets the flag that the work checks, and
+/// returns Python's exception. `watch` is called at each check for Ctrl-C.
 pub fn run<R: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send + 'static,

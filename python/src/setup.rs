@@ -32,8 +32,8 @@ const SHOWN: usize = 4;
 /// converted. None unsets an optional parameter.
 ///
 /// A setup is an immutable mapping: ``replace`` and ``|`` make another one. Setups are equal if
-/// their parameters are equal, and both or neither state ``flight.method`` or ``flight.step``:
-/// without them, functions of many drives choose a step.
+/// their parameters are equal, and if both or neither state ``flight.method`` or ``flight.step``:
+/// if these are not stated, functions of many drives choose a step.
 ///
 /// Parameters
 /// ----------
@@ -263,8 +263,8 @@ impl PySetup {
         })
     }
 
-    /// The names of the choices and parameters that make the setup, without those that follow from
-    /// others.
+    /// The names of the choices and parameters that make the setup, without parameters that other
+    /// parameters determine.
     fn names(&self) -> Vec<&'static str> {
         let used = self
             .setup
@@ -319,7 +319,8 @@ impl PySetup {
         if let Some(table) = table {
             differences.set_item(TABLE, table.display().to_string())?;
         }
-        // another law than the preset: compare with the published coefficients of this law
+        // if the law differs from the preset's law, show only the coefficients that differ from the
+        // published coefficients of this setup's law
         base.law = if own.law.name() == base.law.name() {
             base.law
         } else {
@@ -524,7 +525,7 @@ impl PySetup {
         })
     }
 
-    /// The setup with values in SI that were computed: large angles have no warning.
+    /// The setup with computed values, SI; large angles get no warning.
     fn _with_values(&self, values: &Bound<'_, PyAny>) -> PyResult<Self> {
         answer(|| Ok(self.replaced(Some(values), None, None)?.0))
     }
@@ -566,8 +567,8 @@ impl PySetup {
             || self.setup.parameter(&name).is_ok()
     }
 
-    /// The names of the choices and parameters that make the setup, without those that follow from
-    /// others.
+    /// The names of the choices and parameters that make the setup, without parameters that other
+    /// parameters determine.
     fn keys<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.to_dict(py)?.call_method0("keys")
     }

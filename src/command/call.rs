@@ -218,7 +218,8 @@ impl CommandLine {
         self.words.push(word);
     }
 
-    /// The quantity of an argument, by the name of its value in the help.
+    /// The physical quantity of an argument's value, from the placeholder in the help, such as
+    /// LENGTH.
     fn quantity(&self, arg: &Arg) -> Option<Quantity> {
         match arg.get_value_names()?.first()?.as_str() {
             "AMOUNT" => self.goal,

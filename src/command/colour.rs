@@ -33,7 +33,8 @@ const STATUS: [(&str, Style); 15] = [
 /// Prints an answer to standard output.
 pub fn print(text: &str) -> io::Result<()> {
     let mut out = anstream::stdout().lock();
-    // write text without colours byte for byte; the help has its own colours
+    // without colours, write the bytes unchanged, except for the help: it contains escape codes,
+    // which the stream removes
     if AutoStream::choice(&io::stdout()) == ColorChoice::Never && !text.contains('\u{1b}') {
         let mut out = out.into_inner();
         return out.write_all(text.as_bytes()).and_then(|()| out.flush());

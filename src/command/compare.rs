@@ -73,7 +73,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         }
     }
     let report = ComparisonReport::new(&comparison, &each, requests.each_ref().map(Request::title));
-    // no common origin: the report itself names both setups
+    // an empty origin: the report itself names both setups
     let origin = Origin::default();
     let answer = Answer::report(&report, &origin, warnings, args.pair.setup_args.json);
     Ok(answer.found(is_complete))
@@ -104,8 +104,8 @@ impl Pair {
     /// The requests of the two drives.
     ///
     /// # Errors
-    /// If the command line states no difference; the errors of [`SetupArgs::request`] for each
-    /// drive.
+    /// [`Error::Unreadable`] if the command line states no difference, and the errors of
+    /// [`SetupArgs::request`] for each drive.
     pub fn requests(&self) -> Result<[Request; 2]> {
         let own = [&self.set_a, &self.set_b, &self.launch_a, &self.launch_b];
         if self.other.is_none() && own.iter().all(|options| options.is_empty()) {
@@ -148,7 +148,7 @@ impl Pair {
     /// The comparison of the two drives.
     ///
     /// # Errors
-    /// If a setup is incomplete; the errors of [`Comparison::new`].
+    /// The errors of [`Request::setup`], [`Request::within_tolerance`] and [`Comparison::new`].
     pub fn comparison(&self, [a, b]: &[Request; 2]) -> Result<Comparison> {
         let setup = |request: &Request| request.within_tolerance(request.setup()?);
         let comparison = Comparison::new(&setup(a).map_err(of_a)?, &setup(b).map_err(of_b)?)?;

@@ -227,8 +227,8 @@ fn of_shots(
 /// The club parameter that a golfer can read on the club.
 const LOFT: &str = "club.loft";
 
-/// The warning that the loft of the setup is an average golfer's loft: a best loft that is found
-/// later is relative to this loft.
+/// The warning that the loft of the setup is an average golfer's loft. A later search finds the
+/// best loft relative to this loft.
 fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec<Message> {
     let is_varied = unknowns
         .iter()
@@ -240,8 +240,8 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
     let loft = setup.variable(LOFT).ok().map(|parameter| {
         let loft = parameter_text(parameter, setup.club.loft, system());
         format!(
-            "{LOFT} = {loft} is that of {}, and a best loft is found relative to it; state that \
-             of your club, for example `set {LOFT}=10.5deg`",
+            "{LOFT} = {loft} is the loft of {}, and a best loft is found relative to it; state the \
+             loft of your club, for example `set {LOFT}=10.5deg`",
             club.source.name()
         )
     });

@@ -48,8 +48,8 @@ impl Rule {
     /// The destination of a file, if the rule allows it.
     ///
     /// # Errors
-    /// [`Error::Results`] if `path` is a folder, an input or an existing file, or if it cannot be
-    /// written.
+    /// [`Error::Results`] if `path` is a folder or an input, if the file exists and must not be
+    /// replaced, or if it cannot be written.
     pub fn file(&self, path: &Path) -> Result<Destination> {
         if running().host.keeps(path) {
             return Ok(Destination {
@@ -72,8 +72,8 @@ impl Rule {
     /// and its extension must not belong to another format.
     ///
     /// # Errors
-    /// The errors of [`file`](Self::file); [`Error::Results`] if the extension belongs to another
-    /// format.
+    /// The errors of [`file`](Self::file), and [`Error::Results`] if the extension belongs to
+    /// another format.
     pub fn setup_file(&self, path: Option<&Path>) -> Result<Option<Destination>> {
         let Some(path) = path else { return Ok(None) };
         let destination = self.file(path)?;
@@ -256,7 +256,7 @@ impl Destination {
     /// Writes the complete file.
     ///
     /// # Errors
-    /// [`Error::Results`]; an existing file is then unchanged.
+    /// [`Error::Results`] if the file cannot be written. An existing file is then unchanged.
     pub fn write(&self, bytes: &[u8]) -> Result<()> {
         let write = || self.stage(bytes)?.put_in_place();
         // writing to a pipe may block forever without a reader
@@ -310,7 +310,7 @@ impl Pieces {
     /// Writes the next piece.
     ///
     /// # Errors
-    /// [`Error::Results`] with the reason.
+    /// [`Error::Results`] if the piece cannot be written.
     pub fn write(&mut self, bytes: &[u8]) -> Result<()> {
         let written = match &mut self.to {
             To::Beside(file) => file.write_all(bytes),
@@ -323,7 +323,7 @@ impl Pieces {
     /// Moves the complete file to its path, which Ctrl-C does not interrupt.
     ///
     /// # Errors
-    /// [`Error::Results`]; an existing file is then unchanged.
+    /// [`Error::Results`] if the file cannot be moved. An existing file is then unchanged.
     pub fn finish(self) -> Result<()> {
         if !self.destination.is_file() {
             return self.put_in_place();

@@ -22,7 +22,7 @@ pub enum Kind {
 /// The caller of a command: a terminal, or a program that embeds the library. A command calls the
 /// host from its own thread; worker threads also report progress to it.
 pub trait Host: Send + Sync {
-    /// Receives the answer, or the requested help or version with colours.
+    /// Receives the answer, or else the requested help or version, which has colours.
     ///
     /// # Errors
     /// If the answer cannot be written.
@@ -82,8 +82,8 @@ pub trait Host: Send + Sync {
         MemoryFiles::new()
     }
 
-    /// True if the host keeps the output file with this name, or the output files of the folder
-    /// with this name, in memory.
+    /// True if the host keeps in memory the output file with this name, or the output files of the
+    /// folder with this name.
     fn keeps(&self, _name: &Path) -> bool {
         false
     }
@@ -98,9 +98,9 @@ pub trait Host: Send + Sync {
     /// Announces that the following work cannot be interrupted.
     fn cannot_stop(&self) {}
 
-    /// Delays the end of the process while a file, or several files of one folder, are written:
-    /// until the returned function is called or dropped. A call reports that the file or folder is
-    /// complete.
+    /// Called before a file, or several files of one folder, are written: the process must not end
+    /// until the returned function is called or dropped. A call also reports that the file or
+    /// folder is complete.
     fn hold(&self) -> Box<dyn FnOnce(&Path) + '_> {
         Box::new(|_| ())
     }

@@ -5,7 +5,7 @@ use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
 
-/// Timeout of one read, and the interval of checks for Ctrl-C while a client is silent.
+/// Timeout of one read, and the interval between checks for Ctrl-C while a client is silent.
 pub const PATIENCE: Duration = Duration::from_millis(200);
 /// Timeout of one write.
 const WRITE_PATIENCE: Duration = Duration::from_secs(2);

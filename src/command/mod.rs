@@ -323,7 +323,7 @@ fn asks_for_json(matches: &ArgMatches) -> bool {
     json == Some(&true) || below.is_some_and(|(_, matches)| asks_for_json(matches))
 }
 
-/// The first word of an invalid command line that is a command with answers in JSON.
+/// The command with answers in JSON that `words`, an invalid command line, name first.
 fn named_in(words: &[OsString]) -> Option<&'static str> {
     let with_json = mention::commands_with(program(), "json");
     let has_json = |name| {

@@ -39,8 +39,8 @@ pub fn tell_of_the_run(of: &[Outcome]) {
 /// The named parameters, to differentiate by; "all" means every parameter with a number in this
 /// setup.
 ///
-/// "all" excludes the parameters that affect only the roll-out, unless one of the outcomes depends
-/// on the roll-out.
+/// If no outcome in `of` depends on the roll-out, "all" excludes the parameters that affect only
+/// the roll-out.
 pub fn variables(
     setup: &Setup<f64>,
     names: &[String],

@@ -52,7 +52,7 @@ impl DefaultRanges {
         self
     }
 
-    /// The reason why `vary` has no range; `None` if there is a range.
+    /// The reason why there is no range to vary; `None` if there is one.
     pub fn reason(&self) -> Option<String> {
         if !self.vary.is_empty() {
             return None;

@@ -69,8 +69,8 @@ pub fn running() -> Arc<Running> {
         .unwrap_or_default()
 }
 
-/// What a thread without a command has: a program without options, and a host that discards what it
-/// receives.
+/// The state of a thread without a command: a program without options, and a host that discards
+/// what it receives.
 impl Default for Running {
     fn default() -> Self {
         static NO_COMMAND: LazyLock<Command> = LazyLock::new(|| Command::new("longdrive"));

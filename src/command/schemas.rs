@@ -109,8 +109,8 @@ impl Answers {
     fn with_left_out(mut self) -> Self {
         for (_, answer) in &mut self.results {
             properties(answer)["left_out"] = json!({
-                "description": "Parameters of `all` that are omitted, with the reason; omitted if \
-                    there are none.",
+                "description": "Parameters that `all` leaves out, with the reason. The key is \
+                    omitted if there are none.",
                 "type": "array",
                 "items": { "type": "string" }
             });

@@ -89,7 +89,7 @@ impl SearchArgs {
     /// The objective and its sense.
     ///
     /// # Errors
-    /// The errors of [`refuse_two_goals`](Self::refuse_two_goals); an unknown outcome.
+    /// The errors of [`refuse_two_goals`](Self::refuse_two_goals) and of [`of_a_drive`].
     pub fn sought(&self) -> Result<(Outcome, Sense)> {
         self.refuse_two_goals()?;
         Ok(match (&self.maximize, &self.minimize) {
@@ -139,7 +139,7 @@ impl OptimizeArgs {
         found
     }
 
-    /// The optima. Ctrl-C can stop the search until [`interrupt::ends`].
+    /// Runs the search, which Ctrl-C can stop. The caller calls [`interrupt::ends`] afterwards.
     pub fn searched(
         &self,
         setup: &Setup<f64>,
@@ -240,7 +240,7 @@ pub fn options(max_iterations: Option<u64>) -> Options {
     }
 }
 
-/// The outcome that `text` names, the value of an option of a single drive. A goal over many swings
+/// The outcome of a single drive that `text`, the value of `option`, names. A goal over many swings
 /// is an error, because it needs a distribution of swings.
 pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
     Outcome::named(text.trim()).map_err(|error| match text.contains('(') {

@@ -130,7 +130,7 @@ fn missing_slopes(slopes: &[(&'static Parameter, Result<Sensitivity>)]) -> Vec<M
         .collect()
 }
 
-/// The reason for each end of an uncertainty range at which there is no drive.
+/// The reasons why there is no drive at some ends of the uncertainty ranges, one for each such end.
 fn unflown(setup: &Setup<f64>, of: &[Outcome], effects: &Effects) -> Vec<Message> {
     let why = |bar: &Bar, sign: f64| flown_off(setup, of, &bar.sigma, sign).err();
     let ends = effects

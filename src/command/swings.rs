@@ -170,8 +170,8 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     Ok(answer.found(found.is_found()))
 }
 
-/// Runs the search, and writes the setup if a file is given. Ctrl-C can stop the work until
-/// [`interrupt::ends`].
+/// Runs the search, which Ctrl-C can stop, and writes the setup if a file is given. The caller
+/// calls [`interrupt::ends`] afterwards.
 pub fn found(
     args: &OptimizeArgs,
     request: &Request,

@@ -40,7 +40,7 @@ pub fn with_argument(error: Error) -> Error {
             doing,
             what: missing_argument(doing).unwrap_or(what),
         },
-        // the shell took the comparison for a redirection and removed it from the words
+        // the shell took `>` or `<` for a redirection and removed it from the words
         Error::Constraint {
             expression,
             column,

@@ -1,13 +1,13 @@
 // Times the page in Chromium from a local server, after web/build: node web/bench/page.mjs
-// A frame is drawn as soon as it is asked for: a display of 60 Hz would add 0 to 16.7 ms, and all of
-// it here, where each move follows a frame.
+// Frames are drawn without waiting for a display: a display of 60 Hz would add 0 to 16.7 ms to a
+// move of a user, and always 16.7 ms here, because each move begins just after a frame.
 import { launch, open, serve, settle } from '../page/tests/browser.mjs';
 
 const MOVES = 300;
-/** New contexts of the browser, each with its first drive: by the clock of the page, which begins with its request. */
+/** Number of new browser contexts, each with a first drive that is timed from the page request. */
 const FIRST = 10;
 
-/** Collects the time of the first drive, of each call in the workers, and of the way there and back. */
+/** Collects the time of the first drive, and of each call: in the worker, and with its messages. */
 function collect() {
   window.firstDrive = new Promise(done => {
     const look = () => {

@@ -163,7 +163,7 @@ export class Core {
     return { head, bytes };
   }
 
-  /** The memory of the instance; growth replaces it by a new one. @returns {ArrayBuffer} */
+  /** The memory of the instance: growth replaces the buffer. @returns {ArrayBuffer} */
   get #memory() {
     return this.#exports.memory.buffer;
   }

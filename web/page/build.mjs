@@ -1,5 +1,5 @@
 // Builds the page: node build.mjs CORE.wasm [--quick] [--sizes], into ../dist/explorer.html and ../dist/site.
-// --quick compresses less; --sizes tells the size of the core under brotli, which takes half a minute.
+// --quick compresses less; --sizes prints the brotli-compressed size of the core (half a minute).
 import { createHash } from 'node:crypto';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -52,12 +52,12 @@ async function listed(wasm, stepRequest) {
 
 const hash = text => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
 
-/** The rules of the page: no request but those named, no script but its own. */
+/** The content security policy of the page: its own script only, requests only to `connect`. */
 const policy = ({ script, style, connect }) => [
   "default-src 'none'",
   `script-src ${script} 'wasm-unsafe-eval'`,
   `style-src ${style}`,
-  // the icon: without one a browser asks the server of the page for it
+  // the icon: without an icon in the page, a browser requests one from the server
   'img-src data:',
   // a worker made of a text in the page
   'worker-src blob:',
@@ -99,7 +99,7 @@ const { script, style } = await bundle('src/main.tsx', [made({
   'virtual:catalog': JSON.stringify(await listed(wasm, stepRequest)),
 })]);
 if (/[^\0-\x7f]/.test(script + style)) throw new Error('the script or the style is not ASCII');
-// an end of a script within a script
+// escape the end tag of a script, which would end this script too early
 const code = script.replace(/<\/script/gi, '<\\/script');
 
 const compressed = gzipSync(wasm, { level: process.argv.includes('--quick') ? 1 : 9 });

@@ -12,8 +12,8 @@ outcome has exact gradients and Hessians with respect to every parameter.
 >>> abs(value - drive["carry"]) < 1e-9
 True
 
-Numbers are SI and radians; a text has its unit. Bad input is an :class:`InputError`, a question
-without an answer a :class:`NoAnswerError`, both :class:`Error`.
+Numbers are SI and radians; a text has its unit. Bad input raises :class:`InputError`, a valid
+request without an answer :class:`NoAnswerError`; both are subclasses of :class:`Error`.
 """
 
 from __future__ import annotations

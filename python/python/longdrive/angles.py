@@ -47,8 +47,8 @@ def check_unit(angles: Any) -> AngleUnit:
 def suspicious(values: Any) -> float | None:
     """The largest of some angles in radians, if it was probably meant in degrees.
 
-    An angle above 0.5 rad is suspicious, unless it is a number of degrees with at most four
-    decimals: ``math.radians(40)`` was converted.
+    An angle above 0.5 rad is suspicious, unless it has at most four decimals in degrees: such an
+    angle, for example ``math.radians(40)``, was converted from degrees.
     """
     array = np.asarray(values, dtype=float)
     if not array.size:

@@ -82,7 +82,7 @@ def refuse_idle_seed(seed: Any, sample: Any) -> None:
     Raises
     ------
     InputError
-        With the value of the seed.
+        For such a seed. The message has its value.
     """
     if seed is None:
         return
@@ -100,7 +100,7 @@ def count_of(name: str, value: Any, least: int = 0, most: int = sys.maxsize) -> 
     Raises
     ------
     InputError
-        For other values, with the name of the argument.
+        For other values. The message names the argument.
     """
     try:
         number = operator.index(value)

@@ -109,7 +109,7 @@ def compare(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -223,7 +223,7 @@ def optimize(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -348,7 +348,7 @@ def optimum_sensitivity(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -467,7 +467,7 @@ def design(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -567,7 +567,7 @@ def calibrate(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -681,7 +681,7 @@ def delivery(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -762,7 +762,7 @@ def chart(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -877,7 +877,7 @@ def pareto(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -997,7 +997,7 @@ def robust(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -1091,7 +1091,7 @@ def report(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -1177,7 +1177,7 @@ def fly(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -1230,7 +1230,7 @@ def reproduce(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -1274,7 +1274,7 @@ def validate(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -1337,7 +1337,7 @@ def verify(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -1425,7 +1425,7 @@ def sensitivity(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -1502,7 +1502,7 @@ def uncertainty(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -1541,7 +1541,7 @@ def laws(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 

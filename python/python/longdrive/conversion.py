@@ -66,10 +66,10 @@ Value = Union[bool, int, float, str, Range, Distribution, Named, Joined, "list[V
 """The value of an argument."""
 
 FILES = {"FILE": "file", "DIR": "folder", "DIR or FILE.csv": "folder or of a CSV file"}
-"""Words in messages for the values of options that name a file or a folder."""
+"""Words for the placeholders of files and folders, for messages."""
 
 _UNITS = {"LENGTH": "m", "SPEED": "m/s", "ANGLE": "rad", "SPIN": "rad/s"}
-"""SI units of the values of options, by the name of the value in the help."""
+"""SI units of the values of options, by the placeholder of the value in the help."""
 
 _DIFFERENCES = {"sigma", "change"}
 """Arguments whose numbers are differences: a difference of 2 degC is 2 K."""
@@ -80,10 +80,10 @@ _EXPECTED = {
     **dict.fromkeys(_WHOLE, "a whole number"),
     **dict.fromkeys(("NUMBER", "POINT"), "a number"),
 }
-"""Expected values, for messages about an option with one value, by the name of the value."""
+"""Expected values of options with one value, for messages, by the placeholder in the help."""
 
 _NO_EMPTY = {"distribution", "sigma", "model"}
-"""Arguments that change the question: an empty list or dict is probably a mistake."""
+"""Arguments that replace defaults: an empty list or dict would bring the defaults back."""
 
 
 class Converter:
@@ -224,7 +224,7 @@ class Converter:
         Raises
         ------
         InputError
-            For other values; it names the argument or the parameter.
+            For other values. The message names the argument or the parameter.
         """
         if value is None:
             raise InputError(
@@ -265,7 +265,7 @@ def _name_of(value: Value) -> str:
 
 
 def _count_of(name: str, value: Any) -> int:
-    """The number of values of a range; a whole float such as 11.0 and digits are accepted too."""
+    """The number of values of a range: an int, a whole float such as 11.0, or a text of digits."""
     is_whole = isinstance(value, float) and value.is_integer()
     is_digits = isinstance(value, str) and value.isdigit()
     return count_of(f"the count of {name}", int(value) if is_whole or is_digits else value, 1)
@@ -309,7 +309,7 @@ def refuse_empty(option: Option, value: Any) -> None:
     Raises
     ------
     InputError
-        With the purpose of the option.
+        For such a value. The message has the purpose of the option.
     """
     needs_value = (
         option.argument in _NO_EMPTY or option.is_required or option.has_default

@@ -23,13 +23,13 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
     """Computes all parts on the workers of a cluster.
 
     A worker receives a number and returns a row of the manifest: the memory of the scheduler grows
-    with the parts, not with the rows. The death of a worker, and a failure, lose one part.
+    with the parts, not with the rows. The death of a worker, or an error, loses one part only.
 
     Parameters
     ----------
     client : Client
-        The client of the cluster. Every worker has longdrive, and the folder `output` under the
-        same name.
+        The client of the cluster. Every worker must have longdrive, and the folder `output` under
+        the same name.
     setup : SetupLike
         A setup, the name of a preset, or a dict.
     retries : int

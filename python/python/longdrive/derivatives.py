@@ -221,7 +221,7 @@ def objective(
     It has ``fun(x)``, ``jac(x)``, ``hess(x)``, ``fun_and_jac(x)``, ``x0``, ``bounds`` and
     ``names``. x has a value for each parameter, numbers in SI or quantities of pint. Results at one
     point are computed once. The last bit of a value may depend on whether derivatives are computed
-    with it. Method and step are chosen once, for values around the setup's.
+    with it. Method and step are chosen once, for values around the values of the setup.
 
     Parameters
     ----------
@@ -268,7 +268,7 @@ def objective(
     Raises
     ------
     InputError
-        As :func:`gradient`; for unreadable swings, and for a parameter that the swings already
+        As :func:`gradient`, for unreadable swings, and for a parameter that the swings already
         give.
 
     Examples

@@ -131,7 +131,7 @@ class Drive(Mapping[str, "float | None"]):
         Raises
         ------
         UnknownKeyError
-            For an outcome that was not requested; it is a KeyError.
+            For an outcome that was not requested. The exception is also a KeyError.
         """
         try:
             return self.outcomes[name]

@@ -30,7 +30,7 @@ class Error(Exception):
 class InputError(Error, ValueError):
     """Bad input: an unknown name, a value outside its range, an array of the wrong shape.
 
-    The message names the thing, its value, the allowed range, and what to type.
+    The message has the name, its value, the allowed range, and what to type.
     """
 
 
@@ -43,7 +43,7 @@ class UnknownKeyError(InputError, KeyError):
 
 
 class NoAnswerError(Error):
-    """A sound question without an answer: the ball does not fly, a search does not converge.
+    """A valid request without an answer: the ball does not fly, a search does not converge.
 
     ``status`` is the reason in one word, as in the JSON of the program: ``no-flight``,
     ``diverged``, ``undefined``, or the end of a search.
@@ -73,7 +73,7 @@ class Interrupted(KeyboardInterrupt):
     """The rows that ``batch`` (or ``sweep`` without a file) had computed before the interruption;
     None for other functions."""
     answer: Reply | None
-    """The result that the function of a command had so far; None if there was no result yet."""
+    """The partial result of a function that runs a command; None if there was no result yet."""
 
     def __init__(
         self, message: str, table: Table | None = None, answer: Reply | None = None
@@ -87,7 +87,7 @@ class Interrupted(KeyboardInterrupt):
 
 
 class LongdriveWarning(UserWarning):
-    """A warning about a question or its answer, such as a flight beyond the range of its law.
+    """A warning about a request or its answer, such as a flight beyond the range of its law.
 
     If warnings are raised as errors, ``answer`` has the result of the function.
     """

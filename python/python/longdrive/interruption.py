@@ -16,9 +16,9 @@ def interruption(function: str, answer: Any, notes: Sequence[str], advice: str) 
     function : str
         The name of the function.
     answer : Any
-        The answer of the command, or the list of files that it wrote without an answer.
+        The answer of the command; without an answer, the list of the files that it wrote.
     notes : Sequence[str]
-        Its messages so far.
+        The messages of the command so far.
     advice : str
         How to continue.
     """

@@ -32,16 +32,16 @@ def outcome(
     array, shape (outcomes,). Its first and second derivatives are exact under ``jit``, ``vmap``,
     ``grad``, ``jacfwd``, ``jacrev`` and ``hessian``; third derivatives are refused. ``vmap`` makes
     one batched call on all processors. Without a drive (no flight, a value outside its range) the
-    value is NaN, because compiled code raises no exception; :func:`longdrive.simulate` has the
-    reason.
+    value is NaN, because compiled code raises no exception; :func:`longdrive.simulate` gives
+    the reason.
 
-    Method and step are chosen once, for values around the setup's.
+    Method and step are chosen once, for values around the values of the setup.
     Numbers have the precision of x: with the 32 bits that are usual in JAX, carry is exact to 1e-5
     m; ``jax.config.update("jax_enable_x64", True)`` gives all digits.
 
-    The function pickles, for processes and clusters. Only ``cloudpickle``, which Dask and joblib
-    use, pickles the results of ``jit``, ``grad`` and ``vmap``; elsewhere pickle the function, and
-    transform it again there.
+    The function can be pickled, for processes and clusters. Only ``cloudpickle``, which Dask and
+    joblib use, pickles the results of ``jit``, ``grad`` and ``vmap``; elsewhere pickle the
+    function, and transform it again there.
 
     Parameters
     ----------

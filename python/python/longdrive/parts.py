@@ -33,7 +33,7 @@ Over = Union[Mapping[str, "str | Sequence[float | str | int]"], Sequence[str]]
 
 
 class PartError(Error, RuntimeError):
-    """A part that could not be written after all tries."""
+    """A part that could not be written, even after all retries."""
 
     part: int
     """The number of the part, from 1."""
@@ -47,7 +47,7 @@ class PartError(Error, RuntimeError):
 
 
 class Question(NamedTuple):
-    """A sweep in parts. It pickles, and any process may write any of its parts."""
+    """A sweep in parts. It can be pickled, and any process may write any of its parts."""
 
     values: Mapping[str, Value]
     """The typed arguments of ``longdrive sweep``, without folder and part."""
@@ -191,8 +191,8 @@ class Question(NamedTuple):
         InputError
             As :func:`longdrive.sweep` does.
         """
-        # The output is a file in place of a folder. The command refuses it last: after all other
-        # checks, and before the first drive.
+        # The output is a file, although parts need a folder. The command refuses this after all
+        # other checks and before the first drive: that error means that the sweep is sound.
         name = "a file in memory"
         part = f"{self.parts}/{self.parts}"
         try:
@@ -207,12 +207,12 @@ class Question(NamedTuple):
         Returns
         -------
         dict[str, Any]
-            Its row of the manifest.
+            The row of the manifest for this part.
 
         Raises
         ------
         PartError
-            With the reason.
+            If the part cannot be written; the message has the reason.
         """
         file: dict[str, Value] = {
             "output": self.output, "part": f"{part}/{self.parts}", "threads": self.threads
@@ -359,8 +359,8 @@ def check(
     output : str | os.PathLike[str]
         The folder.
     contents : bool
-        Read the rows too, and compare them with the SHA-256 of each part; ``sha256`` is then that
-        of the whole set.
+        Read the rows too, and compare them with the SHA-256 of each part; ``sha256`` is then the
+        hash of the whole set.
     question : Question | None
         The sweep to which the parts must belong.
 
@@ -388,9 +388,10 @@ def check(
 def merge(manifests: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
     """Statistics of the rows of several parts, from their rows of the manifest.
 
-    They have ``statuses``, ``moments`` (``count``, ``mean``, ``m2``, the sum of squared deviations,
-    ``min`` and ``max`` of each column, SI), ``histograms`` and ``best`` rows. The parts are merged
-    in the order of their numbers, each once: the result does not depend on the order of the rows.
+    The statistics have ``statuses``, ``moments`` (``count``, ``mean``, ``m2``, the sum of squared
+    deviations, ``min`` and ``max`` of each column, SI), ``histograms`` and ``best`` rows. The parts
+    are merged in the order of their numbers, each once: the result does not depend on the order of
+    the rows.
 
     Parameters
     ----------

@@ -90,7 +90,7 @@ def trajectory(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -178,7 +178,7 @@ def contour(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -272,7 +272,7 @@ def chart(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -390,7 +390,7 @@ def pareto(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -470,7 +470,7 @@ def tornado(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -555,7 +555,7 @@ def compare(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -632,7 +632,7 @@ def vcurve(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -717,7 +717,7 @@ def laws(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -811,7 +811,7 @@ def fairway(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -882,7 +882,7 @@ def face(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -975,7 +975,7 @@ def strike(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 
@@ -1064,7 +1064,7 @@ def launch(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
 

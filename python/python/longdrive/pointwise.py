@@ -29,8 +29,8 @@ NO_THIRD = (
 class Pointwise:
     """Outcomes of a setup as a smooth function of parameters, NaN without a drive.
 
-    Method and step are chosen once, for values around the setup's: a step chosen for each batch
-    would make the function depend on the batch.
+    Method and step are chosen once, for values around the values of the setup: a step chosen for
+    each batch would make the function depend on the batch.
     """
 
     def __init__(
@@ -106,7 +106,7 @@ class Pointwise:
 class OutcomeFunction:
     """Outcomes of a setup as a function of another library.
 
-    Pickling stores its arguments, because local functions do not pickle.
+    Pickling stores its arguments, because local functions cannot be pickled.
     """
 
     def __init__(

@@ -22,7 +22,7 @@ __all__ = [
 
 
 def elements_of(value: Any) -> tuple[Any, ...] | None:
-    """The elements of a sequence: a tuple, a list, an array. None for other values and texts."""
+    """The elements of a tuple, a list or an array; None for a text, a dict, a set or one value."""
     if isinstance(value, (str, bytes, Mapping, Set)):
         return None
     try:

@@ -285,9 +285,9 @@ class SweepReply(Reply):
     statuses: dict[str, Any]
     """Number of drives by status."""
     remarks: list[str]
-    """Remarks about columns of the table of points that are not used; empty without one."""
+    """Remarks about unused columns of the table of points; empty if there are none."""
     left_out: list[str]
-    """Parameters of `all` that are omitted, with the reason; omitted if there are none."""
+    """Parameters that `all` leaves out, with the reason. The key is omitted if there are none."""
     folder: str
     """The folder."""
     bytes: int
@@ -390,4 +390,4 @@ class VerifyReply(Reply):
     missing: list[dict[str, Any]]
     """Outcomes without derivatives at this drive, with the reasons."""
     left_out: list[str]
-    """Parameters of `all` that are omitted, with the reason; omitted if there are none."""
+    """Parameters that `all` leaves out, with the reason. The key is omitted if there are none."""

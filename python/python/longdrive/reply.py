@@ -24,7 +24,7 @@ class Reply(dict[str, Any]):
     message: Any
     """The end of the work in a sentence; None if there is nothing to say."""
     warnings: list[str]
-    """Warnings about the question or the answer."""
+    """Warnings about the request or the answer."""
 
     if not TYPE_CHECKING:  # type checkers know the attributes of each answer
 
@@ -66,7 +66,7 @@ def as_reply(kind: type[R]) -> Callable[[Reply, object], R]:
 def with_rows(kind: type[R]) -> Callable[[Reply, Request], R]:
     """The function that makes an answer of this class with the rows that stay in memory.
 
-    The answer of ``fly`` without a file has them under ``shots``, a dict each, SI.
+    The answer of ``fly`` without a file has these rows under ``shots``: a dict for each row, SI.
     """
 
     def answer(reply: Reply, request: Request) -> R:

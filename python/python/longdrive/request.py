@@ -48,7 +48,7 @@ class Request:
         """Typed values by the names of the options."""
         self.setup: Setup | None = None
         self.setup_text = ""
-        """The setup file that the setup ``-`` stands for."""
+        """The text of the setup file that the command reads for the setup ``-``."""
         self.files: dict[str, bytes] = {}
         """Tables and setups in memory by name."""
         self.output = ""

@@ -18,7 +18,7 @@ __all__ = ["run_command"]
 T = TypeVar("T")
 
 COMMON_KEYS = {"command", "status", "message", "warnings"}
-"""Keys of every answer; an answer without a result has no others."""
+"""Keys of every answer; an answer without a result has no other keys."""
 
 
 def run_command(
@@ -40,7 +40,7 @@ def run_command(
     InputError
         For bad input.
     NoAnswerError
-        For a sound question without an answer.
+        For a valid request without an answer.
     Interrupted
         After Ctrl-C, with the result so far.
     """

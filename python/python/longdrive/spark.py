@@ -48,7 +48,7 @@ def manifests(spark: SparkSession, asked: Question) -> DataFrame:
     Parameters
     ----------
     spark : SparkSession
-        The session. Every executor has longdrive, and the folder under the same name.
+        The session. Every executor must have longdrive, and the folder under the same name.
     asked : Question
         The sweep.
 
@@ -69,7 +69,7 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
     Parameters
     ----------
     spark : SparkSession
-        The session. Every executor has longdrive, pandas and pyarrow in its Python, which
+        The session. Every executor must have longdrive, pandas and pyarrow in its Python, which
         ``PYSPARK_PYTHON`` names (without it the ``python3`` of its path), and the folder `output`
         under the same name.
     setup : SetupLike

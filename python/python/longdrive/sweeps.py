@@ -84,7 +84,7 @@ def sweep(
 ) -> Union[Table, SweepReply]:
     """Very many drives at the points of a grid, a quasi-random sequence or a table.
 
-    The rows are those of ``longdrive sweep``, to the last bit.
+    The rows equal the rows of ``longdrive sweep``, to the last bit.
 
     Parameters
     ----------
@@ -92,7 +92,8 @@ def sweep(
         A setup, the name of a preset, or a dict.
     over : Given | None
         Parameters with tuples (low, high, count), numbers in SI, or texts such as
-        ``"5deg..15deg:101"``; the last parameter changes fastest. With `sample` (low, high).
+        ``"5deg..15deg:101"``; the last parameter changes fastest. With `sample`, tuples (low,
+        high).
     sample : int | None
         The number of points of a quasi-random (Sobol') sequence in the ranges of `over`.
     seed : int | None

@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 __all__ = ["Status", "Table"]
 
 class Status(IntEnum):
-    """The end of a drive of a table. A row with NaN has a status with the reason."""
+    """The end of the drive of a row. If a number of the row is NaN, the status is the reason."""
 
     LANDED = 0
     """The ball landed; the row has every requested outcome and derivative."""
     NO_FLIGHT = 1
-    """The ball left the face and did not fly. Outcomes of the launch only."""
+    """The ball left the face and did not fly. The row has outcomes of the launch only."""
     ALOFT = 2
-    """The ball was in the air at ``flight.time_limit``. Outcomes of the launch only."""
+    """The ball was in the air at ``flight.time_limit``. The row has outcomes of the launch only."""
     DIVERGED = 3
     """The numbers of the flight overflowed: ``flight.step`` is too coarse."""
     NO_STRIKE = 4
@@ -53,7 +53,7 @@ class Table:
     ``table["carry"]`` and ``table.derivative("carry", "club.loft")`` are columns, ``table[10:20]``
     is a table of some rows. ``polars.DataFrame(table)``, ``pyarrow.table(table)`` and
     ``pandas.DataFrame.from_arrow(table)`` share the memory, by Arrow's C stream interface; NaN is
-    null there. Functions that take points take a table.
+    null there. Functions that take points also take a table.
 
     Examples
     --------
@@ -67,7 +67,7 @@ class Table:
     True
     """
 
-    # NumPy leaves operators with a table to the table: array == table is False
+    # NumPy defers to the operators of the table: array == table is False
     __array_ufunc__ = None
 
     def __init__(
@@ -102,7 +102,7 @@ class Table:
         self.hessians = hessians
         """Second derivatives, shape (rows, outcomes, parameters, parameters), if requested."""
         self.first_row = first_row
-        """The number of the first row among all points."""
+        """The index of the first row among all points, from 0."""
         self.warnings = list(warnings)
         """Warnings about the drives."""
         self.setup = setup
@@ -274,7 +274,7 @@ class Table:
     def to_pandas(self) -> Any:
         """The columns as a ``pandas.DataFrame``; NaN is a missing value.
 
-        Its ``attrs["units"]`` has the SI units, so that functions take its points again.
+        Its ``attrs["units"]`` has the SI units, so that functions accept the frame as points.
         """
         import pandas
 
@@ -295,7 +295,7 @@ class Table:
 
     @staticmethod
     def concatenate(tables: Iterable[Table]) -> Table:
-        """One table with the rows of several, such as those before and after an interruption.
+        """One table with the rows of several tables, such as before and after an interruption.
 
         Raises
         ------

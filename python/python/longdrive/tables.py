@@ -40,8 +40,8 @@ def columns_of(table: Any) -> Any:
 def points_in_si(table: Any) -> dict[str, Any] | None:
     """The points of a table whose columns are known to be in SI; None for other tables.
 
-    These are a :class:`longdrive.Table`, and a table of pyarrow or pandas that was made from it,
-    whose metadata or ``attrs`` has the units.
+    Such tables are a :class:`longdrive.Table`, and a table of pyarrow or pandas that was made from
+    one: its metadata or its ``attrs`` have the units.
     """
     if isinstance(table, Table):
         return table.points
@@ -98,7 +98,7 @@ def csv_of(name: str, table: Any) -> bytes:
 
 
 def points_with_units(points: Mapping[str, Any]) -> dict[str, Any]:
-    """Points in SI with the unit in each head: ``club.loft [rad]``."""
+    """Points in SI, with the SI unit in the head of each column: ``club.loft [rad]``."""
     units = {name: _longdrive.unit_of(name) for name in points}
     return {
         f"{name} [{units[name]}]" if units[name] else name: values

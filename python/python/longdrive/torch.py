@@ -30,15 +30,15 @@ def outcome(
     """An outcome, or several, as a function of PyTorch.
 
     The function takes x, shape (parameters,), SI, and returns a tensor without dimensions, or for
-    several outcomes one of shape (outcomes,). Its first and second derivatives are exact under
+    several outcomes a tensor of shape (outcomes,). Its first and second derivatives are exact under
     ``autograd``, and ``vmap``, ``grad``, ``jacrev``, ``jacfwd`` and ``hessian`` of ``torch.func``;
     third derivatives are refused. ``vmap`` makes one batched call on all processors. Without a
-    drive (no flight, a value outside its range) the value is NaN; :func:`longdrive.simulate` has
+    drive (no flight, a value outside its range) the value is NaN; :func:`longdrive.simulate` gives
     the reason.
 
-    Method and step are chosen once, for values around the setup's.
-    Numbers have the precision of x: ``torch.float64`` gives all digits. The function pickles, for
-    processes and clusters.
+    Method and step are chosen once, for values around the values of the setup.
+    Numbers have the precision of x: ``torch.float64`` gives all digits. The function can be
+    pickled, for processes and clusters.
 
     Parameters
     ----------

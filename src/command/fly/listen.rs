@@ -167,7 +167,7 @@ fn refused(address: SocketAddr, error: &io::Error) -> Error {
                 .into()
         }
         ErrorKind::AddrNotAvailable => {
-            "it is not an address of this machine; leave `address` out, or name one that is".into()
+            "it is not an address of this machine; leave `address` out, or name another".into()
         }
         ErrorKind::Unsupported => "there is no network here; give a file of shots instead".into(),
         _ => format!("the system says: {error}"),

@@ -333,7 +333,7 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
         .enumerate()
         .find(|(i, name)| asked[..*i].contains(name))
     {
-        let source = format!("'{name}' is named twice, as number {} too; keep one", i + 1);
+        let source = format!("'{name}' (law {}) is named twice; keep one", i + 1);
         return Err(Error::unreadable("`laws`", source));
     }
     let laws = if asked.is_empty() {
@@ -349,7 +349,8 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
 }
 
 impl PlotLaws {
-    /// The value of the variable that is constant.
+    /// The value of the variable that is constant in the plot: the Reynolds number or the spin
+    /// ratio.
     fn constant(&self) -> Result<f64> {
         let unused = |name: &str, over: &str| {
             let source = format!(

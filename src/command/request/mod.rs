@@ -155,7 +155,7 @@ impl Request {
     /// the middle of its range.
     ///
     /// # Errors
-    /// The errors of [`setup`](Self::setup); an unreadable range.
+    /// The errors of [`setup`](Self::setup) and of [`Vary::read_column`].
     pub fn setup_with_starts<'a>(
         &self,
         ranges: impl IntoIterator<Item = &'a String>,
@@ -189,8 +189,8 @@ impl Request {
         self.with_values(setup, starts, "begins at")
     }
 
-    /// Adds these values to a setup, each only if its parameter has no value. A note tells the
-    /// user; `how` is the verb of the note.
+    /// Adds these values to a setup, each only if its parameter has no value. A note reports each
+    /// added value; `how` is the verb of the note, such as "begins at".
     ///
     /// # Errors
     /// The errors of [`setup`](Self::setup).
@@ -251,9 +251,8 @@ impl Request {
         }
     }
 
-    /// The setup that the answer of a search is about. Shaft and strike shift the best loft by
-    /// degrees; if the setup is an average, they belong to no golfer, and the answer contains
-    /// advice.
+    /// The setup that the answer of a search is about. The best loft depends on shaft and strike,
+    /// by degrees. If they are averages of many golfers, a search for the loft gets advice on this.
     pub fn origin_of_search(&self, vary: &[Vary]) -> Origin {
         let varies_loft = vary.iter().any(|vary| vary.parameter.name == "club.loft");
         let advice = if varies_loft && self.source.is_average() {
@@ -520,8 +519,8 @@ impl OwnLaw {
     /// The user's table of drag and lift, if one is given.
     ///
     /// # Errors
-    /// The errors of a setup; [`Error::Unreadable`] if a setting has a parameter that does not
-    /// belong to the table.
+    /// The errors of [`Setup::set_all`] and [`Setup::validate`], and [`Error::Unreadable`] if a
+    /// setting has a parameter that does not belong to the table.
     pub fn law(&self) -> Result<Option<Law<f64>>> {
         let settings = Setting::read_all("set", &self.set)?;
         refuse_duplicates(&settings)?;

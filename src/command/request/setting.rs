@@ -68,7 +68,7 @@ impl Setting {
     /// Reads the texts of an option such as `--launch`.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] if one of `texts` has no `=`; the errors of
+    /// [`Error::Unreadable`] if one of `texts` has no `=`, and the errors of
     /// [`of_launch`](Self::of_launch).
     pub fn read_all_launch(argument: &'static str, texts: &[String]) -> Result<Vec<Self>> {
         let read = |text: &String| {

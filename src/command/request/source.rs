@@ -32,7 +32,8 @@ impl Source {
     /// Reads the setup that the command line names.
     ///
     /// # Errors
-    /// If `argument` is an unknown preset; the errors of [`SetupFile::open`] if it is a file.
+    /// [`Error::Unknown`] if `argument` is an unknown preset, and the errors of [`SetupFile::open`]
+    /// if it names a file or standard input.
     pub fn read(argument: &str) -> Result<Self> {
         let path = Path::new(argument);
         let is_named_like_a_file = argument.contains(['/', '\\']) || path.extension().is_some();

@@ -13,7 +13,8 @@ impl Request {
     /// The setup with a step for `--tolerance`; unchanged without this option.
     ///
     /// # Errors
-    /// [`Error::Tolerance`] if no step is fine enough; if a setting also states method or step.
+    /// [`Error::Tolerance`] if no step is fine enough, and [`Error::Unreadable`] if a setting
+    /// states method or step, which `--tolerance` chooses.
     pub fn within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
         Ok(self
             .accuracy_of_tolerance(&setup, &[], &of_the_flight())?
@@ -31,8 +32,8 @@ impl Request {
             .map_or(setup, |found| found.applied_to(&setup)))
     }
 
-    /// Method and step for many drives. The tolerance is `--tolerance`, or one micrometre; `None`
-    /// if `flight.method` and `flight.step` of the setup apply.
+    /// Method and step for many drives, for the tolerance of `--tolerance`, or for one micrometre
+    /// without this option. `None` if `flight.method` and `flight.step` of the setup apply.
     ///
     /// # Errors
     /// The errors of [`within_tolerance`](Self::within_tolerance).

@@ -68,8 +68,7 @@ pub fn check(
     })
 }
 
-/// The number of bytes available for a file, including the present size of the file; and the folder
-/// of the file.
+/// The number of bytes available for a file (its present size included), and its folder.
 fn free(path: &Path) -> Option<(f64, String)> {
     let folder = path
         .parent()

@@ -214,7 +214,7 @@ impl Journal {
         Ok(())
     }
 
-    /// Removes the entries beyond this number of bytes of rows.
+    /// Removes the entries of rows that end after the first `bytes` bytes of the file of rows.
     #[cfg(feature = "parquet")]
     pub fn forget_beyond(&mut self, bytes: u64) -> io::Result<()> {
         while let Some((_, at)) = self.entries.pop_if(|(of, _)| *of > bytes) {

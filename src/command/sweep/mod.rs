@@ -226,7 +226,7 @@ pub struct SweepSummary {
     /// Number of drives by status.
     #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<Status, u64>"))]
     statuses: Map<String, Value>,
-    /// Remarks about columns of the table of points that are not used; empty without one.
+    /// Remarks about unused columns of the table of points; empty if there are none.
     remarks: Vec<Message>,
 }
 

@@ -28,7 +28,7 @@ impl Identity {
             ("the points", &self.points, &other.points),
             ("the outcomes", &self.outcomes, &other.outcomes),
             ("the derivatives", &self.derivatives, &other.derivatives),
-            // compare the setups last: their step depends on all of the above
+            // compare the setups last: their integration step depends on all values above
             ("the setups", &self.setup, &other.setup),
         ];
         parts

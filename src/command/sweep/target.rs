@@ -188,7 +188,7 @@ impl Stream {
 }
 
 impl Output<'_> {
-    /// Number of rows after which a sweep continues: at the start, those of an earlier run.
+    /// Number of rows that need not be computed again: at the start, the rows of an earlier run.
     pub fn safe(&self) -> u64 {
         match self {
             Self::Resumable(file) => file.safe,

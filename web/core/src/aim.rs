@@ -226,8 +226,8 @@ impl Aim {
     }
 
     /// The point in the ranges where the model of the landing at `here` is nearest to the target.
-    /// Where carry is at its maximum, `here` is a saddle point of the distance: the search also
-    /// begins at both ends of the ranges.
+    /// The minimization starts at `here` and at both ends of the ranges: where carry is at its
+    /// maximum, `here` is a saddle point of the distance.
     fn nearest(&self, here: &Point) -> Result<[f64; 2], Error> {
         let model = Exact(Model(here));
         let bounds = &self.domain.variables;

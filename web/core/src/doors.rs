@@ -1,4 +1,4 @@
-//! The exported functions. A request lies in memory of this module, and so does an answer.
+//! The exported functions. Requests and answers lie in the memory of this module.
 
 #![allow(
     unsafe_code,
@@ -31,7 +31,7 @@ extern "C" fn _initialize() {
     __wasm_call_ctors();
 }
 
-/// Room for a request of this many bytes.
+/// Makes space for a request of this many bytes, and returns its address.
 #[unsafe(no_mangle)]
 extern "C" fn input(bytes: usize) -> *mut u8 {
     REQUEST.with_borrow_mut(|request| {

@@ -178,8 +178,8 @@ impl Columns {
         Ok(columns)
     }
 
-    /// Expands derivatives by the known parameters to the columns of all parameters, with NaN for
-    /// the others.
+    /// Expands derivatives by the known parameters to the columns of all parameters; the columns of
+    /// the other parameters are NaN.
     fn widened(&self, taylor: &Taylor) -> Taylor {
         let known = &self.known;
         let mut wide = undefined(self.count);

@@ -35,8 +35,8 @@ impl Refusal {
         }
     }
 
-    /// Adds the parameters of the setup, and the names `stated` of the request, that the message
-    /// mentions.
+    /// Adds the parameters that the message mentions, from the parameters of the setup and from the
+    /// names `stated` in the request.
     #[must_use]
     pub fn with_parameters<'a>(
         self,

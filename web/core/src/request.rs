@@ -150,10 +150,11 @@ impl CheckedSetup<'_> {
         in_page_words(&message.in_units(self.system))
     }
 
-    /// The outcomes of these names, each at most once, so that a request cannot exhaust the memory.
+    /// The outcomes of these names. A repeated name is an error, so that a request cannot exhaust
+    /// the memory.
     ///
     /// # Errors
-    /// For an unknown name, and a name that is given twice.
+    /// For an unknown or repeated name.
     pub fn outcomes(&self, names: &[String]) -> Result<Vec<Outcome>, Refusal> {
         let named = |name: &String| Outcome::named(name).map_err(|error| self.refused(&error));
         let outcomes: Vec<_> = names.iter().map(named).collect::<Result<_, _>>()?;

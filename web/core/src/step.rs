@@ -1,5 +1,4 @@
-//! The integration of a session: the longest step with which all drives in some ranges are
-//! accurate.
+//! The longest integration step with which all drives in the ranges of a request are accurate.
 
 use crate::message;
 use crate::refusal::Refusal;

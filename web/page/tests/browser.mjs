@@ -1,4 +1,5 @@
-// What the tests share: the system's Chromium, the page as a file and from a server, and all it says.
+// Shared by the tests: Chromium of the system, the page as a file and from a server, and its
+// messages.
 import { createServer } from 'node:http';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,4 +1,4 @@
-// The modules of the page that read what comes from outside, for tests under Node.
+// The modules of the page that read external input, for tests under Node.
 export * from '../src/setup/design';
 export * from '../src/setup/file';
 export * from '../src/setup/parameters';

@@ -19,7 +19,7 @@ const OPENED = isAll ? 100 : 4;
 const at = path => fileURLToPath(new URL(path, import.meta.url));
 const text = words => new TextEncoder().encode(words);
 
-/** The modules of the page that read what comes from outside. */
+/** The modules of the page that read external input. */
 async function pageModules() {
   const lib = { entry: at('modules.ts'), formats: ['es'], fileName: 'modules' };
   const [{ output }] = [await build({ configFile: false, logLevel: 'warn', build: { write: false, target: 'es2022', lib } })].flat();
@@ -225,7 +225,7 @@ test(`${COUNT.inBrowser} random links and ${2 * OPENED} files leave the page who
   await context.close();
 });
 
-/** What the page says about internal errors, kept from now on. */
+/** Collects the messages of the page about internal errors from now on. */
 async function trapsOf(tab) {
   await tab.evaluate(() => {
     window.internal = [];

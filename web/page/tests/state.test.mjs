@@ -43,7 +43,7 @@ async function modules() {
   return import(`data:text/javascript;base64,${script}`);
 }
 
-/** Random setups that state also what is no number, what follows from others, and what is unset. */
+/** Random setups that also state names, derived values and unset values. */
 function randomSetups() {
   const next = common.random(9);
   const pick = list => list[Math.floor(next() * list.length)];
@@ -92,7 +92,7 @@ function flown({ preset, set }) {
   return { ...head, numbers: [...block] };
 }
 
-/** What a setup states, by name. */
+/** The values of all parameters and choices of a setup, by name. */
 function valuesOf({ law, parameters, choices, states_step: statesStep }) {
   const own = parameters.filter(row => row.law === null || row.law === law);
   const values = own.map(({ parameter, value }) => [parameter, value]);

@@ -85,8 +85,8 @@ export function readMissing({ head }: Numbers): Map<string, string> {
 }
 
 /**
- * The derivatives of the first outcome of `of` by each parameter that has them: the gradient, and
- * the diagonal of the Hessian.
+ * First and second derivatives of the first outcome of `of` by each parameter by which it has
+ * derivatives.
  */
 export function readSlopes({ head, block }: Numbers): Map<string, Slope> {
   const { outcomes, wrt } = head as unknown as DriveHead;

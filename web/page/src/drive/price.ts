@@ -33,7 +33,7 @@ export function bandOf(value: number, { first, second }: Slope, loss: number): B
   return { low: value + low, high: value + high };
 }
 
-/** Number of units that a printed price is for, where the price of a single unit is too small. */
+/** The number of units to which a printed price applies, if the price of one unit is too small. */
 const STEPS: Readonly<Record<string, number>> = {
   rpm: 100, ft: 1000, m: 100, degF: 10, degC: 10, 'g cm^2': 100, hPa: 10, 'rad/s': 1,
 };
@@ -42,7 +42,7 @@ const STEPS: Readonly<Record<string, number>> = {
 const STEPS_OF: Readonly<Record<string, number>> = { 'wind.from': 10, 'ground.height': 1 };
 
 export interface Price {
-  /** The change of the outcome, in the unit of lengths. */
+  /** The change of the outcome for this number of units of the parameter, yd or m. */
   change: number;
   /** "+2.4 yd per mph". */
   text: string;

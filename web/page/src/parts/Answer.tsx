@@ -82,7 +82,8 @@ function ValueRow({ name, theirs }: { name: string; theirs: number }) {
 const zero = (unit: string) => (unit === 'degC' ? 273.15 : unit === 'degF' ? 255.372222 : 0);
 
 /**
- * The gain for one more unit of a parameter, at your drive and beyond the bounds of the best drive.
+ * The gain for one more unit of a parameter: at your drive, and at the best drive for parameters at
+ * a bound.
  */
 function Worth() {
   const { explorer } = usePage();

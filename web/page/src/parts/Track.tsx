@@ -1,4 +1,4 @@
-// The band and the best value of a parameter, drawn at its slider.
+// The band (the values that cost little) and the best value of a parameter, drawn at its slider.
 import type { ComponentChildren } from 'preact';
 import { bandOf, LOSS } from '../drive/price';
 import type { Travel } from '../setup/travel';

@@ -1,7 +1,7 @@
 // Answers that are requested again when the content of the page changes.
 import { useEffect, useState } from 'preact/hooks';
 
-/** An answer; null if there is none, or undefined if a newer question came first. */
+/** An answer; null if there is none, or undefined if a newer request replaced this one. */
 type Answered<T> = Promise<T | null | undefined>;
 
 /** The last answer. It is requested again `milliseconds` after the last change of `key`. */

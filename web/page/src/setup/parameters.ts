@@ -31,7 +31,7 @@ export interface Preset {
   setup: Record<string, Value>;
   /** True if the preset states method and step; otherwise the page chooses both. */
   states_step: boolean;
-  /** The choice of the page; null without one. */
+  /** Method and step that the page chooses; null if the preset states them or no step is found. */
   integration: Integration | null;
   sources: Record<string, string>;
 }

@@ -55,7 +55,7 @@ export class Explorer {
   readonly working = signal<string | null>(null);
   readonly aimMessage = signal<string | null>(null);
   /**
-   * The time step of the loop that is drawn over the map and a slider, s; null if none is drawn.
+   * The time step of the loop that is drawn over the map and a slider, s; null if no loop is drawn.
    */
   readonly loopStep = signal<number | null>(null);
   /** The open group among the sliders below the first screen. */
@@ -196,7 +196,8 @@ export class Explorer {
     this.busy.value = true;
     const flown = this.#fly();
     this.#rest.call(async () => {
-      // wait for the drive, which requests a coarse map: in the queue it would replace the fine map
+      // wait for the drive, which then requests a coarse map: requested later, the coarse map would
+      // replace the fine map in the queue
       await flown;
       void this.#findBest();
       void this.#flyOthers();
@@ -249,8 +250,7 @@ export class Explorer {
   }
 
   /**
-   * The call for prices of unstated parameters of wind and air, at the values that a drive has for
-   * them.
+   * The call for prices of unstated parameters of wind and air, at the values that the drive uses.
    */
   #unsetCall(): Call | null {
     const { set } = this.design.value;

@@ -1,4 +1,4 @@
-// Debouncing: work that starts once it was not requested again for a while.
+// Debouncing: work that starts when no further request for it has come for a while.
 
 export class Later {
   readonly #milliseconds: number;
