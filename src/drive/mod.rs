@@ -59,10 +59,10 @@ impl<T: Number> Drive<T> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OffFace`], [`Error::NoStrike`] and [`Error::Jammed`] as in
-    /// [`strike`](crate::impact::strike); [`Error::Diverged`], [`Error::OutOfRange`] and
-    /// [`Error::NotANumber`] as in [`fly`](crate::flight::fly). A ball that does not fly is a
-    /// result, not an error: see [`Flight`].
+    /// [`Error::OffFace`], [`Error::NoStrike`] and [`Error::Jammed`] as in [`strike`];
+    /// [`Error::Diverged`], [`Error::OutOfRange`] and [`Error::NotANumber`] as in
+    /// [`fly`](crate::flight::fly). A ball that does not fly is a result, not an error: see
+    /// [`Flight`].
     pub fn new(setup: &Setup<T>) -> Result<Self> {
         setup.flight.check_steps()?;
         Self::without_step_check(setup, None)

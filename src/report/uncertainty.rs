@@ -116,7 +116,7 @@ pub struct EllipseReport {
     pub by: EllipseSource,
     /// The centre.
     pub centre: LandingPoint,
-    /// The half-axes as components downrange and to the right, the longer one first, m.
+    /// The half-axes as vectors of lateral distance and carry, the longer one first, m.
     pub half_axes: [[f64; 2]; 2],
     /// The fraction of the sample's drives inside the ellipse, 0 to 1.
     pub holds: f64,
