@@ -316,8 +316,8 @@ impl PyObjective {
     }
 }
 
-/// True for a masked array. NumPy's own class has no mask: looking for it would make an exception at
-/// each call.
+/// True for a masked array. NumPy's own class has no mask: looking for one would raise an exception
+/// at each call.
 fn is_masked(array: &Bound<'_, PyArray1<f64>>) -> PyResult<bool> {
     Ok(!array.is_exact_instance_of::<PyUntypedArray>() && array.hasattr("mask")?)
 }

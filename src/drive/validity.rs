@@ -204,7 +204,7 @@ impl ExceededLimits<Option<String>> {
         if let Some(subject) = &self.face {
             let face = any_face();
             let warning = format!(
-                "{subject}: the strike lies outside {face}: no club strikes the ball there"
+                "{subject}: the strike lies outside {face}; no conforming club strikes the ball there"
             );
             warnings.push(warning.into());
         }

@@ -44,8 +44,8 @@ const CLAMP_WIDTH: f64 = 2.0 * (-RESTITUTION[0] / (2.0 * RESTITUTION[1]) - CLAMP
 const STICKS: f64 = 0.8;
 /// Width in x of the transition from sticking to slipping.
 const SLIPS_OVER: f64 = 0.4;
-/// Margin, (m/s)², of the comparison of squared impulses per mass. A contact without slip sticks
-/// even without friction, because its slip has no direction.
+/// Margin, (m/s)², in the comparison of squared impulses per mass. With it, a contact without slip
+/// counts as sticking even without friction: the friction would have no direction.
 const NO_SLIP: f64 = 1e-24;
 /// Smallest squared speed along the ground, (m/s)². It keeps the direction and the derivatives
 /// finite for a ball that falls vertically.

@@ -413,19 +413,19 @@ law_coefficients! { $
         /// Drag coefficient without spin.
         cd0: T = "aero.cd0", "cd0", NUMBER in "", Range::from_to(0.0, 100.0),
             "0.1304", "Ferguson, McNally & McPhee (2022)";
-        /// Drag coefficient, linear in the spin ratio.
+        /// Coefficient of the spin ratio in the drag coefficient.
         cd1: T = "aero.cd1", "cd1", NUMBER in "", Range::FINITE,
             "0.9287", "Ferguson, McNally & McPhee (2022)";
-        /// Drag coefficient, quadratic in the spin ratio.
+        /// Coefficient of the squared spin ratio in the drag coefficient.
         cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE,
             "-0.8259", "Ferguson, McNally & McPhee (2022)";
         /// Lift coefficient extrapolated to no spin.
         cl0: T = "aero.cl0", "cl0", NUMBER in "", Range::FINITE,
             "0.0504", "Ferguson, McNally & McPhee (2022)";
-        /// Lift coefficient, linear in the spin ratio.
+        /// Coefficient of the spin ratio in the lift coefficient.
         cl1: T = "aero.cl1", "cl1", NUMBER in "", Range::FINITE,
             "1.2031", "Ferguson, McNally & McPhee (2022)";
-        /// Lift coefficient, quadratic in the spin ratio.
+        /// Coefficient of the squared spin ratio in the lift coefficient.
         cl2: T = "aero.cl2", "cl2", NUMBER in "", Range::FINITE,
             "-1.1490", "Ferguson, McNally & McPhee (2022)";
     }
@@ -442,7 +442,7 @@ law_coefficients! { $
         /// Drag coefficient, quadratic in the capped spin ratio.
         cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE,
             "-0.18328", "longdrive: fit, docs/sources.md";
-        /// Drag coefficient, linear in Re/10⁵.
+        /// Coefficient of Re/10⁵ in the drag coefficient.
         cd_re: T = "aero.cd_re", "cd_re", NUMBER in "", Range::FINITE,
             "-0.00201", "longdrive: fit, docs/sources.md";
         /// Cap of the spin ratio in the drag coefficient.
@@ -512,10 +512,10 @@ law_coefficients! { $
         /// Drag coefficient without spin.
         cd0: T = "aero.cd0", "cd0", NUMBER in "", Range::from_to(0.0, 100.0),
             "0.2049", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
-        /// Drag coefficient, linear in the spin ratio.
+        /// Coefficient of the spin ratio in the drag coefficient.
         cd1: T = "aero.cd1", "cd1", NUMBER in "", Range::FINITE,
             "0.2148", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
-        /// Drag coefficient, quadratic in the spin ratio.
+        /// Coefficient of the squared spin ratio in the drag coefficient.
         cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE,
             "1.098", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
         /// Drag coefficient, cubic in the spin ratio.
@@ -527,10 +527,10 @@ law_coefficients! { $
         /// Lift coefficient extrapolated to no spin.
         cl0: T = "aero.cl0", "cl0", NUMBER in "", Range::FINITE,
             "0.0616", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
-        /// Lift coefficient, linear in the spin ratio.
+        /// Coefficient of the spin ratio in the lift coefficient.
         cl1: T = "aero.cl1", "cl1", NUMBER in "", Range::FINITE,
             "1.250", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
-        /// Lift coefficient, quadratic in the spin ratio.
+        /// Coefficient of the squared spin ratio in the lift coefficient.
         cl2: T = "aero.cl2", "cl2", NUMBER in "", Range::FINITE,
             "-1.644", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
         /// Lift coefficient, cubic in the spin ratio.
@@ -568,7 +568,7 @@ law_coefficients! { $
         /// number.
         cd_low0: T = "aero.cd_low0", "cd_low0", NUMBER in "", Range::FINITE,
             "1.50", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
-        /// Drag coefficient below r = 0.875, linear in Re/10⁵.
+        /// Coefficient of Re/10⁵ in the drag coefficient below r = 0.875.
         cd_low1: T = "aero.cd_low1", "cd_low1", NUMBER in "", Range::FINITE,
             "-2.59", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
         /// Drag coefficient below r = 0.875, quadratic in Re/10⁵.
@@ -578,16 +578,16 @@ law_coefficients! { $
         /// number.
         cd_high0: T = "aero.cd_high0", "cd_high0", NUMBER in "", Range::FINITE,
             "0.56", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
-        /// Drag coefficient above r = 0.875, linear in Re/10⁵.
+        /// Coefficient of Re/10⁵ in the drag coefficient above r = 0.875.
         cd_high1: T = "aero.cd_high1", "cd_high1", NUMBER in "", Range::FINITE,
             "-0.540", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
         /// Drag coefficient above r = 0.875, quadratic in Re/10⁵.
         cd_high2: T = "aero.cd_high2", "cd_high2", NUMBER in "", Range::FINITE,
             "0.191", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
-        /// Lift coefficient, linear in the spin ratio.
+        /// Coefficient of the spin ratio in the lift coefficient.
         cl1: T = "aero.cl1", "cl1", NUMBER in "", Range::FINITE,
             "1.99", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
-        /// Lift coefficient, quadratic in the spin ratio.
+        /// Coefficient of the squared spin ratio in the lift coefficient.
         cl2: T = "aero.cl2", "cl2", NUMBER in "", Range::FINITE,
             "-3.25", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
     }
@@ -598,25 +598,25 @@ law_coefficients! { $
         /// Drag coefficient without spin, extrapolated to Re = 0.
         cd0: T = "aero.cd0", "cd0", NUMBER in "", Range::from_to(0.0, 100.0),
             "0.2028", "US patent 6186002, test ball, docs/sources.md";
-        /// Drag coefficient, linear in the spin ratio.
+        /// Coefficient of the spin ratio in the drag coefficient.
         cd1: T = "aero.cd1", "cd1", NUMBER in "", Range::FINITE,
             "-0.2159", "US patent 6186002, test ball, docs/sources.md";
-        /// Drag coefficient, quadratic in the spin ratio.
+        /// Coefficient of the squared spin ratio in the drag coefficient.
         cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE,
             "2.8466", "US patent 6186002, test ball, docs/sources.md";
-        /// Drag coefficient, linear in Re/10⁵.
+        /// Coefficient of Re/10⁵ in the drag coefficient.
         cd_re: T = "aero.cd_re", "cd_re", NUMBER in "", Range::FINITE,
             "0.0165", "US patent 6186002, test ball, docs/sources.md";
         /// Lift coefficient extrapolated to no spin.
         cl0: T = "aero.cl0", "cl0", NUMBER in "", Range::FINITE,
             "0.0860", "US patent 6186002, test ball, docs/sources.md";
-        /// Lift coefficient, linear in the spin ratio.
+        /// Coefficient of the spin ratio in the lift coefficient.
         cl1: T = "aero.cl1", "cl1", NUMBER in "", Range::FINITE,
             "0.6463", "US patent 6186002, test ball, docs/sources.md";
-        /// Lift coefficient, quadratic in the spin ratio.
+        /// Coefficient of the squared spin ratio in the lift coefficient.
         cl2: T = "aero.cl2", "cl2", NUMBER in "", Range::FINITE,
             "1.4789", "US patent 6186002, test ball, docs/sources.md";
-        /// Lift coefficient, with 1/(Re/10⁵)².
+        /// Coefficient of 1/(Re/10⁵)² in the lift coefficient.
         cl_re: T = "aero.cl_re", "cl_re", NUMBER in "", Range::FINITE,
             "-0.0122", "US patent 6186002, test ball, docs/sources.md";
     }

@@ -53,7 +53,7 @@ pub(super) struct Comparison {
     /// Number of rows whose predicted and measured sides are clear, and number of those rows whose
     /// sides are opposite.
     sides: [usize; 2],
-    /// Measured carry over ball speed.
+    /// Ratios of measured carry to ball speed, s.
     carries: Vec<f64>,
 }
 

@@ -32,7 +32,7 @@ pub(super) struct SampleSearch {
 /// Number of points of a sample.
 const POINTS: usize = 128;
 
-/// Number of points of a batch, between two checks of the interrupt flag.
+/// Number of points of a batch. The interrupt flag is checked before each batch.
 const AT_ONCE: usize = 16;
 
 /// Largest number of searches from points of a sample.

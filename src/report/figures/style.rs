@@ -59,7 +59,6 @@ pub(super) fn field_of(
         columns,
         values: values.to_vec(),
         gradients: vec![],
-        nothing: "no drive",
         beside: vec![],
     }
 }

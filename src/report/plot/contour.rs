@@ -323,7 +323,6 @@ mod tests {
             y: [1.0, 2.0],
             columns: 13,
             values: vec![None; 13 * 9],
-            nothing: "nothing",
             gradients: vec![],
             beside: vec![],
         };

@@ -266,8 +266,6 @@ pub struct Field {
     /// The derivatives by x and y at each node, SI; empty if they are unknown. Contours follow the
     /// cubic through values and derivatives. Without derivatives, a field is linear between nodes.
     pub gradients: Vec<Option<[f64; 2]>>,
-    /// The meaning of a missing value: "no flight".
-    pub nothing: &'static str,
     /// The values of all fields that share their levels and colours, SI; empty if this field has
     /// its own levels.
     pub beside: Vec<f64>,

@@ -191,7 +191,6 @@ mod tests {
             columns: nodes,
             values: at.iter().map(|[value, ..]| Some(*value)).collect(),
             gradients: at.iter().map(|[_, x, y]| Some([*x, *y])).collect(),
-            nothing: "nothing",
             beside: vec![],
         }
     }

@@ -63,7 +63,7 @@ pub fn winfield_tan(mut progress: impl FnMut(&str)) -> Result<WinfieldTan> {
     let ridge = tables::ridge(&setup, &optimum)?;
     progress("the average over attack angles");
     let average = Mean::new(&setup)?;
-    progress("the law, calibrated again to the paper");
+    progress("the aerodynamic law, calibrated again to the data of the paper");
     let fitted = Fitted::new(&setup)?;
     Ok(WinfieldTan {
         setup,

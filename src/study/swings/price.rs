@@ -131,7 +131,7 @@ fn over(search: &Search, scenarios: Scenarios) -> Search {
     }
 }
 
-/// The errors of the goals at the best design.
+/// The quadrature or sampling error of each goal at the best design.
 fn errors_of(
     setup: &Setup<f64>,
     swings: &Swings,
