@@ -41,21 +41,25 @@ class CalibrateReply(Reply):
     estimates: dict[str, dict[str, Any]]
     """The estimate of each fitted parameter."""
     covariance: dict[str, Any]
-    """The covariance of the estimates, in the product of the SI units of row and column."""
+    """The covariances of the estimates, each in the product of the SI units of its two
+    parameters."""
     correlation: dict[str, Any]
     """The correlations of the estimates, −1 to 1."""
     undetermined: list[dict[str, float | None]]
-    """Directions in parameter space that the data do not determine: the change of each parameter,
-    SI."""
+    """Combinations of parameters that the data do not determine, each as the changes of its
+    parameters, SI."""
     chi_square: float | None
     """χ² of the fit."""
     degrees_of_freedom: int
-    """Number of values minus number of parameters."""
+    """The number of measured values minus the number of parameters that they determine, at least 0.
+    Parameters at a bound are not counted."""
     probability: float | None
-    """The probability of a larger χ²."""
+    """The probability of a χ² at least this large, if the model is right; `None` unless the data
+    state every uncertainty and leave degrees of freedom."""
     uncertainty_scale: float | None
-    """√(χ²/degrees of freedom), the factor on the standard uncertainties: 1 if the data state their
-    uncertainties, or if the residuals give no scale; `None` if no uncertainty is known either."""
+    """√(χ²/degrees of freedom), by which the standard uncertainties are multiplied. It is 1 if the
+    data state every uncertainty. If the residuals give no scale, it is 1 if the uncertainty of
+    every value is known, and `None` otherwise."""
     iterations: int
     """Iterations of the fit."""
     evaluations: int
@@ -71,9 +75,9 @@ class CalibrateReply(Reply):
     setup: dict[str, Any]
     """Every parameter of the fitted setup by its dotted name."""
     file: str | None
-    """The setup file that was written; `None` without one."""
+    """The setup file that was written; `None` if none was written."""
     folder: str | None
-    """The folder of the written page; `None` without one."""
+    """The folder of the written page; `None` if none was written."""
 
 
 class ChartReply(Reply):
@@ -92,10 +96,11 @@ class ChartReply(Reply):
     points: list[dict[str, Any]]
     """The points of the chart, in order."""
     begun: str | None
-    """The reason why the chart begins inside the range; `None` if it covers the start of the
-    range."""
+    """The reason why the chart begins after the start of the range; `None` if the chart covers the
+    start."""
     ended: str | None
-    """The reason why the chart ends inside the range; `None` if it covers the end of the range."""
+    """The reason why the chart ends before the end of the range; `None` if the chart covers the
+    end."""
 
 
 class CompareReply(Reply):
@@ -146,7 +151,7 @@ class FlyReply(Reply):
     flown: int
     """Number of rows whose ball landed."""
     refused: list[dict[str, Any]]
-    """The other rows, by kind of reason."""
+    """The rows whose ball did not land, by kind of reason."""
     noted: int
     """Number of rows with assumed values, or with values that are not compared."""
     spin_not_measured: int
@@ -156,7 +161,7 @@ class FlyReply(Reply):
     residuals: list[dict[str, Any]]
     """The residuals of each outcome, predicted − measured."""
     clubs: list[dict[str, Any]]
-    """The shots of each club, if the table names several."""
+    """The shots of each club; empty unless the table names several clubs."""
     remarks: list[str]
     """Remarks about the columns."""
     address: str
@@ -196,9 +201,9 @@ class ParetoReply(Reply):
     """The index of the knee in `points`, from 0; `None` without one."""
     bend: float | None
     """The distance of the knee from the chord between the ends, relative to the length of the
-    chord. Both goals are scaled from one end to the other."""
+    chord. Each goal is scaled by its difference between the ends."""
     as_set_up: list[float | None] | None
-    """The goals before the search, SI; `None` if a swing does not fly."""
+    """The goals before the search, SI; `None` if the ball does not fly in one of the swings."""
     dominated: int
     """Number of omitted points that other points dominate."""
     swings: dict[str, Any] | None
@@ -299,7 +304,7 @@ class SweepReply(Reply):
     parts: int
     """Number of parts."""
     first_row: int
-    """First row in the whole sweep, from 0."""
+    """Index of the part's first row among all rows of the sweep, from 0."""
     question: str
     """SHA-256 of the definition of the sweep, which the file contains under the key `longdrive`."""
     instructions: str
@@ -323,7 +328,7 @@ class SweepReply(Reply):
     faults: list[dict[str, Any]]
     """Faults of files."""
     unfinished: list[str]
-    """Temporary files of running or killed writers; ignored."""
+    """Temporary files of writers that are running or were killed. The check ignores them."""
 
 
 class UncertaintyReply(Reply):
@@ -373,20 +378,21 @@ class VerifyReply(Reply):
     rows: list[dict[str, Any]]
     """The derivative of each outcome by each parameter, the largest error first."""
     negative_control: dict[str, Any]
-    """The detection of injected errors."""
+    """The negative control: the detection of injected errors."""
     landing: list[dict[str, Any]]
     """Derivatives at the landing, compared with differences at a fixed time."""
     continuity: list[dict[str, Any]]
-    """The outcomes at parameter values where the number of steps changes."""
+    """The outcomes at parameter values where the number of time steps changes."""
     convergence: list[dict[str, Any]]
     """The convergence of the outcomes with the time step."""
     step_errors: list[dict[str, Any]]
-    """The error of the time step in outcomes and derivatives. It has no verdict."""
+    """The errors of outcomes and derivatives that the time step causes. They do not affect
+    `passed`."""
     not_examined: list[dict[str, Any]]
     """Omitted checks, with the reasons."""
     while_loop: list[dict[str, Any]]
-    """The finite differences of carry in the while-loop of the MAE 494 report, for each parameter
-    by which the derivative of carry is certified."""
+    """Finite differences of the carry that the while-loop of the MAE 494 report computes, for each
+    parameter with a certified derivative of carry."""
     missing: list[dict[str, Any]]
     """Outcomes without derivatives at this drive, with the reasons."""
     left_out: list[str]
