@@ -236,7 +236,7 @@ pub fn batch<'py>(
             results: Mutex::new(Some(Results::new(rows, width, of_hessians)?)),
             done: AtomicU64::new(0),
         });
-        // check the values after the allocation, which may fail
+        // the values are examined last: this takes long, and the allocation above may fail
         arrays.look(py, ranges.is_none())?;
         let ranges = match ranges {
             None => arrays.ranges(),

@@ -21,8 +21,9 @@ const FACTORS: [[f64; 8]; 3] = [
 
 impl<T: Numbers> Septic<T> {
     /// Builds the polynomial from the position, velocity, acceleration and jerk at both ends of a
-    /// step; `coordinate` selects the coordinate. The end of the step enters by the increments,
-    /// because a difference of two positions would lose digits by cancellation.
+    /// step; `coordinate` selects the coordinate. Position and velocity at the end enter as their
+    /// increments over the step, because differences of the two positions or velocities would lose
+    /// digits by cancellation.
     #[inline(always)]
     fn new(
         step: &Step<'_, T>,

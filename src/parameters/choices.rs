@@ -137,7 +137,7 @@ impl Method {
     }
 }
 
-/// Name of the setting: `flight.method = "dp8"`.
+/// Name of the setting, as in `flight.method = "dp8"`.
 pub const METHOD: &str = "flight.method";
 
 impl Method {

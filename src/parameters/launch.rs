@@ -93,7 +93,7 @@ impl Setup<f64> {
         given
     }
 
-    /// Names of the launch conditions without their prefix: `ball_speed`.
+    /// Names of the launch conditions without their prefix, such as `ball_speed`.
     pub fn launch_conditions(&self) -> Vec<&'static str> {
         self.parameters()
             .iter()

@@ -301,7 +301,7 @@ parameter_groups! {
         /// Roughness length of the ground under a logarithmic wind profile; unset: uniform wind.
         roughness: Option<T> = "wind.roughness", "z₀", LENGTH in "mm", Range::above_to(0.0, 10.0),
             "none", "2.4 mm mown grass to 30 mm open course, docs/sources.md";
-        /// Height above the ground at which the profile has the wind's stated components.
+        /// Height above the ground at which a logarithmic profile has the stated wind.
         reference_height: T = "wind.reference_height", "z_ref", LENGTH in "m",
             Range::above_to(0.0, 1000.0),
             "10 m", "meteorological practice";

@@ -107,7 +107,7 @@ pub struct NominalReport {
     pub kept: Option<ByName<Number>>,
 }
 
-/// An interval of the objective from independent sequences of swings.
+/// A confidence interval of the objective, from independent sequences of swings.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SamplingReport {

@@ -8,8 +8,8 @@ use crate::table::{
     contradiction, implausible, implausible_launch, is_straight_by_assumption, miscounted,
 };
 
-/// Launch conditions of the spin. A column such as `Spin Rate Type` states one origin for all of
-/// these conditions.
+/// Launch conditions of the spin. A column such as `Spin Rate Type` states for all of
+/// them together if they are measured or estimated.
 pub(super) const OF_SPIN: [Outcome; 4] = [
     Outcome::Spin,
     Outcome::Backspin,

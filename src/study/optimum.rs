@@ -150,7 +150,8 @@ impl Optima {
     }
 }
 
-/// Message on the progress of searches, some of them interrupted. `only` describes a single search.
+/// Message on the progress of searches; `None` if none was interrupted. `only` is the message on a
+/// single search.
 pub(super) fn stopped_of(
     stopped: usize,
     all: usize,

@@ -70,7 +70,7 @@ fn of_windows_1252(bytes: &[u8]) -> String {
     bytes.iter().map(character).collect()
 }
 
-/// A UTF-8 stream without byte-order marks.
+/// A source decoded to UTF-8, without byte-order marks.
 pub(crate) struct Decoded<R> {
     source: R,
     /// Combines two bytes to a code unit of UTF-16, in its byte order.

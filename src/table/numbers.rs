@@ -78,7 +78,7 @@ pub(super) fn unwrapped(cell: &str) -> &str {
     cell.strip_prefix('\'').unwrap_or(cell).trim()
 }
 
-/// The digits of a cell with their decimal and thousands marks.
+/// The number in a cell as text: sign, digits, decimal and thousands marks; empty without digits.
 pub(super) fn digits(cell: &str) -> &str {
     let number =
         unwrapped(cell).trim_matches(|c: char| !(c.is_ascii_digit() || "+-.,".contains(c)));

@@ -17,7 +17,7 @@ const LADDERS: [[f64; 7]; 2] = [
     [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3],
     [0.05, 0.1, 0.2, 0.4, 0.8, 1.2, 1.6],
 ];
-/// Largest error of carry, m, in the rows 'at 1 µm' of docs/performance.md.
+/// Largest allowed error of carry, m, in the rows 'at 1 µm' of docs/performance.md.
 const MICROMETRE: f64 = 1e-6;
 /// Number of trial steps for the rows 'at 1 µm'. Their lengths are equidistant, up to
 /// `LONGEST_STEP`.

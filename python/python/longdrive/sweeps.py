@@ -261,8 +261,8 @@ def _refuse(
         raise InputError("over and points both say what is swept; keep one of the two")
     if points is not None and sample is not None:
         raise InputError(
-            "sample chooses points in the ranges of over, and points is a table of points; keep "
-            "one of the two"
+            "sample and points both choose the points of the sweep: sample takes them from the "
+            "ranges in over, points lists them; keep one of the two"
         )
     if over is None and points is None:
         raise InputError(

@@ -102,7 +102,7 @@ class Table:
         self.hessians = hessians
         """Second derivatives, shape (rows, outcomes, parameters, parameters), if requested."""
         self.first_row = first_row
-        """The index of the first row among all points, from 0."""
+        """The index of this table's first row among all points of the request, from 0."""
         self.warnings = list(warnings)
         """Warnings about the drives."""
         self.setup = setup

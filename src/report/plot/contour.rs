@@ -16,7 +16,7 @@ pub(super) struct Ground {
     /// The outlines in the coordinates of the axes, SI. A line without width connects a hole with
     /// its outline.
     pub outlines: Vec<Vec<[f64; 2]>>,
-    /// The boundary inside the map.
+    /// The contour lines: the outlines without their parts along the edge of the map.
     pub lines: Vec<Vec<[f64; 2]>>,
 }
 

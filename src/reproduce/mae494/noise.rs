@@ -36,7 +36,7 @@ pub struct Noise {
     pub searches: Vec<Searches>,
 }
 
-/// The loop's forward difference for a shorter time step.
+/// The forward difference of the while-loop's carry with a shorter time step.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ShorterStep {

@@ -496,7 +496,7 @@ pub(super) fn flown(
     }
     if !is_begun {
         return Err(missing(
-            "rows to be predicted cannot be computed",
+            "drives of the rows to be predicted cannot be computed",
             &problem,
             &[],
         ));

@@ -147,8 +147,8 @@ pub struct Robust {
     pub goals: Vec<Vec<f64>>,
     /// The loss of each model with this design.
     pub losses: Vec<f64>,
-    /// Multiplier of each model's loss. The multipliers sum to 1, and are 0 for models that lose
-    /// less than the greatest loss.
+    /// Multiplier of each model's loss. The multipliers sum to 1, and are 0 for models whose
+    /// loss is below the greatest loss.
     pub shares: Vec<f64>,
     /// The loss of each model with the design as set up; `None` if a constraint is violated or the
     /// ball does not fly in one of the swings.

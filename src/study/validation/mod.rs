@@ -95,7 +95,7 @@ pub struct LawScores {
     pub averaged: Option<f64>,
 }
 
-/// Serializes scores by their quantities.
+/// Serializes scores as a map with the names of their quantities as keys.
 fn by_quantity<S: Serializer>(
     scores: &[Score],
     serializer: S,

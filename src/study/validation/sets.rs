@@ -243,7 +243,7 @@ pub static SETS: [Set; 14] = [
     },
     Set {
         name: "chart-optima-impact",
-        title: "TrackMan's driver chart, its optima with an impact like the chart's",
+        title: "TrackMan's driver chart, its optima with a club of the chart's ratio of angle to spin",
         about: "The rows of chart-optima with the club of lpga-average, whose launch angle and \
                 spin have the chart's ratio.",
         air: NOT_STATED,
