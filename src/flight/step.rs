@@ -126,13 +126,11 @@ impl<'a, T: Numbers, L: AerodynamicLaw<T>> Stepper<'a, T, L> {
             tableau.velocity_weights[end],
             &tableau.position_weights[end][..end - 1],
         );
-        let velocity_increment = self.add_accelerations(zero, start, b, h);
-        let position_increment = self.add_accelerations(zero, start, ba, h * h);
-        step.to.position = v.scale_add(h, x + position_increment);
-        step.to.velocity = v + velocity_increment;
+        step.velocity_increment = self.add_accelerations(zero, start, b, h);
+        step.position_increment = self.add_accelerations(zero, start, ba, h * h);
+        step.to.position = v.scale_add(h, x + step.position_increment);
+        step.to.velocity = v + step.velocity_increment;
         step.to.spin = stage_spin;
-        step.velocity_increment = velocity_increment;
-        step.position_increment = position_increment;
     }
 
     /// Spin at stage i from the spin at the start of the step: ω exp(−δ t − κ ℓ/R), with the time t
