@@ -364,7 +364,10 @@ fn designs_outside_the_rules_or_the_face_are_refused_by_name() {
                 "--set=club.face_semi_axis=1mm",
                 "--vary=club.loft=10deg..14deg",
             ],
-            &["a roll of 100 mm", "strike.high"],
+            &[
+                "beyond the edge of a face with a bulge of 305 mm and a roll of 100 mm",
+                "strike.high",
+            ],
         ),
         (
             &["--set=strike.toe=70mm"],

@@ -58,7 +58,10 @@ fn other_swings_without_a_flight_do_not_suppress_a_design() {
         );
         let unknown = found["swings"]["unknown"][0].as_str().unwrap();
         assert!(
-            unknown.contains("(the swing with swing.attack_angle = "),
+            unknown.contains(
+                "the ball does not fly in one of the golfer's other swings (the swing with \
+                 swing.attack_angle = "
+            ),
             "{unknown}"
         );
         let said = longdrive(&asked);

@@ -39,8 +39,9 @@ pub struct Agreement {
 }
 
 impl Agreement {
-    /// Compares a derivative computed with jets with the derivative computed with num-dual.
-    pub(super) fn new(jet: f64, num_dual: f64, ladder: &Ladder) -> Self {
+    /// Compares `jet`, a derivative computed with jets, with the derivative computed with num-dual.
+    /// `ladder` has the sizes from which the rounding error follows.
+    pub fn new(jet: f64, num_dual: f64, ladder: &Ladder) -> Self {
         let size = num_dual.abs().max(ladder.next_to_nothing());
         let tolerance = RELATIVE * size + ROUNDING * ladder.rounded / ladder.scale;
         let difference = (jet - num_dual).abs();
