@@ -2,6 +2,7 @@
 //! normal of an active bound, huge multipliers of both can balance any gradient of f: the KKT
 //! residual vanishes although f falls along the constraint.
 
+use super::least_squares;
 use super::state::{Evaluate, State};
 use argmin::core::Error;
 
@@ -84,7 +85,11 @@ impl State {
                 .map(|(i, x)| x + step * direction[i] * self.scaling.scale[i])
                 .collect();
             let moved = self.scaling.domain.variables.project(&moved);
-            let restored = self.minimize_violation(moved, evaluate)?;
+            let restored = self.minimize_violation(
+                moved,
+                least_squares::Options::default().tolerance,
+                evaluate,
+            )?;
             if let Some((least, x)) = restored
                 && least <= violation.max(1e-8)
                 && let Some(point) = self.evaluate_at(x, evaluate)?

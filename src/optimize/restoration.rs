@@ -17,6 +17,10 @@ use std::cell::RefCell;
 const STARTS: u32 = 32;
 /// Number of iterations from each starting point.
 const ITERATIONS: u64 = 50;
+/// Convergence tolerance from each starting point, as
+/// [`tolerance`](least_squares::Options::tolerance). At a minimum of the violation above 0 the
+/// iterations converge slowly, and the search polishes the best result afterwards.
+const TOLERANCE: f64 = 1e-4;
 /// Maximum number of restorations in a search.
 const MAX_RESTORATIONS: u32 = 3;
 /// Largest ratio of the new to the current violation with which the search continues from the new
@@ -40,9 +44,10 @@ impl State {
         }
         self.counters.restorations += 1;
         let mut best: Option<(f64, Vec<f64>)> = None;
+        let mut is_feasible = false;
         for trial in 0..STARTS {
             let start = spread(&self.scaling.domain.variables, &self.point.x, trial);
-            let Some((violation, x)) = self.minimize_violation(start, evaluate)? else {
+            let Some((violation, x)) = self.minimize_violation(start, TOLERANCE, evaluate)? else {
                 continue;
             };
             if violation
@@ -53,8 +58,13 @@ impl State {
                 best = Some((violation, x));
             }
             if violation <= options.kkt_tolerance {
+                is_feasible = true;
                 break;
             }
+        }
+        if !is_feasible {
+            // another restoration would begin at nearly the same points
+            self.counters.restorations = MAX_RESTORATIONS;
         }
         let Some((_, x)) = best else { return Ok(false) };
         self.effort.evaluations += 1;
@@ -75,7 +85,8 @@ impl State {
     ) -> Result<bool, argmin::core::Error> {
         let mut is_moved = false;
         for start in [self.point.x.clone(), initial_point.to_vec()] {
-            let Some((violation, x)) = self.minimize_violation(start, evaluate)? else {
+            let tolerance = least_squares::Options::default().tolerance;
+            let Some((violation, x)) = self.minimize_violation(start, tolerance, evaluate)? else {
                 continue;
             };
             if violation >= MOVE_BELOW * self.violation() {
@@ -95,6 +106,7 @@ impl State {
     pub(super) fn minimize_violation(
         &mut self,
         start: Vec<f64>,
+        tolerance: f64,
         evaluate: &mut Evaluate<'_>,
     ) -> Result<Option<(f64, Vec<f64>)>, argmin::core::Error> {
         let failure = RefCell::new(None);
@@ -122,6 +134,7 @@ impl State {
         };
         let options = least_squares::Options {
             max_iterations: ITERATIONS,
+            tolerance,
             ..least_squares::Options::default()
         };
         let variables = scaling.domain.variables.clone();
