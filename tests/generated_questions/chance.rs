@@ -9,6 +9,9 @@ pub struct Chance {
     is_careless: bool,
     /// True if the drives of the question are given by their launch.
     pub is_launched: bool,
+    /// True if the question states parameters of the flight only, because rows of a file state the
+    /// launches.
+    pub is_of_flight: bool,
 }
 
 impl Chance {
@@ -20,6 +23,7 @@ impl Chance {
             random,
             is_careless: false,
             is_launched: false,
+            is_of_flight: false,
         };
         chance.is_careless = chance.is(0.3);
         chance

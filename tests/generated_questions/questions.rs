@@ -76,6 +76,7 @@ impl Question {
             .push(("mine.txt".into(), b"left alone".to_vec()));
         chance.is_launched = !["calibrate", "fly"].contains(&command)
             && chance.is(if command == "simulate" { 0.15 } else { 0.1 });
+        chance.is_of_flight = command == "fly" && chance.is(0.8);
         question.ask(command, chance);
         if chance.is(0.5) && !OF_THE_PROGRAM.contains(&command) {
             question.push("--json");

@@ -77,7 +77,12 @@ pub fn variable(chance: &mut Chance) -> &'static Parameter {
         }
         return chance.of(&all);
     }
-    let all = Setup::default().variables();
+    let mut all = Setup::default().variables();
+    if chance.is_of_flight {
+        let of_the_club = ["swing.", "club.", "strike.", "impact."];
+        all.retain(|row| !of_the_club.iter().any(|group| row.name.starts_with(group)));
+        return of_the_drive(&all, chance);
+    }
     // the most frequent parameters of users
     let usual = [
         "club.loft",
