@@ -464,16 +464,17 @@ pub(crate) fn nearest<'a>(
         .max_by(|a, b| by_glyphs(a.1).total_cmp(&by_glyphs(b.1)))
 }
 
-/// Jaro–Winkler similarity of two names, 0 to 1. Names of one group are compared without the group.
-/// A name without its group ("loft") is also compared with the last part of `known`. Names that
+/// Jaro–Winkler similarity of two names, 0 to 1. For names in groups, the product of the
+/// similarities of the groups and of the last parts, so that a long group does not outweigh the
+/// last part. A name without its group ("loft") is also compared with the last part of `known`. Names that
 /// differ only in case have similarity 1.
 fn similarity(given: &str, known: &str) -> f64 {
     if given.eq_ignore_ascii_case(known) {
         return 1.0;
     }
     match (given.rsplit_once('.'), known.rsplit_once('.')) {
-        (Some((group, rest)), Some((of, known))) if group == of => {
-            strsim::jaro_winkler(rest, known)
+        (Some((group, rest)), Some((of, last))) => {
+            strsim::jaro_winkler(group, of) * strsim::jaro_winkler(rest, last)
         }
         (None, Some((_, last))) => {
             strsim::jaro_winkler(given, known).max(0.99 * strsim::jaro_winkler(given, last))
@@ -495,8 +496,16 @@ mod tests {
 
     #[test]
     fn nearest_name_is_suggested() {
-        let names = ["club.loft", "club.mass", "swing.attack_angle"];
+        let names = [
+            "club.loft",
+            "club.mass",
+            "swing.attack_angle",
+            "club.weight_1.toe",
+            "club.weight_2.toe",
+        ];
         for (given, meant) in [
+            ("club.weight_2.toex", "club.weight_2.toe"),
+            ("clubs.loft", "club.loft"),
             ("club.lofft", "club.loft"),
             ("loft", "club.loft"),
             ("atack_angle", "swing.attack_angle"),

@@ -656,6 +656,35 @@ fn a_batch_without_room_is_refused_with_its_size() {
     );
 }
 
+/// The file of a sample has every swept value of every row, unlike that of a grid.
+#[cfg(feature = "full")]
+#[test]
+fn measured_size_of_a_parquet_file_of_a_sample_is_near_the_estimate() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("sample.parquet");
+    let sweep = [
+        "sweep",
+        "--over=club.loft=5deg..15deg",
+        "--over=swing.path=-5deg..5deg",
+        "--over=swing.speed=90mph..110mph",
+        "--sample=20000",
+        "--outcomes=carry",
+        "-o",
+        file.to_str().unwrap(),
+    ];
+    let said = longdrive(&[&sweep[..], &["--max-size=1kB"]].concat());
+    assert_eq!(said.status, 2, "{}", said.err);
+    let message = said.err.replace("\n  ", " ");
+    let after = message.split("would take ").nth(1).unwrap();
+    let estimate: f64 = after.split(" kB").next().unwrap().parse().unwrap();
+    assert_eq!(longdrive(&sweep).status, 0);
+    let measured = fs::metadata(&file).unwrap().len() as f64 / 1000.0;
+    assert!(
+        (0.8..1.25).contains(&(measured / estimate)),
+        "{measured} kB measured, {estimate} kB estimated"
+    );
+}
+
 #[test]
 fn same_table_and_sample_on_the_command_line() {
     let folder = tempfile::tempdir().unwrap();

@@ -187,7 +187,7 @@ fn order_of_the_error_of_the_optimum_over_a_sample() {
     let sequence = |count: usize, seed: u32| {
         best(Scenarios::new(&all, Rule::Sequence { count, seed }).unwrap())
     };
-    let counts = [16, 64, 256];
+    let counts = [8, 32, 128];
     let points = |of: &dyn Fn(usize, u32) -> f64| {
         counts.map(|count| (count as f64, root_mean_square(&|seed| of(count, seed))))
     };

@@ -12,6 +12,8 @@ pub struct Chance {
     /// True if the question states parameters of the flight only, because rows of a file state the
     /// launches.
     pub is_of_flight: bool,
+    /// True if goals and limits are means over many swings.
+    pub is_over_swings: bool,
 }
 
 impl Chance {
@@ -24,6 +26,7 @@ impl Chance {
             is_careless: false,
             is_launched: false,
             is_of_flight: false,
+            is_over_swings: false,
         };
         chance.is_careless = chance.is(0.3);
         chance

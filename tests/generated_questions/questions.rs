@@ -4,7 +4,7 @@ use crate::chance::Chance;
 use crate::files::{binary, change, export, messages, points, setup, shots};
 use crate::values::{
     constraint, distribution, list, name_of, near, outcome, preset, range, setting, sigma,
-    variable, with_unit,
+    statistic, variable, with_unit,
 };
 use longdrive::parameters::{Law, Parameter};
 use std::sync::LazyLock;
@@ -74,9 +74,10 @@ impl Question {
         question
             .files
             .push(("mine.txt".into(), b"left alone".to_vec()));
-        chance.is_launched = !["calibrate", "fly"].contains(&command)
+        chance.is_launched = !["calibrate", "design", "fly"].contains(&command)
             && chance.is(if command == "simulate" { 0.15 } else { 0.1 });
         chance.is_of_flight = command == "fly" && chance.is(0.8);
+        chance.is_over_swings = command == "design" && chance.is(0.8);
         question.ask(command, chance);
         if chance.is(0.5) && !OF_THE_PROGRAM.contains(&command) {
             question.push("--json");
@@ -411,7 +412,7 @@ impl Question {
 
     fn search(&mut self, is_wide: bool, chance: &mut Chance) {
         if chance.is(0.2) {
-            let of = outcome(chance);
+            let of = statistic(&outcome(chance), chance);
             self.option(
                 if chance.is(0.7) {
                     "--maximize"

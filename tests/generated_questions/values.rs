@@ -302,6 +302,15 @@ pub fn outcome(chance: &mut Chance) -> String {
     }
 }
 
+/// The goal of an outcome: its mean in a question over many swings.
+pub fn statistic(outcome: &str, chance: &Chance) -> String {
+    if chance.is_over_swings {
+        format!("mean({outcome})")
+    } else {
+        outcome.into()
+    }
+}
+
 /// Names with commas between them.
 pub fn list(count: usize, chance: &mut Chance, one: impl Fn(&mut Chance) -> String) -> String {
     (0..1 + chance.below(count))
@@ -326,7 +335,7 @@ pub fn constraint(chance: &mut Chance) -> String {
         let unit = chance.of_or(&[outcome.unit()], &["kg", "", "yards"]);
         format!("{value:.2} {unit}").trim_end().to_owned()
     };
-    let (name, first) = (outcome.name(), limit(chance));
+    let (name, first) = (statistic(outcome.name(), chance), limit(chance));
     match chance.below(12) {
         0 => format!("{name} == {first}"),
         1 => format!("{first} <= {name} <= {}", limit(chance)),

@@ -45,9 +45,19 @@ pub fn check(
     let seconds = begun.elapsed().as_secs_f64();
     let row = match content {
         Content::Text(bytes) => bytes.len() as f64 / tried as f64,
-        // count outcomes, derivatives and status: a grid stores a swept value once for many rows
         #[cfg(feature = "parquet")]
-        Content::Block(_) => 8.5 * (batch.outcomes().len() * (1 + batch.wrt().len())) as f64 + 1.0,
+        Content::Block(_) => {
+            // a grid stores a swept value once for many rows
+            let is_grid = args.sample.is_none() && args.points.is_none();
+            let swept = if is_grid {
+                0
+            } else {
+                points.parameters().len()
+            };
+            let computed = batch.outcomes().len() * (1 + batch.wrt().len());
+            // and a status
+            8.5 * (swept + computed) as f64 + 1.0
+        }
     };
     let bytes = row * rows as f64;
     if bytes <= most {
