@@ -2,7 +2,7 @@ use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::host::SharedProgress;
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{
-    Answer, Warnings, spinner, stated_system, system, tell, tell_detail, tell_error,
+    Answer, spinner, stated_system, system, tell, tell_detail, tell_error, warn,
 };
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
@@ -57,8 +57,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     request.refuse_stated_with_default(&[along.parameter], "`along` gives its values")?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = request.for_many(setup, &ranges)?;
-    let mut warnings = Warnings::default();
-    warnings.add(setup.warnings());
+    warn(setup.warnings());
     let stop = interrupt::stops(BEST_SO_FAR);
     request.note_starts(&setup, &search.vary);
     if !at.is_sorted_by(|a, b| a < b) {
@@ -82,7 +81,7 @@ pub fn run(args: &Args) -> Result<Answer> {
             };
             let answer = if request.is_json {
                 let report = ChartReport::new(&none, &search);
-                Answer::report(&report, &origin, warnings.into_vec(), true)
+                Answer::report(&report, &origin, true)
             } else {
                 Answer::text(String::new())
             };
@@ -90,7 +89,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         }
         chart => chart?,
     };
-    warnings.add(chart.warnings());
+    warn(chart.warnings());
     let report = ChartReport::new(&chart, &search);
     let answer = if args.csv && !request.is_json {
         for note in chart.begun.iter().chain(&chart.ended) {
@@ -98,7 +97,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         }
         Answer::text(report.csv(stated_system().into())?)
     } else {
-        Answer::report(&report, &origin, warnings.into_vec(), request.is_json)
+        Answer::report(&report, &origin, request.is_json)
     };
     Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
 }

@@ -107,7 +107,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         Some(output) => output.write(&found, &request, &mut warnings)?,
         None => None,
     };
-    warn(&warnings);
+    warn(warnings);
     // a requested file that was not written is a failure
     let is_whole = found.ended.is_none() && output.is_none() == written.is_none();
     let mut report = ParetoReport::new(&found);
@@ -115,7 +115,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     let answer = Answer::report(
         &report,
         &request.origin_of_search(&found.search.vary),
-        warnings,
         request.is_json,
     );
     Ok(answer.found(is_whole))

@@ -2,7 +2,7 @@
 
 use crate::command::args::whole;
 use crate::command::files::{Destination, Rule, ending};
-use crate::command::output::{Answer, stated_system, system, tell, warn};
+use crate::command::output::{Answer, stated_system, system, tell, warn, warnings};
 use crate::command::request::Request;
 #[cfg(not(feature = "png"))]
 use crate::features::how_to_get;
@@ -138,10 +138,10 @@ impl<'a> Target<'a> {
         self.put(request.is_json, figure, warnings)
     }
 
-    /// Writes the plot and reports these warnings.
-    pub fn put(&self, is_json: bool, figure: &Figure, warnings: Vec<Message>) -> Result<Answer> {
+    /// Writes the plot and reports the warnings about its drives.
+    pub fn put(&self, is_json: bool, figure: &Figure, of_drives: Vec<Message>) -> Result<Answer> {
         let drawing = self.drawing;
-        warn(&warnings);
+        warn(of_drives);
         let look = Look {
             system: system(),
             is_dark: drawing.dark,
@@ -167,7 +167,7 @@ impl<'a> Target<'a> {
                 note: &figure.note,
                 bytes: bytes.len(),
             };
-            Answer::json(&Reply::done("plot", warnings, body))
+            Answer::json(&Reply::done("plot", warnings(), body))
         } else {
             Answer::text(String::new())
         })

@@ -3,7 +3,7 @@
 use crate::command::args::{OptimizeArgs, SearchArgs, SwingsArgs};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
-use crate::command::output::{Answer, system, warn};
+use crate::command::output::{Answer, system, warn, warnings};
 use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::search::{options, write};
@@ -130,7 +130,6 @@ pub struct SwingsOptimum {
     pub over: OverSwings,
     /// Set to true to skip the rest of the work.
     pub stop: Arc<AtomicBool>,
-    warnings: Vec<Message>,
     /// The file that was written.
     file: Option<String>,
 }
@@ -142,7 +141,7 @@ impl SwingsOptimum {
 
     /// The answer in JSON.
     pub fn reply(&self, origin: &Origin) -> Reply<OptimumReport> {
-        let mut reply = OptimumReport::reply(&self.optima, &self.over, self.warnings.clone());
+        let mut reply = OptimumReport::reply(&self.optima, &self.over, warnings());
         reply.body.file.clone_from(&self.file);
         reply.about(origin)
     }
@@ -204,14 +203,13 @@ pub fn found(
              it is extrapolated linearly"
         )));
     }
-    warn(&warnings);
+    warn(warnings);
     let file = write(output.as_ref(), request, &optima, Some(&swings))?;
     Ok(SwingsOptimum {
         setup,
         optima,
         over: OverSwings { price, resampled },
         stop,
-        warnings,
         file,
     })
 }

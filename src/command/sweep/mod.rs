@@ -15,7 +15,7 @@ pub use args::Args;
 use crate::batch::{Batch, Points, Run, Status, StatusCounts};
 use crate::command::args::refuse_threads;
 use crate::command::interrupt;
-use crate::command::output::{Answer, Warnings, bar, say_error, tell};
+use crate::command::output::{Answer, bar, say_error, tell, warn, warnings};
 use crate::drive::CheckScope;
 use crate::report::Reply;
 use crate::units::{Message, counted};
@@ -48,8 +48,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let writer = Writer::new(&batch, target.format, points.identity())?;
     disk_space::check(args, &batch, points.as_mut(), &writer, &target)?;
     let mut output = target.open(&writer, args)?;
-    let mut warnings = Warnings::default();
-    warnings.add(setup.warnings());
+    warn(setup.warnings());
     let total = points.rows();
     let is_complete = write_rows(args, &batch, points.as_mut(), &writer, &mut output, &stop)?;
     let counts = output.status_counts();
@@ -59,7 +58,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         .filter(|_| !is_complete)
         .unwrap_or_else(|| args.output.clone());
     let summary = SweepSummary::new(total, counts, notes, &file);
-    warnings.add(counts.beyond().warnings(
+    warn(counts.beyond().warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
         CheckScope::Launch,
@@ -78,7 +77,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         tell(&summary.text(None));
     }
     let answer = if request.is_json {
-        let reply = Reply::done("sweep", warnings.into_vec(), &summary);
+        let reply = Reply::done("sweep", warnings(), &summary);
         Answer::json(&ended(reply, is_complete, nothing))
     } else if is_complete && !target.is_standard_output() {
         Answer::text(summary.text(target.file()) + "\n")
