@@ -127,7 +127,7 @@ impl Dataset {
             part,
             parts: self.question.parts,
             first_row: rows.start,
-            rows: content.rows,
+            rows: content.summary.rows(),
             question: self.question.hash(),
             instructions: self.question.instructions.clone(),
             data: file.hash.clone().hex(),
@@ -157,7 +157,6 @@ impl Dataset {
     ) -> Result<Option<Content>> {
         file.write(&self.table.head()).map_err(unwritten)?;
         let mut content = Content {
-            rows: 0,
             groups: vec![],
             summary: self.summary_spec.none(),
         };
@@ -168,12 +167,11 @@ impl Dataset {
             |block| (self.summary_spec.of(&block), block),
             |(of_block, block)| {
                 content.summary.merge(&of_block);
-                content.rows += block.rows() as u64;
                 waiting.push(block);
                 if waiting.len() == self.table.blocks_of_group() {
                     self.write_group(file, &mut waiting, &mut content.groups, unwritten)?;
                 }
-                progress(content.rows);
+                progress(content.summary.rows());
                 Ok(())
             },
         )?;
@@ -255,7 +253,6 @@ impl Dataset {
 
 /// Rows written to a file.
 struct Content {
-    rows: u64,
     groups: Vec<PlacedGroup>,
     summary: Summary,
 }
