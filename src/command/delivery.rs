@@ -3,8 +3,8 @@ use crate::command::files::{Destination, Rule, ending};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, command_line, system, tell, warn};
+use crate::command::ranges::varied;
 use crate::command::request::{Request, Setting, Source};
-use crate::parameters::Vary;
 use crate::report::{
     DeliveryOptions, DeliveryReport, Origin, bound_warnings, delivery_toml,
     parameter_difference_text, parameter_text, population_warnings, recovered_csv, recovered_toml,
@@ -249,11 +249,7 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
 /// The parameters to find, with the prior knowledge of each. A club value that the command line
 /// states has the uncertainty of a launch monitor, like a value in a column of a table.
 fn read_unknowns(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Vec<Unknown>> {
-    let vary = args
-        .vary
-        .iter()
-        .map(|text| Vary::read(setup, text))
-        .collect::<Result<Vec<_>>>()?;
+    let vary = varied(&args.vary, setup, || Ok(vec![]))?;
     let sigmas = sigmas(setup, &args.sigma)?;
     let measured = |unknown: Unknown| match setup.value(unknown.parameter) {
         Some(value) if request.states(unknown.parameter) => Unknown {

@@ -6,13 +6,12 @@ use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, stated_system, system, tell, warn};
 use crate::command::picture::{Drawing, Target};
-use crate::command::ranges::DefaultRanges;
+use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::search::{of_a_drive, options};
 use crate::command::swings::{goal, limit, refuse_idle_strokes, swing_ranges};
 use crate::optimize::{Iteration, Observers};
-use crate::parameters::Vary;
 use crate::report::figures::pareto_figure;
 use crate::report::{ParetoReport, pareto_csv, pareto_toml};
 use crate::study::swings::{Pareto, ParetoSearch, Scenarios, pareto};
@@ -211,14 +210,9 @@ fn over_swings(
         .map(|(goal, _)| goal)
         .chain(subject_to.iter().map(|limit| &limit.goal));
     refuse_idle_strokes(strokes, all)?;
-    let vary = match asked.vary.as_slice() {
-        // the attack angle varies from swing to swing: it belongs to the golfer
-        [] => DefaultRanges::loft(request, &setup)?.vary()?,
-        given => given
-            .iter()
-            .map(|text| Vary::read(&setup, text))
-            .collect::<Result<_>>()?,
-    };
+    let vary = varied(&asked.vary, &setup, || {
+        DefaultRanges::loft(request, &setup)?.vary()
+    })?;
     let search = ParetoSearch {
         goals,
         vary,

@@ -4,7 +4,7 @@ use crate::command::args::{OptimizeArgs, SearchArgs, SwingsArgs};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, system, warn, warnings};
-use crate::command::ranges::DefaultRanges;
+use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::search::{options, write};
 use crate::optimize::Status;
@@ -181,10 +181,8 @@ pub fn found(
     tell_of_the_run(&search.of.outcomes());
     let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
     let output = args.destination(request)?;
-    let follow = args.follow(&setup, &search)?;
-    let optima = args.searched(&setup, &search, &follow)?;
+    let (optima, stop) = args.searched(&setup, &search)?;
     let best = &optima.best;
-    let stop = follow.0.interrupt;
     let is_found = best.solution.status == Status::Converged;
     let mut price = None;
     let mut resampled = None;
@@ -248,13 +246,7 @@ pub fn sought(
         (Some(text), None) => (goal("`maximize`", text, strokes)?, Sense::Maximize),
         (None, None) => usual()?,
     };
-    let vary = match search.vary.as_slice() {
-        [] => usual_vary(setup)?,
-        given => given
-            .iter()
-            .map(|text| Vary::read(setup, text))
-            .collect::<Result<_>>()?,
-    };
+    let vary = varied(&search.vary, setup, || usual_vary(setup))?;
     let subject_to = search
         .subject_to
         .iter()

@@ -76,12 +76,10 @@ fn fly(args: &Args) -> Result<Answer> {
         remarks.add(of_lofted(&tally, &setup.law).map(Message::from));
     }
     warn(suspicions);
-    let missing = Missing {
-        stopped: is_stopped.then(|| stopped(&tally, &target)),
-        nothing: nothing(&tally, &remarks.all),
-    };
+    let stopped = is_stopped.then(|| stopped(&tally, &target));
+    let nothing = nothing(&tally, &remarks.all);
     if request.is_json {
-        warn(missing.nothing.iter().cloned().map(Message::from));
+        warn(nothing.iter().cloned().map(Message::from));
     }
     Ok(answer(
         &request,
@@ -89,7 +87,8 @@ fn fly(args: &Args) -> Result<Answer> {
         &tally,
         maker,
         &remarks.all,
-        missing,
+        stopped,
+        nothing,
     ))
 }
 
@@ -233,14 +232,7 @@ fn written(
     Ok((tally, output))
 }
 
-/// Reasons for missing rows.
-struct Missing {
-    /// The note about an interruption: the number of rows before it, and the state of the file.
-    stopped: Option<String>,
-    /// The reason why no row flies.
-    nothing: Option<String>,
-}
-
+/// The note about an interruption: the number of rows before it, and the state of the file.
 fn stopped(tally: &ShotStatistics, target: &Target) -> String {
     let rows = counted(tally.rows, "row");
     match target.file() {
@@ -271,13 +263,15 @@ fn nothing(tally: &ShotStatistics, remarks: &[Message]) -> Option<String> {
     })
 }
 
+/// The answer; `stopped` and `nothing` are the reasons for missing rows.
 fn answer(
     request: &Request,
     target: &Target,
     tally: &ShotStatistics,
     source: Option<&'static str>,
     remarks: &[Message],
-    Missing { stopped, nothing }: Missing,
+    stopped: Option<String>,
+    nothing: Option<String>,
 ) -> Answer {
     let is_answered = stopped.is_none() && nothing.is_none();
     let file = target

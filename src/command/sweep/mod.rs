@@ -23,7 +23,7 @@ use crate::{Error, Outcome, Result};
 use request::SweepRequest;
 use rows::{Rows, Writer};
 use serde::Serialize;
-use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use target::{Output, Target};
@@ -223,33 +223,25 @@ pub struct SweepSummary {
     /// Number of rows that are written.
     written: u64,
     /// Number of drives by status.
-    #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<Status, u64>"))]
-    statuses: Map<String, Value>,
+    statuses: BTreeMap<Status, u64>,
     /// Remarks about unused columns of the table of points; empty if there are none.
     remarks: Vec<Message>,
 }
 
 impl SweepSummary {
     fn new(rows: u64, status_counts: StatusCounts, remarks: Vec<Message>, file: &Path) -> Self {
-        let statuses = status_counts
-            .counts()
-            .map(|(status, count)| (status.name().into(), count.into()))
-            .collect();
-        let written = status_counts.counts().map(|(_, count)| count).sum();
+        let statuses: BTreeMap<_, _> = status_counts.counts().collect();
         Self {
             file: file.display().to_string(),
             rows,
-            written,
+            written: statuses.values().sum(),
             statuses,
             remarks,
         }
     }
 
     fn text(&self, file: Option<&Path>) -> String {
-        let counts = self
-            .statuses
-            .iter()
-            .filter(|(_, count)| count.as_u64() != Some(0));
+        let counts = self.statuses.iter().filter(|(_, count)| **count > 0);
         let counts: Vec<_> = counts
             .map(|(status, count)| format!("{count} {status}"))
             .collect();
