@@ -150,7 +150,7 @@ fn write_rows(
         &run,
         |block| writer.rows(block),
         |rows: Rows| {
-            bar.inc(rows.rows);
+            bar.inc(rows.count());
             output.take(rows)
         },
     );
