@@ -2,17 +2,16 @@ use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::host::SharedProgress;
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{
-    Answer, spinner, stated_system, system, tell, tell_detail, tell_error, warn,
+    Answer, once_a_second, spinner, stated_system, system, tell, tell_detail, tell_error, warn,
 };
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
 use crate::study::{Chart, ChartObserver, Search, Vary, chart_at};
 use crate::{Error, Result, Setup};
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -150,14 +149,11 @@ fn follow(
     chart
 }
 
-/// Shows an iteration only after one second without a new line: most searches of a chart are
-/// shorter.
+/// Shows an iteration at most once a second.
 fn progress(search: &Search, spinner: &SharedProgress) -> impl Fn(&Iteration) + use<> {
-    const SILENCE: Duration = Duration::from_secs(1);
-    let (search, spinner, told) = (search.clone(), spinner.clone(), Cell::new(Instant::now()));
+    let (search, spinner, is_due) = (search.clone(), spinner.clone(), once_a_second());
     move |iteration| {
-        if told.get().elapsed() >= SILENCE {
-            told.set(Instant::now());
+        if is_due() {
             spinner.suspend(&mut || tell_detail(&iteration_line(&search, iteration, system())));
         }
     }

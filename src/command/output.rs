@@ -11,7 +11,8 @@ use serde::Serialize;
 use serde_json::Value;
 use std::ffi::OsString;
 use std::io;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 /// The units that `--units` states; `None` without this option.
 pub fn stated_system() -> Option<System> {
@@ -356,6 +357,20 @@ pub fn shown(work: Work<'_>) -> SharedProgress {
     match running.options.quiet {
         true => Arc::new(()),
         false => running.host.shows(work),
+    }
+}
+
+/// A function that returns true at most once a second, first after a second: most searches end
+/// before a line about them could be read.
+pub fn once_a_second() -> impl Fn() -> bool + Send + Sync {
+    let told = Mutex::new(Instant::now());
+    move || {
+        let mut told = told.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_due = told.elapsed() >= Duration::from_secs(1);
+        if is_due {
+            *told = Instant::now();
+        }
+        is_due
     }
 }
 

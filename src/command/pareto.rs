@@ -4,7 +4,7 @@ use crate::command::args::{SearchArgs, SetupArgs, SwingsArgs, whole};
 use crate::command::files::{Destination, Rule, ending, refused};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
-use crate::command::output::{Answer, spinner, stated_system, system, tell, warn};
+use crate::command::output::{Answer, once_a_second, spinner, stated_system, system, tell, warn};
 use crate::command::picture::{Drawing, Target};
 use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
@@ -19,8 +19,7 @@ use crate::study::{Goal, Search, Sense};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::sync::Arc;
 
 /// The two goals and the varied parameters.
 #[derive(clap::Args)]
@@ -156,14 +155,9 @@ fn followed(request: &Request, asked: &GoalArgs) -> Result<Followed> {
     request.note_starts(&setup, &search.vary);
     let setup = request.for_many(setup, &swing_ranges(&search.vary, &scenarios))?;
     let spinner = spinner("following the front");
-    // show a line at most once a second: most searches end before a line could be read
-    const SILENCE: Duration = Duration::from_secs(1);
-    let told = Mutex::new(Instant::now());
-    let (shown, running) = (spinner.clone(), running());
+    let (shown, running, is_due) = (spinner.clone(), running(), once_a_second());
     let iteration = Arc::new(move |number: usize, _: &Iteration| {
-        let mut told = told.lock().unwrap_or_else(PoisonError::into_inner);
-        if told.elapsed() >= SILENCE {
-            *told = Instant::now();
+        if is_due() {
             let doing = format!("following the front: {} searches so far", number + 1);
             shown.set_message(doing.clone());
             if running.is_verbose() {

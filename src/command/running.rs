@@ -113,11 +113,15 @@ impl Running {
         self.host.is_screen() && !self.options.all
     }
 
+    /// A message in the syntax of the host.
+    pub fn in_words_of_the_host(&self, message: &str) -> String {
+        with_mentions_of(self.program, message, |mention| self.host.mention(mention))
+    }
+
     /// Reports a remark or progress, unless `--quiet` is given.
     pub fn tell(&self, text: &str) {
         if !self.options.quiet {
-            let text = with_mentions_of(self.program, text, |mention| self.host.mention(mention));
-            self.host.say(Kind::Note, &text);
+            self.host.say(Kind::Note, &self.in_words_of_the_host(text));
         }
     }
 
