@@ -3,6 +3,7 @@ use crate::batch::{Batch, Points};
 use crate::command::names::{outcomes, variables};
 use crate::command::output::{system, tell};
 use crate::command::request::Request;
+use crate::integration::Integration;
 use crate::table::sweep_points;
 use crate::units::Message;
 use crate::{Error, Result, Setup};
@@ -52,16 +53,17 @@ impl SweepRequest {
         {
             request.refuse_club("the points are launches")?;
         }
-        let accuracy = request.accuracy_for_many(&setup, &points.ranges(), &of)?;
-        let setup = accuracy.map_or(setup, |found| found.applied_to(&setup));
+        let Integration {
+            setup,
+            largest_defect,
+            ..
+        } = request.integration(&setup, &points.ranges(), &of)?;
         let wrt = match args.wrt.as_slice() {
             [] if args.gradient => points.parameters().to_vec(),
             names => variables(&setup, names, &of)?,
         };
-        let mut batch = Batch::new(&setup, points.parameters(), &of, &wrt)?;
-        if let Some(found) = accuracy {
-            batch = batch.with_largest_defect(found.largest_defect)?;
-        }
+        let mut batch = Batch::new(&setup, points.parameters(), &of, &wrt)?
+            .with_largest_defect(largest_defect)?;
         if let Some(instructions) = args.instructions {
             batch = batch.with_level(instructions)?;
         }
