@@ -2,7 +2,7 @@ use super::definition::SweepDefinition;
 use super::footer::{Footer, Manifest, PART, Part};
 use super::hash::Hash;
 use super::share::{file_name, rows_of};
-use crate::atomic_file::create_beside;
+use crate::atomic_file::{create_beside, folder_of, persist};
 use crate::batch::{Batch, Block, Points, Run};
 use crate::error::{Error, Result};
 use crate::external_errors::write_error_text;
@@ -272,9 +272,9 @@ impl Unfinished {
     /// Syncs the file to the disk and renames it to its final path. Returns its size and SHA-256.
     fn persist(self, path: &Path) -> io::Result<(u64, String)> {
         self.file.as_file().sync_all()?;
-        self.file.persist(path)?;
+        persist(self.file.into_temp_path(), path, true)?;
         #[cfg(unix)]
-        File::open(crate::atomic_file::folder_of(path))?.sync_all()?;
+        File::open(folder_of(path))?.sync_all()?;
         Ok((self.bytes, self.hash.hex()))
     }
 }
