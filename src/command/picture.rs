@@ -1,6 +1,6 @@
 //! Destinations of pictures, and their formats.
 
-use crate::command::args::whole;
+use crate::command::args::{stated, whole};
 use crate::command::files::{Destination, Rule, ending};
 use crate::command::output::{Answer, stated_system, system, tell, warn, warnings};
 use crate::command::request::Request;
@@ -37,18 +37,6 @@ pub struct Drawing {
         allow_negative_numbers = true,
     )]
     pub width: Option<u32>,
-}
-
-impl Drawing {
-    /// The names of the stated options for the appearance of a picture.
-    pub fn look(&self) -> Vec<&'static str> {
-        let given = [("`dark`", self.dark), ("`width`", self.width.is_some())];
-        given
-            .into_iter()
-            .filter(|(_, is_given)| *is_given)
-            .map(|(option, _)| option)
-            .collect()
-    }
 }
 
 /// The width of a picture, pixels.
@@ -102,10 +90,14 @@ impl<'a> Target<'a> {
     /// The checked destination of a plot that reads these files.
     pub fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &'a Drawing) -> Result<Self> {
         let format = Format::of(&drawing.output)?;
-        if let (Format::Csv, [option, ..]) = (format, drawing.look().as_slice()) {
+        let look = [
+            ("`dark`", drawing.dark),
+            ("`width`", drawing.width.is_some()),
+        ];
+        if let (Format::Csv, Some(option)) = (format, stated(look).next()) {
             let source = "it applies to pictures, and a .csv file has only the data; leave it out, \
                           or write a .svg or .png file";
-            return Err(Error::unreadable(*option, source));
+            return Err(Error::unreadable(option, source));
         }
         let rule = Rule::new(inputs, drawing.overwrite);
         Ok(Self {

@@ -382,7 +382,7 @@ impl Args {
     /// Refuses options of a search if there is nothing to vary.
     fn refuse_idle_search(&self) -> Result<()> {
         let along = self.along.as_ref().map(|_| "`along`");
-        let options = self.search.given().into_iter().chain(along);
+        let options = self.search.given().chain(along);
         let mut idle = options.filter(|option| !["`maximize`", "`minimize`"].contains(option));
         let Some(option) = idle.next() else {
             return Ok(());

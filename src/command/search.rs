@@ -1,6 +1,6 @@
 //! Searches, with their progress and checkpoints.
 
-use crate::command::args::{OptimizeArgs, SearchArgs};
+use crate::command::args::{OptimizeArgs, SearchArgs, stated};
 use crate::command::files::Destination;
 use crate::command::host::{SharedProgress, Work};
 use crate::command::interrupt::{self, BEST_SO_FAR};
@@ -110,19 +110,14 @@ impl SearchArgs {
     }
 
     /// The names of the stated options.
-    pub fn given(&self) -> Vec<&'static str> {
-        let given = [
+    pub fn given(&self) -> impl Iterator<Item = &'static str> {
+        stated([
             ("`maximize`", self.maximize.is_some()),
             ("`minimize`", self.minimize.is_some()),
             ("`vary`", !self.vary.is_empty()),
             ("`subject_to`", !self.subject_to.is_empty()),
             ("`max_iterations`", self.max_iterations.is_some()),
-        ];
-        given
-            .into_iter()
-            .filter(|(_, is_given)| *is_given)
-            .map(|(name, _)| name)
-            .collect()
+        ])
     }
 }
 

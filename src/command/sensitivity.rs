@@ -78,9 +78,9 @@ pub fn run(args: &Args) -> Result<Answer> {
 /// The optimum for `--at-optimum`; `None` without this option.
 fn find_optimum(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Option<Optimum>> {
     if !args.at_optimum {
-        return match args.search.given().first() {
+        return match args.search.given().next() {
             Some(option) => Err(Error::unreadable(
-                *option,
+                option,
                 "it is an option of the search for an optimum; add `at_optimum`, or leave \
                  it out",
             )),

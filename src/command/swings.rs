@@ -1,6 +1,6 @@
 //! The search for the best design over many swings.
 
-use crate::command::args::{OptimizeArgs, SearchArgs, SwingsArgs};
+use crate::command::args::{OptimizeArgs, SearchArgs, SwingsArgs, stated};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, system, warn, warnings};
@@ -39,9 +39,8 @@ impl SwingsArgs {
             ("`seed`", self.seed.is_some()),
             ("`strokes`", self.strokes.is_some()),
         ];
-        let mut stray = options.into_iter().filter(|(_, is_stated)| *is_stated);
-        match stray.next().filter(|_| !self.is_given()) {
-            Some((option, _)) => {
+        match stated(options).next().filter(|_| !self.is_given()) {
+            Some(option) => {
                 let source = "it is about many swings; give the swings too, with `swings FILE` or \
                               `distribution NAME=KIND(…)`";
                 Err(Error::unreadable(option, source))

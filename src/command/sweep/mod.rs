@@ -13,7 +13,7 @@ mod target;
 pub use args::Args;
 
 use crate::batch::{Batch, Points, Run, Status, StatusCounts};
-use crate::command::args::refuse_threads;
+use crate::command::args::{refuse_threads, stated};
 use crate::command::interrupt;
 use crate::command::output::{Answer, bar, say_error, tell, warn, warnings};
 use crate::drive::CheckScope;
@@ -111,12 +111,12 @@ fn all_landed(status_counts: &StatusCounts) -> bool {
 /// Refuses options that apply only to a part of a sweep if the request writes no part.
 fn refuse_options_of_parts(args: &Args) -> Result<()> {
     let options = [
-        ("`histogram`", &args.histogram),
-        ("`highest`", &args.highest),
-        ("`lowest`", &args.lowest),
+        ("`histogram`", !args.histogram.is_empty()),
+        ("`highest`", !args.highest.is_empty()),
+        ("`lowest`", !args.lowest.is_empty()),
     ];
-    match options.into_iter().find(|(_, given)| !given.is_empty()) {
-        Some((option, _)) => Err(Error::Together {
+    match stated(options).next() {
+        Some(option) => Err(Error::Together {
             given: option.into(),
             reason: "it applies only to a part of a sweep; add `part 1/1` for a sweep in one part"
                 .into(),
