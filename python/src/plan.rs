@@ -2,16 +2,14 @@
 
 use crate::boundary::{Answer, Failure, answer};
 use crate::setup::PySetup;
-use longdrive::Setup;
-use longdrive::batch::{Axis, CHUNK, Grid, Points, Sequence};
+use longdrive::batch::{CHUNK, Points};
 use longdrive::command::{with_degrees, with_memory_files};
-use longdrive::parameters::Vary;
-use longdrive::table::open_table;
+use longdrive::table::sweep_points;
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::HashMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// The points by parameter, and each parameter's name with the ends of its range.
 type Plan<'py> = (Bound<'py, PyDict>, Vec<(&'static str, f64, f64)>);
@@ -53,7 +51,7 @@ pub fn plan<'py>(
             .map(|(name, content)| (name, content.into()))
             .collect();
         let read = || -> Answer<_> {
-            let mut points = points(&setup, &over, sample, seed, table.as_deref())?;
+            let mut points = sweep_points(&setup, table.as_deref(), &over, sample, seed)?;
             let columns = columns(points.as_mut())?;
             Ok((points, columns))
         };
@@ -72,32 +70,6 @@ pub fn plan<'py>(
             .map(|vary| (vary.parameter.name, vary.low, vary.high))
             .collect();
         Ok((dict, ranges))
-    })
-}
-
-/// The points of a table, a sequence or a grid.
-fn points(
-    setup: &Setup<f64>,
-    over: &[String],
-    sample: Option<u64>,
-    seed: u32,
-    table: Option<&Path>,
-) -> longdrive::Result<Box<dyn Points>> {
-    let over = over.iter();
-    Ok(match (table, sample) {
-        (Some(table), _) => open_table(setup, table)?,
-        (None, Some(rows)) => {
-            let ranges = over.map(|text| Vary::read_column(setup, text));
-            Box::new(Sequence::new(
-                ranges.collect::<longdrive::Result<_>>()?,
-                rows,
-                seed,
-            )?)
-        }
-        (None, None) => {
-            let axes = over.map(|text| Axis::read(setup, text));
-            Box::new(Grid::new(axes.collect::<longdrive::Result<_>>()?)?)
-        }
     })
 }
 

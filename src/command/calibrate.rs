@@ -4,7 +4,7 @@
 use crate::command::args::{SetupArgs, U32, whole};
 use crate::command::files::{Destination, Folder, Rule};
 use crate::command::interrupt::{self, BEST_SO_FAR};
-use crate::command::output::{Answer, Warnings, system, tell};
+use crate::command::output::{Answer, system, tell, warn};
 use crate::command::reproduce::{DOCUMENT, write};
 use crate::command::request::Request;
 use crate::command::running::running;
@@ -116,10 +116,9 @@ pub fn run(args: &Args) -> Result<Answer> {
             args.data.display()
         ),
     )?;
-    let mut warnings = Warnings::default();
-    warnings.add(setup.warnings());
+    warn(setup.warnings());
     let table = read_shots(args, &request, &setup)?;
-    warnings.add(table.warnings.clone());
+    warn(table.warnings.clone());
     let mut plan = FitPlan::read(&setup, &args.fit)?;
     plan.starts = args.starts as usize;
     plan.options.max_iterations = args.max_iterations;
@@ -128,18 +127,18 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let setup = request.for_many(setup, &ranges(&table, &plan.fit))?;
     let validation = CrossValidation::new(args, &setup, &table, &plan)?;
-    warnings.add(table.one_drive(&setup, &plan.fit));
+    warn(table.one_drive(&setup, &plan.fit));
     let follow = FitObserver {
         iteration: Some(Arc::new(show_iteration(args.starts > 1))),
         interrupt: interrupt::stops(BEST_SO_FAR),
     };
     let found = calibrate(&setup, &table, &plan, &follow)?;
-    warnings.add(validity_warnings(
+    warn(validity_warnings(
         &found.setup,
         &table.shots,
         &follow.interrupt,
     ));
-    warnings.add(found.warnings(&table));
+    warn(found.warnings(&table));
     let quiet = FitObserver {
         iteration: None,
         ..follow
@@ -150,25 +149,20 @@ pub fn run(args: &Args) -> Result<Answer> {
     };
     let mut report = CalibrationReport::new(&table, &found, &held_out);
     if !report.is_found() {
-        warnings.add([Message::from(format!(
+        warn([Message::from(format!(
             "the fit ended as '{}': {}",
             report.status(),
             report.message()
         ))]);
     }
-    let is_setup_written = outputs.write_setup(args, &request, &found, &report, &mut warnings)?;
+    let is_setup_written = outputs.write_setup(args, &request, &found, &report)?;
     if let Some(folder) = &outputs.folder {
         write(folder, &report, system())?;
     }
     let named = |path: &PathBuf| path.display().to_string();
     report.file = args.output.as_ref().filter(|_| is_setup_written).map(named);
     report.folder = args.plot.as_ref().map(named);
-    let answer = Answer::report(
-        &report,
-        &request.origin(),
-        warnings.into_vec(),
-        request.is_json,
-    );
+    let answer = Answer::report(&report, &request.origin(), request.is_json);
     Ok(answer.found(report.is_found()))
 }
 
@@ -222,14 +216,13 @@ impl Outputs {
         request: &Request,
         found: &Calibration,
         report: &CalibrationReport<'_>,
-        warnings: &mut Warnings,
     ) -> Result<bool> {
         let Some(output) = &self.setup else {
             return Ok(false);
         };
         let file = output.path().display();
         if !is_fitted(found) {
-            warnings.add([Message::from(format!(
+            warn([Message::from(format!(
                 "{file} is not written: the fit ended before it came to a minimum"
             ))]);
             return Ok(false);

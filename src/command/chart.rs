@@ -2,17 +2,16 @@ use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::host::SharedProgress;
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{
-    Answer, Warnings, spinner, stated_system, system, tell, tell_detail, tell_error,
+    Answer, once_a_second, spinner, stated_system, system, tell, tell_detail, tell_error, warn,
 };
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
 use crate::study::{Chart, ChartObserver, Search, Vary, chart_at};
 use crate::{Error, Result, Setup};
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -57,8 +56,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     request.refuse_stated_with_default(&[along.parameter], "`along` gives its values")?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = request.for_many(setup, &ranges)?;
-    let mut warnings = Warnings::default();
-    warnings.add(setup.warnings());
+    warn(setup.warnings());
     let stop = interrupt::stops(BEST_SO_FAR);
     request.note_starts(&setup, &search.vary);
     if !at.is_sorted_by(|a, b| a < b) {
@@ -82,7 +80,7 @@ pub fn run(args: &Args) -> Result<Answer> {
             };
             let answer = if request.is_json {
                 let report = ChartReport::new(&none, &search);
-                Answer::report(&report, &origin, warnings.into_vec(), true)
+                Answer::report(&report, &origin, true)
             } else {
                 Answer::text(String::new())
             };
@@ -90,7 +88,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         }
         chart => chart?,
     };
-    warnings.add(chart.warnings());
+    warn(chart.warnings());
     let report = ChartReport::new(&chart, &search);
     let answer = if args.csv && !request.is_json {
         for note in chart.begun.iter().chain(&chart.ended) {
@@ -98,7 +96,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         }
         Answer::text(report.csv(stated_system().into())?)
     } else {
-        Answer::report(&report, &origin, warnings.into_vec(), request.is_json)
+        Answer::report(&report, &origin, request.is_json)
     };
     Ok(answer.found(chart.begun.is_none() && chart.ended.is_none()))
 }
@@ -151,14 +149,11 @@ fn follow(
     chart
 }
 
-/// Shows an iteration only after one second without a new line: most searches of a chart are
-/// shorter.
+/// Shows an iteration at most once a second.
 fn progress(search: &Search, spinner: &SharedProgress) -> impl Fn(&Iteration) + use<> {
-    const SILENCE: Duration = Duration::from_secs(1);
-    let (search, spinner, told) = (search.clone(), spinner.clone(), Cell::new(Instant::now()));
+    let (search, spinner, is_due) = (search.clone(), spinner.clone(), once_a_second());
     move |iteration| {
-        if told.get().elapsed() >= SILENCE {
-            told.set(Instant::now());
+        if is_due() {
             spinner.suspend(&mut || tell_detail(&iteration_line(&search, iteration, system())));
         }
     }

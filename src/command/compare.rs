@@ -55,8 +55,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let of = outcomes(&args.of)?;
     let requests = args.pair.requests()?;
     let comparison = args.pair.comparison(&requests)?;
-    let warnings = warnings(&comparison);
-    warn(&warnings);
+    warn(warnings(&comparison));
     let spinner = spinner("splitting the difference");
     let found = comparison.of_each(&of);
     spinner.finish();
@@ -75,7 +74,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let report = ComparisonReport::new(&comparison, &each, requests.each_ref().map(Request::title));
     // an empty origin: the report itself names both setups
     let origin = Origin::default();
-    let answer = Answer::report(&report, &origin, warnings, args.pair.setup_args.json);
+    let answer = Answer::report(&report, &origin, args.pair.setup_args.json);
     Ok(answer.found(is_complete))
 }
 

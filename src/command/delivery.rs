@@ -2,9 +2,9 @@ use crate::command::args::SetupArgs;
 use crate::command::files::{Destination, Rule, ending};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::sigmas;
-use crate::command::output::{Answer, Warnings, command_line, system, tell};
+use crate::command::output::{Answer, command_line, system, tell, warn};
+use crate::command::ranges::varied;
 use crate::command::request::{Request, Setting, Source};
-use crate::parameters::Vary;
 use crate::report::{
     DeliveryOptions, DeliveryReport, Origin, bound_warnings, delivery_toml,
     parameter_difference_text, parameter_text, population_warnings, recovered_csv, recovered_toml,
@@ -97,23 +97,22 @@ pub fn run(args: &Args) -> Result<Answer> {
     let outputs = Outputs::new(args, &requests.club)?;
     let setup = requests.setup_of_club()?;
     let launched = requests.setup_of_launch(args)?;
-    let mut warnings = Warnings::default();
-    warnings.add(setup.warnings());
+    warn(setup.warnings());
     let unknowns = read_unknowns(args, &requests.club, &setup)?;
     let found = match &args.shots {
         None => {
             note_assumed(&unknowns);
-            warnings.add(loft_warning(&requests.club, &setup, &unknowns));
+            warn(loft_warning(&requests.club, &setup, &unknowns));
             of_launch(&setup, &launched, &unknowns)?
         }
         Some(file) => {
             let filter = RowFilter::read(&args.only)?;
             let table = ShotTable::open_launches(&setup, file, filter)?;
-            of_shots(table, &requests, &setup, &unknowns, &mut warnings)?
+            of_shots(table, &requests, &setup, &unknowns)?
         }
     };
-    warnings.add(found.warnings());
-    let is_setup_written = outputs.write_setup(&found, &requests.club, &setup, &mut warnings)?;
+    warn(found.warnings());
+    let is_setup_written = outputs.write_setup(&found, &requests.club, &setup)?;
     let setup_words = || match &outputs.setup {
         Some(output) if is_setup_written => vec![output.path().display().to_string()],
         // omit the unknowns, which vary between the swings; all swings have the same club, ball and
@@ -125,9 +124,9 @@ pub fn run(args: &Args) -> Result<Answer> {
                 .collect::<Vec<_>>(),
         ),
     };
-    let is_whole = outputs.write_swings(&found, setup_words, &mut warnings)?;
+    let is_whole = outputs.write_swings(&found, setup_words)?;
     let is_found = found.explained() == found.all.len() && found.left_out == 0 && is_whole;
-    Ok(answer(args, &found, warnings.into_vec()).found(is_found))
+    Ok(answer(args, &found).found(is_found))
 }
 
 /// The deliveries found; for several deliveries, also the population of their swings.
@@ -184,7 +183,6 @@ fn of_shots(
     requests: &Requests,
     setup: &Setup<f64>,
     unknowns: &[Unknown],
-    warnings: &mut Warnings,
 ) -> Result<Deliveries> {
     let given: Vec<_> = setup
         .parameters()
@@ -199,7 +197,7 @@ fn of_shots(
             .warnings
             .extend(loft_warning(&requests.club, setup, unknowns));
     }
-    warnings.add(table.warnings.iter().cloned());
+    warn(table.warnings.iter().cloned());
     let remarks = table
         .remarks
         .iter()
@@ -251,11 +249,7 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
 /// The parameters to find, with the prior knowledge of each. A club value that the command line
 /// states has the uncertainty of a launch monitor, like a value in a column of a table.
 fn read_unknowns(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Vec<Unknown>> {
-    let vary = args
-        .vary
-        .iter()
-        .map(|text| Vary::read(setup, text))
-        .collect::<Result<Vec<_>>>()?;
+    let vary = varied(&args.vary, setup, || Ok(vec![]))?;
     let sigmas = sigmas(setup, &args.sigma)?;
     let measured = |unknown: Unknown| match setup.value(unknown.parameter) {
         Some(value) if request.states(unknown.parameter) => Unknown {
@@ -269,7 +263,7 @@ fn read_unknowns(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<V
     Ok(all.into_iter().map(measured).collect())
 }
 
-fn answer(args: &Args, found: &Deliveries, warnings: Vec<Message>) -> Answer {
+fn answer(args: &Args, found: &Deliveries) -> Answer {
     let population = found
         .population
         .as_ref()
@@ -279,7 +273,7 @@ fn answer(args: &Args, found: &Deliveries, warnings: Vec<Message>) -> Answer {
         left_out: found.left_out,
     };
     let report = DeliveryReport::new(&found.all, population, options);
-    Answer::report(&report, &Origin::default(), warnings, args.setup_args.json)
+    Answer::report(&report, &Origin::default(), args.setup_args.json)
 }
 
 /// The files to write.
@@ -317,7 +311,6 @@ impl Outputs {
         found: &Deliveries,
         request: &Request,
         setup: &Setup<f64>,
-        warnings: &mut Warnings,
     ) -> Result<bool> {
         let Some(output) = &self.setup else {
             return Ok(false);
@@ -337,7 +330,7 @@ impl Outputs {
             }
             _ => "the work was interrupted",
         };
-        warnings.add([Message::from(format!("{file} is not written: {why}"))]);
+        warn([Message::from(format!("{file} is not written: {why}"))]);
         Ok(false)
     }
 
@@ -348,7 +341,6 @@ impl Outputs {
         &self,
         found: &Deliveries,
         setup_words: impl Fn() -> Vec<String>,
-        warnings: &mut Warnings,
     ) -> Result<bool> {
         let (Some(swings), Some(population)) = (&self.swings, &found.population) else {
             return Ok(true);
@@ -356,7 +348,7 @@ impl Outputs {
         let Some(unwritten) = swings.write(found, population, setup_words())? else {
             return Ok(true);
         };
-        warnings.add([unwritten]);
+        warn([unwritten]);
         Ok(false)
     }
 }

@@ -39,8 +39,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         variables(&setup, &args.wrt, &of)?
     };
     let drive = Drive::new(&setup)?;
-    let warnings = drive.warnings_about(&setup, &of);
-    warn(&warnings);
+    warn(drive.warnings_about(&setup, &of));
 
     let order = if args.hessian {
         Order::Second
@@ -67,7 +66,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 
     let found: Vec<_> = of.into_iter().zip(each).collect();
     let report = GradientReport::new(&found, &wrt);
-    let answer = Answer::report(&report, &request.origin(), warnings, request.is_json);
+    let answer = Answer::report(&report, &request.origin(), request.is_json);
     Ok(answer.found(is_complete))
 }
 

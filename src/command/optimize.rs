@@ -2,7 +2,7 @@ pub use crate::command::args::OptimizeArgs as Args;
 
 use crate::Result;
 use crate::command::files::{Destination, Rule};
-use crate::command::output::{Answer, system, tell, warn};
+use crate::command::output::{Answer, system, tell, warn, warnings};
 use crate::command::request::Request;
 use crate::command::search::write;
 use crate::optimize::Status;
@@ -26,8 +26,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     if let Some(moved) = best.moved_start() {
         tell(&moved);
     }
-    let warnings = best.warnings(&AtomicBool::new(false));
-    warn(&warnings);
+    warn(best.warnings(&AtomicBool::new(false)));
     let written = write(output.as_ref(), &request, &optima, None)?;
     let over = OverSwings::default();
     let held = args.search.held(&request, &setup)?;
@@ -47,7 +46,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         club_alone: club.as_ref(),
     });
     let answer = if request.is_json {
-        let mut reply = OptimumReport::reply(&optima, &over, warnings);
+        let mut reply = OptimumReport::reply(&optima, &over, warnings());
         if let Some(around) = &around {
             reply.body = reply.body.with_surroundings(best, around);
         }

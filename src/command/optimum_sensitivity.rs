@@ -1,6 +1,8 @@
 use crate::command::args::{OptimizeArgs, SwingsArgs};
 use crate::command::names::variables;
-use crate::command::output::{Answer, bar, show, spinner, system, tell, tell_error, warn};
+use crate::command::output::{
+    Answer, bar, show, spinner, system, tell, tell_error, warn, warnings,
+};
 use crate::command::search::write;
 use crate::parameters::Parameter;
 use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_document};
@@ -62,8 +64,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     if let Some(moved) = best.moved_start() {
         tell(&moved);
     }
-    let warnings = best.warnings(&AtomicBool::new(false));
-    warn(&warnings);
+    warn(best.warnings(&AtomicBool::new(false)));
     // choose an integration step for each changed setup, as `optimize` does for that setup
     let integrated = |mut changed: Setup<f64>| {
         (changed.method, changed.flight.step) = (own.method, own.flight.step);
@@ -81,8 +82,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let answer = if request.is_json {
         let mut reply = match &analysis {
-            Some(analysis) => SensitivityReport::reply(&optima, analysis, warnings),
-            None => SensitivityReport::none(&optima, reason.as_ref(), warnings),
+            Some(analysis) => SensitivityReport::reply(&optima, analysis, warnings()),
+            None => SensitivityReport::none(&optima, reason.as_ref(), warnings()),
         };
         reply.body.optimum.file = written;
         Answer::json(&reply.about(&origin))

@@ -11,7 +11,8 @@ use serde::Serialize;
 use serde_json::Value;
 use std::ffi::OsString;
 use std::io;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 /// The units that `--units` states; `None` without this option.
 pub fn stated_system() -> Option<System> {
@@ -23,10 +24,38 @@ pub fn system() -> System {
     running().system()
 }
 
-/// Reports a warning before the work of the command, and adds it to the answer.
+/// Reports a warning before the work of the command. It comes first in the answer, and an answer
+/// without a result has it too.
 pub fn warn_early(warning: Message) {
-    warn(std::slice::from_ref(&warning));
+    say_warning(&warning);
     running().early().push(warning);
+}
+
+/// Reports warnings, and adds them to the answer.
+pub fn warn(warnings: impl IntoIterator<Item = Message>) {
+    for warning in warnings {
+        say_warning(&warning);
+        running().warnings().push(warning);
+    }
+}
+
+/// Reports a warning without adding it to the answer.
+pub fn say_warning(warning: &Message) {
+    let running = running();
+    let text = warning.in_units(running.system());
+    running
+        .host
+        .say(Kind::Warning, &in_words_of_the_host(&text));
+}
+
+/// All warnings of the answer.
+pub fn warnings() -> Vec<Message> {
+    let running = running();
+    let early = running.early().clone();
+    early
+        .into_iter()
+        .chain(running.warnings().iter().cloned())
+        .collect()
 }
 
 /// The standard output of a command, with a flag that is true if the command found an answer.
@@ -44,7 +73,7 @@ impl Answer {
     }
 
     pub fn json(value: &impl Serialize) -> Self {
-        let mut value = with_early_warnings(value);
+        let mut value = value_of(value);
         let left_out = running().left_out().clone();
         if let (Some(answer), false) = (value.as_object_mut(), left_out.is_empty()) {
             answer.insert("left_out".into(), left_out.into());
@@ -68,15 +97,16 @@ impl Answer {
         Self::document(&document)
     }
 
+    /// An answer without a result, as JSON.
+    pub fn none(reply: Reply<Empty>) -> Self {
+        let warnings = running().early().clone();
+        Self::of_value(value_of(&Reply { warnings, ..reply }))
+    }
+
     /// The report of a command about a setup, as JSON or as text.
-    pub fn report(
-        report: &impl Report,
-        origin: &Origin,
-        warnings: Vec<Message>,
-        is_json: bool,
-    ) -> Self {
+    pub fn report(report: &impl Report, origin: &Origin, is_json: bool) -> Self {
         if is_json {
-            Self::json(&Reply::of(report, warnings).about(origin))
+            Self::json(&Reply::of(report, warnings()).about(origin))
         } else {
             Self::document_about(report.document(system()), origin)
         }
@@ -103,15 +133,9 @@ pub fn text_of(document: &Document) -> String {
     document.text(&running().text_options())
 }
 
-/// An answer with the warnings from before the work of the command.
-fn with_early_warnings(answer: &impl Serialize) -> Value {
+fn value_of(answer: &impl Serialize) -> Value {
     // serialization cannot fail: keys are strings, and numbers are finite
-    let mut value = serde_json::to_value(answer).unwrap_or_default();
-    if let Some(warnings) = value.get_mut("warnings").and_then(Value::as_array_mut) {
-        let early = running().early().clone();
-        warnings.splice(0..0, early.iter().map(|warning| warning.to_string().into()));
-    }
-    value
+    serde_json::to_value(answer).unwrap_or_default()
 }
 
 /// Formats the arguments in the strings of a JSON value with the syntax of the command's `Host`.
@@ -159,34 +183,6 @@ pub fn tell_detail(text: &str) {
     }
 }
 
-pub fn warn(warnings: &[Message]) {
-    let running = running();
-    for warning in warnings {
-        let text = warning.in_units(running.system());
-        running
-            .host
-            .say(Kind::Warning, &in_words_of_the_host(&text));
-    }
-}
-
-/// The warnings of an answer. `add` also reports each of them to the user.
-#[derive(Default)]
-pub struct Warnings(Vec<Message>);
-
-impl Warnings {
-    /// Adds warnings and reports them to the user.
-    pub fn add(&mut self, warnings: impl IntoIterator<Item = Message>) {
-        let before = self.0.len();
-        self.0.extend(warnings);
-        warn(&self.0[before..]);
-    }
-
-    /// All warnings, for the answer.
-    pub fn into_vec(self) -> Vec<Message> {
-        self.0
-    }
-}
-
 /// Reports an error after which the command continues.
 pub fn tell_error(error: &Error) {
     say_error(&error.in_units(system()));
@@ -205,7 +201,7 @@ pub fn complain(error: &Error, command: &'static str, is_json: bool) -> u8 {
     tell_error(error);
     // after an output error, no further output
     if is_json && !matches!(error, Error::Output(_)) {
-        say(&Reply::none(Some(command), error));
+        say(Reply::none(Some(command), error));
     }
     if error.is_an_outcome() { 1 } else { 2 }
 }
@@ -236,7 +232,7 @@ pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: b
             .unwrap_or_default();
         let message = text.trim().trim_start_matches("error:").trim();
         let message = with_named_arguments(message, &error);
-        say(&Reply::refused(command, "error", message));
+        say(Reply::refused(command, "error", message));
     }
     u8::try_from(error.exit_code()).unwrap_or(2)
 }
@@ -341,9 +337,8 @@ fn in_own_words(error: &mut clap::Error) {
 }
 
 /// Prints an answer without a result.
-fn say(reply: &Reply<Empty>) {
-    let answer = Answer::of_value(with_early_warnings(reply));
-    let _ = running().host.print(&answer.text);
+fn say(reply: Reply<Empty>) {
+    let _ = running().host.print(&Answer::none(reply).text);
 }
 
 /// The progress of countable parts; `of` is their name in plural.
@@ -362,6 +357,20 @@ pub fn shown(work: Work<'_>) -> SharedProgress {
     match running.options.quiet {
         true => Arc::new(()),
         false => running.host.shows(work),
+    }
+}
+
+/// A function that returns true at most once a second, first after a second: most searches end
+/// before a line about them could be read.
+pub fn once_a_second() -> impl Fn() -> bool + Send + Sync {
+    let told = Mutex::new(Instant::now());
+    move || {
+        let mut told = told.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_due = told.elapsed() >= Duration::from_secs(1);
+        if is_due {
+            *told = Instant::now();
+        }
+        is_due
     }
 }
 

@@ -2,6 +2,7 @@ use crate::Result;
 use crate::command::args::{SETUP, SetupArgs};
 use crate::command::output::Answer;
 use crate::command::request::Source;
+use crate::command::running::running;
 use crate::report::ParametersReport;
 
 #[derive(clap::Args)]
@@ -24,12 +25,10 @@ pub fn run(args: &Args) -> Result<Answer> {
         Some(word) => report.with_word(word)?,
         None => report,
     };
-    Ok(Answer::report(
-        &report,
-        &request.origin(),
-        setup.warnings(),
-        request.is_json,
-    ))
+    // the list shows the setup; its warnings are only in the JSON
+    running().warnings().extend(setup.warnings());
+    let origin = request.origin();
+    Ok(Answer::report(&report, &origin, request.is_json))
 }
 
 impl Args {

@@ -4,24 +4,22 @@ use crate::command::args::{SearchArgs, SetupArgs, SwingsArgs, whole};
 use crate::command::files::{Destination, Rule, ending, refused};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
-use crate::command::output::{Answer, spinner, stated_system, system, tell, warn};
+use crate::command::output::{Answer, once_a_second, spinner, stated_system, system, tell, warn};
 use crate::command::picture::{Drawing, Target};
-use crate::command::ranges::DefaultRanges;
+use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::search::{of_a_drive, options};
 use crate::command::swings::{goal, limit, refuse_idle_strokes, swing_ranges};
 use crate::optimize::{Iteration, Observers};
-use crate::parameters::Vary;
 use crate::report::figures::pareto_figure;
-use crate::report::{ParetoReport, pareto_csv, pareto_toml};
+use crate::report::{ParetoReport, Report, pareto_csv, pareto_toml};
 use crate::study::swings::{Pareto, ParetoSearch, Scenarios, pareto};
 use crate::study::{Goal, Search, Sense};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::sync::Arc;
 
 /// The two goals and the varied parameters.
 #[derive(clap::Args)]
@@ -107,15 +105,14 @@ pub fn run(args: &Args) -> Result<Answer> {
         Some(output) => output.write(&found, &request, &mut warnings)?,
         None => None,
     };
-    warn(&warnings);
-    // a requested file that was not written is a failure
-    let is_whole = found.ended.is_none() && output.is_none() == written.is_none();
+    warn(warnings);
     let mut report = ParetoReport::new(&found);
+    report.lacks_file = output.is_some() && written.is_none();
     report.file = written;
+    let is_whole = report.ending().status == "done";
     let answer = Answer::report(
         &report,
         &request.origin_of_search(&found.search.vary),
-        warnings,
         request.is_json,
     );
     Ok(answer.found(is_whole))
@@ -158,14 +155,9 @@ fn followed(request: &Request, asked: &GoalArgs) -> Result<Followed> {
     request.note_starts(&setup, &search.vary);
     let setup = request.for_many(setup, &swing_ranges(&search.vary, &scenarios))?;
     let spinner = spinner("following the front");
-    // show a line at most once a second: most searches end before a line could be read
-    const SILENCE: Duration = Duration::from_secs(1);
-    let told = Mutex::new(Instant::now());
-    let (shown, running) = (spinner.clone(), running());
+    let (shown, running, is_due) = (spinner.clone(), running(), once_a_second());
     let iteration = Arc::new(move |number: usize, _: &Iteration| {
-        let mut told = told.lock().unwrap_or_else(PoisonError::into_inner);
-        if told.elapsed() >= SILENCE {
-            *told = Instant::now();
+        if is_due() {
             let doing = format!("following the front: {} searches so far", number + 1);
             shown.set_message(doing.clone());
             if running.is_verbose() {
@@ -212,14 +204,9 @@ fn over_swings(
         .map(|(goal, _)| goal)
         .chain(subject_to.iter().map(|limit| &limit.goal));
     refuse_idle_strokes(strokes, all)?;
-    let vary = match asked.vary.as_slice() {
-        // the attack angle varies from swing to swing: it belongs to the golfer
-        [] => DefaultRanges::loft(request, &setup)?.vary()?,
-        given => given
-            .iter()
-            .map(|text| Vary::read(&setup, text))
-            .collect::<Result<_>>()?,
-    };
+    let vary = varied(&asked.vary, &setup, || {
+        DefaultRanges::loft(request, &setup)?.vary()
+    })?;
     let search = ParetoSearch {
         goals,
         vary,
@@ -366,6 +353,8 @@ impl Output {
         }
         let place = match self.at {
             Some(number) => Some(number - 1).filter(|place| *place < found.points.len()),
+            // the best design for both goals needs no choice
+            None if found.points.len() == 1 => Some(0),
             None => found.knee,
         };
         let Some(place) = place else {

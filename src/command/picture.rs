@@ -1,8 +1,8 @@
 //! Destinations of pictures, and their formats.
 
-use crate::command::args::whole;
+use crate::command::args::{stated, whole};
 use crate::command::files::{Destination, Rule, ending};
-use crate::command::output::{Answer, stated_system, system, tell, warn};
+use crate::command::output::{Answer, stated_system, system, tell, warn, warnings};
 use crate::command::request::Request;
 #[cfg(not(feature = "png"))]
 use crate::features::how_to_get;
@@ -37,18 +37,6 @@ pub struct Drawing {
         allow_negative_numbers = true,
     )]
     pub width: Option<u32>,
-}
-
-impl Drawing {
-    /// The names of the stated options for the appearance of a picture.
-    pub fn look(&self) -> Vec<&'static str> {
-        let given = [("`dark`", self.dark), ("`width`", self.width.is_some())];
-        given
-            .into_iter()
-            .filter(|(_, is_given)| *is_given)
-            .map(|(option, _)| option)
-            .collect()
-    }
 }
 
 /// The width of a picture, pixels.
@@ -102,10 +90,14 @@ impl<'a> Target<'a> {
     /// The checked destination of a plot that reads these files.
     pub fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &'a Drawing) -> Result<Self> {
         let format = Format::of(&drawing.output)?;
-        if let (Format::Csv, [option, ..]) = (format, drawing.look().as_slice()) {
+        let look = [
+            ("`dark`", drawing.dark),
+            ("`width`", drawing.width.is_some()),
+        ];
+        if let (Format::Csv, Some(option)) = (format, stated(look).next()) {
             let source = "it applies to pictures, and a .csv file has only the data; leave it out, \
                           or write a .svg or .png file";
-            return Err(Error::unreadable(*option, source));
+            return Err(Error::unreadable(option, source));
         }
         let rule = Rule::new(inputs, drawing.overwrite);
         Ok(Self {
@@ -138,10 +130,10 @@ impl<'a> Target<'a> {
         self.put(request.is_json, figure, warnings)
     }
 
-    /// Writes the plot and reports these warnings.
-    pub fn put(&self, is_json: bool, figure: &Figure, warnings: Vec<Message>) -> Result<Answer> {
+    /// Writes the plot and reports the warnings about its drives.
+    pub fn put(&self, is_json: bool, figure: &Figure, of_drives: Vec<Message>) -> Result<Answer> {
         let drawing = self.drawing;
-        warn(&warnings);
+        warn(of_drives);
         let look = Look {
             system: system(),
             is_dark: drawing.dark,
@@ -167,7 +159,7 @@ impl<'a> Target<'a> {
                 note: &figure.note,
                 bytes: bytes.len(),
             };
-            Answer::json(&Reply::done("plot", warnings, body))
+            Answer::json(&Reply::done("plot", warnings(), body))
         } else {
             Answer::text(String::new())
         })

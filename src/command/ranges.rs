@@ -5,6 +5,21 @@ use crate::parameters::{Parameter, Vary};
 use crate::study::Search;
 use crate::{Error, Result, Setup};
 
+/// The ranges of `--vary`; without this option, the ranges that `usual` gives.
+///
+/// # Errors
+/// The errors of [`Vary::read`] and of `usual`.
+pub fn varied(
+    given: &[String],
+    setup: &Setup<f64>,
+    usual: impl FnOnce() -> Result<Vec<Vary>>,
+) -> Result<Vec<Vary>> {
+    match given {
+        [] => usual(),
+        given => given.iter().map(|text| Vary::read(setup, text)).collect(),
+    }
+}
+
 /// The default ranges of a command. A parameter that the command line states is not varied.
 pub struct DefaultRanges {
     vary: Vec<Vary>,

@@ -4,7 +4,7 @@ use crate::command::explore::page::compiled_in;
 use crate::command::files::Rule;
 use crate::command::host::SharedProgress;
 use crate::command::names::{sigmas, usual};
-use crate::command::output::{Answer, bar, command_line, system, tell, warn};
+use crate::command::output::{Answer, bar, command_line, system, tell, warn, warnings};
 use crate::command::plot::limits;
 use crate::command::request::Request;
 use crate::command::running::running;
@@ -97,8 +97,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     folder.write(files.iter().copied())?;
     bar.finish();
     let why_none = findings.why_none.iter();
-    let remarks: Vec<_> = findings.remarks.iter().chain(why_none).cloned().collect();
-    warn(&remarks);
+    warn(findings.remarks.iter().chain(why_none).cloned());
     tell(&format!(
         "{} ({})",
         args.output.join("index.html").display(),
@@ -106,7 +105,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     ));
     let origin = request.origin();
     let names = files.iter().map(|(name, _)| *name).collect();
-    Ok(answer(args, &origin, &findings, names, remarks))
+    Ok(answer(args, &origin, &findings, names))
 }
 
 /// The link to the explorer with the drive as set up: the state for its page, or the command that
@@ -200,13 +199,7 @@ fn name_of(request: &Request) -> String {
     )
 }
 
-fn answer(
-    args: &Args,
-    origin: &Origin,
-    findings: &Findings,
-    files: Vec<&str>,
-    remarks: Vec<Message>,
-) -> Answer {
+fn answer(args: &Args, origin: &Origin, findings: &Findings, files: Vec<&str>) -> Answer {
     let own = &findings.flown[0].drive;
     let missing = findings.found.as_ref();
     let missing = missing.filter(|_| findings.best().is_none());
@@ -220,7 +213,7 @@ fn answer(
             folder: args.output.display().to_string(),
             files,
         };
-        let reply = Reply::done("report", remarks, body).about(origin);
+        let reply = Reply::done("report", warnings(), body).about(origin);
         Answer::json(&reply.ended(status, message))
     } else {
         Answer::text(String::new())
@@ -389,7 +382,7 @@ impl Args {
     /// Refuses options of a search if there is nothing to vary.
     fn refuse_idle_search(&self) -> Result<()> {
         let along = self.along.as_ref().map(|_| "`along`");
-        let options = self.search.given().into_iter().chain(along);
+        let options = self.search.given().chain(along);
         let mut idle = options.filter(|option| !["`maximize`", "`minimize`"].contains(option));
         let Some(option) = idle.next() else {
             return Ok(());

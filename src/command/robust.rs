@@ -101,13 +101,12 @@ pub fn run(args: &Args) -> Result<Answer> {
             )));
         }
     }
-    warn(&warnings);
+    warn(warnings);
     let mut report = RobustReport::new(&found, within);
     report.file = written;
     let answer = Answer::report(
         &report,
         &request.origin_of_search(&found.search.vary),
-        warnings,
         request.is_json,
     );
     Ok(answer.found(is_found))

@@ -18,8 +18,10 @@ pub struct Running {
     pub options: OutputOptions,
     /// The arguments, without the name of the program.
     pub words: Vec<OsString>,
-    /// Warnings from before the work of the command, about its automatic choices.
+    /// Warnings about the automatic choices of the command, from before its work.
     early: Mutex<Vec<Message>>,
+    /// The other warnings of the answer.
+    warnings: Mutex<Vec<Message>>,
     /// Parameters that the answer leaves out, with the reasons.
     left_out: Mutex<Vec<String>>,
     /// The text of the setup named `-`, after its first use.
@@ -80,6 +82,7 @@ impl Default for Running {
             options: OutputOptions::default(),
             words: vec![],
             early: Mutex::default(),
+            warnings: Mutex::default(),
             left_out: Mutex::default(),
             input: Mutex::default(),
         }
@@ -110,17 +113,26 @@ impl Running {
         self.host.is_screen() && !self.options.all
     }
 
+    /// A message in the syntax of the host.
+    pub fn in_words_of_the_host(&self, message: &str) -> String {
+        with_mentions_of(self.program, message, |mention| self.host.mention(mention))
+    }
+
     /// Reports a remark or progress, unless `--quiet` is given.
     pub fn tell(&self, text: &str) {
         if !self.options.quiet {
-            let text = with_mentions_of(self.program, text, |mention| self.host.mention(mention));
-            self.host.say(Kind::Note, &text);
+            self.host.say(Kind::Note, &self.in_words_of_the_host(text));
         }
     }
 
     /// The warnings from before the work of the command. They come first in the answer.
     pub fn early(&self) -> MutexGuard<'_, Vec<Message>> {
         self.early.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The warnings of the answer that follow the early warnings.
+    pub fn warnings(&self) -> MutexGuard<'_, Vec<Message>> {
+        self.warnings.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The texts about omitted results, for JSON.

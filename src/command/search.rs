@@ -1,21 +1,22 @@
 //! Searches, with their progress and checkpoints.
 
-use crate::command::args::{OptimizeArgs, SearchArgs};
+use crate::command::args::{OptimizeArgs, SearchArgs, stated};
 use crate::command::files::Destination;
 use crate::command::host::{SharedProgress, Work};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::tell_of_the_run;
-use crate::command::output::{shown, system, tell, warn};
-use crate::command::ranges::DefaultRanges;
+use crate::command::output::{say_warning, shown, system, tell};
+use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::optimize::{Checkpoint, Iteration, Observers, Options, Status};
 use crate::parameters::Parameter;
 use crate::report::{goal_text, iteration_line, optimum_toml};
 use crate::study::swings::{Scenarios, Swings};
-use crate::study::{Constraint, Optima, Search, Sense, Vary, optima};
+use crate::study::{Constraint, Optima, Search, Sense, optima};
 use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
+use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
 
 impl SearchArgs {
@@ -32,19 +33,13 @@ impl SearchArgs {
         setup: &Setup<f64>,
         along: Option<&Parameter>,
     ) -> Result<Search> {
-        let vary = match self.vary.as_slice() {
-            [] => {
-                let ranges = DefaultRanges::longest_drive(request, setup)?;
-                match along {
-                    Some(along) => ranges.without(along).vary()?,
-                    None => ranges.vary()?,
-                }
+        let vary = varied(&self.vary, setup, || {
+            let ranges = DefaultRanges::longest_drive(request, setup)?;
+            match along {
+                Some(along) => ranges.without(along).vary(),
+                None => ranges.vary(),
             }
-            given => given
-                .iter()
-                .map(|text| Vary::read(setup, text))
-                .collect::<Result<_>>()?,
-        };
+        })?;
         let (of, sense) = self.sought()?;
         let search = Search {
             of: of.into(),
@@ -115,54 +110,45 @@ impl SearchArgs {
     }
 
     /// The names of the stated options.
-    pub fn given(&self) -> Vec<&'static str> {
-        let given = [
+    pub fn given(&self) -> impl Iterator<Item = &'static str> {
+        stated([
             ("`maximize`", self.maximize.is_some()),
             ("`minimize`", self.minimize.is_some()),
             ("`vary`", !self.vary.is_empty()),
             ("`subject_to`", !self.subject_to.is_empty()),
             ("`max_iterations`", self.max_iterations.is_some()),
-        ];
-        given
-            .into_iter()
-            .filter(|(_, is_given)| *is_given)
-            .map(|(name, _)| name)
-            .collect()
+        ])
     }
 }
 
 impl OptimizeArgs {
     /// Runs the search, with its progress on standard error.
     pub fn optima(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
-        let found = self.searched(setup, search, &self.follow(setup, search)?);
+        let found = self.searched(setup, search);
         interrupt::ends();
-        found
+        Ok(found?.0)
     }
 
-    /// Runs the search, which Ctrl-C can stop. The caller calls [`interrupt::ends`] afterwards.
+    /// Runs the search, which Ctrl-C can stop. Also returns the flag that Ctrl-C sets. The caller
+    /// calls [`interrupt::ends`] afterwards.
     pub fn searched(
         &self,
         setup: &Setup<f64>,
         search: &Search,
-        (follow, bar): &(Observers, SharedProgress),
-    ) -> Result<Optima> {
-        let found = optima(setup, search, self.starts as usize, follow);
+    ) -> Result<(Optima, Arc<AtomicBool>)> {
+        let (follow, bar) = self.follow(setup, search)?;
+        let found = optima(setup, search, self.starts as usize, &follow);
         bar.finish();
-        if let Ok(optima) = &found
-            && let Some(interrupted) = optima.interrupted()
-        {
+        let found = found?;
+        if let Some(interrupted) = found.interrupted() {
             tell(&interrupted);
         }
-        found
+        Ok((found, follow.interrupt))
     }
 
     /// The progress of a search: its last iteration, or a bar for several searches. The
     /// observers also write the checkpoint, and stop the search on Ctrl-C.
-    pub fn follow(
-        &self,
-        setup: &Setup<f64>,
-        search: &Search,
-    ) -> Result<(Observers, SharedProgress)> {
+    fn follow(&self, setup: &Setup<f64>, search: &Search) -> Result<(Observers, SharedProgress)> {
         let checkpoint = match &self.checkpoint {
             Some(path) => Some(Arc::new(Checkpoint::open(
                 path,
@@ -216,9 +202,9 @@ pub fn write(
     };
     let file = output.path().display();
     if optima.best.solution.status != Status::Converged {
-        warn(&[Message::from(format!(
+        say_warning(&Message::from(format!(
             "{file} is not written: there is no optimum"
-        ))]);
+        )));
         return Ok(None);
     }
     let toml = optimum_toml(optima, swings, request.source.preset())?;

@@ -1,6 +1,6 @@
 use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::{outcomes, sigmas};
-use crate::command::output::{Answer, Warnings, bar, show, system, tell};
+use crate::command::output::{Answer, bar, show, system, tell, warn};
 use crate::command::request::Request;
 use crate::optimize::{Observer, Status};
 use crate::parameters::Parameter;
@@ -58,34 +58,29 @@ pub fn run(args: &Args) -> Result<Answer> {
         with_defaults(&setup, &given, &of)?
     };
     let drive = Drive::new(&setup)?;
-    let mut warnings = Warnings::default();
-    warnings.add(drive.warnings_about(&setup, &of));
+    warn(drive.warnings_about(&setup, &of));
     let bar = bar("uncertainties");
     let found = effects(&setup, &of, &sigmas, &mut |done, all| show(&bar, done, all));
     bar.finish();
     let found = found?;
     // report the reasons for missing values in the table
     let unflown = found.first().map(|effects| unflown(&setup, &of, effects));
-    warnings.add(unflown.into_iter().flatten());
+    warn(unflown.into_iter().flatten());
     let slopes = best.as_ref().map(total_slopes).transpose()?;
-    warnings.add(slopes.iter().flat_map(|slopes| missing_slopes(slopes)));
+    warn(slopes.iter().flat_map(|slopes| missing_slopes(slopes)));
     let totals = best.as_ref().zip(slopes.as_deref());
     let totals = totals.map(|(best, slopes)| (best.search.outcome(), slopes));
     let report = EffectsReport::new(&found, best.as_ref(), totals);
-    Ok(Answer::report(
-        &report,
-        &request.origin(),
-        warnings.into_vec(),
-        request.is_json,
-    ))
+    let origin = request.origin();
+    Ok(Answer::report(&report, &origin, request.is_json))
 }
 
 /// The optimum for `--at-optimum`; `None` without this option.
 fn find_optimum(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Option<Optimum>> {
     if !args.at_optimum {
-        return match args.search.given().first() {
+        return match args.search.given().next() {
             Some(option) => Err(Error::unreadable(
-                *option,
+                option,
                 "it is an option of the search for an optimum; add `at_optimum`, or leave \
                  it out",
             )),

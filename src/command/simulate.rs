@@ -14,9 +14,9 @@ pub fn run(args: &Args) -> Result<Answer> {
         |drive| drive.warnings_about(&setup, Outcome::ALL),
     );
     warnings.extend(setup.wind_profile_warning());
-    warn(&warnings);
+    warn(warnings);
     let drive = drive?;
     let report = DriveReport::new(&setup, &drive);
-    let answer = Answer::report(&report, &request.origin(), warnings, request.is_json);
+    let answer = Answer::report(&report, &request.origin(), request.is_json);
     Ok(answer.found(matches!(drive.flight, Flight::Landed(_))))
 }

@@ -1,10 +1,10 @@
 //! The search for the best design over many swings.
 
-use crate::command::args::{OptimizeArgs, SearchArgs, SwingsArgs};
+use crate::command::args::{OptimizeArgs, SearchArgs, SwingsArgs, stated};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
-use crate::command::output::{Answer, system, warn};
-use crate::command::ranges::DefaultRanges;
+use crate::command::output::{Answer, system, warn, warnings};
+use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::search::{options, write};
 use crate::optimize::Status;
@@ -39,9 +39,8 @@ impl SwingsArgs {
             ("`seed`", self.seed.is_some()),
             ("`strokes`", self.strokes.is_some()),
         ];
-        let mut stray = options.into_iter().filter(|(_, is_stated)| *is_stated);
-        match stray.next().filter(|_| !self.is_given()) {
-            Some((option, _)) => {
+        match stated(options).next().filter(|_| !self.is_given()) {
+            Some(option) => {
                 let source = "it is about many swings; give the swings too, with `swings FILE` or \
                               `distribution NAME=KIND(…)`";
                 Err(Error::unreadable(option, source))
@@ -130,7 +129,6 @@ pub struct SwingsOptimum {
     pub over: OverSwings,
     /// Set to true to skip the rest of the work.
     pub stop: Arc<AtomicBool>,
-    warnings: Vec<Message>,
     /// The file that was written.
     file: Option<String>,
 }
@@ -142,7 +140,7 @@ impl SwingsOptimum {
 
     /// The answer in JSON.
     pub fn reply(&self, origin: &Origin) -> Reply<OptimumReport> {
-        let mut reply = OptimumReport::reply(&self.optima, &self.over, self.warnings.clone());
+        let mut reply = OptimumReport::reply(&self.optima, &self.over, warnings());
         reply.body.file.clone_from(&self.file);
         reply.about(origin)
     }
@@ -182,10 +180,8 @@ pub fn found(
     tell_of_the_run(&search.of.outcomes());
     let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
     let output = args.destination(request)?;
-    let follow = args.follow(&setup, &search)?;
-    let optima = args.searched(&setup, &search, &follow)?;
+    let (optima, stop) = args.searched(&setup, &search)?;
     let best = &optima.best;
-    let stop = follow.0.interrupt;
     let is_found = best.solution.status == Status::Converged;
     let mut price = None;
     let mut resampled = None;
@@ -204,14 +200,13 @@ pub fn found(
              it is extrapolated linearly"
         )));
     }
-    warn(&warnings);
+    warn(warnings);
     let file = write(output.as_ref(), request, &optima, Some(&swings))?;
     Ok(SwingsOptimum {
         setup,
         optima,
         over: OverSwings { price, resampled },
         stop,
-        warnings,
         file,
     })
 }
@@ -250,13 +245,7 @@ pub fn sought(
         (Some(text), None) => (goal("`maximize`", text, strokes)?, Sense::Maximize),
         (None, None) => usual()?,
     };
-    let vary = match search.vary.as_slice() {
-        [] => usual_vary(setup)?,
-        given => given
-            .iter()
-            .map(|text| Vary::read(setup, text))
-            .collect::<Result<_>>()?,
-    };
+    let vary = varied(&search.vary, setup, || usual_vary(setup))?;
     let subject_to = search
         .subject_to
         .iter()

@@ -68,11 +68,10 @@ pub fn run(args: &Args) -> Result<Answer> {
         setup,
         &inputs.iter().map(Uncertain::range).collect::<Vec<_>>(),
     )?;
-    let mut warnings = Drive::new(&setup).map_or_else(
+    warn(Drive::new(&setup).map_or_else(
         |_| setup.warnings(),
         |drive| drive.warnings_about(&setup, &of),
-    );
-    warn(&warnings);
+    ));
     let plan = SamplePlan {
         samples: args.samples as usize,
         seed: args.seed,
@@ -83,15 +82,13 @@ pub fn run(args: &Args) -> Result<Answer> {
     });
     bar.finish();
     let found = found?;
-    let of_sample = found.warnings();
-    warn(&of_sample);
-    warnings.extend(of_sample);
+    warn(found.warnings());
     let is_found = found
         .outcomes
         .iter()
         .all(|outcome| outcome.sampled.is_some());
     let report = UncertaintyReport::new(&found);
-    let answer = Answer::report(&report, &request.origin(), warnings, request.is_json);
+    let answer = Answer::report(&report, &request.origin(), request.is_json);
     Ok(answer.found(is_found))
 }
 

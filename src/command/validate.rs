@@ -3,7 +3,7 @@ use crate::command::args::OwnLaw;
 use crate::command::files::{Rule, ending};
 use crate::command::output::{Answer, system, tell};
 use crate::command::reproduce::{DOCUMENT, write};
-use crate::report::{Reply, Report, ValidationReport};
+use crate::report::{Origin, ValidationReport};
 use crate::study::validation::validation;
 use std::path::PathBuf;
 
@@ -51,11 +51,8 @@ pub fn run(args: &Args) -> Result<Answer> {
         file.write(report.csv()?.as_bytes())?;
         tell(&format!("wrote {}", path.display()));
     }
-    Ok(if args.json {
-        Answer::json(&Reply::of(&report, vec![]))
-    } else if args.csv {
-        Answer::text(report.csv()?)
-    } else {
-        Answer::document(&report.document(system()))
-    })
+    if args.csv {
+        return Ok(Answer::text(report.csv()?));
+    }
+    Ok(Answer::report(&report, &Origin::default(), args.json))
 }

@@ -65,8 +65,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         |_| setup.warnings(),
         |drive| drive.warnings_about(&setup, &of),
     );
-    let warnings = [of_drive, of_step].concat();
-    warn(&warnings);
+    warn([of_drive, of_step].concat());
     tell_left_out(&certificate);
     // do not continue after an interruption
     let loops = if certificate.stopped.is_none() {
@@ -77,6 +76,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     // after an interruption before this line, the command still prints its answer
     interrupt::ends();
     let report = CertificateReport::new(&certificate, &loops);
-    let answer = Answer::report(&report, &request.origin(), warnings, request.is_json);
+    let answer = Answer::report(&report, &request.origin(), request.is_json);
     Ok(answer.found(certificate.passed()))
 }

@@ -1,7 +1,7 @@
 //! Messages in the syntax of the command's `Host`, and advice on words that belong to no option.
 
 use super::files::ending;
-use super::mention::{Mention, with_mentions_of};
+use super::mention::Mention;
 use super::running::running;
 use crate::error::Error;
 use crate::parameters::{Preset, Setup};
@@ -10,10 +10,7 @@ use std::path::Path;
 
 /// A message in the syntax of this command's host.
 pub fn in_words_of_the_host(message: &str) -> String {
-    let running = running();
-    with_mentions_of(running.program, message, |mention| {
-        running.host.mention(mention)
-    })
+    running().in_words_of_the_host(message)
 }
 
 /// The name of an argument in the syntax of this command's host; `shown` is its name in the

@@ -2,6 +2,7 @@
 
 use super::problem::Evaluation;
 use super::scaling::{Point, Scaling};
+use argmin::core::Error;
 use serde::{Deserialize, Serialize};
 
 /// A kink of the objective along one variable.
@@ -33,14 +34,14 @@ const REACH: f64 = 1e-6;
 /// Looks for a kink at a point: a variable whose derivative changes between two points 2·REACH
 /// apart by much more than the curvature on either side explains. `evaluate` returns `None` where
 /// the functions are undefined.
-pub(super) fn find<E>(
+pub(super) fn find(
     scaling: &Scaling,
     at: &Point,
-    mut evaluate: impl FnMut(&[f64]) -> Result<Option<Evaluation>, E>,
-) -> Result<Option<Kink>, E> {
+    mut evaluate: impl FnMut(&[f64]) -> Result<Option<Evaluation>, Error>,
+) -> Result<Option<Kink>, Error> {
     let bounds = &scaling.domain.variables;
     for i in (0..at.x.len()).filter(|&i| !bounds.is_fixed(i)) {
-        let mut side = |towards: f64| {
+        let mut side = |towards: f64| -> Result<Option<Side>, Error> {
             let mut moved = at.x.clone();
             let to = at.x[i] + towards * REACH * scaling.scale[i];
             moved[i] = to.clamp(bounds.low[i], bounds.high[i]);

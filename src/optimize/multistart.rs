@@ -26,20 +26,32 @@ pub struct LocalMinimum {
     pub starts: Vec<usize>,
 }
 
-/// Callback that receives the number of a search, and its [`Iteration`] or [`Solution`].
-pub type Callback<T> = Arc<dyn Fn(usize, &T) + Send + Sync>;
-
 /// Callbacks, interrupt flag and checkpoint of searches that run in parallel.
 #[derive(Clone, Default)]
 pub struct Observers {
     /// Called after every iteration, with the number of the start.
-    pub iteration: Option<Callback<Iteration>>,
+    pub iteration: Option<Arc<dyn Fn(usize, &Iteration) + Send + Sync>>,
     /// Called at the end of every search, with the number of the start.
-    pub end: Option<Callback<Solution>>,
+    pub end: Option<Arc<dyn Fn(usize, &Solution) + Send + Sync>>,
     /// Interrupt flag: once true, all searches end with their best points so far.
     pub interrupt: Arc<AtomicBool>,
     /// Checkpoint that saves the searches, and from which they resume.
     pub checkpoint: Option<Arc<Checkpoint>>,
+}
+
+impl Observers {
+    /// The observer of search `number`: its callback and the interrupt flag, without the
+    /// checkpoint.
+    pub(super) fn of_search(&self, number: usize) -> Observer {
+        let mut observer = Observer {
+            interrupt: self.interrupt.clone(),
+            ..Observer::default()
+        };
+        if let Some(show) = self.iteration.clone() {
+            observer.iteration = Box::new(move |iteration| show(number, iteration));
+        }
+        observer
+    }
 }
 
 /// Two optima count as equal if they differ by at most this in each variable, in units of the
@@ -142,13 +154,9 @@ fn one(
         return Ok(Solution::interrupted_at_start(domain, start.to_vec()));
     }
     let mut observer = Observer {
-        interrupt: observers.interrupt.clone(),
         resume,
-        ..Observer::default()
+        ..observers.of_search(number)
     };
-    if let Some(show) = observers.iteration.clone() {
-        observer.iteration = Box::new(move |iteration| show(number, iteration));
-    }
     if let Some(checkpoint) = observers.checkpoint.clone() {
         observer.save = Some(Box::new(move |snapshot| {
             checkpoint.save(number, Run::Unfinished(Box::new(snapshot.clone())))

@@ -13,6 +13,22 @@ pub enum Golfer {
     Left,
 }
 
+/// The choice of this name; `what` and `advice` are for the error if there is none.
+fn named<T: Copy>(
+    all: &[T],
+    name_of: fn(T) -> &'static str,
+    name: &str,
+    what: &'static str,
+    advice: &str,
+) -> Result<T> {
+    let name = name.trim();
+    let found = all.iter().copied().find(|choice| name_of(*choice) == name);
+    found.ok_or_else(|| {
+        let names = all.iter().map(|choice| name_of(*choice));
+        Error::unknown(what, name, names, advice)
+    })
+}
+
 /// Name of the setting: `golfer = "left"`.
 pub const GOLFER: &str = "golfer";
 
@@ -33,20 +49,8 @@ impl Golfer {
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no golfer has this name.
     pub fn named(name: &str) -> Result<Self> {
-        let name = name.trim();
-        Self::ALL
-            .iter()
-            .copied()
-            .find(|golfer| golfer.name() == name)
-            .ok_or_else(|| {
-                let names = Self::ALL.iter().map(|golfer| golfer.name());
-                Error::unknown(
-                    GOLFER,
-                    name,
-                    names,
-                    "write right for a right-handed golfer, left for a left-handed one",
-                )
-            })
+        let advice = "write right for a right-handed golfer, left for a left-handed one";
+        named(Self::ALL, Self::name, name, GOLFER, advice)
     }
 }
 
@@ -82,17 +86,8 @@ impl SpeedOf {
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no point has this name.
     pub fn named(name: &str) -> Result<Self> {
-        let name = name.trim();
-        Self::ALL
-            .iter()
-            .copied()
-            .find(|point| point.name() == name)
-            .ok_or_else(|| {
-                let names = Self::ALL.iter().map(|point| point.name());
-                let advice =
-                    "write centre-of-mass or face-centre, the point whose speed is swing.speed";
-                Error::unknown(SPEED_OF, name, names, advice)
-            })
+        let advice = "write centre-of-mass or face-centre, the point whose speed is swing.speed";
+        named(Self::ALL, Self::name, name, SPEED_OF, advice)
     }
 }
 
@@ -146,18 +141,14 @@ impl Method {
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no method has this name.
     pub fn named(name: &str) -> Result<Self> {
-        let name = name.trim();
-        Self::ALL
-            .iter()
-            .copied()
-            .find(|method| method.name() == name)
-            .ok_or_else(|| {
-                let names = Self::ALL.iter().map(|method| method.name());
-                let advice = format!(
-                    "the methods are {}",
-                    names.clone().collect::<Vec<_>>().join(", ")
-                );
-                Error::unknown("method of integration", name, names, advice)
-            })
+        let names: Vec<_> = Self::ALL.iter().map(|method| method.name()).collect();
+        let advice = format!("the methods are {}", names.join(", "));
+        named(
+            Self::ALL,
+            Self::name,
+            name,
+            "method of integration",
+            &advice,
+        )
     }
 }

@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
 use crate::statistics::Summary;
 use serde::Serialize;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Kind of a file's fault.
@@ -73,6 +73,51 @@ impl Checked {
     pub fn is_complete(&self) -> bool {
         self.missing.is_empty() && self.faults.is_empty()
     }
+
+    /// Adds the parts in the order of their numbers. With `contents`, reads the rows too; parts
+    /// whose rows have changed become faults.
+    fn add_parts(
+        &mut self,
+        folder: &Path,
+        mut parts: BTreeMap<u64, (String, Footer)>,
+        contents: bool,
+    ) {
+        let mut hashes = Hash::default();
+        for number in 1..=self.question.parts {
+            let Some((name, footer)) = parts.remove(&number) else {
+                self.missing.push(number);
+                continue;
+            };
+            let summary = footer.part.summary.clone();
+            let (rows, bytes) = (footer.part.rows, footer.bytes);
+            if contents {
+                match footer.manifest(&folder.join(&name)) {
+                    Ok(Manifest { sha256, .. }) => {
+                        hashes.add(format!("{sha256}  {name}\n").as_bytes());
+                    }
+                    Err(reason) => {
+                        self.missing.push(number);
+                        self.faults.push(Fault {
+                            file: name,
+                            kind: FaultKind::Damaged,
+                            reason,
+                        });
+                        continue;
+                    }
+                }
+            }
+            match self.present {
+                0 => self.summary = summary,
+                _ => self.summary.merge(&summary),
+            }
+            self.present += 1;
+            self.rows += rows;
+            self.bytes += bytes;
+        }
+        if contents && self.missing.is_empty() {
+            self.sha256 = Some(hashes.hex());
+        }
+    }
 }
 
 /// Checks the footers of a folder of parts: valid, missing and faulty files. `wanted` defines the
@@ -113,22 +158,19 @@ pub fn check(folder: &Path, wanted: Option<&SweepDefinition>, contents: bool) ->
         return Err(refuse(reason));
     };
     let parts = valid_parts(&question, found, &mut faults);
-    let merged = merge_parts(folder, parts, contents, &mut faults);
-    let missing: Vec<u64> = (1..=question.parts)
-        .filter(|part| !merged.present.contains(part))
-        .collect();
-    let is_whole = contents && missing.is_empty();
-    Ok(Checked {
-        present: merged.present.len() as u64,
-        missing,
+    let mut checked = Checked {
+        question,
+        present: 0,
+        missing: vec![],
         faults,
         unfinished,
-        rows: merged.rows,
-        bytes: merged.bytes,
-        sha256: is_whole.then(|| merged.hashes.hex()),
-        summary: merged.summary.unwrap_or_default(),
-        question,
-    })
+        rows: 0,
+        bytes: 0,
+        sha256: None,
+        summary: Summary::default(),
+    };
+    checked.add_parts(folder, parts, contents);
+    Ok(checked)
 }
 
 /// Names of the files in a folder, sorted.
@@ -202,54 +244,6 @@ fn valid_parts(
         });
     }
     valid
-}
-
-/// Totals of the valid parts.
-#[derive(Default)]
-struct Merged {
-    present: BTreeSet<u64>,
-    rows: u64,
-    bytes: u64,
-    hashes: Hash,
-    summary: Option<Summary>,
-}
-
-/// Merges the summaries of the parts in order. With `contents`, reads the rows too; parts whose
-/// rows have changed become faults.
-fn merge_parts(
-    folder: &Path,
-    parts: BTreeMap<u64, (String, Footer)>,
-    contents: bool,
-    faults: &mut Vec<Fault>,
-) -> Merged {
-    let mut merged = Merged::default();
-    for (number, (name, footer)) in parts {
-        let summary = footer.part.summary.clone();
-        let (rows, bytes) = (footer.part.rows, footer.bytes);
-        if contents {
-            match footer.manifest(&folder.join(&name)) {
-                Ok(Manifest { sha256, .. }) => {
-                    merged.hashes.add(format!("{sha256}  {name}\n").as_bytes());
-                }
-                Err(reason) => {
-                    faults.push(Fault {
-                        file: name,
-                        kind: FaultKind::Damaged,
-                        reason,
-                    });
-                    continue;
-                }
-            }
-        }
-        merged.present.insert(number);
-        merged.rows += rows;
-        merged.bytes += bytes;
-        match &mut merged.summary {
-            Some(all) => all.merge(&summary),
-            None => merged.summary = Some(summary),
-        }
-    }
-    merged
 }
 
 /// The definition of the sweep that most files belong to. Considers only files that agree with

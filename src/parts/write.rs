@@ -2,7 +2,7 @@ use super::definition::SweepDefinition;
 use super::footer::{Footer, Manifest, PART, Part};
 use super::hash::Hash;
 use super::share::{file_name, rows_of};
-use crate::atomic_file::create_beside;
+use crate::atomic_file::{create_beside, folder_of, persist};
 use crate::batch::{Batch, Block, Points, Run};
 use crate::error::{Error, Result};
 use crate::external_errors::write_error_text;
@@ -113,29 +113,30 @@ impl Dataset {
             file: create_beside(&path).map_err(unwritten)?,
             hash: Hash::default(),
             bytes: 0,
+            groups: vec![],
+            summary: self.summary_spec.none(),
         };
         let run = Run {
             first_row: rows.start,
             end_row: Some(rows.end),
             ..*run
         };
-        let Some(content) = self.write_rows(&mut file, points, &run, &mut progress, unwritten)?
-        else {
+        if !self.write_rows(&mut file, points, &run, &mut progress, unwritten)? {
             return Ok(PartResult::Stopped);
-        };
+        }
         let part = Part {
             part,
             parts: self.question.parts,
             first_row: rows.start,
-            rows: content.rows,
+            rows: file.summary.rows(),
             question: self.question.hash(),
             instructions: self.question.instructions.clone(),
             data: file.hash.clone().hex(),
-            summary: content.summary,
+            summary: std::mem::take(&mut file.summary),
         };
         // serialisation cannot fail: the description has only strings and finite numbers
         let note = serde_json::to_string(&part).unwrap_or_default();
-        let foot = self.table.foot_with(&content.groups, &[(PART, note)])?;
+        let foot = self.table.foot_with(&file.groups, &[(PART, note)])?;
         file.write(&foot).map_err(unwritten)?;
         let (bytes, sha256) = file.persist(&path).map_err(unwritten)?;
         Ok(PartResult::New(Manifest {
@@ -146,7 +147,7 @@ impl Dataset {
         }))
     }
 
-    /// Computes the rows of `run` and writes them to the file; `None` if the run was stopped.
+    /// Computes the rows of `run` and writes them to the file. Returns false if the run was stopped.
     fn write_rows(
         &self,
         file: &mut Unfinished,
@@ -154,36 +155,30 @@ impl Dataset {
         run: &Run<'_>,
         progress: &mut impl FnMut(u64),
         unwritten: impl Fn(io::Error) -> Error + Copy,
-    ) -> Result<Option<Content>> {
+    ) -> Result<bool> {
         file.write(&self.table.head()).map_err(unwritten)?;
-        let mut content = Content {
-            rows: 0,
-            groups: vec![],
-            summary: self.summary_spec.none(),
-        };
         let mut waiting = vec![];
         let end = self.batch.run(
             points,
             run,
             |block| (self.summary_spec.of(&block), block),
             |(of_block, block)| {
-                content.summary.merge(&of_block);
-                content.rows += block.rows() as u64;
+                file.summary.merge(&of_block);
                 waiting.push(block);
                 if waiting.len() == self.table.blocks_of_group() {
-                    self.write_group(file, &mut waiting, &mut content.groups, unwritten)?;
+                    self.write_group(file, &mut waiting, unwritten)?;
                 }
-                progress(content.rows);
+                progress(file.summary.rows());
                 Ok(())
             },
         )?;
         if run.end_row.is_some_and(|last| end < last) {
-            return Ok(None);
+            return Ok(false);
         }
         if !waiting.is_empty() {
-            self.write_group(file, &mut waiting, &mut content.groups, unwritten)?;
+            self.write_group(file, &mut waiting, unwritten)?;
         }
-        Ok(Some(content))
+        Ok(true)
     }
 
     /// Writes the buffered blocks as a row group.
@@ -191,11 +186,11 @@ impl Dataset {
         &self,
         file: &mut Unfinished,
         waiting: &mut Vec<Block>,
-        placed: &mut Vec<PlacedGroup>,
         unwritten: impl Fn(io::Error) -> Error,
     ) -> Result<()> {
         let ParquetGroup { bytes, metadata } = self.table.group(&std::mem::take(waiting))?;
-        placed.push(self.table.place(&metadata, file.bytes, placed.len())?);
+        let placed = self.table.place(&metadata, file.bytes, file.groups.len())?;
+        file.groups.push(placed);
         file.write(&bytes).map_err(unwritten)
     }
 
@@ -253,18 +248,17 @@ impl Dataset {
     }
 }
 
-/// Rows written to a file.
-struct Content {
-    rows: u64,
-    groups: Vec<PlacedGroup>,
-    summary: Summary,
-}
-
 /// A file that does not have its final name yet.
 struct Unfinished {
     file: tempfile::NamedTempFile,
+    /// Hash of the bytes written so far.
     hash: Hash,
+    /// Number of bytes written so far.
     bytes: u64,
+    /// The row groups written so far.
+    groups: Vec<PlacedGroup>,
+    /// Statistics of the rows computed so far.
+    summary: Summary,
 }
 
 impl Unfinished {
@@ -278,9 +272,9 @@ impl Unfinished {
     /// Syncs the file to the disk and renames it to its final path. Returns its size and SHA-256.
     fn persist(self, path: &Path) -> io::Result<(u64, String)> {
         self.file.as_file().sync_all()?;
-        self.file.persist(path)?;
+        persist(self.file.into_temp_path(), path, true)?;
         #[cfg(unix)]
-        File::open(crate::atomic_file::folder_of(path))?.sync_all()?;
+        File::open(folder_of(path))?.sync_all()?;
         Ok((self.bytes, self.hash.hex()))
     }
 }

@@ -51,6 +51,9 @@ pub struct ParetoReport<'a> {
     pub swings: Option<ScenariosReport>,
     /// The file that was written; `null` without one.
     pub file: Option<String>,
+    /// True if a file was asked for and not written, which makes the answer partial.
+    #[serde(skip)]
+    pub lacks_file: bool,
 }
 
 /// A goal of a front.
@@ -110,6 +113,7 @@ impl<'a> ParetoReport<'a> {
             dominated: found.dominated,
             swings: has_swings.then(|| ScenariosReport::new(&found.scenarios)),
             file: None,
+            lacks_file: false,
         }
     }
 }
@@ -140,7 +144,10 @@ impl Report for ParetoReport<'_> {
     fn ending(&self) -> Ending {
         let found = self.found;
         Ending {
-            status: found.status(),
+            status: match found.status() {
+                "done" if self.lacks_file => "partial",
+                status => status,
+            },
             message: found.ended.clone().or_else(|| found.no_knee()),
         }
     }

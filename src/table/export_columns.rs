@@ -62,16 +62,6 @@ pub(crate) enum ClubColumns {
     Read,
 }
 
-/// Source of the spin if it is stated more than once.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum SpinSource {
-    /// One choice of columns for the whole table.
-    Table,
-    /// Each row selects among its own values:
-    /// [`without_redundant_spins`](super::conditions::without_redundant_spins).
-    Row,
-}
-
 /// Clause that lists unknown column heads similar to known ones: "; near a known head: …".
 pub(crate) fn near_known(columns: &[Column]) -> String {
     let near = columns.iter().filter(|column| column.is_unknown());
@@ -120,11 +110,11 @@ pub(crate) fn in_degrees(columns: &[Column]) -> Option<String> {
 
 /// Ignores the unknown columns of an export. If the launch is measured, also ignores the smash
 /// factor, the columns of the club that `club` excludes, and the redundant spin columns, unless
-/// each row selects its spin columns. Returns remarks.
+/// `selects_spin_by_row` is true. Returns remarks.
 pub(super) fn ignore_columns(
     columns: &mut [Column],
     club: ClubColumns,
-    spin: SpinSource,
+    selects_spin_by_row: bool,
 ) -> Vec<Message> {
     let mut remarks: Vec<Message> = unknown_columns(columns).into_iter().collect();
     let has = |outcome| {
@@ -158,7 +148,7 @@ pub(super) fn ignore_columns(
             .iter()
             .any(|outcome| column.content == Content::Outcome(*outcome))
     };
-    let is_of_row = spin == SpinSource::Row
+    let is_of_row = selects_spin_by_row
         && (club == ClubColumns::Ignored || !columns.iter().any(Column::is_of_the_strike));
     let repeated = heads_of(columns, is_redundant);
     if !repeated.is_empty() {

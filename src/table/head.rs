@@ -2,7 +2,7 @@
 
 use super::CONDITIONS;
 use super::column::{Column, Content, Format, OF_SHOTS};
-use super::export_columns::{ClubColumns, SpinSource, ignore_columns};
+use super::export_columns::{ClubColumns, ignore_columns};
 use super::launch_monitor::{is_export, units_row};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -14,8 +14,10 @@ use crate::units::Message;
 pub(crate) struct TableOptions {
     /// Use of the club columns in a table with measured launches.
     pub club: ClubColumns,
-    /// Choice of the spin columns if the spin is stated more than once.
-    pub spin: SpinSource,
+    /// True if each row selects among its spin values where the spin is stated more than once
+    /// ([`without_redundant_spins`](super::conditions::without_redundant_spins)); false if the
+    /// whole table uses the same columns.
+    pub selects_spin_by_row: bool,
     /// Advice for unknown column heads.
     pub advice: &'static str,
 }
@@ -24,25 +26,25 @@ impl TableOptions {
     /// Shots to fly from their launch.
     pub const LAUNCHES: Self = Self {
         club: ClubColumns::Ignored,
-        spin: SpinSource::Row,
+        selects_spin_by_row: true,
         advice: OF_LAUNCHES,
     };
     /// Shots with measurements, for a calibration.
     pub const MEASUREMENTS: Self = Self {
         club: ClubColumns::Ignored,
-        spin: SpinSource::Row,
+        selects_spin_by_row: true,
         advice: OF_SHOTS,
     };
     /// Measured launches, to find their deliveries.
     pub const DELIVERIES: Self = Self {
         club: ClubColumns::Read,
-        spin: SpinSource::Row,
+        selects_spin_by_row: true,
         advice: OF_SHOTS,
     };
     /// Points of a sweep, and swings.
     pub const POINTS: Self = Self {
         club: ClubColumns::Ignored,
-        spin: SpinSource::Table,
+        selects_spin_by_row: false,
         advice: OF_POINTS,
     };
 }
@@ -93,7 +95,7 @@ impl Head {
         let mut columns = columns.map_err(|wrong| wrong.advised(wanted.advice))?;
         // only shots may have their own air: a sweep needs a value in every row, and a delivery
         // does not depend on the air
-        let is_air_of_rows = wanted.club == ClubColumns::Ignored && wanted.spin == SpinSource::Row;
+        let is_air_of_rows = wanted.club == ClubColumns::Ignored && wanted.selects_spin_by_row;
         for column in columns
             .iter_mut()
             .filter(|column| !is_air_of_rows && column.is_stated_air())
@@ -101,7 +103,7 @@ impl Head {
             column.content = Content::Note;
         }
         let remarks = if is_export {
-            ignore_columns(&mut columns, wanted.club, wanted.spin)
+            ignore_columns(&mut columns, wanted.club, wanted.selects_spin_by_row)
         } else {
             vec![]
         };

@@ -2,7 +2,7 @@
 //! units, sections, and cell values. Shots, calibration and sweeps ask for the columns they need.
 //!
 //! [`open_table`] reads the points of a batch ([`Points`](crate::batch::Points)) from CSV, Parquet
-//! and Arrow.
+//! and Arrow, and [`sweep_points`] also takes them from a grid or a sequence.
 
 mod air;
 mod column;
@@ -34,7 +34,7 @@ pub(crate) use launch_monitor::{nearest_head, split_unit, words};
 pub(crate) use plausible::{
     implausible, implausible_club, implausible_launch, impossible, outside,
 };
-pub use points::open_table;
+pub use points::{open_table, sweep_points};
 pub use records::Record;
 pub(crate) use records::{cells, quoted};
 pub use refusal::Refusal;

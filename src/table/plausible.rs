@@ -53,17 +53,10 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
     ))
 }
 
-/// Plausible values of an outcome in SI.
-struct InSi {
-    of: Outcome,
-    low: f64,
-    high: f64,
-}
-
-/// Plausible values in SI. An end that belongs to the range is moved outwards by a margin for the
+/// Plausible values of each outcome in SI, in the order of [`Outcome::ALL`]. An end that belongs to the range is moved outwards by a margin for the
 /// rounding of a unit conversion.
-static IN_SI: LazyLock<Vec<InSi>> = LazyLock::new(|| {
-    let in_si = |of: Outcome| {
+static IN_SI: LazyLock<Vec<Option<[f64; 2]>>> = LazyLock::new(|| {
+    let in_si = |of: &Outcome| {
         let plausible = of.plausible()?;
         let size = of.quantity().size_of(of.unit()).unwrap_or(1.0);
         let slack = 1e-9 * plausible.high;
@@ -72,13 +65,9 @@ static IN_SI: LazyLock<Vec<InSi>> = LazyLock::new(|| {
         } else {
             plausible.low - slack
         };
-        Some(InSi {
-            of,
-            low: low * size,
-            high: (plausible.high + slack) * size,
-        })
+        Some([low * size, (plausible.high + slack) * size])
     };
-    Outcome::ALL.iter().copied().filter_map(in_si).collect()
+    Outcome::ALL.iter().map(in_si).collect()
 });
 
 /// Message for values that no drive has; `name` is the column head.
@@ -92,8 +81,8 @@ pub(crate) fn implausible(
 
 /// Like [`implausible`], but the message omits the column head.
 pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
-    let in_si = IN_SI.iter().find(|in_si| in_si.of == of)?;
-    if (in_si.low..=in_si.high).contains(&value) {
+    let [low, high] = (*IN_SI.get(of as usize)?)?;
+    if (low..=high).contains(&value) {
         return None;
     }
     let Plausible {

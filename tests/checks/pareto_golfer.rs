@@ -284,6 +284,8 @@ fn same_front_in_text_json_csv_and_setups() {
     );
     let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(said.status == 1 && told.contains(&words), "{told}");
+    let (status, answer) = json(&[&ask[..], &["-o", &file("none.toml"), "--at", "99"]].concat());
+    assert_eq!((status, &answer["status"]), (1, &"partial".into()));
     let said = longdrive(&[&ask[..], &["-o", &file("front.csv")]].concat());
     assert_eq!(said.status, 0, "{}", said.err);
     let table = std::fs::read_to_string(file("front.csv")).unwrap();
@@ -322,6 +324,29 @@ fn same_front_in_text_json_csv_and_setups() {
     for said in ["knee", "as set up", "largest carry", "slope at the knee"] {
         assert!(svg.contains(said), "{said}");
     }
+}
+
+#[test]
+fn a_design_that_is_best_for_both_goals_is_written_without_a_choice() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("best.toml").display().to_string();
+    let said = longdrive(&[
+        "pareto",
+        "mae494",
+        "--maximize=ball_speed",
+        "--maximize=smash_factor",
+        "--vary=swing.path=0deg..1deg",
+        "-o",
+        &file,
+    ]);
+    assert_eq!(said.status, 0, "{}", said.err);
+    assert!(
+        said.out.contains("one design is best for both"),
+        "{}",
+        said.out
+    );
+    let best = Setup::from_toml(&std::fs::read_to_string(&file).unwrap(), &file).unwrap();
+    assert_eq!(best.swing.path, 0.0);
 }
 
 #[test]

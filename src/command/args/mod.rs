@@ -12,3 +12,13 @@ pub use number::{U32, refuse_threads, whole};
 pub use output::OutputOptions;
 pub use search::{OptimizeArgs, SearchArgs, SwingsArgs};
 pub use setup::{DriveArgs, OwnLaw, SETUP, SetupArgs};
+
+/// The names of the stated options, in this order.
+pub fn stated<const N: usize>(
+    options: [(&'static str, bool); N],
+) -> impl Iterator<Item = &'static str> {
+    options
+        .into_iter()
+        .filter(|(_, is_stated)| *is_stated)
+        .map(|(option, _)| option)
+}

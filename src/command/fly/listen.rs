@@ -6,7 +6,7 @@ use crate::batch::Status;
 use crate::command::args::SETUP;
 use crate::command::interrupt;
 use crate::command::listener::Listener;
-use crate::command::output::{Answer, Warnings, tell};
+use crate::command::output::{Answer, tell, warn, warnings};
 use crate::command::request::Request;
 use crate::report::{Reply, open_connect_answer};
 use crate::shots::{Flying, Objects};
@@ -60,8 +60,7 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
     let flying = followed(&request, &setup, &of, |setup| {
         Flying::of_messages(setup, &of)
     })?;
-    let mut warnings = Warnings::default();
-    warnings.add(setup.warnings());
+    warn(setup.warnings());
     let wanted = SocketAddr::new(args.address, port);
     let listener = Listener::bind(wanted).map_err(|error| refused(wanted, &error))?;
     let stop = interrupt::stops("ending after the messages under way");
@@ -77,7 +76,7 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
         serve(stream, &flying, &stop, &counts)
     });
     Ok(if request.is_json {
-        Answer::json(&Reply::done("fly", warnings.into_vec(), &counts))
+        Answer::json(&Reply::done("fly", warnings(), &counts))
     } else {
         Answer::text(format!(
             "{} flown, {} without a shot, {} refused, over {}\n",

@@ -10,7 +10,7 @@ pub use args::Args;
 use crate::batch::Run;
 use crate::command::args::refuse_threads;
 use crate::command::interrupt;
-use crate::command::output::{Answer, Warnings, system, tell, text_of};
+use crate::command::output::{Answer, system, tell, text_of, warn};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
 use crate::input_file;
@@ -49,8 +49,7 @@ fn fly(args: &Args) -> Result<Answer> {
     // `asked` prints notes about the outcomes: call it after all checks of the input
     let of = asked(args)?;
     let flying = flying(&request, &setup, &shots, &of)?;
-    let mut warnings = Warnings::default();
-    warnings.add(setup.warnings());
+    warn(setup.warnings());
     let mut remarks = Remarks { file, all: vec![] };
     remarks.add(shots.remarks().iter().cloned());
     remarks.add(not_compared(&shots, &of, request.gives_ground()));
@@ -67,7 +66,7 @@ fn fly(args: &Args) -> Result<Answer> {
         refuse_no_rows(&tally, file)?;
         output.finish()?;
     }
-    warnings.add(tally.beyond.warnings(
+    warn(tally.beyond.warnings(
         &setup.law,
         ["shot that landed", "shots that landed"],
         CheckScope::Launch,
@@ -76,22 +75,20 @@ fn fly(args: &Args) -> Result<Answer> {
     if suspicions.is_empty() {
         remarks.add(of_lofted(&tally, &setup.law).map(Message::from));
     }
-    warnings.add(suspicions);
-    let missing = Missing {
-        stopped: is_stopped.then(|| stopped(&tally, &target)),
-        nothing: nothing(&tally, &remarks.all),
-    };
+    warn(suspicions);
+    let stopped = is_stopped.then(|| stopped(&tally, &target));
+    let nothing = nothing(&tally, &remarks.all);
     if request.is_json {
-        warnings.add(missing.nothing.iter().cloned().map(Message::from));
+        warn(nothing.iter().cloned().map(Message::from));
     }
     Ok(answer(
         &request,
         &target,
         &tally,
         maker,
-        warnings.into_vec(),
         &remarks.all,
-        missing,
+        stopped,
+        nothing,
     ))
 }
 
@@ -235,14 +232,7 @@ fn written(
     Ok((tally, output))
 }
 
-/// Reasons for missing rows.
-struct Missing {
-    /// The note about an interruption: the number of rows before it, and the state of the file.
-    stopped: Option<String>,
-    /// The reason why no row flies.
-    nothing: Option<String>,
-}
-
+/// The note about an interruption: the number of rows before it, and the state of the file.
 fn stopped(tally: &ShotStatistics, target: &Target) -> String {
     let rows = counted(tally.rows, "row");
     match target.file() {
@@ -273,14 +263,15 @@ fn nothing(tally: &ShotStatistics, remarks: &[Message]) -> Option<String> {
     })
 }
 
+/// The answer; `stopped` and `nothing` are the reasons for missing rows.
 fn answer(
     request: &Request,
     target: &Target,
     tally: &ShotStatistics,
     source: Option<&'static str>,
-    warnings: Vec<Message>,
     remarks: &[Message],
-    Missing { stopped, nothing }: Missing,
+    stopped: Option<String>,
+    nothing: Option<String>,
 ) -> Answer {
     let is_answered = stopped.is_none() && nothing.is_none();
     let file = target
@@ -298,7 +289,7 @@ fn answer(
             status,
             message: stopped.or(nothing),
         };
-        return Answer::report(&report, &request.origin(), warnings, true).found(is_answered);
+        return Answer::report(&report, &request.origin(), true).found(is_answered);
     }
     let mut document = report.document(system());
     request.origin().put_before(&mut document, system());

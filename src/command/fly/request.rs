@@ -31,7 +31,7 @@ pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
     Ok(setup)
 }
 
-/// The flights of the shots, with the method and step that [`Request::accuracy_for_many`] chooses.
+/// The flights of the shots, with the method and step that [`Request::integration`] chooses.
 pub fn followed(
     request: &Request,
     setup: &Setup<f64>,
@@ -40,8 +40,6 @@ pub fn followed(
 ) -> Result<Flying> {
     // report errors in the request before the first flight
     new(setup)?;
-    match request.accuracy_for_many(setup, &Flying::usual(setup)?, of)? {
-        Some(found) => new(&found.applied_to(setup))?.with_largest_defect(found.largest_defect),
-        None => new(setup),
-    }
+    let found = request.integration(setup, &Flying::usual(setup)?, of)?;
+    new(&found.setup)?.with_largest_defect(found.largest_defect)
 }

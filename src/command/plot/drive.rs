@@ -8,7 +8,9 @@ use crate::command::picture::{Drawing, Target};
 use crate::command::request::{Request, Source};
 use crate::optimize::{Observer, Status};
 use crate::report::figures::{face_figure, fairway_figure, launches_figure, strikes_figure};
-use crate::study::{Cause, Face, Landing, Launches, Optimum, causes, optimum, with_defaults};
+use crate::study::{
+    Cause, Face, Landing, Launches, Optimum, Search, causes, optimum, with_defaults,
+};
 use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
 
@@ -79,11 +81,10 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
         .inputs()
         .chain(after.iter().flat_map(Request::inputs));
     let target = Target::beside(inputs, &args.drawing)?;
-    let given = args.search.given();
-    if let (Some(_), [option, ..]) = (&after, given.as_slice()) {
+    if let (Some(_), Some(option)) = (&after, args.search.given().next()) {
         let source = "`after` gives the other design, so no optimum is searched for; leave one of the two \
              out";
-        return Err(Error::unreadable(*option, source));
+        return Err(Error::unreadable(option, source));
     }
     refuse_launch(&request.setup()?, &target)?;
     let (setup, other, of_other) = match &after {
@@ -182,7 +183,7 @@ pub fn at_optimum(best: &Optimum) -> Vec<Message> {
 fn searched(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, Option<Optimum>)> {
     let setup = request.setup()?;
     let reason = search.nothing_to_vary(request, &setup)?;
-    if let Some(reason) = reason.filter(|_| search.given().is_empty()) {
+    if let Some(reason) = reason.filter(|_| search.given().next().is_none()) {
         tell(&format!("no optimum is drawn: {reason}"));
         return Ok((request.for_many(setup, &[])?, None));
     }
@@ -190,14 +191,20 @@ fn searched(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, Optio
     let setup = request.for_many(setup, &search.vary)?;
     // the plot needs a drive that lands
     Drive::new(&setup)?.landed()?;
-    let best = optimum(&setup, search, Observer::default())?;
+    let best = drawn_optimum(&setup, search)?;
+    Ok((setup, best))
+}
+
+/// The optimum of a search; `None`, with a remark, if the search finds none.
+pub fn drawn_optimum(setup: &Setup<f64>, search: Search) -> Result<Option<Optimum>> {
+    let best = optimum(setup, search, Observer::default())?;
     if best.solution.status == Status::Converged {
-        return Ok((setup, Some(best)));
+        return Ok(Some(best));
     }
     tell(&format!(
         "no optimum is drawn: {}: {}",
         best.status(),
         best.message().in_units(system())
     ));
-    Ok((setup, None))
+    Ok(None)
 }

@@ -31,7 +31,7 @@ use crate::{Error, Outcome, Result, Setup};
 use args::{
     PlotChart, PlotCompare, PlotKind, PlotLaws, PlotSearch, PlotTornado, PlotTrajectory, PlotVcurve,
 };
-use drive::{at_optimum, face, fairway, launches, strikes};
+use drive::{at_optimum, drawn_optimum, face, fairway, launches, strikes};
 
 pub fn run(args: &Args) -> Result<Answer> {
     match &args.kind {
@@ -119,18 +119,10 @@ fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)>
         );
         return Err(Error::SearchRange { name, reason });
     };
-    let best = optimum(setup, search.clone(), Observer::default())?;
-    let is_found = best.solution.status == Status::Converged;
-    if !is_found {
-        tell(&format!(
-            "no optimum is drawn: {}: {}",
-            best.status(),
-            best.message().in_units(system())
-        ));
-    }
-    let around = if is_found { &best.setup } else { setup };
+    let best = drawn_optimum(setup, search.clone())?;
+    let around = best.as_ref().map_or(setup, |best| &best.setup);
     let map = map(around, search.outcome(), across, up, Fineness::default())?;
-    Ok((is_found.then_some(best), map))
+    Ok((best, map))
 }
 
 /// The constraints of a search, each with a map of the limited outcome over the first two varied

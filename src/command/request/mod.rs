@@ -7,12 +7,12 @@ mod setting;
 mod source;
 mod step;
 
-use setting::read_tolerance;
 pub use setting::{Setting, refuse_duplicates};
 pub use source::Source;
 
 use crate::command::args::{DriveArgs, OwnLaw, SetupArgs};
 use crate::command::output::{system, tell};
+use crate::integration::StepChoice;
 use crate::parameters::{GOLFER, Law, Parameter, SPEED_OF, TABLE, Vary, follows_from};
 use crate::report::{Origin, parameter_text};
 use crate::{Error, Result, Setup};
@@ -26,10 +26,8 @@ pub struct Request {
     pub settings: Vec<Setting>,
     /// The source with the settings applied; parameters without a default may be missing.
     setup: Setup<f64>,
-    /// The value of `--tolerance`: the maximum error of a length, m.
-    tolerance: Option<f64>,
-    /// True for `--own-step`.
-    own_step: bool,
+    /// The choice of method and step.
+    step: StepChoice,
     /// True for an answer in JSON.
     pub is_json: bool,
 }
@@ -77,10 +75,9 @@ impl Request {
     /// # Errors
     /// If two settings state one parameter, or if a setting does not apply to the source.
     pub fn new(source: Source, settings: Vec<Setting>, args: &SetupArgs) -> Result<Self> {
-        let tolerance = args.tolerance.as_deref().map(read_tolerance).transpose()?;
+        let step = args.step()?;
         Ok(Self {
-            tolerance,
-            own_step: args.own_step,
+            step,
             is_json: args.json,
             ..Self::of_drive(source, settings)?
         })
@@ -92,8 +89,7 @@ impl Request {
             setup: *source.setup(),
             source,
             settings,
-            tolerance: None,
-            own_step: false,
+            step: StepChoice::default(),
             is_json: false,
         };
         request.apply_settings()?;

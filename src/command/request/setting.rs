@@ -1,7 +1,6 @@
 //! Settings of the command line: `--set club.loft=11deg`, `--launch ball_speed=70m/s`.
 
 use crate::parameters::{is_reset, is_unset};
-use crate::units::Quantity;
 use crate::{Error, Result, Setup};
 use std::fmt;
 
@@ -157,21 +156,6 @@ pub fn refuse_duplicates(settings: &[Setting]) -> Result<()> {
         }
     }
     Ok(())
-}
-
-/// Reads the length of `--tolerance`, m.
-///
-/// # Errors
-/// If `text` is not a positive length.
-pub fn read_tolerance(text: &str) -> Result<f64> {
-    let tolerance = Quantity::LENGTH
-        .read(text)
-        .map_err(|error| Error::unreadable("`tolerance`", error))?;
-    if tolerance > 0.0 && tolerance.is_finite() {
-        return Ok(tolerance);
-    }
-    let source = format!("\"{text}\" is no tolerance; give a length above 0, for example 1um");
-    Err(Error::unreadable("`tolerance`", source))
 }
 
 /// Splits `NAME=VALUE`.

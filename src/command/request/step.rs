@@ -1,74 +1,68 @@
 //! Integration method and step of a request: stated, for a tolerance, or chosen for many drives.
 
 use super::Request;
+use crate::command::args::SetupArgs;
 use crate::command::output::{tell, warn_early};
-use crate::integration::{Accuracy, StepChoice, of_the_flight};
+use crate::integration::{Integration, StepChoice, of_the_flight};
 use crate::parameters::{Vary, is_of_step};
 use crate::report::{setup_toml, with_step_of};
-use crate::units::counted;
+use crate::units::{Quantity, counted};
 use crate::{Error, Outcome, Result, Setup};
 use std::sync::atomic::AtomicBool;
+
+impl SetupArgs {
+    /// The choice of method and step.
+    ///
+    /// # Errors
+    /// If the value of `--tolerance` is not a positive length.
+    pub fn step(&self) -> Result<StepChoice> {
+        Ok(match &self.tolerance {
+            Some(text) => StepChoice::Within(read_tolerance(text)?),
+            None if self.own_step => StepChoice::Own,
+            None => StepChoice::Micrometre,
+        })
+    }
+}
 
 impl Request {
     /// The setup with a step for `--tolerance`; unchanged without this option.
     ///
     /// # Errors
-    /// [`Error::Tolerance`] if no step is fine enough, and [`Error::Unreadable`] if a setting
-    /// states method or step, which `--tolerance` chooses.
+    /// The errors of [`integration`](Self::integration).
     pub fn within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
-        Ok(self
-            .accuracy_of_tolerance(&setup, &[], &of_the_flight())?
-            .map_or(setup, |found| found.applied_to(&setup)))
+        match self.step {
+            StepChoice::Within(_) => Ok(self.integration(&setup, &[], &of_the_flight())?.setup),
+            StepChoice::Micrometre | StepChoice::Own => Ok(setup),
+        }
     }
 
     /// The setup with a step for many drives whose parameters are in these ranges.
     ///
     /// # Errors
-    /// The errors of [`within_tolerance`](Self::within_tolerance).
+    /// The errors of [`integration`](Self::integration).
     pub fn for_many(&self, setup: Setup<f64>, ranges: &[Vary]) -> Result<Setup<f64>> {
         let begun = Vary::initialised(&setup, ranges)?;
-        Ok(self
-            .accuracy_for_many(&begun, ranges, &of_the_flight())?
-            .map_or(setup, |found| found.applied_to(&setup)))
+        let found = self.integration(&begun, ranges, &of_the_flight())?;
+        let accuracy = found.accuracy;
+        Ok(accuracy.map_or(setup, |accuracy| accuracy.applied_to(&setup)))
     }
 
-    /// Method and step for many drives, for the tolerance of `--tolerance`, or for one micrometre
-    /// without this option. `None` if `flight.method` and `flight.step` of the setup apply.
+    /// Method and step for many drives whose parameters are in these ranges, for the tolerance of
+    /// `--tolerance`, or for one micrometre without this option.
     ///
     /// # Errors
-    /// The errors of [`within_tolerance`](Self::within_tolerance).
-    pub fn accuracy_for_many(
+    /// [`Error::Tolerance`] if no step is fine enough, and [`Error::Unreadable`] if a setting
+    /// states method or step, which `--tolerance` chooses.
+    pub fn integration(
         &self,
         setup: &Setup<f64>,
         ranges: &[Vary],
         of: &[Outcome],
-    ) -> Result<Option<Accuracy>> {
-        if self.tolerance.is_some() {
-            return self.accuracy_of_tolerance(setup, ranges, of);
-        }
-        let choice = if self.own_step {
-            StepChoice::Own
-        } else {
-            StepChoice::Micrometre
-        };
-        let found = choice.for_ranges(setup, ranges, of, &AtomicBool::new(false))?;
-        if let Some(warning) = found.warning {
-            warn_early(warning);
-        }
-        Ok(found.accuracy)
-    }
-
-    fn accuracy_of_tolerance(
-        &self,
-        setup: &Setup<f64>,
-        ranges: &[Vary],
-        of: &[Outcome],
-    ) -> Result<Option<Accuracy>> {
-        let Some(tolerance) = self.tolerance else {
-            return Ok(None);
-        };
+    ) -> Result<Integration> {
+        let is_within = self.is_within_tolerance();
         let mut settings = self.settings.iter();
-        if let Some(setting) = settings.find(|setting| is_of_step(&setting.parameter)) {
+        let stated = settings.find(|setting| is_of_step(&setting.parameter));
+        if let Some(setting) = stated.filter(|_| is_within) {
             let source = format!(
                 "it chooses method and step, and {} states one of them; leave out one of these \
                  options",
@@ -76,10 +70,12 @@ impl Request {
             );
             return Err(Error::unreadable("`tolerance`", source));
         }
-        let choice = StepChoice::Within(tolerance);
-        let found = choice.for_ranges(setup, ranges, of, &AtomicBool::new(false))?;
-        let found = found.accuracy;
-        if let Some(found) = found {
+        let stop = AtomicBool::new(false);
+        let found = self.step.for_ranges(setup, ranges, of, &stop)?;
+        if let Some(warning) = &found.warning {
+            warn_early(warning.clone());
+        }
+        if let Some(found) = found.accuracy.filter(|_| is_within) {
             tell(&format!(
                 "method {} with a step of {:.4} s: lengths are within {:.1e} m of their exact \
                  values in the {} checked",
@@ -92,6 +88,10 @@ impl Request {
         Ok(found)
     }
 
+    fn is_within_tolerance(&self) -> bool {
+        matches!(self.step, StepChoice::Within(_))
+    }
+
     /// The text of a setup file for other commands. If the user stated method or step, the text has
     /// the stated values. The values for `--tolerance` are valid only for the drives of this
     /// command.
@@ -99,10 +99,22 @@ impl Request {
     /// # Errors
     /// If the setup cannot be written.
     pub fn with_stated_step(&self, toml: String) -> Result<String> {
-        if self.tolerance.is_none() || !self.source.setup().states_step {
+        if !self.is_within_tolerance() || !self.source.setup().states_step {
             return Ok(toml);
         }
         let stated = setup_toml(self.source.setup(), self.source.preset(), &[], &[])?;
         Ok(with_step_of(&stated, &toml))
     }
+}
+
+/// Reads the length of `--tolerance`, m.
+fn read_tolerance(text: &str) -> Result<f64> {
+    let tolerance = Quantity::LENGTH
+        .read(text)
+        .map_err(|error| Error::unreadable("`tolerance`", error))?;
+    if tolerance > 0.0 && tolerance.is_finite() {
+        return Ok(tolerance);
+    }
+    let source = format!("\"{text}\" is no tolerance; give a length above 0, for example 1um");
+    Err(Error::unreadable("`tolerance`", source))
 }

@@ -1,7 +1,7 @@
 //! Disk space: estimates the size and time of a sweep before its start.
 
 use super::args::Args;
-use super::rows::{Content, Writer};
+use super::rows::{Rows, Writer};
 use super::target::Target;
 use crate::batch::{Batch, Points};
 use crate::units::counted;
@@ -41,12 +41,12 @@ pub fn check(
         return Ok(());
     }
     let begun = Instant::now();
-    let content = writer.rows(batch.evaluate(0, values)).content;
+    let content = writer.rows(batch.evaluate(0, values));
     let seconds = begun.elapsed().as_secs_f64();
     let row = match content {
-        Content::Text(bytes) => bytes.len() as f64 / tried as f64,
+        Rows::Text { bytes, .. } => bytes.len() as f64 / tried as f64,
         #[cfg(feature = "parquet")]
-        Content::Block(_) => {
+        Rows::Block(_) => {
             // a grid stores a swept value once for many rows
             let is_grid = args.sample.is_none() && args.points.is_none();
             let swept = if is_grid {

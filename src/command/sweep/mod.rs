@@ -13,9 +13,9 @@ mod target;
 pub use args::Args;
 
 use crate::batch::{Batch, Points, Run, Status, StatusCounts};
-use crate::command::args::refuse_threads;
+use crate::command::args::{refuse_threads, stated};
 use crate::command::interrupt;
-use crate::command::output::{Answer, Warnings, bar, say_error, tell};
+use crate::command::output::{Answer, bar, say_error, tell, warn, warnings};
 use crate::drive::CheckScope;
 use crate::report::Reply;
 use crate::units::{Message, counted};
@@ -23,7 +23,7 @@ use crate::{Error, Outcome, Result};
 use request::SweepRequest;
 use rows::{Rows, Writer};
 use serde::Serialize;
-use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use target::{Output, Target};
@@ -48,8 +48,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let writer = Writer::new(&batch, target.format, points.identity())?;
     disk_space::check(args, &batch, points.as_mut(), &writer, &target)?;
     let mut output = target.open(&writer, args)?;
-    let mut warnings = Warnings::default();
-    warnings.add(setup.warnings());
+    warn(setup.warnings());
     let total = points.rows();
     let is_complete = write_rows(args, &batch, points.as_mut(), &writer, &mut output, &stop)?;
     let counts = output.status_counts();
@@ -59,7 +58,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         .filter(|_| !is_complete)
         .unwrap_or_else(|| args.output.clone());
     let summary = SweepSummary::new(total, counts, notes, &file);
-    warnings.add(counts.beyond().warnings(
+    warn(counts.beyond().warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
         CheckScope::Launch,
@@ -78,7 +77,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         tell(&summary.text(None));
     }
     let answer = if request.is_json {
-        let reply = Reply::done("sweep", warnings.into_vec(), &summary);
+        let reply = Reply::done("sweep", warnings(), &summary);
         Answer::json(&ended(reply, is_complete, nothing))
     } else if is_complete && !target.is_standard_output() {
         Answer::text(summary.text(target.file()) + "\n")
@@ -112,12 +111,12 @@ fn all_landed(status_counts: &StatusCounts) -> bool {
 /// Refuses options that apply only to a part of a sweep if the request writes no part.
 fn refuse_options_of_parts(args: &Args) -> Result<()> {
     let options = [
-        ("`histogram`", &args.histogram),
-        ("`highest`", &args.highest),
-        ("`lowest`", &args.lowest),
+        ("`histogram`", !args.histogram.is_empty()),
+        ("`highest`", !args.highest.is_empty()),
+        ("`lowest`", !args.lowest.is_empty()),
     ];
-    match options.into_iter().find(|(_, given)| !given.is_empty()) {
-        Some((option, _)) => Err(Error::Together {
+    match stated(options).next() {
+        Some(option) => Err(Error::Together {
             given: option.into(),
             reason: "it applies only to a part of a sweep; add `part 1/1` for a sweep in one part"
                 .into(),
@@ -151,7 +150,7 @@ fn write_rows(
         &run,
         |block| writer.rows(block),
         |rows: Rows| {
-            bar.inc(rows.rows);
+            bar.inc(rows.count());
             output.take(rows)
         },
     );
@@ -224,33 +223,25 @@ pub struct SweepSummary {
     /// Number of rows that are written.
     written: u64,
     /// Number of drives by status.
-    #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<Status, u64>"))]
-    statuses: Map<String, Value>,
+    statuses: BTreeMap<Status, u64>,
     /// Remarks about unused columns of the table of points; empty if there are none.
     remarks: Vec<Message>,
 }
 
 impl SweepSummary {
     fn new(rows: u64, status_counts: StatusCounts, remarks: Vec<Message>, file: &Path) -> Self {
-        let statuses = status_counts
-            .counts()
-            .map(|(status, count)| (status.name().into(), count.into()))
-            .collect();
-        let written = status_counts.counts().map(|(_, count)| count).sum();
+        let statuses: BTreeMap<_, _> = status_counts.counts().collect();
         Self {
             file: file.display().to_string(),
             rows,
-            written,
+            written: statuses.values().sum(),
             statuses,
             remarks,
         }
     }
 
     fn text(&self, file: Option<&Path>) -> String {
-        let counts = self
-            .statuses
-            .iter()
-            .filter(|(_, count)| count.as_u64() != Some(0));
+        let counts = self.statuses.iter().filter(|(_, count)| **count > 0);
         let counts: Vec<_> = counts
             .map(|(status, count)| format!("{count} {status}"))
             .collect();

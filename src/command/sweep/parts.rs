@@ -5,7 +5,7 @@ use super::request::SweepRequest;
 use crate::batch::Run;
 use crate::command::files::{refused, unwritable};
 use crate::command::interrupt;
-use crate::command::output::{Answer, Warnings, bar, system, tell, text_of};
+use crate::command::output::{Answer, bar, system, tell, text_of, warn, warnings};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
 use crate::input_file::is_in_memory;
@@ -53,8 +53,7 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
     let dataset = dataset_of(args, batch, points.as_ref(), part.parts)?;
     let rows = dataset.rows_of(part.part)?;
     make(folder)?;
-    let mut warnings = Warnings::default();
-    warnings.add(setup.warnings());
+    warn(setup.warnings());
     let bar = bar("drives");
     bar.set_length(rows.end - rows.start);
     let run = Run {
@@ -77,7 +76,7 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
         PartResult::There(manifest) => (manifest, false),
         PartResult::Stopped => return Ok(stopped(part, &request)),
     };
-    warnings.add(manifest.part.summary.status_counts().beyond().warnings(
+    warn(manifest.part.summary.status_counts().beyond().warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
         CheckScope::Launch,
@@ -90,7 +89,7 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
             manifest,
             remarks: notes,
         };
-        let reply = Reply::done("sweep", warnings.into_vec(), body);
+        let reply = Reply::done("sweep", warnings(), body);
         return Ok(Answer::json(&reply.ended("done", there)));
     }
     Ok(Answer::text(written_text(part, folder, &manifest, there)))
@@ -116,7 +115,7 @@ fn stopped(PartOf { part, parts }: PartOf, request: &Request) -> Answer {
     );
     tell(&note);
     let answer = if request.is_json {
-        Answer::json(&Reply::refused(Some("sweep"), "interrupted", note))
+        Answer::none(Reply::refused(Some("sweep"), "interrupted", note))
     } else {
         Answer::text(String::new())
     };
@@ -189,7 +188,7 @@ pub fn check(args: &Args, folder: &Path) -> Result<Answer> {
     if args.setup_args.json {
         let reply = Reply::done(
             "sweep",
-            vec![],
+            warnings(),
             CheckedParts {
                 folder: folder.display().to_string(),
                 checked,

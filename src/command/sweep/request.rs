@@ -1,10 +1,10 @@
 use super::args::Args;
-use crate::batch::{Axis, Batch, Grid, Points, Sequence};
+use crate::batch::{Batch, Points};
 use crate::command::names::{outcomes, variables};
 use crate::command::output::{system, tell};
 use crate::command::request::Request;
-use crate::parameters::Vary;
-use crate::table::open_table;
+use crate::integration::Integration;
+use crate::table::sweep_points;
 use crate::units::Message;
 use crate::{Error, Result, Setup};
 
@@ -22,7 +22,8 @@ impl SweepRequest {
     pub fn of(args: &Args, request: &Request) -> Result<Self> {
         let setup = *request.partial_setup();
         let of = outcomes(&args.outcomes)?;
-        let points = points(&setup, args)?;
+        let table = args.points.as_deref();
+        let points = sweep_points(&setup, table, &args.over, args.sample, args.seed)?;
         let notes = points.notes();
         for note in &notes {
             tell(&format!(
@@ -52,16 +53,17 @@ impl SweepRequest {
         {
             request.refuse_club("the points are launches")?;
         }
-        let accuracy = request.accuracy_for_many(&setup, &points.ranges(), &of)?;
-        let setup = accuracy.map_or(setup, |found| found.applied_to(&setup));
+        let Integration {
+            setup,
+            largest_defect,
+            ..
+        } = request.integration(&setup, &points.ranges(), &of)?;
         let wrt = match args.wrt.as_slice() {
             [] if args.gradient => points.parameters().to_vec(),
             names => variables(&setup, names, &of)?,
         };
-        let mut batch = Batch::new(&setup, points.parameters(), &of, &wrt)?;
-        if let Some(found) = accuracy {
-            batch = batch.with_largest_defect(found.largest_defect)?;
-        }
+        let mut batch = Batch::new(&setup, points.parameters(), &of, &wrt)?
+            .with_largest_defect(largest_defect)?;
         if let Some(instructions) = args.instructions {
             batch = batch.with_level(instructions)?;
         }
@@ -79,35 +81,4 @@ fn described(args: &Args) -> String {
     args.points
         .as_ref()
         .map_or("`over`".into(), |table| table.display().to_string())
-}
-
-/// The points of the sweep: a table, a grid or a sequence.
-fn points(setup: &Setup<f64>, args: &Args) -> Result<Box<dyn Points>> {
-    if let Some(table) = &args.points {
-        return Ok(open_table(setup, table)?);
-    }
-    let over = args.over.iter();
-    Ok(match args.sample {
-        None => Box::new(Grid::new(
-            over.map(|text| Axis::read(setup, text))
-                .collect::<Result<_>>()?,
-        )?),
-        Some(rows) => {
-            let over = over.map(|text| range(setup, text)).collect::<Result<_>>()?;
-            Box::new(Sequence::new(over, rows, args.seed)?)
-        }
-    })
-}
-
-/// The range of a parameter in a sample.
-fn range(setup: &Setup<f64>, text: &str) -> Result<Vary> {
-    match text.rsplit_once(':') {
-        Some((range, _)) => Err(Error::SearchRange {
-            name: text.into(),
-            reason: format!(
-                "`sample` says how many points there are; write {range}, without a count"
-            ),
-        }),
-        None => Vary::read_column(setup, text),
-    }
 }

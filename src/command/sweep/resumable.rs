@@ -1,7 +1,7 @@
 use super::journal::{Entry, Journal};
 #[cfg(feature = "parquet")]
 use super::rows::Table;
-use super::rows::{Content, Rows, Writer};
+use super::rows::{Rows, Writer};
 use crate::atomic_file::persist;
 #[cfg(feature = "parquet")]
 use crate::batch::Block;
@@ -197,18 +197,22 @@ impl<'a> ResumableFile<'a> {
     }
 
     pub fn take(&mut self, rows: Rows) -> Result<()> {
-        match rows.content {
-            Content::Text(bytes) => {
+        match rows {
+            Rows::Text {
+                bytes,
+                rows,
+                status_counts,
+            } => {
                 self.append(&bytes)?;
-                self.rows += rows.rows;
-                self.status_counts.merge(rows.status_counts);
+                self.rows += rows;
+                self.status_counts.merge(status_counts);
                 self.since += 1;
                 if self.since >= BLOCKS && self.last.is_none_or(|last| last.elapsed() >= OFTEN) {
                     self.keep(&[])?;
                 }
             }
             #[cfg(feature = "parquet")]
-            Content::Block(block) => {
+            Rows::Block(block) => {
                 let Table::Parquet(table) = &self.writer.table else {
                     return Ok(());
                 };

@@ -39,18 +39,26 @@ impl Identity {
 }
 
 /// Rows ready to be written to a file.
-pub struct Rows {
-    pub rows: u64,
-    pub status_counts: StatusCounts,
-    pub content: Content,
-}
-
-/// The bytes of rows, or a block for a row group.
-pub enum Content {
-    Text(Vec<u8>),
+pub enum Rows {
+    Text {
+        bytes: Vec<u8>,
+        rows: u64,
+        status_counts: StatusCounts,
+    },
     /// Rows of a row group that is not complete yet.
     #[cfg(feature = "parquet")]
     Block(Block),
+}
+
+impl Rows {
+    /// Number of rows.
+    pub fn count(&self) -> u64 {
+        match self {
+            Self::Text { rows, .. } => *rows,
+            #[cfg(feature = "parquet")]
+            Self::Block(block) => block.rows() as u64,
+        }
+    }
 }
 
 /// Converts blocks to rows.
@@ -108,19 +116,18 @@ impl Writer {
 
     /// The rows of a block; called on the thread that computed it.
     pub fn rows(&self, block: Block) -> Rows {
+        let bytes = match &self.table {
+            Table::Csv(table) => table.rows(&block),
+            Table::JsonLines(table) => table.rows(&block),
+            #[cfg(feature = "parquet")]
+            Table::Parquet(_) => return Rows::Block(block),
+        };
         let mut status_counts = StatusCounts::default();
         status_counts.add(&block);
-        let rows = block.rows() as u64;
-        let content = match &self.table {
-            Table::Csv(table) => Content::Text(table.rows(&block)),
-            Table::JsonLines(table) => Content::Text(table.rows(&block)),
-            #[cfg(feature = "parquet")]
-            Table::Parquet(_) => Content::Block(block),
-        };
-        Rows {
-            rows,
+        Rows::Text {
+            bytes,
+            rows: block.rows() as u64,
             status_counts,
-            content,
         }
     }
 }

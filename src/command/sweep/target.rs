@@ -1,6 +1,6 @@
 use super::args::{Args, Format};
 use super::resumable::{ResumableFile, check, part_of};
-use super::rows::{Content, Rows, Writer};
+use super::rows::{Rows, Writer};
 use crate::batch::StatusCounts;
 use crate::command::files::{Rule, ending, refused, unwritable};
 use crate::command::request::Request;
@@ -206,14 +206,18 @@ impl Output<'_> {
     pub fn take(&mut self, rows: Rows) -> Result<()> {
         match self {
             Self::Resumable(file) => file.take(rows),
-            Self::Stream(stream) => {
-                stream.status_counts.merge(rows.status_counts);
-                match rows.content {
-                    Content::Text(bytes) => stream.write(&bytes),
-                    #[cfg(feature = "parquet")]
-                    Content::Block(_) => Ok(()),
+            Self::Stream(stream) => match rows {
+                Rows::Text {
+                    bytes,
+                    status_counts,
+                    ..
+                } => {
+                    stream.status_counts.merge(status_counts);
+                    stream.write(&bytes)
                 }
-            }
+                #[cfg(feature = "parquet")]
+                Rows::Block(_) => Ok(()),
+            },
         }
     }
 

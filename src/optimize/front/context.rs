@@ -3,10 +3,8 @@ use crate::error::{Error, Result};
 use crate::number::Taylor;
 use crate::optimize::continuation::{RADIUS, relative_distance};
 use crate::optimize::domain::{Bounds, Domain};
-use crate::optimize::iteration::Iteration;
 use crate::optimize::minimize::minimize_observed;
 use crate::optimize::multistart::Observers;
-use crate::optimize::observer::Observer;
 use crate::optimize::options::Options;
 use crate::optimize::problem::{Evaluation, Problem};
 use crate::optimize::sensitivity::{ActiveSet, reduced_hessian};
@@ -103,13 +101,7 @@ impl FrontContext<'_> {
         options: &Options,
     ) -> Result<Solution> {
         let number = self.searches.replace(self.searches.get() + 1);
-        let mut observer = Observer {
-            interrupt: self.observers.interrupt.clone(),
-            ..Observer::default()
-        };
-        if let Some(show) = self.observers.iteration.clone() {
-            observer.iteration = Box::new(move |iteration: &Iteration| show(number, iteration));
-        }
+        let observer = self.observers.of_search(number);
         minimize_observed(problem, domain, from, options, observer)
     }
 
@@ -153,14 +145,9 @@ impl FrontContext<'_> {
         let size = |k: usize| values[0][k].abs().max(values[1][k].abs());
         let is_minimal_at_both = |k: &usize| span_of(values, *k) <= SAME * size(*k);
         let end = 1 - (0..2).find(is_minimal_at_both)?;
-        let points = vec![self.end(&ends[end], values[end])];
         Some(Front {
-            points,
-            knee: None,
-            bend: 0.0,
-            dominated: 0,
-            ended: None,
-            interrupted: false,
+            points: vec![self.end(&ends[end], values[end])],
+            ..Front::default()
         })
     }
 
@@ -178,18 +165,14 @@ impl FrontContext<'_> {
 
     /// Front of an interrupted computation, with the ends found so far.
     pub fn ends_only(&self, ends: impl IntoIterator<Item = (Solution, [f64; 2])>) -> Front {
-        let points = ends
-            .into_iter()
-            .map(|(end, values)| self.end(&end, values))
-            .collect();
-        let ended = Some(PART_MISSING.into());
         Front {
-            points,
-            knee: None,
-            bend: 0.0,
-            dominated: 0,
-            ended,
+            points: ends
+                .into_iter()
+                .map(|(end, values)| self.end(&end, values))
+                .collect(),
+            ended: Some(PART_MISSING.into()),
             interrupted: true,
+            ..Front::default()
         }
     }
 

@@ -5,7 +5,7 @@ use crate::optimize::status::Status;
 
 /// Pareto front: nondominated compromises from the minimum of the first function to the minimum of
 /// the second.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Front {
     /// Points in order.
     pub points: Vec<FrontPoint>,

@@ -5,15 +5,6 @@ use super::program::{MaxTerm, QuadraticProgram, Row, Side, Step, StepSource};
 use super::working_set::{ActiveConstraint, WorkingSet};
 use nalgebra::{DMatrix, DVector};
 
-/// Solution of the equations of a working set. It may violate other constraints.
-struct Candidate {
-    d: DVector<f64>,
-    weights: Vec<f64>,
-    multipliers: Vec<f64>,
-    /// Common value of the active terms of the maximum (epigraph variable).
-    epigraph: f64,
-}
-
 /// Unknowns of a working set's equations, in this order: inactive variables, multipliers of the
 /// active terms but the first, multipliers of the active rows.
 struct Unknowns {
@@ -94,7 +85,7 @@ impl QuadraticProgram {
     pub(super) fn consistent_working_set(&self, mut ranked: Vec<ActiveConstraint>) -> WorkingSet {
         loop {
             let active = WorkingSet::new(self, ranked.iter().copied());
-            if self.candidate(&active).is_some() || ranked.pop().is_none() {
+            if self.candidate(&active, StepSource::Clarabel).is_some() || ranked.pop().is_none() {
                 return active;
             }
         }
@@ -110,11 +101,10 @@ impl QuadraticProgram {
         let most = 2 * (self.dimension() + self.rows.len() + self.max_terms.len()) + 4;
         let mut seen = vec![];
         while seen.len() < most && !seen.contains(&active) {
-            let candidate = self.candidate(&active)?;
+            let candidate = self.candidate(&active, source)?;
             let corrected = self.corrected(&active, &candidate);
             if corrected == active {
-                let step = self.checked_step(candidate, &active, source)?;
-                return Some((active, step));
+                return Some((active, self.checked_step(candidate)?));
             }
             seen.push(std::mem::replace(&mut active, corrected));
         }
@@ -129,12 +119,12 @@ impl QuadraticProgram {
         active: &WorkingSet,
         approximate: &Step,
     ) -> Option<Step> {
-        let candidate = self.candidate(active)?;
+        let candidate = self.candidate(active, approximate.source)?;
         let distance = (&candidate.d - &approximate.d).amax();
         if distance > NEARBY * (approximate.d.amax() + self.largest_bound().min(1.0)) {
             return None;
         }
-        let step = self.checked_step(candidate, active, approximate.source)?;
+        let step = self.checked_step(candidate)?;
         let Step {
             weights,
             multipliers,
@@ -149,34 +139,16 @@ impl QuadraticProgram {
 
     /// Exact solution of a working set, if it satisfies the KKT conditions.
     pub(super) fn exact_step(&self, active: &WorkingSet, source: StepSource) -> Option<Step> {
-        let candidate = self.candidate(active)?;
+        let candidate = self.candidate(active, source)?;
         if self.corrected(active, &candidate) != *active {
             return None;
         }
-        self.checked_step(candidate, active, source)
+        self.checked_step(candidate)
     }
 
-    /// Converts a candidate to a step within the bounds. `None` if the step violates a row or
-    /// raises the objective because of rounding.
-    fn checked_step(
-        &self,
-        candidate: Candidate,
-        active: &WorkingSet,
-        source: StepSource,
-    ) -> Option<Step> {
-        let Candidate {
-            d,
-            weights,
-            multipliers,
-            ..
-        } = candidate;
-        let mut step = Step {
-            d,
-            sides: active.bounds.clone(),
-            weights,
-            multipliers,
-            source,
-        };
+    /// Projects a candidate on the bounds. `None` if it violates a row or raises the objective
+    /// because of rounding.
+    fn checked_step(&self, mut step: Step) -> Option<Step> {
         step.project_on_bounds(self);
         let meets_rows = self.violation(&step.d) <= 1e-9 * (1.0 + step.d.amax());
         (meets_rows && self.is_no_worse_than_zero_step(&step)).then_some(step)
@@ -199,8 +171,9 @@ impl QuadraticProgram {
     /// Solves the program with the active bounds, rows and terms as equations: B d plus Σ αₖ
     /// gradientₖ plus Σ μⱼ normalⱼ is 0 for the inactive variables, Σ αₖ = 1, and offsetₖ +
     /// gradientₖ · d is equal for all active terms. Subtracting the first active term from the
-    /// others eliminates its multiplier and the equation Σ αₖ = 1.
-    fn candidate(&self, active: &WorkingSet) -> Option<Candidate> {
+    /// others eliminates its multiplier and the equation Σ αₖ = 1. The solution may violate other
+    /// constraints.
+    fn candidate(&self, active: &WorkingSet, source: StepSource) -> Option<Step> {
         let unknowns = Unknowns::new(self, active)?;
         let mut d = DVector::from_fn(self.dimension(), |i, _| match active.bounds[i] {
             Side::Inactive => 0.0,
@@ -225,13 +198,12 @@ impl QuadraticProgram {
             unknowns.first_term_row(),
         );
         weights[unknowns.first_term] = 1.0 - weights.iter().sum::<f64>();
-        let MaxTerm { offset, gradient } = &self.max_terms[unknowns.first_term];
-        let epigraph = offset + gradient.dot(&d);
-        Some(Candidate {
+        Some(Step {
             weights,
             multipliers: scattered(self.rows.len(), &unknowns.rows, unknowns.first_row()),
-            epigraph,
+            sides: active.bounds.clone(),
             d,
+            source,
         })
     }
 
@@ -280,8 +252,11 @@ impl QuadraticProgram {
 
     /// Corrects a working set from its candidate: a violated constraint becomes active, a
     /// constraint whose multiplier has the wrong sign becomes inactive.
-    fn corrected(&self, active: &WorkingSet, candidate: &Candidate) -> WorkingSet {
+    fn corrected(&self, active: &WorkingSet, candidate: &Step) -> WorkingSet {
         let gradient = self.lagrangian_gradient(candidate);
+        // the active terms have a common value (epigraph variable)
+        let first = active.max_terms.iter().position(|is_active| *is_active);
+        let epigraph = first.map_or(0.0, |k| self.max_terms[k].value(&candidate.d));
         WorkingSet {
             bounds: (0..self.dimension())
                 .map(|i| self.corrected_bound(i, active, candidate, gradient[i]))
@@ -290,13 +265,13 @@ impl QuadraticProgram {
                 .map(|j| self.corrected_row(j, active, candidate))
                 .collect(),
             max_terms: (0..self.max_terms.len())
-                .map(|k| self.corrected_term(k, active, candidate))
+                .map(|k| self.corrected_term(k, active, candidate, epigraph))
                 .collect(),
         }
     }
 
     /// Gradient of the Lagrangian, B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ.
-    fn lagrangian_gradient(&self, candidate: &Candidate) -> DVector<f64> {
+    fn lagrangian_gradient(&self, candidate: &Step) -> DVector<f64> {
         let mut gradient = &self.hessian * &candidate.d;
         for (term, weight) in self.max_terms.iter().zip(&candidate.weights) {
             gradient.axpy(*weight, &term.gradient, 1.0);
@@ -307,13 +282,7 @@ impl QuadraticProgram {
         gradient
     }
 
-    fn corrected_bound(
-        &self,
-        i: usize,
-        active: &WorkingSet,
-        candidate: &Candidate,
-        slope: f64,
-    ) -> Side {
+    fn corrected_bound(&self, i: usize, active: &WorkingSet, candidate: &Step, slope: f64) -> Side {
         let (low, high, d) = (self.low[i], self.high[i], candidate.d[i]);
         let is_beyond = |excess: f64| excess > 0.0 && excess > BOUND_ROUNDING * candidate.d.amax();
         match active.bounds[i] {
@@ -326,7 +295,7 @@ impl QuadraticProgram {
         }
     }
 
-    fn corrected_row(&self, j: usize, active: &WorkingSet, candidate: &Candidate) -> Side {
+    fn corrected_row(&self, j: usize, active: &WorkingSet, candidate: &Step) -> Side {
         let (row, multiplier) = (&self.rows[j], candidate.multipliers[j]);
         let value = row.normal.dot(&candidate.d);
         let rounding = ROW_ROUNDING * (1.0 + row.normal.amax() * candidate.d.amax());
@@ -340,13 +309,18 @@ impl QuadraticProgram {
         }
     }
 
-    fn corrected_term(&self, k: usize, active: &WorkingSet, candidate: &Candidate) -> bool {
+    fn corrected_term(
+        &self,
+        k: usize,
+        active: &WorkingSet,
+        candidate: &Step,
+        epigraph: f64,
+    ) -> bool {
         if active.max_terms[k] {
             return candidate.weights[k] >= 0.0;
         }
-        let MaxTerm { offset, gradient } = &self.max_terms[k];
-        let rounding = 1e-12 * (1.0 + candidate.epigraph.abs());
-        offset + gradient.dot(&candidate.d) > candidate.epigraph + rounding
+        let rounding = 1e-12 * (1.0 + epigraph.abs());
+        self.max_terms[k].value(&candidate.d) > epigraph + rounding
     }
 }
 

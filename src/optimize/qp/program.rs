@@ -79,6 +79,12 @@ pub enum StepSource {
     Unpolished,
 }
 
+impl MaxTerm {
+    pub(super) fn value(&self, d: &DVector<f64>) -> f64 {
+        self.offset + self.gradient.dot(d)
+    }
+}
+
 impl Row {
     pub(super) fn is_equation(&self) -> bool {
         self.low == self.high
@@ -112,10 +118,7 @@ impl QuadraticProgram {
 
     /// Objective at d.
     pub fn value(&self, d: &DVector<f64>) -> f64 {
-        let terms = self
-            .max_terms
-            .iter()
-            .map(|term| term.offset + term.gradient.dot(d));
+        let terms = self.max_terms.iter().map(|term| term.value(d));
         0.5 * quadratic_form(&self.hessian, d) + terms.fold(f64::NEG_INFINITY, f64::max)
     }
 

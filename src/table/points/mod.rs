@@ -1,5 +1,5 @@
-//! Tables of points, as [`Points`] of a batch: one column per parameter, one row per drive.
-//! [`open_table`] reads CSV, Parquet and Arrow.
+//! The points of a sweep: a table, a grid or a sequence, as [`Points`] of a batch. A table has one
+//! column per parameter and one row per drive; [`open_table`] reads CSV, Parquet and Arrow.
 
 #[cfg(feature = "arrow")]
 mod arrow;
@@ -13,12 +13,12 @@ mod pieces;
 mod record_batches;
 mod rows;
 
-use crate::batch::Points;
-use crate::error::Result;
+use crate::batch::{Axis, Grid, Points, Sequence};
+use crate::error::{Error, Result};
 #[cfg(not(all(feature = "arrow", feature = "parquet")))]
 use crate::features::how_to_get;
 use crate::input_file::table_extension;
-use crate::parameters::Setup;
+use crate::parameters::{Setup, Vary};
 use crate::table::SourceName;
 #[cfg(any(feature = "arrow", feature = "parquet"))]
 use pieces::PieceRows;
@@ -53,5 +53,47 @@ pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points + Se
         #[cfg(not(feature = "arrow"))]
         "arrow" | "arrows" | "feather" => refused(&how_to_get("arrow")),
         _ => refused("a table's name must end in .csv, .parquet, .arrow, .arrows or .feather"),
+    }
+}
+
+/// The points of a sweep: the rows of a table; without a table, `sample` points of the sequence
+/// with this seed in the ranges `over`; without a sample, the grid of the axes `over`.
+///
+/// # Errors
+/// The errors of [`open_table`], [`Axis::read`], [`Vary::read_column`], [`Grid::new`] and
+/// [`Sequence::new`], and [`Error::SearchRange`] for the range of a sample that has a count.
+pub fn sweep_points(
+    setup: &Setup<f64>,
+    table: Option<&Path>,
+    over: &[String],
+    sample: Option<u64>,
+    seed: u32,
+) -> Result<Box<dyn Points>> {
+    if let Some(table) = table {
+        return Ok(open_table(setup, table)?);
+    }
+    let over = over.iter();
+    Ok(match sample {
+        None => Box::new(Grid::new(
+            over.map(|text| Axis::read(setup, text))
+                .collect::<Result<_>>()?,
+        )?),
+        Some(rows) => {
+            let over = over.map(|text| sampled_range(setup, text));
+            Box::new(Sequence::new(over.collect::<Result<_>>()?, rows, seed)?)
+        }
+    })
+}
+
+/// The range of a parameter in a sample.
+fn sampled_range(setup: &Setup<f64>, text: &str) -> Result<Vary> {
+    match text.rsplit_once(':') {
+        Some((range, _)) => Err(Error::SearchRange {
+            name: text.into(),
+            reason: format!(
+                "`sample` says how many points there are; write {range}, without a count"
+            ),
+        }),
+        None => Vary::read_column(setup, text),
     }
 }
