@@ -1,5 +1,7 @@
-//! The help of the program: its commands in groups, and two examples.
+//! The help of the program: its commands in groups, and two examples; and the outcomes in the help
+//! of commands.
 
+use crate::Outcome;
 use crate::report::wrapped;
 
 const EXAMPLES: &str = "\
@@ -36,10 +38,39 @@ pub fn template(program: &clap::Command, groups: &[(&str, &[&str])], width: usiz
     text + "\n" + EXAMPLES + "\n" + &explained + "\nOptions:\n{options}"
 }
 
+/// The command with the names of all outcomes at the end of its help, if an argument takes one.
+/// This also applies to its subcommands.
+pub fn with_outcomes(command: clap::Command) -> clap::Command {
+    let takes_outcomes = command.get_arguments().any(|argument| {
+        let mut names = argument.get_value_names().into_iter().flatten();
+        names.any(|name| {
+            name.starts_with("OUTCOME") || ["CONSTRAINT", "GOAL"].contains(&name.as_str())
+        })
+    });
+    let command = command.mut_subcommands(with_outcomes);
+    if !takes_outcomes {
+        return command;
+    }
+    let names: Vec<_> = Outcome::ALL.iter().map(|outcome| outcome.name()).collect();
+    command.after_long_help(format!("Outcomes: {}", names.join(", ")))
+}
+
 #[cfg(test)]
 mod tests {
     use super::template;
+    use crate::Outcome;
     use crate::command::{GROUPS, program};
+
+    #[test]
+    fn help_of_options_with_outcomes_lists_all_outcomes() {
+        for (name, is_listed) in [("gradient", true), ("optimize", true), ("presets", false)] {
+            let mut command = program().find_subcommand(name).unwrap().clone();
+            let help = command.render_long_help().to_string();
+            assert_eq!(help.contains("Outcomes: carry, carry_distance"), is_listed);
+            let is_whole = Outcome::ALL.iter().all(|of| help.contains(of.name()));
+            assert_eq!(is_whole, is_listed, "{name}");
+        }
+    }
 
     #[test]
     fn each_command_is_in_one_group_with_a_line_of_at_most_100_columns() {

@@ -338,7 +338,8 @@ fn named_in(words: &[OsString]) -> Option<&'static str> {
 
 /// The program, with the options of all commands.
 fn program() -> &'static clap::Command {
-    static PROGRAM: LazyLock<clap::Command> = LazyLock::new(Program::command);
+    static PROGRAM: LazyLock<clap::Command> =
+        LazyLock::new(|| help::with_outcomes(Program::command()));
     &PROGRAM
 }
 
