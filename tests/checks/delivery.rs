@@ -402,6 +402,29 @@ fn missing_columns_of_a_table_are_not_measured() {
     }
 }
 
+/// A ball without a direction says nothing of path, face angle and strike towards the toe.
+#[test]
+fn a_setup_file_names_values_that_the_launch_cannot_determine() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("golfer.toml");
+    let launch = "ball_speed=150mph,launch_angle=12deg,spin=2600rpm";
+    let said = longdrive(&["delivery", "--launch", launch, "-o", file.to_str().unwrap()]);
+    assert_eq!(said.status, 0, "{}", said.err);
+    let setup = std::fs::read_to_string(&file).unwrap();
+    let remark_of = |name: &str| {
+        let line = setup.lines().find(|line| line.starts_with(name)).unwrap();
+        line.split(" # ").nth(1).unwrap()
+    };
+    for name in ["path", "face_angle", "toe"] {
+        let remark = "assumed: 1 shot of a measured launch cannot determine it";
+        assert_eq!(remark_of(name), remark, "{name}");
+    }
+    for name in ["speed", "attack_angle", "high"] {
+        let remark = "recovered from 1 shot of a measured launch";
+        assert_eq!(remark_of(name), remark, "{name}");
+    }
+}
+
 #[test]
 fn a_launch_without_a_delivery_is_unexplained_and_not_written() {
     let folder = tempfile::tempdir().unwrap();

@@ -17,7 +17,7 @@ use crate::study::delivery::{
 };
 use crate::units::{Message, System, counted, counted_of};
 use serde::Serialize;
-use text::{amount, of_one, of_table, verdict};
+use text::{amount, median_identified, of_one, of_table, verdict};
 
 /// The deliveries that explain measured launches, SI and radians.
 #[derive(Clone, Debug, Serialize)]
@@ -232,6 +232,10 @@ pub fn bound_warnings(all: &[Delivery], system: System) -> Vec<Message> {
     .collect()
 }
 
+/// Fraction of a parameter's prior variance that a launch removes, below which the prior alone
+/// determines the value. Texts show it as 0 %.
+const UNIDENTIFIED: f64 = 0.005;
+
 /// A setup file with the most probable delivery of a shot, or with the mean of several deliveries.
 ///
 /// # Errors
@@ -262,10 +266,13 @@ pub fn delivery_toml(
                 amount(parameter, deviation, System::Us)
             )
         });
-        remarks.push((
-            parameter,
-            format!("recovered from {shots} of {from}{scatter}"),
-        ));
+        let remark = match median_identified(all, parameter) {
+            Some(identified) if identified < UNIDENTIFIED => {
+                format!("assumed: {shots} of {from} cannot determine it{scatter}")
+            }
+            _ => format!("recovered from {shots} of {from}{scatter}"),
+        };
+        remarks.push((parameter, remark));
     }
     setup_toml(
         &golfer,

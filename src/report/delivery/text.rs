@@ -19,7 +19,7 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
         "value",
         "± after the shot",
         "± before",
-        "told",
+        "determined",
     ];
     document.add(Table::new(head, known).right([1, 2, 3, 4]));
     document.list(measured_club(delivered, system));
@@ -43,7 +43,7 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
         let changes = delivered
             .unidentified
             .iter()
-            .map(|untold| Line::item(unidentified(untold, system)));
+            .map(|change| Line::item(unidentified(change, system)));
         document.list([title].into_iter().chain(changes));
     }
     if let (status, Some(message)) = verdict(delivered) {
@@ -86,7 +86,7 @@ fn known_row(known: &Posterior, system: System) -> Vec<String> {
             amount(parameter, sigma, system)
         }),
         amount(parameter, unknown.sigma, system),
-        variance_removed.map_or(shown::NONE.into(), |told| format!("{:.0} %", 100.0 * told)),
+        percent(*variance_removed),
     ]
 }
 
@@ -99,7 +99,7 @@ pub(super) fn amount(parameter: &Parameter, value: f64, system: System) -> Strin
 
 /// A change of the delivery that the launch does not determine, with the fraction of the prior
 /// variance that the launch removes.
-fn unidentified(untold: &Unidentified, system: System) -> String {
+fn unidentified(unidentified: &Unidentified, system: System) -> String {
     let one = |(parameter, change): &(&'static Parameter, f64)| {
         let sign = if *change < 0.0 { "-" } else { "+" };
         format!(
@@ -108,11 +108,11 @@ fn unidentified(untold: &Unidentified, system: System) -> String {
             amount(parameter, change.abs(), system)
         )
     };
-    let changes: Vec<_> = untold.changes.iter().map(one).collect();
+    let changes: Vec<_> = unidentified.changes.iter().map(one).collect();
     format!(
-        "{} ({:.0} % told)",
+        "{} ({:.0} % determined)",
         changes.join(", "),
-        100.0 * untold.variance_removed
+        100.0 * unidentified.variance_removed
     )
 }
 
@@ -146,10 +146,10 @@ pub(super) fn of_table(
             deviation.map_or(shown::NONE.into(), |deviation| {
                 amount(spread.parameter, deviation, system)
             }),
-            median_identified(all, spread.parameter),
+            percent(median_identified(all, spread.parameter)),
         ]
     });
-    let head = ["over all shots", "mean", "standard deviation", "told"];
+    let head = ["over all shots", "mean", "standard deviation", "determined"];
     document.add(Table::new(head, rows).right([1, 2, 3]));
     let first = all.iter().find_map(Delivery::explained);
     document.list(first.and_then(|first| measured_club(first, system)));
@@ -228,24 +228,31 @@ fn swings(population: &Population, system: System) -> Table {
         "",
         "standard deviation",
         "",
-        "told",
+        "determined",
     ];
     Table::new(head, rows).right(1..=5)
 }
 
 /// The fraction of a parameter's prior variance that a shot removes: the median of all shots.
-fn median_identified(all: &[Delivery], parameter: &Parameter) -> String {
+/// `None` if no shot has it.
+pub(super) fn median_identified(all: &[Delivery], parameter: &Parameter) -> Option<f64> {
     let known = all
         .iter()
         .filter_map(Delivery::explained)
         .flat_map(|delivered| &delivered.posteriors);
-    let mut told: Vec<f64> = known
+    let mut fractions: Vec<f64> = known
         .filter(|known| known.unknown.parameter == parameter)
         .filter_map(|known| known.variance_removed)
         .collect();
-    told.sort_by(f64::total_cmp);
-    told.get(told.len() / 2)
-        .map_or(shown::NONE.into(), |told| format!("{:.0} %", 100.0 * told))
+    fractions.sort_by(f64::total_cmp);
+    fractions.get(fractions.len() / 2).copied()
+}
+
+/// A fraction in percent.
+fn percent(fraction: Option<f64>) -> String {
+    fraction.map_or(shown::NONE.into(), |fraction| {
+        format!("{:.0} %", 100.0 * fraction)
+    })
 }
 
 /// The status of the search for a delivery, with a sentence if it failed.
