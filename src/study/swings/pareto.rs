@@ -117,7 +117,7 @@ pub fn pareto(
 ) -> Result<Pareto> {
     let [(_, sense), (_, against)] = search.goals;
     let first_goal = search.first_goal(&scenarios);
-    let problem = SearchProblem::new(setup, &first_goal, &follow.interrupt)?;
+    let problem = SearchProblem::new(setup, first_goal, &follow.interrupt)?;
     let own = problem.as_set_up();
     if own.is_err() && follow.interrupt.load(Ordering::Relaxed) {
         return Err(stopped("the search began"));

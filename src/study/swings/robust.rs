@@ -375,7 +375,7 @@ impl<'a> Losses<'a> {
     fn new(search: &'a Search, models: &[(Model, Optimum)], follow: &Observers) -> Result<Self> {
         let sign = search.sense.sign();
         let problem = |(model, _): &(Model, Optimum)| {
-            SearchProblem::new(&model.setup, search, &follow.interrupt)
+            SearchProblem::new(&model.setup, search.clone(), &follow.interrupt)
         };
         let least = |(_, best): &(Model, Optimum)| sign * best.value().unwrap_or(f64::NAN);
         Ok(Self {
