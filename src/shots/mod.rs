@@ -59,5 +59,5 @@ pub(crate) use open_connect::ASSUMED;
 pub use shot::{Club, Origin, Shot, Value};
 pub(crate) use sizes::size;
 pub(crate) use source::is_json;
-pub use source::{Layout, Section, Shots};
+pub use source::{Section, Shots};
 pub use statistics::{BANDS, Band, ClubShots, FLOOR, Refused, ShotStatistics, Sums};
