@@ -10,7 +10,7 @@ use crate::error::{Error, Result};
 use crate::optimize::continuation::{
     AdaptiveStep, LONGEST, RADIUS, TOO_FAR, locate_change, predicted, relative_distance,
 };
-use crate::optimize::{Bounds, Iteration, Observer, Options, Status};
+use crate::optimize::{Bounds, Iteration, Observer, Options};
 use crate::parameters::Setup;
 use crate::units::Message;
 use std::rc::Rc;
@@ -173,32 +173,6 @@ impl Reach {
 /// Tolerance of event locations, relative to the range.
 const LOCATED: f64 = 1e-10;
 
-/// Follows the optimum along a parameter by continuation: each optimum is predicted with d x*/dp
-/// and corrected by a search. The step adapts to the prediction error; changes of the active set
-/// are located by bisection. `on_point` receives every point and returns whether to continue.
-///
-/// # Errors
-/// [`Error::NotConverged`] if no first optimum is found; [`Error::Unreadable`] if the search varies
-/// the parameter of `along`; the errors of [`optimum`].
-pub fn chart(
-    setup: &Setup<f64>,
-    search: &Search,
-    along: Vary,
-    on_point: &mut dyn FnMut(&ChartPoint) -> bool,
-) -> Result<Chart> {
-    chart_at(
-        setup,
-        search,
-        along,
-        &[],
-        &ChartObserver::default(),
-        on_point,
-    )
-}
-
-/// Callback for an iteration.
-type Show = Rc<dyn Fn(&Iteration)>;
-
 /// Callbacks and cancellation flag of a chart.
 #[derive(Clone, Default)]
 pub struct ChartObserver {
@@ -208,7 +182,9 @@ pub struct ChartObserver {
     /// and further values if there is no optimum at the low end.
     pub beginning: Option<Rc<dyn Fn(f64)>>,
     /// Receives every iteration of every search.
-    pub iteration: Option<Show>,
+    pub iteration: Option<Rc<dyn Fn(&Iteration)>>,
+    /// Receives every point of the continuation.
+    pub point: Option<Rc<dyn Fn(&ChartPoint)>>,
 }
 
 impl ChartObserver {
@@ -225,24 +201,32 @@ impl ChartObserver {
         }
     }
 
+    fn show(&self, point: &ChartPoint) {
+        if let Some(show) = &self.point {
+            show(point);
+        }
+    }
+
     fn is_interrupted(&self) -> bool {
         self.interrupt.load(Ordering::Relaxed)
     }
 }
 
-/// Like [`chart`], but with points exactly at the values `at` (SI, within the range). If `at` is
-/// empty, all continuation points are reported. `observer` can interrupt a search.
+/// Follows the optimum along a parameter by continuation: each optimum is predicted with d x*/dp
+/// and corrected by a search. The step adapts to the prediction error; changes of the active set
+/// are located by bisection. The points are at the values `at` (SI, within the range), or at all
+/// values of the continuation if `at` is empty.
 ///
 /// # Errors
-/// The errors of [`chart`]; [`Error::SearchRange`] for a value outside the range;
-/// [`Error::Unreadable`] for a search over swings.
-pub fn chart_at(
+/// [`Error::NotConverged`] if no first optimum is found; [`Error::Unreadable`] if the search varies
+/// the parameter of `along`, and for a search over swings; [`Error::SearchRange`] for a value
+/// outside the range; the errors of [`optimum`].
+pub fn chart(
     setup: &Setup<f64>,
     search: &Search,
     along: Vary,
     at: &[f64],
     observer: &ChartObserver,
-    on_point: &mut dyn FnMut(&ChartPoint) -> bool,
 ) -> Result<Chart> {
     check(search, along, at)?;
     let follower = Follower {
@@ -261,12 +245,12 @@ pub fn chart_at(
     };
     let width = along.high - along.low;
     let mut stride = AdaptiveStep::new(width);
-    let mut goes_on = on_point(&first);
+    observer.show(&first);
     chart.points.push(first);
     while let Some(here) = chart.points.last()
         && here.at < along.high
     {
-        if !goes_on || observer.is_interrupted() {
+        if observer.is_interrupted() {
             chart.ended = Some(
                 along
                     .parameter
@@ -284,7 +268,7 @@ pub fn chart_at(
                 break;
             }
         };
-        goes_on = on_point(&next);
+        observer.show(&next);
         chart.points.push(next);
     }
     if !at.is_empty() {
@@ -511,12 +495,7 @@ fn why_none(error: &Error) -> Message {
 }
 
 fn point(at: f64, best: Optimum) -> Result<ChartPoint> {
-    if best.solution.status != Status::Converged {
-        return Err(Error::NotConverged {
-            status: best.status(),
-            message: best.message(),
-        });
-    }
+    best.check_converged()?;
     Ok(ChartPoint {
         at,
         active: best.active(),

@@ -33,7 +33,7 @@ pub mod validation;
 mod verdict;
 
 pub use crate::parameters::Vary;
-pub use chart::{Chart, ChartEvent, ChartObserver, ChartPoint, chart, chart_at};
+pub use chart::{Chart, ChartEvent, ChartObserver, ChartPoint, chart};
 pub use compare::{Cause, Comparison, Difference, Share, Shares, causes};
 pub use effects::{Bar, Effect, Effects, effects, flown_off};
 pub use face::Face;

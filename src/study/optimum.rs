@@ -67,6 +67,31 @@ impl Optimum {
         is_distance.contains(&self.search.of.outcome()) && run.is_some_and(|run| run != 0.0)
     }
 
+    /// Refuses an optimum that the search did not find.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] without a converged optimum.
+    pub(super) fn check_converged(&self) -> Result<()> {
+        if self.solution.status == Status::Converged {
+            return Ok(());
+        }
+        Err(Error::NotConverged {
+            status: self.status(),
+            message: self.message(),
+        })
+    }
+
+    /// The problem of a search over one drive, at its optimum.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] without a converged optimum; [`Error::Unreadable`] for a search over
+    /// swings.
+    pub(super) fn problem(&self) -> Result<SearchProblem> {
+        self.check_converged()?;
+        self.search.refuse_swings()?;
+        SearchProblem::new(&self.setup, self.search.clone(), &Arc::default())
+    }
+
     /// The objective at the optimum, SI; `None` if the ball does not fly in one of the drives.
     pub fn value(&self) -> Option<f64> {
         Some(self.goals.as_ref()?[0])

@@ -77,15 +77,6 @@ impl SearchProblem {
         Ok(problem)
     }
 
-    /// The problem of a search over one drive, whose goals are outcomes.
-    ///
-    /// # Errors
-    /// The errors of [`new`](Self::new); [`Error::Unreadable`] for a search over swings.
-    pub fn of_drive(setup: &Setup<f64>, search: &Search) -> Result<Self> {
-        search.refuse_swings()?;
-        Self::new(setup, search.clone(), &Arc::default())
-    }
-
     /// The problem of a search that may have no varied parameter; only the values of its goals are
     /// needed.
     ///
