@@ -298,7 +298,8 @@ impl Export {
                 in_degrees.join(", ")
             ));
         }
-        remarks.extend(self.air_remark().or_else(|| given_air(columns)));
+        let stated_air = self.stated_air().map(|air| air_of_rows(&air.column.head));
+        remarks.extend(stated_air.or_else(|| given_air(columns)));
         remarks.extend(self.given_twice(columns));
         if !self.added.is_empty() {
             remarks
@@ -364,11 +365,6 @@ impl Export {
     fn stated_air(&self) -> Option<&Further> {
         let mut further = self.further.iter();
         further.find(|further| further.column.is_stated_air())
-    }
-
-    /// Remark on the air of the export; `None` if the export states no air.
-    fn air_remark(&self) -> Option<String> {
-        self.stated_air().map(|air| air_of_rows(&air.column.head))
     }
 
     /// Ignores the air of the export if the setup gives the air explicitly. Returns true if the

@@ -21,7 +21,7 @@
 //! let statistics = flying
 //!     .fly(&mut shots, &Default::default(), |flown| flown, |flown| {
 //!         carries.extend((0..flown.rows()).map(|row| flown.predicted(row, 0)));
-//!         for shot in flown.shots() {
+//!         for shot in &flown.shots {
 //!             refused.extend(shot.refusal().map(|refusal| (shot.line, refusal.reason.clone())));
 //!         }
 //!         Ok(())

@@ -119,7 +119,7 @@ impl SummarySpec {
         summary.statuses = status_counts.counts().collect();
         let ExceededCount {
             law, face, flat, ..
-        } = status_counts.beyond();
+        } = status_counts.beyond;
         summary.beyond = [law, face, flat];
         for (column, name) in self.columns.iter().enumerate() {
             summary

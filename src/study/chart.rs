@@ -261,9 +261,9 @@ pub fn chart(
         }
         let to = target(stride.to(here.at, along.high), here.at, at, width);
         let next = match follower.step(here, to, &mut stride) {
-            Step::Taken(next) => *next,
-            Step::Rejected => continue,
-            Step::NoOptimum(reason) => {
+            Ok(Some(next)) => next,
+            Ok(None) => continue,
+            Err(reason) => {
                 chart.ended = Some(reason);
                 break;
             }
@@ -337,33 +337,33 @@ struct Follower<'a> {
     observer: &'a ChartObserver,
 }
 
-/// Result of a step of the continuation.
-enum Step {
-    Taken(Box<ChartPoint>),
-    /// The step was rejected; the next step is shorter, unless the search was interrupted.
-    Rejected,
-    /// No optimum was found, with the reason.
-    NoOptimum(Message),
-}
-
 impl Follower<'_> {
-    /// Steps from `here` to the parameter value `to`, and adapts the step size.
-    fn step(&self, here: &ChartPoint, to: f64, stride: &mut AdaptiveStep) -> Step {
+    /// Steps from `here` to the parameter value `to`, and adapts the step size. `None` if the step
+    /// was rejected; the next step is then shorter, unless the search was interrupted.
+    ///
+    /// # Errors
+    /// The reason why no optimum was found.
+    fn step(
+        &self,
+        here: &ChartPoint,
+        to: f64,
+        stride: &mut AdaptiveStep,
+    ) -> std::result::Result<Option<ChartPoint>, Message> {
         let Corrected { point, apart } = match self.next(here, to) {
             Ok(corrected) if corrected.apart <= TOO_FAR || !stride.halve() => corrected,
-            Ok(_) => return Step::Rejected,
+            Ok(_) => return Ok(None),
             // an interruption does not shorten the step
-            Err(_) if self.observer.is_interrupted() => return Step::Rejected,
-            Err(_) if stride.halve() => return Step::Rejected,
+            Err(_) if self.observer.is_interrupted() => return Ok(None),
+            Err(_) if stride.halve() => return Ok(None),
             Err(error) => {
                 let parameter = self.along.parameter;
                 let place = parameter.append_value("no optimum was found beyond ".into(), here.at);
-                return Step::NoOptimum(place.words(": ").message(why_none(&error)));
+                return Err(place.words(": ").message(why_none(&error)));
             }
         };
         let next = self.with_event(here, point, apart);
         stride.adapt(apart);
-        Step::Taken(Box::new(next))
+        Ok(Some(next))
     }
 
     /// Marks a jump, or locates a change of the active set.

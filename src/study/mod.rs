@@ -47,7 +47,7 @@ pub use launches::{Launched, Launches};
 pub use lofts::{LOFT_OUTCOMES, lofts};
 pub use map::{Fineness, Map, Slope, map};
 pub use named_drive::NamedDrive;
-pub use optimum::{LocalOptimum, Optima, Optimum, goals_of, optima, optimum};
+pub use optimum::{LocalOptimum, Optima, Optimum, optima, optimum};
 pub use plane::Plane;
 pub use region::Region;
 pub use sample::Sample;

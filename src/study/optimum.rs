@@ -7,18 +7,17 @@
 //! ```
 
 use super::cancellable::stopped;
-use super::goal::{Constraint, Goal};
+use super::goal::Constraint;
 use super::problem::SearchProblem;
 use super::sample::{Sample, resample};
 use super::search::Search;
-use super::swings::Scenarios;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::optimize::{
     ConstraintValue, LocalMinimum, Observer, Observers, Solution, Status, minimize_from,
     minimize_observed, starts,
 };
-use crate::parameters::{Setup, Vary};
+use crate::parameters::Setup;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -475,30 +474,4 @@ impl Study {
             beyond_strokes,
         })
     }
-}
-
-/// Values of the goals over swings at a setup's own design, SI. `None` if the ball does not fly in
-/// one of the swings, and once `stop` is true.
-///
-/// # Errors
-/// The errors of [`optimum`].
-pub fn goals_of(
-    setup: &Setup<f64>,
-    goals: &[Goal],
-    vary: &[Vary],
-    scenarios: &Scenarios,
-    stop: &Arc<AtomicBool>,
-) -> Result<Option<Vec<f64>>> {
-    let one = |goal: &Goal| {
-        let search = Search {
-            of: goal.clone(),
-            vary: vary.to_vec(),
-            scenarios: scenarios.clone(),
-            ..Search::largest(Outcome::Carry)
-        };
-        let problem = SearchProblem::of_goals(setup, search, stop)?;
-        Ok(problem.as_set_up().ok().map(|values| values[0]))
-    };
-    let found = goals.iter().map(one).collect::<Result<Vec<_>>>()?;
-    Ok(found.into_iter().collect())
 }

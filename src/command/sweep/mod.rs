@@ -59,7 +59,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         .filter(|_| !is_complete)
         .unwrap_or_else(|| args.output.clone());
     let summary = SweepSummary::new(total, counts, notes, &file);
-    warnings.add(counts.beyond().warnings(
+    warnings.add(counts.beyond.warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
         CheckScope::Launch,

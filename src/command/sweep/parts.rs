@@ -77,7 +77,7 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
         PartResult::There(manifest) => (manifest, false),
         PartResult::Stopped => return Ok(stopped(part, &request)),
     };
-    warnings.add(manifest.part.summary.status_counts().beyond().warnings(
+    warnings.add(manifest.part.summary.status_counts().beyond.warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
         CheckScope::Launch,

@@ -94,7 +94,7 @@ impl ShotWriter {
     /// rows.
     pub fn rows(&self, flown: &Flown) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(flown.rows() * 400);
-        let section = flown.section();
+        let section = flown.section.as_ref();
         let copied = match (&self.table, section) {
             (Table::Copied(copied), Some(section)) => Some(copied.of_section(&section.export)),
             _ => None,
