@@ -387,9 +387,9 @@ impl Export {
     }
 
     /// Message for a row without usable air.
-    pub(super) fn air_note<S: AsRef<str>>(&self, row: &[S]) -> Option<String> {
+    pub(super) fn air_note(&self, row: &[Cow<'_, str>]) -> Option<String> {
         let air = self.stated_air()?;
-        let stated = air.column.stated_air(row[air.at].as_ref());
+        let stated = air.column.stated_air(&row[air.at]);
         stated.err().map(|why| air_of_setup(&why))
     }
 }
