@@ -1,6 +1,5 @@
 //! Reads the rows of a table of measured shots.
 
-use super::instrument::instrument;
 use super::shot_table::{Measurement, Shot, Stationary};
 use super::statistics::Uncertainties;
 use crate::drive::{Outcome, OutcomeGroup};
@@ -460,7 +459,7 @@ impl Reading {
             row.not_compared = here();
             return Ok(());
         }
-        let assumed = instrument(outcome).map_or(column.one(), |(_, sigma)| sigma);
+        let assumed = outcome.measurement_uncertainty().unwrap_or(column.one());
         let sigma = self.sigma(record, Content::Sigma(outcome), assumed)?;
         row.shot.measured.push(Measurement {
             outcome,
@@ -674,7 +673,7 @@ impl Reading {
                 Content::Outcome(outcome) if !is_measured(outcome) => {}
                 Content::Outcome(outcome) if !has(Content::Sigma(outcome)) => {
                     remarks.push(assumed_sigma(column, outcome));
-                    if instrument(outcome).is_none() {
+                    if outcome.measurement_uncertainty().is_none() {
                         worth = Uncertainties::Weights;
                     } else if worth == Uncertainties::Stated {
                         worth = Uncertainties::Instruments;
@@ -698,7 +697,8 @@ impl Reading {
 /// Remark on an outcome without a column 'sigma': its standard uncertainty is the uncertainty of
 /// the instrument; if this is unknown, one unit serves as a weight.
 fn assumed_sigma(column: &Column, outcome: Outcome) -> Message {
-    let Some((instrument, sigma)) = instrument(outcome) else {
+    let (Some(instrument), Some(sigma)) = (outcome.instrument(), outcome.measurement_uncertainty())
+    else {
         return format!(
             "{0} has no column 'sigma {0}': each row is weighted as if its standard uncertainty \
              were 1 {1}",
