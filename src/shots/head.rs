@@ -1,7 +1,7 @@
 //! Meaning of the columns of an export.
 
 use super::interpretation::Interpretation;
-use super::shot::{Club as ClubOfShot, Further, LAUNCH, Origin};
+use super::shot::{Club as ClubOfShot, Further, Origin, launch_parameters};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
@@ -206,9 +206,7 @@ impl Export {
                     return Ok(());
                 };
                 if let Content::Input(parameter) = again.content
-                    && let Some(club) = ClubOfShot::NAMES
-                        .iter()
-                        .position(|name| *name == parameter.name)
+                    && let Some(club) = ClubOfShot::place(parameter)
                     && self.club[club].is_none()
                     && again.clone().in_unit("mph").check_unit().is_ok()
                 {
@@ -334,14 +332,9 @@ impl Export {
 
     /// Parameters that every row has.
     pub(super) fn parameters(&self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
-        let launch = LAUNCH
-            .iter()
-            .map(|name| setup.parameter(name))
-            .collect::<Result<Vec<_>>>()?;
-        Ok(launch
-            .into_iter()
-            .chain(self.further.iter().map(|further| further.parameter))
-            .collect())
+        let mut parameters = launch_parameters(setup)?;
+        parameters.extend(self.further.iter().map(|further| further.parameter));
+        Ok(parameters)
     }
 
     /// Column head of a launch condition, for messages.

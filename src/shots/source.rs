@@ -3,7 +3,7 @@
 use super::head::Export;
 use super::objects::Objects;
 use super::open_connect;
-use super::shot::{LAUNCH, Shot};
+use super::shot::{LAUNCH, Shot, launch_parameters};
 use super::written;
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
@@ -109,14 +109,8 @@ impl Shots {
                      messages; leave out `only`";
                 return Err(text.name.refused(String::new(), reason));
             }
-            let launch = LAUNCH
-                .iter()
-                .map(|name| setup.parameter(name))
-                .collect::<Result<Vec<_>>>()?;
-            let parameters = launch
-                .into_iter()
-                .chain(written::further(setup, &text.beginning))
-                .collect();
+            let mut parameters = launch_parameters(setup)?;
+            parameters.extend(written::further(setup, &text.beginning));
             let is_written = written::begins(&text.beginning);
             let rows = Rows::Objects(text.source, Objects::default(), text.name);
             return Ok(Self {

@@ -5,7 +5,7 @@ use super::optimum::{Optimum, local_optimum, optimum};
 use super::search::Search;
 use super::sensitivity::sensitivity;
 use super::verdict::Active;
-use crate::drive::{CheckScope, ExceededCount};
+use crate::drive::{CheckScope, ExceededCount, ExceededLimits};
 use crate::error::{Error, Result};
 use crate::optimize::continuation::{
     AdaptiveStep, LONGEST, RADIUS, TOO_FAR, locate_change, predicted, relative_distance,
@@ -105,69 +105,69 @@ impl Chart {
         let Some(first) = self.points.first() else {
             return vec![];
         };
+        let exceeded = |ChartPoint { at, best, .. }: &ChartPoint| {
+            let drive = best.drive.as_ref()?;
+            let of = best.search.outcomes();
+            Some((
+                *at,
+                drive.exceeded_limits(&best.setup, CheckScope::Flight, &of),
+            ))
+        };
+        let exceeded: Vec<_> = self.points.iter().filter_map(exceeded).collect();
         let mut count = ExceededCount::default();
-        let (mut law, mut face, mut flat) = (Reach::default(), Reach::default(), Reach::default());
-        for ChartPoint { at, best, .. } in &self.points {
-            if let Some(drive) = &best.drive {
-                let beyond =
-                    drive.exceeded_limits(&best.setup, CheckScope::Flight, &best.search.outcomes());
-                count.add(beyond);
-                law.add(*at, beyond.law);
-                face.add(*at, beyond.face);
-                flat.add(*at, beyond.flat);
-            }
-        }
+        exceeded.iter().for_each(|(_, limits)| count.add(*limits));
         let warnings = count.warnings(
             &first.best.setup.law,
             ["optimum", "optima"],
             CheckScope::Flight,
         );
-        // in the order of the warnings; omit conditions that never hold
-        let reaches = [law, face, flat]
-            .into_iter()
-            .filter(|reach| !reach.parts.is_empty());
+        // in the order of the warnings; omit limits that no drive exceeds
+        let is_exceeded: [fn(&ExceededLimits) -> bool; 3] = [
+            |limits| limits.law,
+            |limits| limits.face,
+            |limits| limits.flat,
+        ];
+        let parts = is_exceeded.map(|is_exceeded| {
+            let points = exceeded.iter();
+            intervals(points.map(|(at, limits)| (*at, is_exceeded(limits))))
+        });
+        let parts = parts.iter().filter(|parts| !parts.is_empty());
         warnings
             .into_iter()
-            .zip(reaches)
-            .map(|(warning, reach)| reach.with_parts(warning, &self.along))
+            .zip(parts)
+            .map(|(warning, parts)| with_intervals(warning, parts, &self.along))
             .collect()
     }
 }
 
-/// Intervals of a range in which a condition holds, from points in ascending order.
-#[derive(Clone, Default)]
-struct Reach {
-    parts: Vec<[f64; 2]>,
-    /// True if the condition held at the last point.
-    goes_on: bool,
-}
-
-impl Reach {
-    fn add(&mut self, at: f64, is_so: bool) {
-        match self.parts.last_mut() {
-            Some([_, end]) if is_so && self.goes_on => *end = at,
-            _ if is_so => self.parts.push([at; 2]),
+/// Intervals in which a condition holds, from points in ascending order.
+fn intervals(points: impl Iterator<Item = (f64, bool)>) -> Vec<[f64; 2]> {
+    let mut all: Vec<[f64; 2]> = vec![];
+    let mut held_before = false;
+    for (at, holds) in points {
+        match all.last_mut() {
+            Some([_, end]) if holds && held_before => *end = at,
+            _ if holds => all.push([at; 2]),
             _ => {}
         }
-        self.goes_on = is_so;
+        held_before = holds;
     }
+    all
+}
 
-    fn with_parts(&self, warning: Message, along: &Vary) -> Message {
-        let parameter = along.parameter;
-        let begun = warning.words(format!("; {} =", parameter.name));
-        self.parts
-            .iter()
-            .enumerate()
-            .fold(begun, |told, (i, [low, high])| {
-                let first =
-                    parameter.append_value(told.words(if i == 0 { " " } else { ", and " }), *low);
-                if low == high {
-                    first
-                } else {
-                    parameter.append_value(first.words(" to "), *high)
-                }
-            })
-    }
+/// Appends intervals of a parameter to a warning.
+fn with_intervals(warning: Message, intervals: &[[f64; 2]], along: &Vary) -> Message {
+    let parameter = along.parameter;
+    let begun = warning.words(format!("; {} =", parameter.name));
+    let all = intervals.iter().enumerate();
+    all.fold(begun, |told, (i, [low, high])| {
+        let first = parameter.append_value(told.words(if i == 0 { " " } else { ", and " }), *low);
+        if low == high {
+            first
+        } else {
+            parameter.append_value(first.words(" to "), *high)
+        }
+    })
 }
 
 /// Tolerance of event locations, relative to the range.
