@@ -308,7 +308,7 @@ pub fn batch<'py>(
             .with(Option::take)
             .ok_or_else(|| Failure::Panic("a batch without results".into()))?;
         let done = results.done;
-        let beyond = results.status_counts.beyond().warnings(
+        let beyond = results.status_counts.beyond.warnings(
             &own.law,
             ["drive that landed", "drives that landed"],
             CheckScope::Launch,

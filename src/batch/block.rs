@@ -63,7 +63,8 @@ impl fmt::Display for Status {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StatusCounts {
     statuses: [u64; Status::ALL.len()],
-    beyond: ExceededCount,
+    /// Number of landed drives that exceed each validity limit.
+    pub beyond: ExceededCount,
 }
 
 impl StatusCounts {
@@ -92,11 +93,6 @@ impl StatusCounts {
             statuses: Status::ALL.map(|status| counts.get(&status).copied().unwrap_or_default()),
             beyond,
         }
-    }
-
-    /// Number of landed drives that exceed each validity limit.
-    pub fn beyond(&self) -> ExceededCount {
-        self.beyond
     }
 
     /// True if any drive has one of the outcomes `of`, or if there are no drives. Outcomes of the

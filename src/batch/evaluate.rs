@@ -93,6 +93,8 @@ impl Batch {
                 wrt,
                 first,
                 stop,
+                flying: vec![],
+                scalar_rows: vec![],
             }));
         }
         scalar_rows.sort_unstable();

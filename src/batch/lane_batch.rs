@@ -24,6 +24,10 @@ pub(super) struct LaneBatch<'a> {
     pub first: usize,
     /// Interrupt flag of long flights.
     pub stop: &'a AtomicBool,
+    /// Rows whose ball flies, found by the launches of all rows.
+    pub flying: Vec<FlyingRow>,
+    /// Rows that need scalar evaluation.
+    pub scalar_rows: Vec<usize>,
 }
 
 impl Task for LaneBatch<'_> {
@@ -32,117 +36,33 @@ impl Task for LaneBatch<'_> {
 
     #[inline(always)]
     fn run<V: Lanes<Lane = f64>>(&mut self) -> Vec<usize> {
-        let Partition {
-            mut flying,
-            mut scalar_rows,
-        } = self.partition::<V>();
+        self.partition::<V>();
         // group flights of similar length: a group takes as long as its longest flight
-        flying.sort_unstable_by(|a, b| {
+        self.flying.sort_unstable_by(|a, b| {
             a.upward_speed
                 .total_cmp(&b.upward_speed)
                 .then(a.row.cmp(&b.row))
         });
         let parameters = self.wrt.len();
-        let mut flight = LaneFlight {
-            batch: self,
-            rows: &flying,
-            scalar_rows: &mut scalar_rows,
-        };
-        over_drives::<V, _>(&mut flight, parameters);
-        scalar_rows
+        over_drives::<V, _>(self, parameters);
+        std::mem::take(&mut self.scalar_rows)
     }
 }
 
 /// A row whose ball flies.
-struct FlyingRow {
+pub(super) struct FlyingRow {
     /// Vertical speed at launch, m/s: flights of similar speed have similar lengths.
     upward_speed: f64,
     row: usize,
 }
 
-/// Rows to compute in lanes, and rows to compute one by one.
-#[derive(Default)]
-struct Partition {
-    flying: Vec<FlyingRow>,
-    /// Rows that need scalar evaluation.
-    scalar_rows: Vec<usize>,
-}
-
-/// Flights of a lane batch, generic over the number type.
-struct LaneFlight<'a, 'b> {
-    batch: &'a mut LaneBatch<'b>,
-    rows: &'a [FlyingRow],
-    scalar_rows: &'a mut Vec<usize>,
-}
-
-impl OverNumbers for LaneFlight<'_, '_> {
+impl OverNumbers for LaneBatch<'_> {
     type Output = ();
 
+    /// Computes impact and flight of the flying rows, a group of lanes at a time, and writes the
+    /// results to the block.
     #[inline(always)]
     fn over<J: Lanes<Lane: Derivatives>>(&mut self, _per_lane: usize) {
-        self.batch.fly::<J>(self.rows, self.scalar_rows);
-    }
-}
-
-impl LaneBatch<'_> {
-    /// Partitions the rows into rows whose ball flies, with the upward speed at launch, and rows
-    /// that need scalar evaluation. Sets the status of a ball launched into the ground, unless an
-    /// outcome of the launch is requested.
-    #[inline(always)]
-    fn partition<V: Lanes<Lane = f64>>(&mut self) -> Partition {
-        let batch = self.batch;
-        let shows_launch = batch
-            .of
-            .iter()
-            .any(|outcome| outcome.group() != OutcomeGroup::Flight);
-        let mut setup = batch.setup.constant::<V>();
-        let mut partition = Partition::default();
-        let is_in_range = |&row: &usize| {
-            batch
-                .parameters
-                .iter()
-                .zip(self.block.point(row))
-                .all(|(parameter, value)| parameter.range.contains(*value))
-        };
-        let rows: Vec<usize> = (0..self.block.rows()).filter(is_in_range).collect();
-        for rows in rows.chunks(V::WIDTH) {
-            // the last group is filled up with copies of its last row
-            let row_of = |lane: usize| rows[lane.min(rows.len() - 1)];
-            let block = &*self.block;
-            setup.put(&batch.parameters, |k| {
-                V::with_values(|lane| block.point(row_of(lane))[k])
-            });
-            let launched = LaunchState::new(&setup);
-            for (lane, &row) in rows.iter().enumerate() {
-                let (up, ground) = (
-                    launched.launch.velocity.x.lane(lane),
-                    setup.ground.height.lane(lane),
-                );
-                if !launched.is_valid.holds(lane) {
-                    partition.scalar_rows.push(row);
-                } else if up > 0.0 || ground < 0.0 {
-                    partition.flying.push(FlyingRow {
-                        upward_speed: up,
-                        row,
-                    });
-                } else if shows_launch {
-                    partition.scalar_rows.push(row);
-                } else {
-                    self.block.status[row] = Status::NoFlight;
-                }
-            }
-        }
-        partition
-    }
-
-    /// Computes impact and flight of the rows, a group of lanes at a time, and writes the results
-    /// to the block.
-    #[inline(always)]
-    fn fly<J: Lanes<Lane: Derivatives>>(
-        &mut self,
-        rows: &[FlyingRow],
-        scalar_rows: &mut Vec<usize>,
-    ) {
         let batch = self.batch;
         let any = |is: fn(&Outcome) -> bool| batch.of.iter().any(is);
         let apex = any(|outcome| outcome.needs_apex());
@@ -158,6 +78,7 @@ impl LaneBatch<'_> {
             .iter()
             .map(|parameter| self.wrt.iter().position(|row| row == parameter))
             .collect();
+        let rows = std::mem::take(&mut self.flying);
         for group in rows.chunks(J::WIDTH) {
             self.put_group(&mut setup, group, &directions);
             let launched = LaunchState::new(&setup);
@@ -183,7 +104,7 @@ impl LaneBatch<'_> {
             };
             for (lane, &FlyingRow { row, .. }) in group.iter().enumerate() {
                 if !ended.has_landed.holds(lane) {
-                    scalar_rows.push(row);
+                    self.scalar_rows.push(row);
                     continue;
                 }
                 let value = inlined!(|number: J| number.lane(lane).re());
@@ -193,6 +114,56 @@ impl LaneBatch<'_> {
                 let drive = flown.outcome_inputs(lane);
                 for (i, outcome) in batch.of.iter().enumerate() {
                     self.write(row, i, outcome.evaluate(&drive));
+                }
+            }
+        }
+    }
+}
+
+impl LaneBatch<'_> {
+    /// Partitions the rows into rows whose ball flies, with the upward speed at launch, and rows
+    /// that need scalar evaluation. Sets the status of a ball launched into the ground, unless an
+    /// outcome of the launch is requested.
+    #[inline(always)]
+    fn partition<V: Lanes<Lane = f64>>(&mut self) {
+        let batch = self.batch;
+        let shows_launch = batch
+            .of
+            .iter()
+            .any(|outcome| outcome.group() != OutcomeGroup::Flight);
+        let mut setup = batch.setup.constant::<V>();
+        let is_in_range = |&row: &usize| {
+            batch
+                .parameters
+                .iter()
+                .zip(self.block.point(row))
+                .all(|(parameter, value)| parameter.range.contains(*value))
+        };
+        let rows: Vec<usize> = (0..self.block.rows()).filter(is_in_range).collect();
+        for rows in rows.chunks(V::WIDTH) {
+            // the last group is filled up with copies of its last row
+            let row_of = |lane: usize| rows[lane.min(rows.len() - 1)];
+            let block = &*self.block;
+            setup.put(&batch.parameters, |k| {
+                V::with_values(|lane| block.point(row_of(lane))[k])
+            });
+            let launched = LaunchState::new(&setup);
+            for (lane, &row) in rows.iter().enumerate() {
+                let (up, ground) = (
+                    launched.launch.velocity.x.lane(lane),
+                    setup.ground.height.lane(lane),
+                );
+                if !launched.is_valid.holds(lane) {
+                    self.scalar_rows.push(row);
+                } else if up > 0.0 || ground < 0.0 {
+                    self.flying.push(FlyingRow {
+                        upward_speed: up,
+                        row,
+                    });
+                } else if shows_launch {
+                    self.scalar_rows.push(row);
+                } else {
+                    self.block.status[row] = Status::NoFlight;
                 }
             }
         }

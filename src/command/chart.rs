@@ -6,7 +6,7 @@ use crate::command::output::{
 };
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
-use crate::study::{Chart, ChartObserver, Search, Vary, chart_at};
+use crate::study::{Chart, ChartObserver, ChartPoint, Search, Vary, chart};
 use crate::{Error, Result, Setup};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -128,23 +128,26 @@ fn follow(
             }
         }
     };
+    let point = {
+        let (spinner, of, at) = (spinner.clone(), search.outcome(), at.to_vec());
+        move |point: &ChartPoint| {
+            if at.is_empty() || at.contains(&point.at) {
+                let value = point
+                    .best
+                    .value()
+                    .map_or("–".into(), |value| outcome_text(of, value, system()));
+                let place = place_text(point.at);
+                spinner.suspend(&mut || tell_detail(&format!("{place}: {} {value}", of.name())));
+            }
+        }
+    };
     let observer = ChartObserver {
         interrupt: stop.clone(),
         beginning: Some(Rc::new(beginning)),
         iteration: Some(Rc::new(progress(search, &spinner))),
+        point: Some(Rc::new(point)),
     };
-    let of = search.outcome();
-    let chart = chart_at(setup, search, along, at, &observer, &mut |point| {
-        if at.is_empty() || at.contains(&point.at) {
-            let value = point
-                .best
-                .value()
-                .map_or("–".into(), |value| outcome_text(of, value, system()));
-            let place = place_text(point.at);
-            spinner.suspend(&mut || tell_detail(&format!("{place}: {} {value}", of.name())));
-        }
-        true
-    });
+    let chart = chart(setup, search, along, at, &observer);
     spinner.finish();
     chart
 }

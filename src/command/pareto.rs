@@ -14,8 +14,8 @@ use crate::command::swings::{goal, limit, refuse_idle_strokes, swing_ranges};
 use crate::optimize::{Iteration, Observers};
 use crate::report::figures::pareto_figure;
 use crate::report::{ParetoReport, Report, pareto_csv, pareto_toml};
-use crate::study::swings::{Pareto, ParetoSearch, Scenarios, pareto};
-use crate::study::{Goal, Search, Sense};
+use crate::study::swings::{Pareto, ParetoSearch, pareto};
+use crate::study::{Goal, Sense};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
@@ -141,7 +141,7 @@ struct Followed {
 
 fn followed(request: &Request, asked: &GoalArgs) -> Result<Followed> {
     asked.swings.refuse_stray()?;
-    let (setup, search, scenarios) = if asked.swings.is_given() {
+    let (setup, search) = if asked.swings.is_given() {
         over_swings(request, asked)?
     } else {
         of_one_drive(request, asked)?
@@ -153,7 +153,7 @@ fn followed(request: &Request, asked: &GoalArgs) -> Result<Followed> {
         .collect();
     tell_of_the_run(&outcomes);
     request.note_starts(&setup, &search.vary);
-    let setup = request.for_many(setup, &swing_ranges(&search.vary, &scenarios))?;
+    let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
     let spinner = spinner("following the front");
     let (shown, running, is_due) = (spinner.clone(), running(), once_a_second());
     let iteration = Arc::new(move |number: usize, _: &Iteration| {
@@ -171,7 +171,7 @@ fn followed(request: &Request, asked: &GoalArgs) -> Result<Followed> {
         interrupt: interrupt.clone(),
         ..Observers::default()
     };
-    let found = pareto(&setup, search, scenarios, &follow);
+    let found = pareto(&setup, search, &follow);
     spinner.finish();
     let found = found?;
     let warnings = setup
@@ -184,10 +184,7 @@ fn followed(request: &Request, asked: &GoalArgs) -> Result<Followed> {
 }
 
 /// Objectives over many swings.
-fn over_swings(
-    request: &Request,
-    asked: &GoalArgs,
-) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
+fn over_swings(request: &Request, asked: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
     let (set_up, _, scenarios) = asked.swings.taken(request, false)?;
     let setup = request.with_starts(set_up, &asked.vary)?;
     let strokes = asked.swings.strokes()?;
@@ -211,17 +208,15 @@ fn over_swings(
         goals,
         vary,
         subject_to,
+        scenarios,
         points: asked.points,
         options: options(asked.max_iterations),
     };
-    Ok((set_up, search, scenarios))
+    Ok((set_up, search))
 }
 
 /// Objectives of a single drive with this setup.
-fn of_one_drive(
-    request: &Request,
-    asked: &GoalArgs,
-) -> Result<(Setup<f64>, ParetoSearch, Scenarios)> {
+fn of_one_drive(request: &Request, asked: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
     let setup = request.setup_with_starts(&asked.vary)?;
     let goals = asked.goals(|option, text| Ok(of_a_drive(option, text)?.into()))?;
     let (vary, subject_to) = (asked.vary.clone(), asked.subject_to.clone());
@@ -232,23 +227,16 @@ fn of_one_drive(
         subject_to,
         max_iterations: asked.max_iterations,
     };
-    let Search {
-        vary,
-        subject_to,
-        options,
-        ..
-    } = one.search(request, &setup)?;
-    Ok((
-        setup,
-        ParetoSearch {
-            goals,
-            vary,
-            subject_to,
-            points: asked.points,
-            options,
-        },
-        Scenarios::one_drive(),
-    ))
+    let one = one.search(request, &setup)?;
+    let search = ParetoSearch {
+        goals,
+        vary: one.vary,
+        subject_to: one.subject_to,
+        scenarios: one.scenarios,
+        points: asked.points,
+        options: one.options,
+    };
+    Ok((setup, search))
 }
 
 impl GoalArgs {

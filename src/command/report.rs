@@ -5,7 +5,7 @@ use crate::command::files::Rule;
 use crate::command::host::SharedProgress;
 use crate::command::names::{sigmas, usual};
 use crate::command::output::{Answer, bar, command_line, system, tell, warn, warnings};
-use crate::command::plot::limits;
+use crate::command::plot::{counted_points, limits};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::wording::in_words_of_the_host;
@@ -309,7 +309,10 @@ fn add_map(
         .transpose()?
         .flatten();
     let region = match (best, &map) {
-        (Some(best), Some(map)) => Region::around(best, map.across, map.up, usual_loss(best))?,
+        (Some(best), Some(map)) => {
+            let (across, up) = (map.plane.across, map.plane.up);
+            Region::around(best, across, up, usual_loss(best))?
+        }
         _ => None,
     };
     findings.map = map;
@@ -330,11 +333,8 @@ fn chart_of(
     if varied.any(|vary| vary.parameter == along.parameter) {
         return Ok(None);
     }
-    let mut on_point = |_: &_| {
-        bar.inc(1);
-        true
-    };
-    let chart = said(chart(setup, search, along, &mut on_point), remarks)?;
+    let observer = counted_points(bar);
+    let chart = said(chart(setup, search, along, &[], &observer), remarks)?;
     remarks.extend(chart.as_ref().map_or_else(Vec::new, Chart::warnings));
     Ok(chart)
 }

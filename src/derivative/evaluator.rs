@@ -2,7 +2,7 @@ use super::Taylor;
 use super::chain::{self, Split};
 use super::directions::Entries;
 use super::pass::Point;
-use crate::drive::{Outcome, OutcomeGroup, max_halvings};
+use crate::drive::{Outcome, OutcomeGroup, with_accepted_step};
 use crate::error::{Error, Result};
 use crate::number::Level;
 use crate::parameters::{Parameter, Setup, refuse_twice};
@@ -189,16 +189,9 @@ impl Evaluator {
         stop: Option<&AtomicBool>,
         progress: &mut dyn FnMut(usize, usize),
     ) -> Result<Vec<Taylor>> {
-        let mut halvings = max_halvings(self.largest_defect);
-        loop {
-            match self.with_step_of(&setup, x, order, stop, progress) {
-                Err(Error::Diverged { .. }) if halvings > 0 => {
-                    halvings -= 1;
-                    setup.flight.step *= 0.5;
-                }
-                found => return found,
-            }
-        }
+        with_accepted_step(&mut setup, self.largest_defect, |setup| {
+            self.with_step_of(setup, x, order, stop, progress)
+        })
     }
 
     /// # Errors

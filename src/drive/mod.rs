@@ -109,12 +109,30 @@ impl<T: Number> Drive<T> {
     }
 }
 
-/// Largest number of halvings of the step; 0 if the defect is not limited.
-pub(crate) fn max_halvings(largest_defect: f64) -> u32 {
-    if largest_defect.is_finite() {
+/// Result of `compute` with the setup's step, which is halved in `setup` until the defect of the
+/// integration is accepted, or the step is the shortest. An infinite `largest_defect` keeps the
+/// step.
+///
+/// # Errors
+/// The errors of `compute`.
+pub(crate) fn with_accepted_step<R>(
+    setup: &mut Setup<f64>,
+    largest_defect: f64,
+    mut compute: impl FnMut(&Setup<f64>) -> Result<R>,
+) -> Result<R> {
+    let mut halvings = if largest_defect.is_finite() {
         MAX_HALVINGS
     } else {
         0
+    };
+    loop {
+        match compute(setup) {
+            Err(Error::Diverged { .. }) if halvings > 0 => {
+                halvings -= 1;
+                setup.flight.step *= 0.5;
+            }
+            found => return found,
+        }
     }
 }
 
@@ -145,7 +163,7 @@ pub(crate) fn check_defect<T: Copy>(
 const SPIN_CORNER: f64 = 1e-3;
 
 /// Maximum number of halvings of the step until the defect of the integration is accepted.
-pub(crate) const MAX_HALVINGS: u32 = 12;
+const MAX_HALVINGS: u32 = 12;
 
 impl Drive<f64> {
     /// Like [`new`](Self::new); interrupted once `stop` is true.
@@ -168,22 +186,13 @@ impl Drive<f64> {
         largest_defect: f64,
         stop: Option<&AtomicBool>,
     ) -> Result<Self> {
-        let mut halvings = max_halvings(largest_defect);
-        loop {
-            let found = Self::without_step_check(setup, stop).and_then(|drive| {
-                if let Flight::Landed(landed) = &drive.flight {
-                    check_defect(landed, |number| number, largest_defect, setup.flight.step)?;
-                }
-                Ok(drive)
-            });
-            match found {
-                Err(Error::Diverged { .. }) if halvings > 0 => {
-                    halvings -= 1;
-                    setup.flight.step *= 0.5;
-                }
-                found => return found,
+        with_accepted_step(setup, largest_defect, |setup| {
+            let drive = Self::without_step_check(setup, stop)?;
+            if let Flight::Landed(landed) = &drive.flight {
+                check_defect(landed, |number| number, largest_defect, setup.flight.step)?;
             }
-        }
+            Ok(drive)
+        })
     }
 
     /// True if the spin at launch is zero, at the corner of |ω|.

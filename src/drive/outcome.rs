@@ -63,8 +63,20 @@ impl Outcome {
     }
 
     /// The outcome as launch monitors measure it; `None` for an outcome of the head.
-    pub(crate) fn instrument(self) -> Option<&'static Instrument> {
+    pub fn instrument(self) -> Option<&'static Instrument> {
         self.declaration().instrument.as_ref()
+    }
+
+    /// Standard uncertainty of a launch monitor's measurement, SI; `None` for an outcome of the
+    /// head.
+    ///
+    /// ```
+    /// use longdrive::Outcome;
+    /// assert_eq!(Outcome::LaunchAngle.measurement_uncertainty(), Some(0.3_f64.to_radians()));
+    /// assert_eq!(Outcome::LaunchAngle.instrument().unwrap().sigma, "0.3 deg");
+    /// ```
+    pub fn measurement_uncertainty(self) -> Option<f64> {
+        self.quantity().read(self.instrument()?.sigma).ok()
     }
 
     /// Values that a drive can have, in the display unit; `None` if any value is accepted.
@@ -252,6 +264,7 @@ mod tests {
     use crate::flight::Landed;
     use crate::number::Vector;
     use crate::parameters::Setup;
+    use crate::units::System;
 
     /// Outcomes whose value is missing after `without` has removed a part of the drive.
     fn lost(without: impl Fn(&mut Drive<f64>, &mut Landed<f64>)) -> Vec<Outcome> {
@@ -269,6 +282,26 @@ mod tests {
             .copied()
             .filter(|of| is(*of))
             .collect()
+    }
+
+    #[test]
+    fn every_outcome_has_an_uncertainty_above_0_with_a_source() {
+        for outcome in Outcome::ALL {
+            let sigma = outcome.measurement_uncertainty().unwrap_or_default();
+            let source = outcome.instrument().unwrap().source();
+            let text = source.to_string();
+            assert!(
+                sigma > 0.0 && sigma.is_finite() && !text.is_empty(),
+                "{outcome}"
+            );
+            // quantities in braces are parsed and then printed in the units of either system
+            assert!(!text.contains(['{', '}']), "{text}");
+            let metric = source.in_units(System::Metric);
+            assert!(
+                !metric.contains(" yd") && !metric.contains(" mph"),
+                "{metric}"
+            );
+        }
     }
 
     #[test]

@@ -21,7 +21,7 @@
 //! let axis = Axis::read(&setup, "club.loft=5deg..15deg:3000").unwrap();
 //! let mut points = Grid::new(vec![axis]).unwrap();
 //! let batch = Batch::new(&setup, &[axis.over.parameter], &[Outcome::BallSpeed], &[]).unwrap();
-//! let dataset = Dataset::new(batch, &points, 2, &[], &[]).unwrap();
+//! let dataset = Dataset::new(batch, &points, 2, vec![], vec![]).unwrap();
 //! let folder = tempfile::tempdir().unwrap();
 //!
 //! // the second part first: it has two of the three blocks of 3000 rows

@@ -7,7 +7,7 @@ use crate::batch::{Batch, Block, Points, Run};
 use crate::error::{Error, Result};
 use crate::external_errors::write_error_text;
 use crate::report::{ParquetGroup, PlacedGroup, SweepParquet};
-use crate::statistics::{Bins, RankingSpec, Summary, SummarySpec};
+use crate::statistics::{Histogram, Ranking, Summary, SummarySpec};
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::ops::Range;
@@ -34,7 +34,7 @@ pub enum PartResult {
 
 impl Dataset {
     /// Divides the sweep of `batch` over `points` into `parts` parts. The footer of each part has
-    /// the histograms `bins` and the best rows `rankings`.
+    /// these histograms and the best rows, which are empty here.
     ///
     /// # Errors
     /// [`Error::Together`] if there are more parts than blocks of rows, and errors of
@@ -43,11 +43,11 @@ impl Dataset {
         batch: Batch,
         points: &dyn Points,
         parts: u64,
-        bins: &[Bins],
-        rankings: &[RankingSpec],
+        histograms: Vec<Histogram>,
+        best: Vec<Ranking>,
     ) -> Result<Self> {
         rows_of(parts, parts, points.rows())?;
-        let summary_spec = SummarySpec::new(&batch, bins, rankings)?;
+        let summary_spec = SummarySpec::new(&batch, histograms, best)?;
         let question = SweepDefinition::new(&batch, points, &summary_spec, parts);
         let table = SweepParquet::new(&batch, &question.text())?;
         Ok(Self {

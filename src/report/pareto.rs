@@ -102,7 +102,7 @@ impl<'a> ParetoReport<'a> {
         });
         let points = found.points.iter().enumerate();
         let points = points.map(|(place, point)| ParetoPointReport::new(found, place, point));
-        let has_swings = !found.scenarios.is_one_drive();
+        let has_swings = !found.search.scenarios.is_one_drive();
         Self {
             found,
             goals: goals.collect(),
@@ -111,7 +111,7 @@ impl<'a> ParetoReport<'a> {
             bend: found.bend.into(),
             as_set_up: found.as_set_up.map(|goals| goals.map(Number::from)),
             dominated: found.dominated,
-            swings: has_swings.then(|| ScenariosReport::new(&found.scenarios)),
+            swings: has_swings.then(|| ScenariosReport::new(&found.search.scenarios)),
             file: None,
             lacks_file: false,
         }
@@ -209,10 +209,10 @@ fn front(found: &Pareto, system: System) -> Table {
 fn notes(found: &Pareto, system: System) -> Vec<String> {
     let [first, second] = found.search.goals.each_ref().map(|(goal, _)| goal);
     let mut notes = vec![];
-    if !found.scenarios.is_one_drive() {
+    if !found.search.scenarios.is_one_drive() {
         notes.push(format!(
             "goals over {}",
-            counted(found.scenarios.points.len() as u64, "swing")
+            counted(found.search.scenarios.points.len() as u64, "swing")
         ));
     }
     if found.points.len() > 1 {

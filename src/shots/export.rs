@@ -7,6 +7,7 @@ use crate::table::{
     CONDITIONS, DecimalMark, NonShot, Record, Refusal, Stated as Conditions, cells, conditions,
     contradiction, implausible, implausible_launch, is_straight_by_assumption, miscounted,
 };
+use std::borrow::Cow;
 
 /// Launch conditions of the spin. A column such as `Spin Rate Type` states for all of
 /// them together if they are measured or estimated.
@@ -48,14 +49,12 @@ impl Export {
 
     /// The refusal that an earlier run of `fly` wrote into the row. `None` if the row still
     /// contains the faulty value, because the new refusal `now` then names this value.
-    fn refused_before<S: AsRef<str>>(&self, row: &[S], now: &Refusal) -> Option<Refusal> {
+    fn refused_before(&self, row: &[Cow<'_, str>], now: &Refusal) -> Option<Refusal> {
         let [_, flight, reason, _] = row.get(self.added.clone())?.first_chunk()?;
         // for a row without valid cells, `fly` writes the whole row into the first cell
         let own = row[..self.added.start].iter().chain(&row[self.added.end..]);
-        let is_lacking =
-            now.kind == Refusal::MISSING || own.skip(1).all(|cell| cell.as_ref().is_empty());
-        (flight.as_ref() == REFUSED && is_lacking)
-            .then(|| Refusal::new(Refusal::BEFORE, reason.as_ref()))
+        let is_lacking = now.kind == Refusal::MISSING || own.skip(1).all(|cell| cell.is_empty());
+        (flight == REFUSED && is_lacking).then(|| Refusal::new(Refusal::BEFORE, reason.as_ref()))
     }
 
     /// The number in the cell `text`, SI; `None` for an empty cell.
@@ -69,8 +68,8 @@ impl Export {
         read.column.value(text)
     }
 
-    fn of_cells<S: AsRef<str>>(&self, row: &[S]) -> Shot {
-        let cell = |at: usize| row[at].as_ref();
+    fn of_cells(&self, row: &[Cow<'_, str>]) -> Shot {
+        let cell = |at: usize| &*row[at];
         let spin = self.spin_type.and_then(|at| Origin::read(cell(at)));
         let mut shot = Shot::refused(0, String::new(), Refusal::new(Refusal::MISSING, ""));
         let mut wrong = None;
@@ -125,7 +124,7 @@ impl Export {
     }
 
     /// Values of a row: the launch parameters, then the other parameters of the table.
-    fn point<S: AsRef<str>>(&self, stated: &Conditions, row: &[S]) -> Result<Vec<f64>, Refusal> {
+    fn point(&self, stated: &Conditions, row: &[Cow<'_, str>]) -> Result<Vec<f64>, Refusal> {
         let mut point = launch(
             stated,
             |of| self.name_of(of),
@@ -137,7 +136,7 @@ impl Export {
             column,
         } in &self.further
         {
-            let (name, cell) = (&column.head, row[*at].as_ref());
+            let (name, cell) = (&column.head, &row[*at]);
             if column.is_stated_air() {
                 point.push(column.stated_air(cell).unwrap_or(self.air));
                 continue;

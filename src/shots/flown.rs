@@ -8,35 +8,23 @@ use crate::drive::{ExceededLimits, Outcome};
 /// A chunk of shots with their flights.
 #[derive(Clone, Debug)]
 pub struct Flown {
-    pub(super) of: Vec<Outcome>,
-    pub(super) shots: Vec<Shot>,
+    /// The predicted outcomes.
+    pub of: Vec<Outcome>,
+    /// The shots.
+    pub shots: Vec<Shot>,
     /// For each shot, its row in the block; `None` for a refused shot.
     pub(super) flights: Vec<Option<usize>>,
     pub(super) block: Block,
     /// True if the predicted and measured roll-outs are compared.
     pub(super) is_on_their_ground: bool,
-    pub(super) section: Option<Section>,
+    /// The section of the table; `None` for messages.
+    pub section: Option<Section>,
 }
 
 impl Flown {
-    /// The section of the table; `None` for messages.
-    pub fn section(&self) -> Option<&Section> {
-        self.section.as_ref()
-    }
-
     /// Number of shots.
     pub fn rows(&self) -> usize {
         self.shots.len()
-    }
-
-    /// The shots.
-    pub fn shots(&self) -> &[Shot] {
-        &self.shots
-    }
-
-    /// The predicted outcomes.
-    pub fn outcomes(&self) -> &[Outcome] {
-        &self.of
     }
 
     /// Status of a flight; `None` for a refused row.

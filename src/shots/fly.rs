@@ -2,7 +2,7 @@
 
 use super::flown::Flown;
 use super::open_connect;
-use super::shot::{LAUNCH, Shot};
+use super::shot::{LAUNCH, Shot, launch_parameters};
 use super::source::{Chunk, Section, Shots};
 use super::statistics::ShotStatistics;
 use crate::batch::{Batch, CHUNK, Run, in_order};
@@ -47,11 +47,7 @@ impl Flying {
     /// # Errors
     /// The errors of [`new`](Self::new).
     pub fn of_messages(setup: &Setup<f64>, of: &[Outcome]) -> Result<Self> {
-        let parameters = LAUNCH
-            .iter()
-            .map(|name| setup.parameter(name))
-            .collect::<Result<Vec<_>>>()?;
-        Self::with(setup, &parameters, of)
+        Self::with(setup, &launch_parameters(setup)?, of)
     }
 
     fn with(setup: &Setup<f64>, parameters: &[&'static Parameter], of: &[Outcome]) -> Result<Self> {

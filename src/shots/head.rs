@@ -1,7 +1,7 @@
 //! Meaning of the columns of an export.
 
 use super::interpretation::Interpretation;
-use super::shot::{Club as ClubOfShot, Further, LAUNCH, Origin};
+use super::shot::{Club as ClubOfShot, Further, Origin, launch_parameters};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
@@ -206,9 +206,7 @@ impl Export {
                     return Ok(());
                 };
                 if let Content::Input(parameter) = again.content
-                    && let Some(club) = ClubOfShot::NAMES
-                        .iter()
-                        .position(|name| *name == parameter.name)
+                    && let Some(club) = ClubOfShot::place(parameter)
                     && self.club[club].is_none()
                     && again.clone().in_unit("mph").check_unit().is_ok()
                 {
@@ -298,7 +296,8 @@ impl Export {
                 in_degrees.join(", ")
             ));
         }
-        remarks.extend(self.air_remark().or_else(|| given_air(columns)));
+        let stated_air = self.stated_air().map(|air| air_of_rows(&air.column.head));
+        remarks.extend(stated_air.or_else(|| given_air(columns)));
         remarks.extend(self.given_twice(columns));
         if !self.added.is_empty() {
             remarks
@@ -333,14 +332,9 @@ impl Export {
 
     /// Parameters that every row has.
     pub(super) fn parameters(&self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
-        let launch = LAUNCH
-            .iter()
-            .map(|name| setup.parameter(name))
-            .collect::<Result<Vec<_>>>()?;
-        Ok(launch
-            .into_iter()
-            .chain(self.further.iter().map(|further| further.parameter))
-            .collect())
+        let mut parameters = launch_parameters(setup)?;
+        parameters.extend(self.further.iter().map(|further| further.parameter));
+        Ok(parameters)
     }
 
     /// Column head of a launch condition, for messages.
@@ -366,11 +360,6 @@ impl Export {
         further.find(|further| further.column.is_stated_air())
     }
 
-    /// Remark on the air of the export; `None` if the export states no air.
-    fn air_remark(&self) -> Option<String> {
-        self.stated_air().map(|air| air_of_rows(&air.column.head))
-    }
-
     /// Ignores the air of the export if the setup gives the air explicitly. Returns true if the
     /// export states the air.
     pub(super) fn ignore_air(&mut self) -> bool {
@@ -391,9 +380,9 @@ impl Export {
     }
 
     /// Message for a row without usable air.
-    pub(super) fn air_note<S: AsRef<str>>(&self, row: &[S]) -> Option<String> {
+    pub(super) fn air_note(&self, row: &[Cow<'_, str>]) -> Option<String> {
         let air = self.stated_air()?;
-        let stated = air.column.stated_air(row[air.at].as_ref());
+        let stated = air.column.stated_air(&row[air.at]);
         stated.err().map(|why| air_of_setup(&why))
     }
 }

@@ -21,7 +21,7 @@
 //! let statistics = flying
 //!     .fly(&mut shots, &Default::default(), |flown| flown, |flown| {
 //!         carries.extend((0..flown.rows()).map(|row| flown.predicted(row, 0)));
-//!         for shot in flown.shots() {
+//!         for shot in &flown.shots {
 //!             refused.extend(shot.refusal().map(|refusal| (shot.line, refusal.reason.clone())));
 //!         }
 //!         Ok(())
@@ -59,5 +59,5 @@ pub(crate) use open_connect::ASSUMED;
 pub use shot::{Club, Origin, Shot, Value};
 pub(crate) use sizes::size;
 pub(crate) use source::is_json;
-pub use source::{Layout, Section, Shots};
+pub use source::{Section, Shots};
 pub use statistics::{BANDS, Band, ClubShots, FLOOR, Refused, ShotStatistics, Sums};

@@ -1,7 +1,8 @@
 //! A shot of a launch monitor.
 
 use crate::drive::Outcome;
-use crate::parameters::Parameter;
+use crate::error::Error;
+use crate::parameters::{Parameter, Setup};
 use crate::table::{CONDITIONS, Column, Refusal, Stated, implausible_club};
 
 /// Flight status of a row that was not flown.
@@ -113,6 +114,11 @@ impl Club {
         }
     }
 
+    /// Index of a parameter in [`NAMES`](Self::NAMES); `None` for any other parameter.
+    pub(crate) fn place(parameter: &Parameter) -> Option<usize> {
+        Self::NAMES.iter().position(|name| *name == parameter.name)
+    }
+
     /// Values in the order of [`NAMES`](Self::NAMES).
     pub fn values(&self) -> [Option<f64>; 4] {
         [self.speed, self.attack_angle, self.path, self.face_angle]
@@ -210,6 +216,11 @@ pub(super) const LAUNCH: [&str; 5] = [
     "launch.backspin",
     "launch.sidespin",
 ];
+
+/// The launch parameters, in the order of [`Shot::launch`].
+pub(super) fn launch_parameters(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>, Error> {
+    LAUNCH.iter().map(|name| setup.parameter(name)).collect()
+}
 
 /// A parameter of a table that is not part of the launch, with its column and the index of the
 /// column.

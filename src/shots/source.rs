@@ -3,7 +3,7 @@
 use super::head::Export;
 use super::objects::Objects;
 use super::open_connect;
-use super::shot::{LAUNCH, Shot};
+use super::shot::{LAUNCH, Shot, launch_parameters};
 use super::written;
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
@@ -19,18 +19,10 @@ use std::sync::Arc;
 /// Buffer size, bytes.
 const PIECE: usize = 1 << 16;
 
-/// Format of a source.
-#[derive(Clone, Debug)]
-pub enum Layout {
-    /// An export in comma-separated values.
-    Export(Arc<Export>),
-    /// Messages of GSPro Open Connect.
-    OpenConnect,
-}
-
 /// Shots in a file.
 pub struct Shots {
-    pub(super) layout: Layout,
+    /// The column heads of the table's first section; `None` for messages.
+    export: Option<Arc<Export>>,
     pub(super) rows: Rows,
     pub(super) parameters: Vec<&'static Parameter>,
     /// True if the source is JSON lines written by `fly`.
@@ -117,18 +109,12 @@ impl Shots {
                      messages; leave out `only`";
                 return Err(text.name.refused(String::new(), reason));
             }
-            let launch = LAUNCH
-                .iter()
-                .map(|name| setup.parameter(name))
-                .collect::<Result<Vec<_>>>()?;
-            let parameters = launch
-                .into_iter()
-                .chain(written::further(setup, &text.beginning))
-                .collect();
+            let mut parameters = launch_parameters(setup)?;
+            parameters.extend(written::further(setup, &text.beginning));
             let is_written = written::begins(&text.beginning);
             let rows = Rows::Objects(text.source, Objects::default(), text.name);
             return Ok(Self {
-                layout: Layout::OpenConnect,
+                export: None,
                 rows,
                 parameters,
                 is_written,
@@ -152,7 +138,7 @@ impl Shots {
             remarks: vec![],
         };
         Ok(Self {
-            layout: Layout::Export(export),
+            export: Some(export),
             rows: Rows::Table(Box::new(rows)),
             parameters,
             is_written: false,
@@ -171,17 +157,17 @@ impl Shots {
         Ok(all)
     }
 
-    /// Format of the rows.
-    pub fn layout(&self) -> &Layout {
-        &self.layout
+    /// The column heads of the table's first section; `None` for messages of GSPro Open Connect.
+    pub fn export(&self) -> Option<&Arc<Export>> {
+        self.export.as_ref()
     }
 
     /// Maker of the export, if its column heads identify it; for JSON, the name of the format.
     pub fn maker(&self) -> Option<&'static str> {
-        match &self.layout {
-            Layout::Export(export) => export.maker,
-            Layout::OpenConnect if self.is_written => Some("JSON lines of longdrive fly"),
-            Layout::OpenConnect => Some("GSPro Open Connect"),
+        match &self.export {
+            Some(export) => export.maker,
+            None if self.is_written => Some("JSON lines of longdrive fly"),
+            None => Some("GSPro Open Connect"),
         }
     }
 
@@ -198,10 +184,7 @@ impl Shots {
 
     /// Remarks on the columns.
     pub fn remarks(&self) -> &[Message] {
-        match &self.layout {
-            Layout::Export(export) => &export.remarks,
-            Layout::OpenConnect => &[],
-        }
+        self.export.as_ref().map_or(&[], |export| &export.remarks)
     }
 
     /// Parameters of each row: the launch parameters, then the parameters of the other columns.
@@ -211,28 +194,25 @@ impl Shots {
 
     /// True if the table has a column of this outcome.
     pub fn has(&self, of: Outcome) -> bool {
-        matches!(&self.layout, Layout::Export(export) if export.has(of))
+        self.export.as_ref().is_some_and(|export| export.has(of))
     }
 
     /// Column head of an outcome.
     pub fn name_of(&self, of: Outcome) -> String {
-        match &self.layout {
-            Layout::Export(export) => export.name_of(of),
-            Layout::OpenConnect => of.name().into(),
+        match &self.export {
+            Some(export) => export.name_of(of),
+            None => of.name().into(),
         }
     }
 
     /// Unit in which the column of an outcome is read; `None` without such a column.
     pub fn unit_of(&self, of: Outcome) -> Option<&str> {
-        match &self.layout {
-            Layout::Export(export) => export.unit_of(of),
-            Layout::OpenConnect => None,
-        }
+        self.export.as_ref()?.unit_of(of)
     }
 
     /// Uses the setup's air for every row, even if the export states other air.
     pub fn in_given_air(&mut self) {
-        let (Layout::Export(export), Rows::Table(rows)) = (&mut self.layout, &mut self.rows) else {
+        let (Some(export), Rows::Table(rows)) = (&mut self.export, &mut self.rows) else {
             return;
         };
         rows.is_air_given = true;

@@ -208,7 +208,7 @@ impl ShotStatistics {
 
     /// Adds flown shots.
     pub fn add(&mut self, flown: &Flown) {
-        for (row, shot) in flown.shots().iter().enumerate() {
+        for (row, shot) in flown.shots.iter().enumerate() {
             self.rows += 1;
             self.normalized += u64::from(shot.is_normalized == Some(true));
             self.noted += u64::from(!shot.notes.is_empty());

@@ -67,7 +67,7 @@ impl Comparison {
 
     /// Adds a row.
     pub fn add(&mut self, flown: &Flown, row: usize) {
-        for (at, of) in flown.outcomes().iter().enumerate() {
+        for (at, of) in flown.of.iter().enumerate() {
             let (Some(predicted), Some(residual)) =
                 (flown.predicted(row, at), flown.residual(row, at))
             else {
@@ -83,7 +83,7 @@ impl Comparison {
                 self.ratios[at].push(predicted / measured);
             }
         }
-        let shot = &flown.shots()[row];
+        let shot = &flown.shots[row];
         if let (Some(launch), Some(carry)) = (shot.launch(), shot.value(Outcome::CarryDistance))
             && launch[0] > SLOW
             && self.carries.len() < MOST

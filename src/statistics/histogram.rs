@@ -7,28 +7,39 @@ const USUAL: usize = 64;
 /// Maximum number of bins. Every part of a sweep stores all bins.
 const MOST: usize = 100_000;
 
-/// Equal bins of an outcome, SI, from `low` to `high`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bins {
+/// Histogram of an outcome.
+///
+/// ```
+/// use longdrive::statistics::Histogram;
+/// let mut histogram = Histogram::read("carry=200m..300m:4").unwrap();
+/// assert_eq!((0..=4).map(|i| histogram.edge(i)).collect::<Vec<_>>(), [200.0, 225.0, 250.0, 275.0, 300.0]);
+/// [199.9, 200.0, 224.9, 225.0, 300.0, 300.1].into_iter().for_each(|carry| histogram.add(carry));
+/// assert_eq!((histogram.below, &histogram.counts[..], histogram.above), (1, &[2, 1, 0, 1][..], 1));
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct Histogram {
     /// The outcome.
-    pub of: Outcome,
-    /// Lower edge of the first bin.
-    pub low: f64,
-    /// Upper edge of the last bin.
-    pub high: f64,
-    /// Number of bins.
-    pub count: usize,
+    pub of: String,
+    /// Lower and upper edge, SI; all bins have equal width.
+    pub range: [f64; 2],
+    /// Number of values below the first bin.
+    pub below: u64,
+    /// Number of values in each bin; the upper edge belongs to the last bin.
+    pub counts: Vec<u64>,
+    /// Number of values above the last bin.
+    pub above: u64,
 }
 
-impl Bins {
-    /// Reads `OUTCOME=LOW..HIGH:COUNT`, for example `carry=200m..300m:64`; the default count is 64.
-    /// A lower edge without unit takes the unit of the upper edge.
+impl Histogram {
+    /// Reads an empty histogram: `OUTCOME=LOW..HIGH:COUNT`, for example `carry=200m..300m:64`. The
+    /// default count of bins is 64. A lower edge without unit takes the unit of the upper edge.
     ///
     /// ```
-    /// use longdrive::statistics::Bins;
-    /// let bins = Bins::read("carry=200..300m:4").unwrap();
-    /// assert_eq!((bins.low, bins.high, bins.count), (200.0, 300.0, 4));
-    /// assert!(Bins::read("carry=300m..200m").is_err());
+    /// use longdrive::statistics::Histogram;
+    /// let histogram = Histogram::read("carry=200..300m:4").unwrap();
+    /// assert_eq!((histogram.range, histogram.counts.len()), ([200.0, 300.0], 4));
+    /// assert!(Histogram::read("carry=300m..200m").is_err());
     /// ```
     ///
     /// # Errors
@@ -76,59 +87,18 @@ impl Bins {
             )));
         }
         Ok(Self {
-            of,
-            low,
-            high,
-            count,
+            of: of.name().into(),
+            range: [low, high],
+            below: 0,
+            counts: vec![0; count],
+            above: 0,
         })
     }
 
     /// Text that identifies the bins: equal bins have equal texts.
     pub fn identity(&self) -> String {
-        format!(
-            "{}={:?}..{:?}:{}",
-            self.of.name(),
-            self.low,
-            self.high,
-            self.count
-        )
-    }
-}
-
-/// Histogram of an outcome.
-///
-/// ```
-/// use longdrive::statistics::{Bins, Histogram};
-/// let mut histogram = Histogram::new(&Bins::read("carry=200m..300m:4").unwrap());
-/// assert_eq!((0..=4).map(|i| histogram.edge(i)).collect::<Vec<_>>(), [200.0, 225.0, 250.0, 275.0, 300.0]);
-/// [199.9, 200.0, 224.9, 225.0, 300.0, 300.1].into_iter().for_each(|carry| histogram.add(carry));
-/// assert_eq!((histogram.below, &histogram.counts[..], histogram.above), (1, &[2, 1, 0, 1][..], 1));
-/// ```
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Histogram {
-    /// The outcome.
-    pub of: String,
-    /// Lower and upper edge, SI; all bins have equal width.
-    pub range: [f64; 2],
-    /// Number of values below the first bin.
-    pub below: u64,
-    /// Number of values in each bin; the upper edge belongs to the last bin.
-    pub counts: Vec<u64>,
-    /// Number of values above the last bin.
-    pub above: u64,
-}
-
-impl Histogram {
-    /// Empty histogram.
-    pub fn new(bins: &Bins) -> Self {
-        Self {
-            of: bins.of.name().into(),
-            range: [bins.low, bins.high],
-            below: 0,
-            counts: vec![0; bins.count],
-            above: 0,
-        }
+        let [low, high] = self.range;
+        format!("{}={low:?}..{high:?}:{}", self.of, self.counts.len())
     }
 
     /// Lower edge of bin `i`: low + (high − low) i/count.

@@ -6,13 +6,13 @@
 //!
 //! ```
 //! use longdrive::batch::Batch;
-//! use longdrive::statistics::{RankingSpec, SummarySpec};
+//! use longdrive::statistics::{Ranking, SummarySpec};
 //! use longdrive::{Outcome, Setup};
 //!
 //! let setup = Setup::default();
 //! let speed = setup.variable("swing.speed").unwrap();
 //! let batch = Batch::new(&setup, &[speed], &[Outcome::BallSpeed], &[]).unwrap();
-//! let fastest = SummarySpec::new(&batch, &[], &[RankingSpec::read("ball_speed:1", true).unwrap()]).unwrap();
+//! let fastest = SummarySpec::new(&batch, vec![], vec![Ranking::read("ball_speed:1", true).unwrap()]).unwrap();
 //! // two blocks of rows, and their merged summary
 //! let mut summary = fastest.of(&batch.evaluate(0, vec![40.0, 50.0]));
 //! summary.merge(&fastest.of(&batch.evaluate(2, vec![45.0])));
@@ -27,7 +27,7 @@ mod moments;
 mod ranking;
 mod summary;
 
-pub use histogram::{Bins, Histogram};
+pub use histogram::Histogram;
 pub use moments::Moments;
-pub use ranking::{Coordinate, Infinite, RankedRow, Ranking, RankingSpec};
+pub use ranking::{Coordinate, Infinite, RankedRow, Ranking};
 pub use summary::{Summary, SummarySpec};

@@ -9,53 +9,6 @@ const USUAL: usize = 10;
 /// Maximum number of ranked rows. Every part of a sweep stores its own ranked rows.
 const MOST: usize = 10_000;
 
-/// Selection of rows: the rows with the highest or lowest values of an outcome.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct RankingSpec {
-    /// The outcome.
-    pub of: Outcome,
-    /// True for the highest values, false for the lowest.
-    pub highest: bool,
-    /// Number of rows.
-    pub most: usize,
-}
-
-impl RankingSpec {
-    /// Reads `OUTCOME:N`, for example `carry:10`; the default of N is 10.
-    ///
-    /// # Errors
-    /// [`Error::SearchRange`] if N is invalid, and [`Error::Unknown`] if the outcome is unknown.
-    pub fn read(text: &str, highest: bool) -> Result<Self> {
-        let (name, most) = match text.rsplit_once(':') {
-            None => (text, Some(USUAL)),
-            Some((name, count)) => (name, count.trim().parse().ok()),
-        };
-        let of = Outcome::named(name.trim())?;
-        match most {
-            Some(most) if (1..=MOST).contains(&most) => Ok(Self { of, highest, most }),
-            _ => {
-                let reason = format!(
-                    "the number of rows must be from 1 to {MOST}; write for example {name}:{USUAL}"
-                );
-                Err(Error::SearchRange {
-                    name: format!("of the rows to keep, {}", text.trim()),
-                    reason,
-                })
-            }
-        }
-    }
-
-    /// Text that identifies the selection: equal for equal selections.
-    pub fn identity(&self) -> String {
-        format!(
-            "{} {}:{}",
-            if self.highest { "highest" } else { "lowest" },
-            self.of.name(),
-            self.most
-        )
-    }
-}
-
 /// A row with its number, its value of the outcome, and its point, SI.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -119,14 +72,39 @@ pub struct Ranking {
 }
 
 impl Ranking {
-    /// Empty ranking.
-    pub fn new(spec: &RankingSpec) -> Self {
-        Self {
-            of: spec.of.name().into(),
-            highest: spec.highest,
-            most: spec.most,
-            rows: vec![],
+    /// Reads an empty ranking: `OUTCOME:N`, for example `carry:10`; the default of N is 10.
+    ///
+    /// # Errors
+    /// [`Error::SearchRange`] if N is invalid, and [`Error::Unknown`] if the outcome is unknown.
+    pub fn read(text: &str, highest: bool) -> Result<Self> {
+        let (name, most) = match text.rsplit_once(':') {
+            None => (text, Some(USUAL)),
+            Some((name, count)) => (name, count.trim().parse().ok()),
+        };
+        let of = Outcome::named(name.trim())?;
+        match most {
+            Some(most) if (1..=MOST).contains(&most) => Ok(Self {
+                of: of.name().into(),
+                highest,
+                most,
+                rows: vec![],
+            }),
+            _ => {
+                let reason = format!(
+                    "the number of rows must be from 1 to {MOST}; write for example {name}:{USUAL}"
+                );
+                Err(Error::SearchRange {
+                    name: format!("of the rows to keep, {}", text.trim()),
+                    reason,
+                })
+            }
         }
+    }
+
+    /// Text that identifies the selection: equal for equal selections.
+    pub fn identity(&self) -> String {
+        let which = if self.highest { "highest" } else { "lowest" };
+        format!("{which} {}:{}", self.of, self.most)
     }
 
     /// Adds a row with a finite value, if it ranks high enough.

@@ -1,8 +1,8 @@
-use super::histogram::{Bins, Histogram};
+use super::histogram::Histogram;
 use super::moments::Moments;
-use super::ranking::{Ranking, RankingSpec};
+use super::ranking::Ranking;
 use crate::batch::{Batch, Block, Status, StatusCounts};
-use crate::drive::{ExceededCount, Outcome};
+use crate::drive::ExceededCount;
 use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -10,8 +10,10 @@ use std::collections::BTreeMap;
 /// Specification of a batch's summary: its histograms and rankings.
 #[derive(Clone, Debug)]
 pub struct SummarySpec {
-    bins: Vec<(usize, Bins)>,
-    rankings: Vec<(usize, RankingSpec)>,
+    /// Empty histograms.
+    histograms: Vec<Histogram>,
+    /// Empty rankings.
+    best: Vec<Ranking>,
     columns: Vec<String>,
     parameters: Vec<&'static str>,
 }
@@ -37,70 +39,61 @@ pub struct Summary {
 }
 
 impl SummarySpec {
-    /// Specifies these histograms and rankings. Status counts and moments are always included.
+    /// Specifies histograms and rankings, which are empty. Status counts and moments are always
+    /// included.
     ///
     /// # Errors
     /// [`Error::Together`] for an outcome that is not computed, and for repeated requests.
-    pub fn new(batch: &Batch, bins: &[Bins], rankings: &[RankingSpec]) -> Result<Self> {
-        let column = |of: Outcome| {
-            batch
-                .outcomes()
-                .iter()
-                .position(|outcome| *outcome == of)
-                .ok_or_else(|| Error::Together {
-                    given: of.name().into(),
-                    reason: "it is not among the outcomes that are computed; add it to `outcomes`"
-                        .into(),
-                })
-        };
-        let twice = |what: &str, of: Outcome| Error::Together {
-            given: format!("{what} of {}", of.name()),
+    pub fn new(batch: &Batch, histograms: Vec<Histogram>, best: Vec<Ranking>) -> Result<Self> {
+        let twice = |what: &str, of: &str| Error::Together {
+            given: format!("{what} of {of}"),
             reason: "it is asked for twice; keep one".into(),
         };
-        for (at, one) in bins.iter().enumerate() {
-            if bins[..at].iter().any(|other| other.of == one.of) {
-                return Err(twice("the histogram", one.of));
+        for (at, one) in histograms.iter().enumerate() {
+            if histograms[..at].iter().any(|other| other.of == one.of) {
+                return Err(twice("the histogram", &one.of));
             }
         }
-        for (at, one) in rankings.iter().enumerate() {
-            if rankings[..at]
+        for (at, one) in best.iter().enumerate() {
+            if best[..at]
                 .iter()
                 .any(|other| other.of == one.of && other.highest == one.highest)
             {
-                return Err(twice("the rows", one.of));
+                return Err(twice("the rows", &one.of));
             }
         }
+        let of_histograms = histograms.iter().map(|histogram| &histogram.of);
+        let mut of = of_histograms.chain(best.iter().map(|ranking| &ranking.of));
+        let is_computed = |of: &str| batch.outcomes().iter().any(|outcome| outcome.name() == of);
+        if let Some(missing) = of.find(|of| !is_computed(of)) {
+            return Err(Error::Together {
+                given: missing.clone(),
+                reason: "it is not among the outcomes that are computed; add it to `outcomes`"
+                    .into(),
+            });
+        }
         Ok(Self {
-            bins: bins
-                .iter()
-                .map(|bins| Ok((column(bins.of)?, *bins)))
-                .collect::<Result<_>>()?,
-            rankings: rankings
-                .iter()
-                .map(|rankings| Ok((column(rankings.of)?, *rankings)))
-                .collect::<Result<_>>()?,
             columns: batch.columns(),
             parameters: batch
                 .parameters()
                 .iter()
                 .map(|parameter| parameter.name)
                 .collect(),
+            histograms,
+            best,
         })
     }
 
     /// Text that identifies the histograms and rankings: equal requests have equal texts.
     pub fn identity(&self) -> String {
-        let bins = self
-            .bins
+        let histograms = self
+            .histograms
             .iter()
-            .map(|(_, bins)| format!("histogram {}", bins.identity()));
-        bins.chain(
-            self.rankings
-                .iter()
-                .map(|(_, rankings)| rankings.identity()),
-        )
-        .collect::<Vec<_>>()
-        .join(", ")
+            .map(|histogram| format!("histogram {}", histogram.identity()));
+        histograms
+            .chain(self.best.iter().map(Ranking::identity))
+            .collect::<Vec<_>>()
+            .join(", ")
     }
 
     /// Empty summary.
@@ -113,16 +106,8 @@ impl SummarySpec {
                 .iter()
                 .map(|name| (name.clone(), Moments::default()))
                 .collect(),
-            histograms: self
-                .bins
-                .iter()
-                .map(|(_, bins)| Histogram::new(bins))
-                .collect(),
-            best: self
-                .rankings
-                .iter()
-                .map(|(_, rankings)| Ranking::new(rankings))
-                .collect(),
+            histograms: self.histograms.clone(),
+            best: self.best.clone(),
         }
     }
 
@@ -134,21 +119,24 @@ impl SummarySpec {
         summary.statuses = status_counts.counts().collect();
         let ExceededCount {
             law, face, flat, ..
-        } = status_counts.beyond();
+        } = status_counts.beyond;
         summary.beyond = [law, face, flat];
         for (column, name) in self.columns.iter().enumerate() {
             summary
                 .moments
                 .insert(name.clone(), Moments::of(block.result(column).flatten()));
         }
-        for ((column, _), histogram) in self.bins.iter().zip(&mut summary.histograms) {
-            block
-                .result(*column)
+        let values = |of: &str| {
+            let column = self.columns.iter().position(|column| column == of);
+            column.into_iter().flat_map(|column| block.result(column))
+        };
+        for histogram in &mut summary.histograms {
+            values(&histogram.of)
                 .flatten()
                 .for_each(|value| histogram.add(value));
         }
-        for ((column, _), ranking) in self.rankings.iter().zip(&mut summary.best) {
-            for (row, value) in block.result(*column).enumerate() {
+        for ranking in &mut summary.best {
+            for (row, value) in values(&ranking.of).enumerate() {
                 if let Some(value) = value {
                     let point = self
                         .parameters

@@ -5,12 +5,12 @@ use super::optimum::{Optimum, local_optimum, optimum};
 use super::search::Search;
 use super::sensitivity::sensitivity;
 use super::verdict::Active;
-use crate::drive::{CheckScope, ExceededCount};
+use crate::drive::{CheckScope, ExceededCount, ExceededLimits};
 use crate::error::{Error, Result};
 use crate::optimize::continuation::{
     AdaptiveStep, LONGEST, RADIUS, TOO_FAR, locate_change, predicted, relative_distance,
 };
-use crate::optimize::{Bounds, Iteration, Observer, Options, Status};
+use crate::optimize::{Bounds, Iteration, Observer, Options};
 use crate::parameters::Setup;
 use crate::units::Message;
 use std::rc::Rc;
@@ -105,99 +105,73 @@ impl Chart {
         let Some(first) = self.points.first() else {
             return vec![];
         };
+        let exceeded = |ChartPoint { at, best, .. }: &ChartPoint| {
+            let drive = best.drive.as_ref()?;
+            let of = best.search.outcomes();
+            Some((
+                *at,
+                drive.exceeded_limits(&best.setup, CheckScope::Flight, &of),
+            ))
+        };
+        let exceeded: Vec<_> = self.points.iter().filter_map(exceeded).collect();
         let mut count = ExceededCount::default();
-        let (mut law, mut face, mut flat) = (Reach::default(), Reach::default(), Reach::default());
-        for ChartPoint { at, best, .. } in &self.points {
-            if let Some(drive) = &best.drive {
-                let beyond =
-                    drive.exceeded_limits(&best.setup, CheckScope::Flight, &best.search.outcomes());
-                count.add(beyond);
-                law.add(*at, beyond.law);
-                face.add(*at, beyond.face);
-                flat.add(*at, beyond.flat);
-            }
-        }
+        exceeded.iter().for_each(|(_, limits)| count.add(*limits));
         let warnings = count.warnings(
             &first.best.setup.law,
             ["optimum", "optima"],
             CheckScope::Flight,
         );
-        // in the order of the warnings; omit conditions that never hold
-        let reaches = [law, face, flat]
-            .into_iter()
-            .filter(|reach| !reach.parts.is_empty());
+        // in the order of the warnings; omit limits that no drive exceeds
+        let is_exceeded: [fn(&ExceededLimits) -> bool; 3] = [
+            |limits| limits.law,
+            |limits| limits.face,
+            |limits| limits.flat,
+        ];
+        let parts = is_exceeded.map(|is_exceeded| {
+            let points = exceeded.iter();
+            intervals(points.map(|(at, limits)| (*at, is_exceeded(limits))))
+        });
+        let parts = parts.iter().filter(|parts| !parts.is_empty());
         warnings
             .into_iter()
-            .zip(reaches)
-            .map(|(warning, reach)| reach.with_parts(warning, &self.along))
+            .zip(parts)
+            .map(|(warning, parts)| with_intervals(warning, parts, &self.along))
             .collect()
     }
 }
 
-/// Intervals of a range in which a condition holds, from points in ascending order.
-#[derive(Clone, Default)]
-struct Reach {
-    parts: Vec<[f64; 2]>,
-    /// True if the condition held at the last point.
-    goes_on: bool,
-}
-
-impl Reach {
-    fn add(&mut self, at: f64, is_so: bool) {
-        match self.parts.last_mut() {
-            Some([_, end]) if is_so && self.goes_on => *end = at,
-            _ if is_so => self.parts.push([at; 2]),
+/// Intervals in which a condition holds, from points in ascending order.
+fn intervals(points: impl Iterator<Item = (f64, bool)>) -> Vec<[f64; 2]> {
+    let mut all: Vec<[f64; 2]> = vec![];
+    let mut held_before = false;
+    for (at, holds) in points {
+        match all.last_mut() {
+            Some([_, end]) if holds && held_before => *end = at,
+            _ if holds => all.push([at; 2]),
             _ => {}
         }
-        self.goes_on = is_so;
+        held_before = holds;
     }
+    all
+}
 
-    fn with_parts(&self, warning: Message, along: &Vary) -> Message {
-        let parameter = along.parameter;
-        let begun = warning.words(format!("; {} =", parameter.name));
-        self.parts
-            .iter()
-            .enumerate()
-            .fold(begun, |told, (i, [low, high])| {
-                let first =
-                    parameter.append_value(told.words(if i == 0 { " " } else { ", and " }), *low);
-                if low == high {
-                    first
-                } else {
-                    parameter.append_value(first.words(" to "), *high)
-                }
-            })
-    }
+/// Appends intervals of a parameter to a warning.
+fn with_intervals(warning: Message, intervals: &[[f64; 2]], along: &Vary) -> Message {
+    let parameter = along.parameter;
+    let begun = warning.words(format!("; {} =", parameter.name));
+    let all = intervals.iter().enumerate();
+    all.fold(begun, |told, (i, [low, high])| {
+        let first = parameter.append_value(told.words(if i == 0 { " " } else { ", and " }), *low);
+        if low == high {
+            first
+        } else {
+            parameter.append_value(first.words(" to "), *high)
+        }
+    })
 }
 
 /// Tolerance of event locations, relative to the range.
 const LOCATED: f64 = 1e-10;
-
-/// Follows the optimum along a parameter by continuation: each optimum is predicted with d x*/dp
-/// and corrected by a search. The step adapts to the prediction error; changes of the active set
-/// are located by bisection. `on_point` receives every point and returns whether to continue.
-///
-/// # Errors
-/// [`Error::NotConverged`] if no first optimum is found; [`Error::Unreadable`] if the search varies
-/// the parameter of `along`; the errors of [`optimum`].
-pub fn chart(
-    setup: &Setup<f64>,
-    search: &Search,
-    along: Vary,
-    on_point: &mut dyn FnMut(&ChartPoint) -> bool,
-) -> Result<Chart> {
-    chart_at(
-        setup,
-        search,
-        along,
-        &[],
-        &ChartObserver::default(),
-        on_point,
-    )
-}
-
-/// Callback for an iteration.
-type Show = Rc<dyn Fn(&Iteration)>;
 
 /// Callbacks and cancellation flag of a chart.
 #[derive(Clone, Default)]
@@ -208,7 +182,9 @@ pub struct ChartObserver {
     /// and further values if there is no optimum at the low end.
     pub beginning: Option<Rc<dyn Fn(f64)>>,
     /// Receives every iteration of every search.
-    pub iteration: Option<Show>,
+    pub iteration: Option<Rc<dyn Fn(&Iteration)>>,
+    /// Receives every point of the continuation.
+    pub point: Option<Rc<dyn Fn(&ChartPoint)>>,
 }
 
 impl ChartObserver {
@@ -225,24 +201,32 @@ impl ChartObserver {
         }
     }
 
+    fn show(&self, point: &ChartPoint) {
+        if let Some(show) = &self.point {
+            show(point);
+        }
+    }
+
     fn is_interrupted(&self) -> bool {
         self.interrupt.load(Ordering::Relaxed)
     }
 }
 
-/// Like [`chart`], but with points exactly at the values `at` (SI, within the range). If `at` is
-/// empty, all continuation points are reported. `observer` can interrupt a search.
+/// Follows the optimum along a parameter by continuation: each optimum is predicted with d x*/dp
+/// and corrected by a search. The step adapts to the prediction error; changes of the active set
+/// are located by bisection. The points are at the values `at` (SI, within the range), or at all
+/// values of the continuation if `at` is empty.
 ///
 /// # Errors
-/// The errors of [`chart`]; [`Error::SearchRange`] for a value outside the range;
-/// [`Error::Unreadable`] for a search over swings.
-pub fn chart_at(
+/// [`Error::NotConverged`] if no first optimum is found; [`Error::Unreadable`] if the search varies
+/// the parameter of `along`, and for a search over swings; [`Error::SearchRange`] for a value
+/// outside the range; the errors of [`optimum`].
+pub fn chart(
     setup: &Setup<f64>,
     search: &Search,
     along: Vary,
     at: &[f64],
     observer: &ChartObserver,
-    on_point: &mut dyn FnMut(&ChartPoint) -> bool,
 ) -> Result<Chart> {
     check(search, along, at)?;
     let follower = Follower {
@@ -261,12 +245,12 @@ pub fn chart_at(
     };
     let width = along.high - along.low;
     let mut stride = AdaptiveStep::new(width);
-    let mut goes_on = on_point(&first);
+    observer.show(&first);
     chart.points.push(first);
     while let Some(here) = chart.points.last()
         && here.at < along.high
     {
-        if !goes_on || observer.is_interrupted() {
+        if observer.is_interrupted() {
             chart.ended = Some(
                 along
                     .parameter
@@ -277,14 +261,14 @@ pub fn chart_at(
         }
         let to = target(stride.to(here.at, along.high), here.at, at, width);
         let next = match follower.step(here, to, &mut stride) {
-            Step::Taken(next) => *next,
-            Step::Rejected => continue,
-            Step::NoOptimum(reason) => {
+            Ok(Some(next)) => next,
+            Ok(None) => continue,
+            Err(reason) => {
                 chart.ended = Some(reason);
                 break;
             }
         };
-        goes_on = on_point(&next);
+        observer.show(&next);
         chart.points.push(next);
     }
     if !at.is_empty() {
@@ -353,33 +337,33 @@ struct Follower<'a> {
     observer: &'a ChartObserver,
 }
 
-/// Result of a step of the continuation.
-enum Step {
-    Taken(Box<ChartPoint>),
-    /// The step was rejected; the next step is shorter, unless the search was interrupted.
-    Rejected,
-    /// No optimum was found, with the reason.
-    NoOptimum(Message),
-}
-
 impl Follower<'_> {
-    /// Steps from `here` to the parameter value `to`, and adapts the step size.
-    fn step(&self, here: &ChartPoint, to: f64, stride: &mut AdaptiveStep) -> Step {
+    /// Steps from `here` to the parameter value `to`, and adapts the step size. `None` if the step
+    /// was rejected; the next step is then shorter, unless the search was interrupted.
+    ///
+    /// # Errors
+    /// The reason why no optimum was found.
+    fn step(
+        &self,
+        here: &ChartPoint,
+        to: f64,
+        stride: &mut AdaptiveStep,
+    ) -> std::result::Result<Option<ChartPoint>, Message> {
         let Corrected { point, apart } = match self.next(here, to) {
             Ok(corrected) if corrected.apart <= TOO_FAR || !stride.halve() => corrected,
-            Ok(_) => return Step::Rejected,
+            Ok(_) => return Ok(None),
             // an interruption does not shorten the step
-            Err(_) if self.observer.is_interrupted() => return Step::Rejected,
-            Err(_) if stride.halve() => return Step::Rejected,
+            Err(_) if self.observer.is_interrupted() => return Ok(None),
+            Err(_) if stride.halve() => return Ok(None),
             Err(error) => {
                 let parameter = self.along.parameter;
                 let place = parameter.append_value("no optimum was found beyond ".into(), here.at);
-                return Step::NoOptimum(place.words(": ").message(why_none(&error)));
+                return Err(place.words(": ").message(why_none(&error)));
             }
         };
         let next = self.with_event(here, point, apart);
         stride.adapt(apart);
-        Step::Taken(Box::new(next))
+        Ok(Some(next))
     }
 
     /// Marks a jump, or locates a change of the active set.
@@ -511,12 +495,7 @@ fn why_none(error: &Error) -> Message {
 }
 
 fn point(at: f64, best: Optimum) -> Result<ChartPoint> {
-    if best.solution.status != Status::Converged {
-        return Err(Error::NotConverged {
-            status: best.status(),
-            message: best.message(),
-        });
-    }
+    best.check_converged()?;
     Ok(ChartPoint {
         at,
         active: best.active(),

@@ -72,7 +72,7 @@ impl Constraint {
                           drive, give the range of a parameter with `vary`, or limit an outcome";
             return Err(Piece::whole(expression).error(reason));
         }
-        read(expression, Piece::whole(expression), &Scope::Drive)
+        read(Piece::whole(expression), &Scope::Drive)
     }
 
     /// Reads a constraint over swings: `GOAL >= LIMIT`, `GOAL <= LIMIT`, `GOAL == VALUE` or
@@ -81,11 +81,7 @@ impl Constraint {
     /// # Errors
     /// [`Error::Constraint`], which points into the expression.
     pub fn read_over_swings(expression: &str, strokes: Option<&Strokes>) -> Result<Self> {
-        read(
-            expression,
-            Piece::whole(expression),
-            &Scope::Swings(strokes),
-        )
+        read(Piece::whole(expression), &Scope::Swings(strokes))
     }
 
     /// True if a text is a relation of parameters: it has a name before a colon.
@@ -125,7 +121,7 @@ impl Constraint {
             column: expression[..sum].chars().count(),
             ..whole
         };
-        read(expression, sum, &Scope::Relation { setup, name })
+        read(sum, &Scope::Relation { setup, name })
     }
 }
 
@@ -222,7 +218,7 @@ impl Limit {
 }
 
 /// Reads a goal between limits. `text` is the expression without the name of a relation.
-fn read(expression: &str, text: Piece<'_>, scope: &Scope<'_>) -> Result<Constraint> {
+fn read(text: Piece<'_>, scope: &Scope<'_>) -> Result<Constraint> {
     let pieces = split(text)?;
     let (mut goal, low, high) = match pieces.as_slice() {
         [left, sign, right] => {
@@ -273,7 +269,7 @@ fn read(expression: &str, text: Piece<'_>, scope: &Scope<'_>) -> Result<Constrai
         goal.unit = low.unit.or(high.unit).unwrap_or(goal.unit);
     }
     Ok(Constraint {
-        expression: expression.trim().into(),
+        expression: text.whole.trim().into(),
         goal,
         low: low.value,
         high: high.value,

@@ -1,13 +1,12 @@
 //! Flatness of an optimum: how far each varied parameter can move within a stated loss.
 
 use super::optimum::Optimum;
-use super::problem::SearchProblem;
 use crate::derivative::Evaluator;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::json::{number, numbers_by_name};
+use crate::optimize::Domain;
 use crate::optimize::sensitivity::{ActiveSet, reduced_hessian};
-use crate::optimize::{Domain, Status};
 use crate::parameters::Parameter;
 use crate::units::Quantity;
 use argmin::core::{CostFunction, Executor, State};
@@ -137,8 +136,7 @@ const AROUND: usize = 24;
 /// # Errors
 /// The errors of [`windows`].
 pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
-    let problem = problem(best, loss)?;
-    let top = Top::new(&problem, best, loss)?;
+    let top = Top::new(best, loss)?;
     Ok(Flatness {
         loss,
         windows: top.windows()?,
@@ -153,35 +151,26 @@ pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
 /// [`Error::NotConverged`] without a converged optimum; [`Error::Optimizer`] for a loss that is not
 /// above 0; [`Error::Unreadable`] for a search over swings.
 pub fn windows(best: &Optimum, loss: f64) -> Result<Vec<Window>> {
-    Top::new(&problem(best, loss)?, best, loss)?.windows()
-}
-
-fn problem(best: &Optimum, loss: f64) -> Result<SearchProblem> {
-    if !(loss > 0.0 && loss.is_finite()) {
-        return Err(Error::Optimizer(format!("the loss {loss} must be above 0")));
-    }
-    if best.solution.status != Status::Converged {
-        return Err(Error::NotConverged {
-            status: best.status(),
-            message: best.message(),
-        });
-    }
-    SearchProblem::of_drive(&best.setup, &best.search)
+    Top::new(best, loss)?.windows()
 }
 
 /// An optimum, with the losses of drives around it.
 struct Top<'a> {
-    domain: &'a Domain,
+    domain: Domain,
     values: Evaluator,
     best: &'a Optimum,
     loss: f64,
 }
 
 impl<'a> Top<'a> {
-    fn new(problem: &'a SearchProblem, best: &'a Optimum, loss: f64) -> Result<Self> {
+    fn new(best: &'a Optimum, loss: f64) -> Result<Self> {
+        if !(loss > 0.0 && loss.is_finite()) {
+            return Err(Error::Optimizer(format!("the loss {loss} must be above 0")));
+        }
+        let problem = best.problem()?;
         Ok(Self {
-            domain: &problem.domain,
             values: problem.evaluator()?,
+            domain: problem.domain,
             best,
             loss,
         })
@@ -296,7 +285,7 @@ impl<'a> Top<'a> {
     fn directions(&self) -> Vec<Direction> {
         let solution = &self.best.solution;
         let scale = self.domain.variables.scale(&solution.x);
-        let (basis, reduced) = reduced_hessian(solution, self.domain);
+        let (basis, reduced) = reduced_hessian(solution, &self.domain);
         if basis.ncols() == 0 {
             return vec![];
         }
@@ -346,7 +335,7 @@ impl<'a> Top<'a> {
     }
 
     fn ellipses(&self) -> Vec<Ellipse> {
-        let held = ActiveSet::new(&self.best.solution, self.domain);
+        let held = ActiveSet::new(&self.best.solution, &self.domain);
         if !held.active_constraints().is_empty() {
             return vec![];
         }

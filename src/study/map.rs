@@ -14,18 +14,8 @@ use rayon::prelude::*;
 pub struct Map {
     /// The outcome.
     pub of: Outcome,
-    /// Parameter of the horizontal axis.
-    pub across: Vary,
-    /// Parameter of the vertical axis.
-    pub up: Vary,
-    /// Number of columns.
-    pub columns: usize,
-    /// Outcome at each node, SI, row by row from the lowest row; `None` if the drive does not have
-    /// the outcome.
-    pub values: Vec<Option<f64>>,
-    /// Derivatives of the outcome by both parameters at each node, SI; `None` if the drive does not
-    /// have the outcome.
-    pub gradients: Vec<Option<[f64; 2]>>,
+    /// The outcome and its gradient at the nodes.
+    pub plane: Plane,
     /// Reason why the first node without a value has no value; `None` if every node has a value.
     pub missing: Option<Message>,
     /// Gradients at a coarser grid of points.
@@ -36,7 +26,7 @@ impl Map {
     /// Message for an outcome that is constant up to rounding, so that there is nothing to draw;
     /// `None` for any other outcome.
     pub fn flat(&self) -> Option<Message> {
-        let known = || self.values.iter().flatten().copied();
+        let known = || self.plane.values[0].iter().flatten().copied();
         let (low, high) = (
             known().fold(f64::INFINITY, f64::min),
             known().fold(f64::NEG_INFINITY, f64::max),
@@ -47,8 +37,8 @@ impl Map {
             Message::from(format!(
                 "{} is constant over the map of {} and {}, so there is nothing to draw",
                 self.of.name(),
-                self.across.parameter.name,
-                self.up.parameter.name
+                self.plane.across.parameter.name,
+                self.plane.up.parameter.name
             ))
         })
     }
@@ -97,7 +87,8 @@ impl Default for Fineness {
 /// let fineness = Fineness { nodes: 3, slopes: 1 };
 /// let speeds = map(&setup, Outcome::BallSpeed, across, up, fineness).unwrap();
 /// // ball speed is proportional to club speed: the highest row over the lowest
-/// assert!((speeds.values[6].unwrap() / speeds.values[0].unwrap() - 1.25).abs() < 1e-12);
+/// let values = &speeds.plane.values[0];
+/// assert!((values[6].unwrap() / values[0].unwrap() - 1.25).abs() < 1e-12);
 /// ```
 ///
 /// # Errors
@@ -114,10 +105,8 @@ pub fn map(
     let wrt = [across.parameter, up.parameter];
     let values = Evaluator::new(setup, &[of], &wrt, Order::Value)?;
     let gradients = Evaluator::new(setup, &[of], &wrt, Order::First)?;
-    let columns = fineness.nodes;
-    let ranges = [across, up];
-    let mut plane = Plane::fly(setup, &[of], across, up, [columns; 2], Order::First)?;
-    let found = plane.values.pop().unwrap_or_default();
+    let plane = Plane::fly(setup, &[of], across, up, [fineness.nodes; 2], Order::First)?;
+    let found = &plane.values[0];
     let first_missing = found.iter().position(Option::is_none);
     let missing = first_missing
         .and_then(|node| values.at(&plane.node(node)).err())
@@ -134,13 +123,9 @@ pub fn map(
     }
     Ok(Map {
         of,
-        across,
-        up,
-        columns,
-        values: found,
-        gradients: plane.gradients.pop().unwrap_or_default(),
+        plane,
         missing,
-        slopes: slopes(&gradients, ranges, fineness.slopes),
+        slopes: slopes(&gradients, [across, up], fineness.slopes),
     })
 }
 
@@ -150,8 +135,10 @@ fn slopes(gradients: &Evaluator, ranges: [Vary; 2], cells: usize) -> Vec<Slope> 
     (0..cells * cells)
         .into_par_iter()
         .filter_map(|i| {
-            let part = |at: usize| (at as f64 + 0.5) / cells as f64;
-            let at = place(ranges, [part(i % cells), part(i / cells)]);
+            let centre = |vary: Vary, cell: usize| {
+                vary.low + (cell as f64 + 0.5) / cells as f64 * (vary.high - vary.low)
+            };
+            let at = [centre(ranges[0], i % cells), centre(ranges[1], i / cells)];
             let taylors = gradients.at(&at).ok()?;
             Some(Slope {
                 at,
@@ -159,12 +146,6 @@ fn slopes(gradients: &Evaluator, ranges: [Vary; 2], cells: usize) -> Vec<Slope> 
             })
         })
         .collect()
-}
-
-/// The point at `parts`, the fractions of both ranges from 0 to 1.
-fn place([across, up]: [Vary; 2], parts: [f64; 2]) -> [f64; 2] {
-    let at = |vary: Vary, part: f64| vary.low + part * (vary.high - vary.low);
-    [at(across, parts[0]), at(up, parts[1])]
 }
 
 /// Refuses equal parameters, ranges of a single value, and fewer than 2 nodes.

@@ -33,7 +33,7 @@ pub mod validation;
 mod verdict;
 
 pub use crate::parameters::Vary;
-pub use chart::{Chart, ChartEvent, ChartObserver, ChartPoint, chart, chart_at};
+pub use chart::{Chart, ChartEvent, ChartObserver, ChartPoint, chart};
 pub use compare::{Cause, Comparison, Difference, Share, Shares, causes};
 pub use effects::{Bar, Effect, Effects, effects, flown_off};
 pub use face::Face;
@@ -47,7 +47,7 @@ pub use launches::{Launched, Launches};
 pub use lofts::{LOFT_OUTCOMES, lofts};
 pub use map::{Fineness, Map, Slope, map};
 pub use named_drive::NamedDrive;
-pub use optimum::{LocalOptimum, Optima, Optimum, goals_of, optima, optimum};
+pub use optimum::{LocalOptimum, Optima, Optimum, optima, optimum};
 pub use plane::Plane;
 pub use region::Region;
 pub use sample::Sample;

@@ -7,20 +7,19 @@
 //! ```
 
 use super::cancellable::stopped;
-use super::goal::{Constraint, Goal};
+use super::goal::Constraint;
 use super::problem::SearchProblem;
-use super::sample::{Sample, SampleSearch, resample};
+use super::sample::{Sample, resample};
 use super::search::Search;
-use super::swings::Scenarios;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::optimize::{
     ConstraintValue, LocalMinimum, Observer, Observers, Solution, Status, minimize_from,
     minimize_observed, starts,
 };
-use crate::parameters::{Setup, Vary};
+use crate::parameters::Setup;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 /// The best drive, or the best design over swings, that a search found.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,6 +64,31 @@ impl Optimum {
             .as_ref()
             .and_then(|drive| Outcome::Run.value(drive));
         is_distance.contains(&self.search.of.outcome()) && run.is_some_and(|run| run != 0.0)
+    }
+
+    /// Refuses an optimum that the search did not find.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] without a converged optimum.
+    pub(super) fn check_converged(&self) -> Result<()> {
+        if self.solution.status == Status::Converged {
+            return Ok(());
+        }
+        Err(Error::NotConverged {
+            status: self.status(),
+            message: self.message(),
+        })
+    }
+
+    /// The problem of a search over one drive, at its optimum.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] without a converged optimum; [`Error::Unreadable`] for a search over
+    /// swings.
+    pub(super) fn problem(&self) -> Result<SearchProblem> {
+        self.check_converged()?;
+        self.search.refuse_swings()?;
+        SearchProblem::new(&self.setup, self.search.clone(), &Arc::default())
     }
 
     /// The objective at the optimum, SI; `None` if the ball does not fly in one of the drives.
@@ -214,15 +238,9 @@ pub(super) fn stopped_of(
 /// parameter that both the search and the swings vary; the errors of [`Setup::validate`];
 /// [`Error::NotConverged`] if the search is interrupted before it begins.
 pub fn optimum(setup: &Setup<f64>, search: Search, observer: Observer) -> Result<Optimum> {
-    let interrupt = observer.interrupt.clone();
-    let study = Study::new(setup, search, interrupt)?;
-    let end = study.minimized(&study.problem.start(), observer)?;
-    let mut sample = None;
-    let mut best = end;
-    if let Some(resampled) = study.improved(&best, Observer::default)? {
-        sample = Some(resampled.sample);
-        best = resampled.solution.unwrap_or(best);
-    }
+    let study = Study::new(setup, search, &observer.interrupt)?;
+    let mut best = study.minimized(&study.problem.start(), observer)?;
+    let sample = study.improved(&mut best, Observer::default)?;
     study.found(best, sample)
 }
 
@@ -235,7 +253,7 @@ pub(super) fn local_optimum(
     search: Search,
     observer: Observer,
 ) -> Result<Optimum> {
-    let study = Study::new(setup, search, observer.interrupt.clone())?;
+    let study = Study::new(setup, search, &observer.interrupt)?;
     let end = study.minimized(&study.problem.start(), observer)?;
     study.found(end, None)
 }
@@ -256,10 +274,9 @@ pub fn optima(
     let mut starts = count;
     let mut sample = None;
     let is_interrupted = |local: &LocalMinimum| local.solution.status == Status::Interrupted;
-    let best = locals
-        .first()
-        .filter(|_| !locals.iter().any(is_interrupted));
-    if let Some(best) = best {
+    if !locals.iter().any(is_interrupted)
+        && let Some(mut best) = locals.first().map(|local| local.solution.clone())
+    {
         let observer = || {
             let mut observer = Observer::default();
             if let Some(show) = follow.iteration.clone() {
@@ -267,19 +284,14 @@ pub fn optima(
             }
             observer
         };
-        if let Some(resampled) = study.improved(&best.solution, observer)? {
-            sample = Some(resampled.sample);
-            if let Some(solution) = resampled.solution {
-                let starts_of_it = vec![count];
-                starts += 1;
-                locals.insert(
-                    0,
-                    LocalMinimum {
-                        solution,
-                        starts: starts_of_it,
-                    },
-                );
-            }
+        sample = study.improved(&mut best, observer)?;
+        if sample.is_some_and(|sample| sample.improved) {
+            let improved = LocalMinimum {
+                solution: best,
+                starts: vec![count],
+            };
+            starts += 1;
+            locals.insert(0, improved);
         }
     }
     study.all(locals, starts, sample)
@@ -317,7 +329,7 @@ fn searched(
             what: "start",
         });
     }
-    let study = Study::new(setup, search.clone(), follow.interrupt.clone())?;
+    let study = Study::new(setup, search.clone(), &follow.interrupt)?;
     let problem = &study.problem;
     let starts = starts(&problem.domain, &problem.start(), count)?;
     let locals = minimize_from(problem, &problem.domain, &starts, &search.options, follow)?;
@@ -326,9 +338,7 @@ fn searched(
 
 /// A search, with the problem that the optimizer solves for it.
 struct Study {
-    search: Search,
     problem: SearchProblem,
-    interrupt: Arc<AtomicBool>,
     /// The values of the goals over the swings at the setup's own design; `None` as in
     /// [`Optimum::as_set_up`].
     as_set_up: Option<Vec<f64>>,
@@ -338,47 +348,46 @@ struct Study {
 }
 
 impl Study {
-    fn new(setup: &Setup<f64>, search: Search, interrupt: Arc<AtomicBool>) -> Result<Self> {
-        let problem = SearchProblem::new(setup, &search, &interrupt)?;
+    fn new(setup: &Setup<f64>, search: Search, interrupt: &Arc<AtomicBool>) -> Result<Self> {
+        let problem = SearchProblem::new(setup, search, interrupt)?;
         let mut as_set_up = None;
-        if !search.scenarios.is_one_drive() {
+        if !problem.search.scenarios.is_one_drive() {
             as_set_up = problem.as_set_up().ok();
-            if as_set_up.is_none() && interrupt.load(Ordering::Relaxed) {
+            if as_set_up.is_none() && problem.is_stopped() {
                 return Err(stopped("the search began"));
             }
         }
         Ok(Self {
-            search,
             problem,
-            interrupt,
             as_set_up,
             is_evaluated_again: false,
         })
     }
 
     fn minimized(&self, start: &[f64], observer: Observer) -> Result<Solution> {
-        let domain = &self.problem.domain;
-        minimize_observed(&self.problem, domain, start, &self.search.options, observer)
+        let SearchProblem { domain, search, .. } = &self.problem;
+        minimize_observed(&self.problem, domain, start, &search.options, observer)
     }
 
     /// Compares the end of a search with a sample of the ranges, and improves it by searches from
     /// points of the sample. `None` for a search over swings, and after an interrupt.
     fn improved(
         &self,
-        end: &Solution,
+        end: &mut Solution,
         observer: impl Fn() -> Observer,
-    ) -> Result<Option<SampleSearch>> {
-        if !self.search.scenarios.is_one_drive() || end.status == Status::Interrupted {
+    ) -> Result<Option<Sample>> {
+        let is_one_drive = self.problem.search.scenarios.is_one_drive();
+        if !is_one_drive || end.status == Status::Interrupted {
             return Ok(None);
         }
         let again = |start: &[f64]| {
             let observer = Observer {
-                interrupt: self.interrupt.clone(),
+                interrupt: self.problem.stop.clone(),
                 ..observer()
             };
             self.minimized(start, observer)
         };
-        resample(&self.problem, end, &self.interrupt, again)
+        resample(&self.problem, end, again)
     }
 
     fn found(self, solution: Solution, sample: Option<Sample>) -> Result<Optimum> {
@@ -422,9 +431,10 @@ impl Study {
     /// in one of the drives.
     fn goals(&self, solution: &Solution) -> Option<Vec<f64>> {
         let value = solution.value?;
-        if self.search.is_of_outcomes() && !self.is_evaluated_again {
+        let search = &self.problem.search;
+        if search.is_of_outcomes() && !self.is_evaluated_again {
             let limited = solution.constraints.iter().map(|at| at.value);
-            let objective = self.search.sense.sign() * value;
+            let objective = search.sense.sign() * value;
             return Some(std::iter::once(objective).chain(limited).collect());
         }
         self.problem.values_uninterrupted(&solution.x).ok()
@@ -442,17 +452,17 @@ impl Study {
         let start = self.problem.set_up;
         let mut start_drive = None;
         if solution.value.is_some() {
-            if self.search.scenarios.is_one_drive() {
+            if self.problem.search.scenarios.is_one_drive() {
                 drive = Some(Drive::new(&setup)?);
                 start_drive = Drive::new(&start).ok();
             }
             beyond_strokes = match self.problem.beyond_strokes(&solution.x) {
-                Err(_) if self.interrupt.load(Ordering::Relaxed) => None,
+                Err(_) if self.problem.is_stopped() => None,
                 found => found?,
             };
         }
         Ok(Optimum {
-            search: self.search,
+            search: self.problem.search,
             solution,
             goals,
             setup,
@@ -464,30 +474,4 @@ impl Study {
             beyond_strokes,
         })
     }
-}
-
-/// Values of the goals over swings at a setup's own design, SI. `None` if the ball does not fly in
-/// one of the swings, and once `stop` is true.
-///
-/// # Errors
-/// The errors of [`optimum`].
-pub fn goals_of(
-    setup: &Setup<f64>,
-    goals: &[Goal],
-    vary: &[Vary],
-    scenarios: &Scenarios,
-    stop: &Arc<AtomicBool>,
-) -> Result<Option<Vec<f64>>> {
-    let one = |goal: &Goal| {
-        let search = Search {
-            of: goal.clone(),
-            vary: vary.to_vec(),
-            scenarios: scenarios.clone(),
-            ..Search::largest(Outcome::Carry)
-        };
-        let problem = SearchProblem::of_goals(setup, &search, stop)?;
-        Ok(problem.as_set_up().ok().map(|values| values[0]))
-    };
-    let found = goals.iter().map(one).collect::<Result<Vec<_>>>()?;
-    Ok(found.into_iter().collect())
 }

@@ -32,14 +32,14 @@ pub(super) struct SearchProblem {
     pub set_up: Setup<f64>,
     /// The setup with a value for every varied parameter.
     setup: Setup<f64>,
+    /// The search.
+    pub search: Search,
+    /// The varied parameters.
     pub vary: Vec<&'static Parameter>,
-    scenarios: Scenarios,
     /// The outcomes of a drive. If `is_of_outcomes`, each goal is one of the outcomes, in order.
     of: Vec<Outcome>,
-    goals: Vec<Goal>,
     /// True if every goal is an outcome of one drive.
     is_of_outcomes: bool,
-    pub sense: Sense,
     /// An evaluator for each scenario.
     drives: Vec<Evaluator>,
     /// Indices of the scenarios for which second derivatives are computed, in ascending order.
@@ -49,7 +49,7 @@ pub(super) struct SearchProblem {
     /// The last computed second derivatives of the drives in `part`.
     seconds: Mutex<Option<Arc<Seconds>>>,
     /// Interrupt flag: once true, no more drives are computed, and evaluations that need them fail.
-    stop: Arc<AtomicBool>,
+    pub stop: Arc<AtomicBool>,
     pub domain: Domain,
 }
 
@@ -67,23 +67,14 @@ impl SearchProblem {
     /// [`Error::Nothing`] and [`Error::SearchRange`] for invalid ranges and limits;
     /// [`Error::Unreadable`] for a parameter that is both varied and distributed; the errors of
     /// [`Setup::validate`]; [`Error::NotConverged`] once `stop` is true.
-    pub fn new(setup: &Setup<f64>, search: &Search, stop: &Arc<AtomicBool>) -> Result<Self> {
+    pub fn new(setup: &Setup<f64>, search: Search, stop: &Arc<AtomicBool>) -> Result<Self> {
         search.check()?;
         let problem = Self::of_goals(setup, search, stop)?;
-        if problem.scenarios.is_one_drive() {
+        if problem.search.scenarios.is_one_drive() {
             let start = problem.domain.variables.project(&problem.start());
             problem.moved(&start)?.validate()?;
         }
         Ok(problem)
-    }
-
-    /// The problem of a search over one drive, whose goals are outcomes.
-    ///
-    /// # Errors
-    /// The errors of [`new`](Self::new); [`Error::Unreadable`] for a search over swings.
-    pub fn of_drive(setup: &Setup<f64>, search: &Search) -> Result<Self> {
-        search.refuse_swings()?;
-        Self::new(setup, search, &Arc::default())
     }
 
     /// The problem of a search that may have no varied parameter; only the values of its goals are
@@ -91,12 +82,11 @@ impl SearchProblem {
     ///
     /// # Errors
     /// The errors of [`new`](Self::new).
-    pub fn of_goals(setup: &Setup<f64>, search: &Search, stop: &Arc<AtomicBool>) -> Result<Self> {
+    pub fn of_goals(setup: &Setup<f64>, search: Search, stop: &Arc<AtomicBool>) -> Result<Self> {
         let domain = search.domain()?;
         let vary: Vec<_> = search.vary.iter().map(|vary| vary.parameter).collect();
-        let scenarios = search.scenarios.clone();
-        refuse_distributed(search)?;
-        let goals: Vec<Goal> = search.goals().cloned().collect();
+        let scenarios = &search.scenarios;
+        refuse_distributed(&search)?;
         let is_of_outcomes = search.is_of_outcomes();
         let mut of: Vec<Outcome> = vec![];
         for outcome in search.outcomes() {
@@ -107,11 +97,11 @@ impl SearchProblem {
         let begun = Vary::initialised(setup, &search.vary)?;
         // second derivatives of a goal with a kink or jump come from the few drives near the kink
         // or jump: no subset of the drives represents them
-        let (part, represents) = if goals.iter().any(Goal::has_edge) {
+        let (part, represents) = if search.goals().any(Goal::has_edge) {
             let count = scenarios.points.len();
             ((0..count).collect(), vec![1.0; count])
         } else {
-            part_of(&scenarios)
+            part_of(scenarios)
         };
         let evaluator = |point: &Vec<f64>| {
             let setup = begun.with_values(&scenarios.parameters, point)?;
@@ -125,12 +115,10 @@ impl SearchProblem {
         Ok(Self {
             set_up: *setup,
             setup: begun,
+            search,
             vary,
-            scenarios,
             of,
-            goals,
             is_of_outcomes,
-            sense: search.sense,
             drives,
             part,
             represents,
@@ -146,6 +134,11 @@ impl SearchProblem {
         let limited = |drive: Evaluator| drive.with_largest_defect(largest_defect);
         self.drives = self.drives.into_iter().map(limited).collect();
         self
+    }
+
+    /// True if the search is interrupted.
+    pub fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
     }
 
     /// Start of the search: the setup's own values of the varied parameters. A parameter without a
@@ -192,7 +185,7 @@ impl SearchProblem {
     fn as_functions(&self, mut goals: Vec<Taylor>) -> Evaluation {
         let constraints = goals.split_off(1);
         let objective = goals.pop().unwrap_or_default();
-        let objective = match self.sense {
+        let objective = match self.search.sense {
             Sense::Maximize => objective.negated(),
             Sense::Minimize => objective,
         };
@@ -219,7 +212,10 @@ impl SearchProblem {
             .ok_or_else(|| stopped_before("all swings were flown"))?
             .into_iter()
             .zip(scenarios);
-        let named = |k: usize, error| no_flight(&self.scenarios, &self.scenarios.points[k], &error);
+        let scenarios_of_search = &self.search.scenarios;
+        let named = |k: usize, error| {
+            no_flight(scenarios_of_search, &scenarios_of_search.points[k], &error)
+        };
         flown
             .map(|(drive, k)| drive.map_err(|error| named(*k, error)))
             .collect()
@@ -335,7 +331,7 @@ impl SearchProblem {
             let terms: Vec<_> = terms.collect();
             Taylor::sum(terms.iter().map(|(term, weight)| (term, *weight)))
         };
-        self.goals.iter().map(goal).collect()
+        self.search.goals().map(goal).collect()
     }
 
     /// Exact values of the goals at `x`, without smoothing, from a column of values for each
@@ -350,8 +346,8 @@ impl SearchProblem {
                     measure.exact(&self.columns_of(&measure.outcomes(), columns), weights)
                 })
         };
-        self.goals
-            .iter()
+        self.search
+            .goals()
             .map(|goal| goal.terms.iter().map(term).sum())
             .collect()
     }
@@ -401,7 +397,7 @@ impl SearchProblem {
         x: &[f64],
         weights: &[f64],
     ) -> Result<Vec<f64>> {
-        let flown = columns(setup, &self.of, &self.scenarios, &self.stop)?;
+        let flown = columns(setup, &self.of, &self.search.scenarios, &self.stop)?;
         Ok(self.exact(x, &flown, weights))
     }
 
@@ -419,7 +415,8 @@ impl SearchProblem {
                 &sequence.weights,
             ))
         };
-        self.scenarios.sequences().into_iter().map(one).collect()
+        let sequences = self.search.scenarios.sequences().into_iter();
+        sequences.map(one).collect()
     }
 
     /// Values of the varied parameters in the setup as given.
@@ -435,13 +432,14 @@ impl SearchProblem {
 
     /// Values of the goals for the report, without smoothing.
     fn reported(&self, setup: &Setup<f64>, design: &[f64], stop: &AtomicBool) -> Result<Vec<f64>> {
-        let flown = columns(setup, &self.of, &self.scenarios, stop)?;
-        let mut values = self.exact(design, &flown, &self.scenarios.weights);
-        if !self.goals.iter().any(Goal::has_edge) {
+        let scenarios = &self.search.scenarios;
+        let flown = columns(setup, &self.of, scenarios, stop)?;
+        let mut values = self.exact(design, &flown, &scenarios.weights);
+        if !self.search.goals().any(Goal::has_edge) {
             return Ok(values);
         }
         let mut all: Vec<Vec<f64>> = vec![vec![]; self.of.len()];
-        for sequence in self.scenarios.sequences() {
+        for sequence in scenarios.sequences() {
             let more = match columns(setup, &self.of, &sequence?, stop) {
                 Err(Error::NoFlight { .. }) => return Ok(values),
                 more => more?,
@@ -456,7 +454,7 @@ impl SearchProblem {
             let with_edge = values
                 .iter_mut()
                 .zip(over_all)
-                .zip(&self.goals)
+                .zip(self.search.goals())
                 .filter(|(_, goal)| goal.has_edge());
             with_edge.for_each(|((value, over_all), _)| *value = over_all);
         }
@@ -478,7 +476,7 @@ impl SearchProblem {
                 reason: reason.into(),
             },
         })?;
-        Ok(self.measured(x, &flown, &self.scenarios.weights, order))
+        Ok(self.measured(x, &flown, &self.search.scenarios.weights, order))
     }
 
     /// Share of the scenarios in which the ball ends at a distance outside of a table of strokes;
@@ -487,11 +485,12 @@ impl SearchProblem {
     /// # Errors
     /// The errors of [`values`](Self::values).
     pub fn beyond_strokes(&self, x: &[f64]) -> Result<Option<f64>> {
-        let tables: Vec<_> = self.goals.iter().flat_map(Goal::strokes).collect();
+        let tables: Vec<_> = self.search.goals().flat_map(Goal::strokes).collect();
         if tables.is_empty() {
             return Ok(None);
         }
-        let flown = columns(&self.moved(x)?, &self.of, &self.scenarios, &self.stop)?;
+        let scenarios = &self.search.scenarios;
+        let flown = columns(&self.moved(x)?, &self.of, scenarios, &self.stop)?;
         let ends: Vec<_> = tables
             .iter()
             .map(|(strokes, _)| self.columns_of(&strokes.outcomes, &flown))
@@ -500,7 +499,7 @@ impl SearchProblem {
             let mut all = tables.iter().zip(&ends);
             all.any(|((strokes, hole), end)| !strokes.reaches((hole - end[0][k]).hypot(end[1][k])))
         };
-        let weights = self.scenarios.weights.iter().enumerate();
+        let weights = scenarios.weights.iter().enumerate();
         Ok(Some(
             weights
                 .filter(|(k, _)| is_beyond(*k))
@@ -569,6 +568,6 @@ fn refuse_distributed(search: &Search) -> Result<()> {
 
 impl Problem for SearchProblem {
     fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
-        self.weighted(x, &self.scenarios.weights)
+        self.weighted(x, &self.search.scenarios.weights)
     }
 }

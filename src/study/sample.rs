@@ -5,7 +5,6 @@ use super::problem::SearchProblem;
 use crate::error::Result;
 use crate::optimize::{Solution, Status, starts};
 use serde::Serialize;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The comparison of an optimum with a sample of the ranges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -22,13 +21,6 @@ pub struct Sample {
     pub improved: bool,
 }
 
-/// A sample, with the best solution of the searches from its points.
-pub(super) struct SampleSearch {
-    pub sample: Sample,
-    /// The best solution of the searches; `None` if no search improved the optimum.
-    pub solution: Option<Solution>,
-}
-
 /// Number of points of a sample.
 const POINTS: usize = 128;
 
@@ -41,17 +33,17 @@ const SEARCHES: usize = 3;
 /// If less than one in this number of points is feasible, the feasible region may be disconnected.
 const ONE_IN: usize = 8;
 
-/// Compares the end of a search with a sample of the ranges. `search` starts from points that are
-/// better than the best solution so far. If few points are feasible, it also starts from the best
-/// feasible points, because the feasible region may be disconnected. `None` if `interrupt` became
-/// true before all points were evaluated.
+/// Compares the end of a search with a sample of the ranges, and replaces it by a better solution
+/// of `search`, if any. `search` starts from points that are better than the best solution so far.
+/// If few points are feasible, it also starts from the best feasible points, because the feasible
+/// region may be disconnected. `None` if the search was interrupted before all points were
+/// evaluated.
 pub(super) fn resample(
     problem: &SearchProblem,
-    end: &Solution,
-    interrupt: &AtomicBool,
+    end: &mut Solution,
     mut search: impl FnMut(&[f64]) -> Result<Solution>,
-) -> Result<Option<SampleSearch>> {
-    let Some(points) = fly(problem, interrupt)? else {
+) -> Result<Option<Sample>> {
+    let Some(points) = fly(problem)? else {
         return Ok(None);
     };
     let scale = Scale::of(problem, &points);
@@ -67,7 +59,7 @@ pub(super) fn resample(
 
     let feasible = ranked.iter().filter(|(merit, _)| merit.is_feasible).count();
     let is_in_parts = feasible > 0 && ONE_IN * feasible < POINTS;
-    let (mut best, mut solution) = (scale.of_solution(end), None);
+    let (mut best, mut improved) = (scale.of_solution(end), false);
     for (at, (merit, point)) in ranked.iter().take(SEARCHES).enumerate() {
         if !(scale.is_better(merit, &best) || is_in_parts && at == 0) {
             break;
@@ -75,20 +67,19 @@ pub(super) fn resample(
         let found = search(&point.x)?;
         let merit = scale.of_solution(&found);
         if scale.is_better(&merit, &best) {
-            (best, solution) = (merit, Some(found));
+            (best, *end, improved) = (merit, found, true);
         }
     }
     let better = ranked
         .iter()
         .filter(|(merit, _)| scale.is_better(merit, &best))
         .count();
-    let sample = Sample {
+    Ok(Some(Sample {
         points: POINTS,
         feasible,
         better,
-        improved: solution.is_some(),
-    };
-    Ok(Some(SampleSearch { sample, solution }))
+        improved,
+    }))
 }
 
 /// A point of a sample whose drive has every outcome.
@@ -98,15 +89,15 @@ struct Point {
     constraints: Vec<f64>,
 }
 
-/// The points of the sample whose drives have every outcome; `None` if `interrupt` became true
+/// The points of the sample whose drives have every outcome; `None` if the search was interrupted
 /// before all were evaluated.
-fn fly(problem: &SearchProblem, interrupt: &AtomicBool) -> Result<Option<Vec<Point>>> {
+fn fly(problem: &SearchProblem) -> Result<Option<Vec<Point>>> {
     // omit the first start, which is the setup's own
     let sample = starts(&problem.domain, &problem.start(), 1 + POINTS)?.split_off(1);
     let batch = problem.batch()?;
     let mut points = vec![];
     for some in sample.chunks(AT_ONCE) {
-        if interrupt.load(Ordering::Relaxed) {
+        if problem.is_stopped() {
             return Ok(None);
         }
         let block = batch.evaluate(0, some.concat());
@@ -116,7 +107,7 @@ fn fly(problem: &SearchProblem, interrupt: &AtomicBool) -> Result<Option<Vec<Poi
             let constraints = values.split_off(1);
             Some(Point {
                 x: x.clone(),
-                objective: problem.sense.sign() * values[0],
+                objective: problem.search.sense.sign() * values[0],
                 constraints,
             })
         }));

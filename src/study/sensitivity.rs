@@ -1,5 +1,4 @@
 use super::optimum::{Optimum, optimum};
-use super::problem::SearchProblem;
 use super::search::Search;
 use super::sigma::amount_of;
 use super::verdict::Active;
@@ -30,7 +29,7 @@ pub struct Sensitivity {
 /// `parameter`; the errors of [`Setup::variable`]; [`Error::Optimizer`] if the optimum is not
 /// isolated.
 pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sensitivity> {
-    let problem = converged(best)?;
+    let problem = best.problem()?;
     refuse_varied(&best.search, parameter)?;
     let at = problem.evaluate_with(&best.solution.x, parameter)?;
     let response = response(&best.solution, &problem.domain, &at)?;
@@ -53,7 +52,7 @@ pub fn sensitivities(
     wrt: &[&'static Parameter],
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Vec<(&'static Parameter, Result<Sensitivity>)>> {
-    converged(best)?;
+    best.problem()?;
     let one = |(done, parameter): (usize, &&'static Parameter)| {
         let sensitivity = sensitivity(best, parameter);
         progress(done + 1, wrt.len());
@@ -79,16 +78,6 @@ pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
         });
     }
     Ok(())
-}
-
-fn converged(best: &Optimum) -> Result<SearchProblem> {
-    if best.solution.status != Status::Converged {
-        return Err(Error::NotConverged {
-            status: best.status(),
-            message: best.message(),
-        });
-    }
-    SearchProblem::of_drive(&best.setup, &best.search)
 }
 
 /// A requested change of a parameter.
@@ -184,7 +173,7 @@ pub fn change(
     change: Change,
     integrated: &dyn Fn(Setup<f64>) -> Result<Setup<f64>>,
 ) -> Result<Changed> {
-    let problem = converged(best)?;
+    let problem = best.problem()?;
     refuse_varied(&best.search, change.parameter)?;
     let solution = &best.solution;
     let at = problem.evaluate_with(&solution.x, change.parameter)?;

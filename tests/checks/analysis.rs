@@ -3,8 +3,8 @@
 use crate::common::{LARGE_STEPS, close};
 use longdrive::optimize::{Bounds, Observer, Observers, Solution, Status};
 use longdrive::study::{
-    Change, Constraint, Fineness, Optimum, Search, Sense, Vary, change, chart, flatness, map,
-    optima, optimum, sensitivities, sensitivity,
+    Change, ChartObserver, Constraint, Fineness, Optimum, Search, Sense, Vary, change, chart,
+    flatness, map, optima, optimum, sensitivities, sensitivity,
 };
 use longdrive::{Drive, Error, Outcome, Setup};
 
@@ -480,7 +480,7 @@ fn same_optima_on_the_chart_and_in_single_searches() {
         &["apex_height <= 35 yd"],
     );
     let along = Vary::read(&setup, "swing.speed=80mph..130mph").unwrap();
-    let chart = chart(&setup, &search, along, &mut |_| true).unwrap();
+    let chart = chart(&setup, &search, along, &[], &ChartObserver::default()).unwrap();
     assert!(chart.ended.is_none());
     assert_eq!(
         (chart.points[0].at, chart.points.last().unwrap().at),
@@ -520,7 +520,13 @@ fn same_optima_on_the_chart_and_in_single_searches() {
     assert!(!names(&best(&before, &search)).contains(&"apex_height <= 35 yd".to_owned()));
     let along_itself = Vary::read(&setup, "club.loft=5deg..6deg").unwrap();
     assert!(matches!(
-        longdrive::study::chart(&setup, &search, along_itself, &mut |_| true),
+        longdrive::study::chart(
+            &setup,
+            &search,
+            along_itself,
+            &[],
+            &ChartObserver::default()
+        ),
         Err(Error::Unreadable { .. })
     ));
 }
@@ -536,7 +542,7 @@ fn same_begin_of_a_chart_and_of_the_feasible_range() {
         search(&setup, &vary, &["carry >= 280 yd"]),
     );
     let along = Vary::read(&setup, "swing.speed=80mph..130mph").unwrap();
-    let chart = chart(&setup, &limited, along, &mut |_| true).unwrap();
+    let chart = chart(&setup, &limited, along, &[], &ChartObserver::default()).unwrap();
     let begun = chart.points[0].at;
     let at = |speed: f64| {
         let mut setup = setup;
@@ -703,5 +709,5 @@ fn no_starts_and_no_nodes_are_refused() {
             "{count}"
         );
     }
-    assert_eq!(nodes(2).unwrap().values.len(), 4);
+    assert_eq!(nodes(2).unwrap().plane.values[0].len(), 4);
 }

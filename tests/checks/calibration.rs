@@ -615,9 +615,8 @@ fn exports_omit_summaries_and_incomplete_rows_by_name_and_have_angles_in_degrees
 
 #[test]
 fn default_uncertainties_have_a_source_or_are_marked_as_assumed() {
-    use longdrive::study::calibrate::instrument;
     for outcome in Outcome::ALL {
-        let source = instrument(*outcome).unwrap().0.source().to_string();
+        let source = outcome.instrument().unwrap().source().to_string();
         let is_read = ["golflaunchlab.com", "docs/sources.md"]
             .iter()
             .any(|place| source.contains(place));

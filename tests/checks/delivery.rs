@@ -3,7 +3,7 @@
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
 use longdrive::derivative::gradient;
-use longdrive::study::calibrate::{Measurement, instrument};
+use longdrive::study::calibrate::Measurement;
 use longdrive::study::delivery::{Delivered, Unknown, delivery, unknowns};
 use longdrive::study::{Sigma, Vary};
 use longdrive::{Drive, Outcome, Setup};
@@ -27,7 +27,7 @@ fn launch_of(setup: &Setup<f64>) -> Vec<Measurement> {
     let one = |outcome: Outcome| {
         let (value, sigma) = (
             outcome.value(&drive).unwrap(),
-            instrument(outcome).unwrap().1,
+            outcome.measurement_uncertainty().unwrap(),
         );
         Measurement {
             outcome,
@@ -220,7 +220,7 @@ fn an_unidentified_change_does_not_change_the_launch() {
                 })
                 .sum();
             // the changes omit parts below a tenth; nothing of the whole direction is identified
-            let sigma = instrument(outcome).unwrap().1;
+            let sigma = outcome.measurement_uncertainty().unwrap();
             assert!(
                 untold.variance_removed < 1e-9 && change.abs() < 1.5 * sigma,
                 "{outcome:?}: {change} of {sigma}"
@@ -280,7 +280,7 @@ fn a_launch_on_the_command_line_becomes_a_setup_for_a_search() {
     ] {
         let (value, sigma) = (
             outcome.quantity().read(measured).unwrap(),
-            instrument(outcome).unwrap().1,
+            outcome.measurement_uncertainty().unwrap(),
         );
         close(outcome.value(&drive).unwrap(), value, sigma, 1.0, measured);
     }

@@ -3,7 +3,6 @@
 
 use crate::command_line::{json, longdrive, number};
 use longdrive::parameters::Parameter;
-use longdrive::study::calibrate::instrument;
 use longdrive::study::swings::{Rule, Scenarios, Swings};
 use longdrive::{Drive, Outcome, Setup};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -78,7 +77,7 @@ fn shots_of(
         }
         let drive = Drive::new(&swing).unwrap();
         let cell = |(of, _): (Outcome, &str)| {
-            let error = instrument(of).unwrap().1 * chance.normal();
+            let error = of.measurement_uncertainty().unwrap() * chance.normal();
             (of.value(&drive).unwrap() + error).to_string()
         };
         text += &(of.map(cell).join(",") + "\n");

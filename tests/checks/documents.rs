@@ -4,7 +4,6 @@ use crate::command_line::{commands, longdrive};
 use crate::reproduce::FOUND;
 use longdrive::parameters::PRESETS;
 use longdrive::reproduce::{Landing, Method};
-use longdrive::study::calibrate::instrument;
 use longdrive::units::typeset;
 use longdrive::{Drive, Outcome, Setup};
 
@@ -268,7 +267,7 @@ fn model_md_has_every_outcome_of_a_drive_with_its_uncertainty() {
     let declared: Vec<[String; 2]> = Outcome::ALL
         .iter()
         .map(|outcome| {
-            let sigma = typeset(instrument(*outcome).unwrap().0.sigma);
+            let sigma = typeset(outcome.instrument().unwrap().sigma);
             [format!("`{outcome}`"), sigma]
         })
         .collect();

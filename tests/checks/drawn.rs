@@ -11,8 +11,8 @@ use longdrive::report::figures::{
 use longdrive::report::plot::{Figure, Hue, Layer, Look, figure_csv, figure_svg};
 use longdrive::study::uncertainty::{SamplePlan, Uncertain, uncertainty};
 use longdrive::study::{
-    Constraint, Face, Fineness, Landing, Launches, Map, NamedDrive, Optimum, Region, Search, Sigma,
-    Vary, chart, flatness, map, optimum, with_defaults,
+    ChartObserver, Constraint, Face, Fineness, Landing, Launches, Map, NamedDrive, Optimum, Region,
+    Search, Sigma, Vary, chart, flatness, map, optimum, with_defaults,
 };
 use longdrive::units::System;
 use longdrive::{Drive, Error, Outcome, Setup};
@@ -345,7 +345,7 @@ fn a_chart_marks_the_drive_and_names_active_bounds() {
     let setup = setup();
     let search = Search::longest_drive(&setup).unwrap();
     let along = Vary::read(&setup, "swing.speed=90mph..125mph").unwrap();
-    let found = chart(&setup, &search, along, &mut |_| true).unwrap();
+    let found = chart(&setup, &search, along, &[], &ChartObserver::default()).unwrap();
     let best = optimum(&setup, search, Observer::default()).unwrap();
     let figures = chart_figures(&found, Some(&best), System::Us);
     assert_eq!(figures.drawn.len(), 2, "the attack angle has no figure");
@@ -394,7 +394,7 @@ fn events_of_a_chart_are_in_words_with_the_chosen_units() {
         ..Search::longest_drive(&setup).unwrap()
     };
     let along = Vary::read(&setup, "swing.speed=80mph..130mph").unwrap();
-    let found = chart(&setup, &search, along, &mut |_| true).unwrap();
+    let found = chart(&setup, &search, along, &[], &ChartObserver::default()).unwrap();
     for (system, limit) in [
         (System::Us, "apex height ≤ 35 yd begins"),
         (System::Metric, "apex height ≤ 32.004 m begins"),

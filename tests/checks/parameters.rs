@@ -10,7 +10,8 @@ use longdrive::report::setup_toml;
 use longdrive::study::calibrate::{self, ShotTable, calibrate};
 use longdrive::study::uncertainty::{self, Distribution, Uncertain, uncertainty};
 use longdrive::study::{
-    Fineness, Landing, Search, Sigma, Vary, chart, effects, map, optimum, sensitivity,
+    ChartObserver, Fineness, Landing, Search, Sigma, Vary, chart, effects, map, optimum,
+    sensitivity,
 };
 use longdrive::{Drive, Error, Outcome, Result, Setup};
 use std::collections::HashSet;
@@ -111,7 +112,7 @@ fn a_coefficient_of_another_law_is_refused_everywhere() {
         starts: 1,
         options: Default::default(),
     };
-    let stopped = &mut |_: &longdrive::study::ChartPoint| false;
+    let followed = &ChartObserver::default();
     let over = Search {
         vary: vec![range],
         ..search.clone()
@@ -166,7 +167,7 @@ fn a_coefficient_of_another_law_is_refused_everywhere() {
         ("a sensitivity", sensitivity(&best, stale).map(|_| ())),
         (
             "a chart",
-            chart(&setup, &search, range, stopped).map(|_| ()),
+            chart(&setup, &search, range, &[], followed).map(|_| ()),
         ),
     ];
     for (what, refused) in asked {

@@ -74,16 +74,11 @@ fn same_end_of_a_front_and_of_a_search_along_a_free_variable() {
         goals,
         vary,
         subject_to: vec![],
+        scenarios: Scenarios::one_drive(),
         points: 4,
         options: Options::default(),
     };
-    let found = pareto(
-        &setup,
-        search,
-        Scenarios::one_drive(),
-        &Observers::default(),
-    )
-    .unwrap();
+    let found = pareto(&setup, search, &Observers::default()).unwrap();
     let end = found.points.last().unwrap();
     let mut search = Search::longest_drive(&setup).unwrap();
     search.vary = vec![
@@ -123,10 +118,11 @@ fn same_front_of_carry_and_dispersion_by_single_searches() {
         goals: goals(),
         vary: vary(&setup),
         subject_to: vec![],
+        scenarios: golfer(&setup),
         points: 7,
         options,
     };
-    let found = pareto(&setup, search, golfer(&setup), &Observers::default()).unwrap();
+    let found = pareto(&setup, search, &Observers::default()).unwrap();
     assert_eq!((found.status(), found.dominated), ("done", 0));
     let (points, last) = (&found.points, found.points.len() - 1);
     for (point, k) in [(&points[0], 0), (&points[last], 1)] {

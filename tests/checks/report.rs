@@ -474,7 +474,7 @@ fn same_drives_and_gradients_in_maps_and_other_commands() {
     )
     .unwrap();
     assert!(
-        found.values[0].is_none()
+        found.plane.values[0][0].is_none()
             && found
                 .missing
                 .as_ref()
@@ -492,7 +492,7 @@ fn same_drives_and_gradients_in_maps_and_other_commands() {
     ];
     let (_, drive) = json(&[&["simulate", "modern-driver"], set.as_slice()].concat());
     close(
-        found.values[22].unwrap(),
+        found.plane.values[0][22].unwrap(),
         number(&drive["flight"]["carry"]),
         250.0,
         1e-13,

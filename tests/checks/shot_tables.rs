@@ -225,7 +225,7 @@ fn same_launches_in_sections_with_their_own_heads_and_units() {
 #[test]
 fn unmeasured_values_of_a_club_are_not_used() {
     let (_, found, _) = case("gcquad-unmeasured-club.csv");
-    let shots: Vec<_> = found.iter().flat_map(Flown::shots).collect();
+    let shots: Vec<_> = found.iter().flat_map(|flown| &flown.shots).collect();
     let speeds: Vec<Option<f64>> = shots.iter().map(|shot| shot.club.speed).collect();
     assert_eq!(speeds[..2], [Some(48.5), None]);
     assert_eq!(shots[1].club.values(), [None; 4]);
@@ -238,14 +238,14 @@ fn unmeasured_values_of_a_club_are_not_used() {
         shots[1].notes
     );
     let (_, found, _) = case("open-connect-zero-club.jsonl");
-    assert_eq!(found[0].shots()[0].club.values(), [None; 4]);
+    assert_eq!(found[0].shots[0].club.values(), [None; 4]);
 }
 
 #[test]
 fn words_for_directions_have_signs() {
     let (_, found, _) = case("flightscope-up-down.csv");
     let club = |row: usize| {
-        found[0].shots()[row]
+        found[0].shots[row]
             .club
             .values()
             .map(|value| value.map(f64::to_degrees))
@@ -277,9 +277,9 @@ fn published_signs_of_garmin_are_turned() {
                 Distance [yd]\n150,12,0,2500,10,2462,-434,12\n";
     let (_, found, _) = flown(text.as_bytes());
     assert!(
-        found[0].shots()[0].notes.is_empty() && landed(&found)[0][1] > 0.0,
+        found[0].shots[0].notes.is_empty() && landed(&found)[0][1] > 0.0,
         "{:?}",
-        found[0].shots()[0].notes
+        found[0].shots[0].notes
     );
     // axis and sidespin agree, but the balls curve to the other side
     let row = "150,12,0,2500,10,2462,434,240,-12\n";
@@ -316,7 +316,7 @@ fn a_section_is_interpreted_by_its_own_rows() {
     assert!(
         found
             .iter()
-            .flat_map(Flown::shots)
+            .flat_map(|flown| &flown.shots)
             .all(|shot| shot.notes.is_empty())
     );
 }
@@ -337,7 +337,7 @@ fn independent_air_of_an_altitude_and_a_temperature() {
     let kelvin = 273.15 + 25.0;
     let pressure = 101_325.0 * (1.0 - 0.0065 * (1135.0 * 0.3048) / 288.15_f64).powf(5.255_88);
     close(
-        found[0].shots()[0].further()[0],
+        found[0].shots[0].further()[0],
         pressure / (287.05 * kelvin),
         1.1,
         2e-3,

@@ -106,10 +106,7 @@ fn same_flight_of_a_shot_in_every_makers_export() {
                 &format!("{name}: {}", of.name()),
             );
         }
-        let carry = flown.shots()[0]
-            .value(Outcome::CarryDistance)
-            .unwrap()
-            .value;
+        let carry = flown.shots[0].value(Outcome::CarryDistance).unwrap().value;
         close(carry, 262.0 * yard, 262.0, 1e-9, name);
         let residual = flown.residual(0, 0).unwrap();
         close(
@@ -131,7 +128,7 @@ fn same_flight_of_a_shot_in_every_makers_export() {
         "mevo",
     );
     assert_eq!(
-        flown.shots()[0].notes,
+        flown.shots[0].notes,
         [
             "launch direction is missing: 0 deg is assumed",
             "spin axis is missing: 0 deg is assumed"
@@ -146,12 +143,8 @@ fn same_flight_of_a_shot_in_every_makers_export() {
 
 #[test]
 fn marks_measured_estimated_and_normalized_of_an_export_are_kept() {
-    let origin = |name: &str, row: usize| {
-        file(name).1.shots()[row]
-            .value(Outcome::Spin)
-            .unwrap()
-            .origin
-    };
+    let origin =
+        |name: &str, row: usize| file(name).1.shots[row].value(Outcome::Spin).unwrap().origin;
     assert_eq!(origin("trackman.csv", 0), Some(Origin::Measured));
     assert_eq!(origin("trackman.csv", 1), Some(Origin::Estimated));
     assert_eq!(
@@ -164,15 +157,15 @@ fn marks_measured_estimated_and_normalized_of_an_export_are_kept() {
     );
     let (shots, flown, tally) = file("trackman.csv");
     assert_eq!((tally.spin_not_measured, tally.normalized), (1, 2));
-    assert_eq!(flown.shots()[0].is_normalized, Some(true));
+    assert_eq!(flown.shots[0].is_normalized, Some(true));
     assert_eq!(
-        file("garmin.csv").1.shots()[0].is_normalized,
+        file("garmin.csv").1.shots[0].is_normalized,
         None,
         "not said"
     );
     // values that another flight model predicted are not values of the shot
     assert_eq!(
-        flown.shots()[0]
+        flown.shots[0]
             .values
             .iter()
             .filter(|value| value.of == Outcome::SpinAxis)
@@ -221,7 +214,7 @@ fn same_table_in_every_encoding() {
         assert_eq!(found.rows(), 2);
         for row in 0..2 {
             assert_eq!(found.predicted(row, 0), expected.predicted(row, 0));
-            assert_eq!(found.shots()[row].line, expected.shots()[row].line);
+            assert_eq!(found.shots[row].line, expected.shots[row].line);
         }
     }
     // calibrations read them too
@@ -310,21 +303,21 @@ fn every_row_is_kept_with_its_line_and_its_reason() {
         (rows, rows as u64, rows as u64 / 2)
     );
     for (at, (row, kind, says)) in BAD.iter().enumerate() {
-        let refusal = flown.shots()[2 * at]
+        let refusal = flown.shots[2 * at]
             .refusal()
             .unwrap_or_else(|| panic!("{row} is flown"));
         assert!(
             refusal.kind == *kind && refusal.reason.contains(says),
             "{row}: {refusal:?}"
         );
-        assert_eq!(flown.shots()[2 * at].line, 2 * at as u64 + 2);
+        assert_eq!(flown.shots[2 * at].line, 2 * at as u64 + 2);
         assert!(
-            flown.shots()[2 * at + 1].refusal().is_none(),
+            flown.shots[2 * at + 1].refusal().is_none(),
             "the row after {row}"
         );
     }
     assert_eq!(
-        flown.shots()[rows - 2].refusal().unwrap().kind,
+        flown.shots[rows - 2].refusal().unwrap().kind,
         "quote not closed"
     );
     let counted: u64 = tally.refused.values().map(|refused| refused.count).sum();
@@ -380,9 +373,9 @@ fn every_row_is_kept_with_its_line_and_its_reason() {
     let (_, all, tally) = crate::shots::flown(io::Cursor::new(odd));
     assert_eq!((tally.flown, tally.noted, tally.all[0].count), (3, 3, 0));
     assert!(
-        all[0].shots()[0].notes[0].starts_with("not compared: Carry: 5000 yd is outside"),
+        all[0].shots[0].notes[0].starts_with("not compared: Carry: 5000 yd is outside"),
         "{:?}",
-        all[0].shots()[0].notes
+        all[0].shots[0].notes
     );
 }
 
@@ -407,12 +400,12 @@ fn messages_that_cannot_be_flown_give_the_reason() {
             "BallData.Speed: \"fast\" is not a number",
         ),
     ] {
-        let refusal = flown.shots()[row].refusal().unwrap();
+        let refusal = flown.shots[row].refusal().unwrap();
         assert!(
             refusal.kind == kind && refusal.reason.contains(says),
             "{row}: {refusal:?}"
         );
-        assert_eq!(flown.shots()[row].line, row as u64 + 1);
+        assert_eq!(flown.shots[row].line, row as u64 + 1);
     }
     let metric = "{\"Units\": \"Meters\", \"BallData\": {\"Speed\": 71.5264, \"TotalSpin\": 2500, \"SpinAxis\": 3, \"HLA\": -1.5, \"VLA\": 12}}";
     let found = crate::shots::flown(io::Cursor::new(metric));
@@ -541,13 +534,13 @@ fn ambiguous_decimal_and_thousands_marks_are_refused() {
     let quoted =
         "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n\"165,5\",\"11,2\",\"2,600\"\n";
     let (_, all, _) = flown(quoted.as_bytes());
-    let reason = &all[0].shots()[0].refusal().unwrap().reason;
+    let reason = &all[0].shots[0].refusal().unwrap().reason;
     let says = "Ball Speed: '165,5' is not a number: a comma marks decimals only in tables \
                 whose cells are separated by semicolons or \
                 tabs; write 165.5, or separate the cells so";
     assert_eq!(reason, says);
     let (_, flown, _) = file("decimal-commas.csv");
-    let refusal = flown.shots()[1].refusal().unwrap();
+    let refusal = flown.shots[1].refusal().unwrap();
     assert!(
         refusal
             .reason
@@ -561,7 +554,7 @@ fn ambiguous_decimal_and_thousands_marks_are_refused() {
     );
     assert_eq!(all[0].predicted(0, 0), all[0].predicted(1, 0));
     let (_, all, _) = rows("Ball Speed [mph];Launch Angle [deg];Spin Rate [rpm]\n160;12;2,500\n");
-    assert!(all[0].shots()[0].refusal().is_some(), "nothing tells");
+    assert!(all[0].shots[0].refusal().is_some(), "nothing tells");
 }
 
 #[test]

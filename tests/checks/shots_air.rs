@@ -65,7 +65,7 @@ fn same_flight_in_the_air_of_an_export_and_in_that_air_set() {
         told.contains("each shot flies in the air that the export states for its row: Air Density"),
         "{told}"
     );
-    let notes = |row: usize| all[0].shots()[row].notes.join("\n");
+    let notes = |row: usize| all[0].shots[row].notes.join("\n");
     assert_eq!((notes(0), notes(3)), (String::new(), String::new()));
     assert!(
         notes(1).contains("the air of the setup is assumed; Air Density: the cell is empty"),

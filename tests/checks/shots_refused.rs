@@ -36,7 +36,7 @@ fn rows(table: &ShotTable) -> Vec<usize> {
 fn of_fly(text: &str) -> (Vec<usize>, Vec<String>) {
     let (_, all, _) = flown(Cursor::new(text.to_owned()));
     let (mut rows, mut reasons) = (vec![], vec![]);
-    for (at, shot) in all.iter().flat_map(|flown| flown.shots()).enumerate() {
+    for (at, shot) in all.iter().flat_map(|flown| &flown.shots).enumerate() {
         match shot.refusal() {
             None => rows.push(at + 1),
             Some(refusal) => reasons.push(refusal.reason.clone()),
@@ -234,7 +234,7 @@ fn no_spin_and_topspin_are_out_of_range_in_every_format() {
         (message("\"BackSpin\":-2500,\"SideSpin\":0"), top),
     ] {
         let (_, all, _) = flown(Cursor::new(text.clone()));
-        let refusal = all[0].shots()[0]
+        let refusal = all[0].shots[0]
             .refusal()
             .unwrap_or_else(|| panic!("{text} is flown"));
         assert!(

@@ -17,7 +17,7 @@ fn rows(text: &str) -> Flown {
 
 /// Backspin and sidespin of a row, rpm.
 fn spins(flown: &Flown, row: usize) -> [f64; 2] {
-    let launch = flown.shots()[row]
+    let launch = flown.shots[row]
         .launch()
         .unwrap_or_else(|| panic!("{:?}", flown.reason(row)));
     [launch[3], launch[4]].map(|spin| spin * 30.0 / std::f64::consts::PI)
@@ -48,14 +48,14 @@ fn exact_sidespin_from_spin_axis_and_backspin() {
     );
     for flown in [&sent, &table] {
         is_near(spins(flown, 0), [2500.0, side], "axis of 10°");
-        assert_eq!(flown.shots()[0].notes, [""; 0]);
+        assert_eq!(flown.shots[0].notes, [""; 0]);
         let reason = flown.reason(1).unwrap();
         assert!(
             reason.contains("the axis must be between −90° and 90°"),
             "{reason}"
         );
         assert_eq!(
-            flown.shots()[1].refusal().map(|refusal| refusal.kind),
+            flown.shots[1].refusal().map(|refusal| refusal.kind),
             Some("out of range")
         );
     }
@@ -89,13 +89,13 @@ fn contradictory_spins_are_reported_with_the_used_one() {
     {
         is_near(spins(&sent, row), expected, &format!("message {row}"));
         assert_eq!(
-            sent.shots()[row].notes.len(),
+            sent.shots[row].notes.len(),
             usize::from(row == 0),
             "{row}: {:?}",
-            sent.shots()[row].notes
+            sent.shots[row].notes
         );
     }
-    let note = &sent.shots()[0].notes[0];
+    let note = &sent.shots[0].notes[0];
     for says in [
         "BallData.TotalSpin and BallData.SpinAxis are used, not BallData.BackSpin (1000 rpm)",
         "SideSpin (-500 rpm)",
@@ -140,7 +140,7 @@ fn the_spin_is_taken_from_the_cells_of_each_row() {
         is_near(spins(&flown, row), expected, &format!("row {row}"));
     }
     assert_eq!(
-        flown.shots()[4].refusal().map(|Refusal { kind, .. }| *kind),
+        flown.shots[4].refusal().map(|Refusal { kind, .. }| *kind),
         Some("missing value")
     );
     let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
@@ -235,13 +235,13 @@ fn numbers_from_1e38_are_missing_values() {
             "{head}160,12,2500,3,{cell}\n160,12,{cell},3,262\n"
         ));
         assert_eq!(
-            (flown.shots()[0].notes.len(), flown.residual(0, 0)),
+            (flown.shots[0].notes.len(), flown.residual(0, 0)),
             (1, None),
             "{cell}: {:?}",
-            flown.shots()[0].notes
+            flown.shots[0].notes
         );
         assert_eq!(
-            flown.shots()[1].refusal().map(|refusal| refusal.kind),
+            flown.shots[1].refusal().map(|refusal| refusal.kind),
             Some("missing value"),
             "{cell}"
         );
@@ -281,5 +281,5 @@ fn the_condition_of_a_shot_is_written_and_known_heads_get_no_suggestion() {
     }
     let again = flown(Cursor::new(written));
     assert_eq!((tally.normalized, again.2.normalized), (1, 1));
-    assert_eq!(again.1[0].shots()[1].condition.as_deref(), Some("Actual"));
+    assert_eq!(again.1[0].shots[1].condition.as_deref(), Some("Actual"));
 }

@@ -411,7 +411,7 @@ fn exact_validity_limits_of_a_batch_by_their_definitions() {
                 "{law}: {outside} of {landed}"
             );
             assert_eq!(
-                (status_counts.beyond().all, status_counts.beyond().law),
+                (status_counts.beyond.all, status_counts.beyond.law),
                 (landed, outside)
             );
         }

@@ -136,7 +136,7 @@ fn serve(
             let of = match flown.status(0) {
                 Some(Status::Landed) => &counts.flown,
                 Some(_) => &counts.others,
-                None if flown.shots()[0]
+                None if flown.shots[0]
                     .refusal()
                     .is_some_and(|refusal| refusal.is_no_shot()) =>
                 {

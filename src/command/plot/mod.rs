@@ -7,6 +7,7 @@ pub use args::Args;
 
 use crate::atmosphere::AirState;
 use crate::command::compare::warnings;
+use crate::command::host::SharedProgress;
 use crate::command::names::{outcomes, sigmas, usual, variables};
 use crate::command::output::{Answer, bar, show, spinner, system, tell};
 use crate::command::pareto;
@@ -23,8 +24,8 @@ use crate::report::plot::Figure;
 use crate::reproduce::while_loop;
 use crate::study::certificate::certify;
 use crate::study::{
-    Constraint, Fineness, Map, NamedDrive, Optimum, Region, Search, Vary, chart, effects, map,
-    optimum, short_drive, usual_loss, with_defaults,
+    ChartObserver, Constraint, Fineness, Map, NamedDrive, Optimum, Region, Search, Vary, chart,
+    effects, map, optimum, short_drive, usual_loss, with_defaults,
 };
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
@@ -32,6 +33,7 @@ use args::{
     PlotChart, PlotCompare, PlotKind, PlotLaws, PlotSearch, PlotTornado, PlotTrajectory, PlotVcurve,
 };
 use drive::{at_optimum, drawn_optimum, face, fairway, launches, strikes};
+use std::rc::Rc;
 
 pub fn run(args: &Args) -> Result<Answer> {
     match &args.kind {
@@ -91,7 +93,7 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
         tell(said);
     }
     let region = best
-        .map(|best| Region::around(best, map.across, map.up, usual_loss(best)))
+        .map(|best| Region::around(best, map.plane.across, map.plane.up, usual_loss(best)))
         .transpose()?
         .flatten();
     spinner.finish();
@@ -156,10 +158,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = request.for_many(setup, &ranges)?;
     let bar = bar("optima");
-    let chart = chart(&setup, &search, along, &mut |_| {
-        bar.inc(1);
-        true
-    });
+    let chart = chart(&setup, &search, along, &[], &counted_points(&bar));
     bar.finish();
     let chart = chart?;
     for note in chart.begun.iter().chain(&chart.ended) {
@@ -170,6 +169,15 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let figures = chart_figures(&chart, own, system());
     let figure = figure_of(&figures, &search, shown, &target)?;
     target.written(&request, &setup, figure, chart.warnings())
+}
+
+/// Counts the points of a chart in a progress bar.
+pub fn counted_points(bar: &SharedProgress) -> ChartObserver {
+    let bar = bar.clone();
+    ChartObserver {
+        point: Some(Rc::new(move |_| bar.inc(1))),
+        ..ChartObserver::default()
+    }
 }
 
 /// The varied parameter to plot; `None` for the outcome.

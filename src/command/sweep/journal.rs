@@ -57,7 +57,7 @@ impl Entry {
             law,
             face,
             flat,
-        } = status_counts.beyond();
+        } = status_counts.beyond;
         Self {
             rows,
             bytes,

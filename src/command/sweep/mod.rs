@@ -58,7 +58,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         .filter(|_| !is_complete)
         .unwrap_or_else(|| args.output.clone());
     let summary = SweepSummary::new(total, counts, notes, &file);
-    warn(counts.beyond().warnings(
+    warn(counts.beyond.warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
         CheckScope::Launch,

@@ -11,7 +11,7 @@ use crate::drive::CheckScope;
 use crate::input_file::is_in_memory;
 use crate::parts::{self, Checked, Dataset, Manifest, PartResult, SweepDefinition};
 use crate::report::{Reply, summary_document};
-use crate::statistics::{Bins, RankingSpec};
+use crate::statistics::{Histogram, Ranking};
 use crate::units::{Message, counted};
 use crate::{Error, Result};
 use serde::Serialize;
@@ -76,7 +76,7 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
         PartResult::There(manifest) => (manifest, false),
         PartResult::Stopped => return Ok(stopped(part, &request)),
     };
-    warn(manifest.part.summary.status_counts().beyond().warnings(
+    warn(manifest.part.summary.status_counts().beyond.warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
         CheckScope::Launch,
@@ -129,23 +129,12 @@ fn dataset_of(
     points: &dyn crate::batch::Points,
     parts: u64,
 ) -> Result<Dataset> {
-    let bins: Vec<_> = args
-        .histogram
-        .iter()
-        .map(|text| Bins::read(text))
-        .collect::<Result<_>>()?;
-    let highest = args
-        .highest
-        .iter()
-        .map(|text| RankingSpec::read(text, true));
-    let sought: Vec<_> = highest
-        .chain(
-            args.lowest
-                .iter()
-                .map(|text| RankingSpec::read(text, false)),
-        )
-        .collect::<Result<_>>()?;
-    Dataset::new(batch, points, parts, &bins, &sought)
+    let histograms = args.histogram.iter().map(|text| Histogram::read(text));
+    let histograms = histograms.collect::<Result<_>>()?;
+    let highest = args.highest.iter().map(|text| Ranking::read(text, true));
+    let lowest = args.lowest.iter().map(|text| Ranking::read(text, false));
+    let best = highest.chain(lowest).collect::<Result<_>>()?;
+    Dataset::new(batch, points, parts, histograms, best)
 }
 
 /// Creates the folder of the parts. Another process may create it at the same time.

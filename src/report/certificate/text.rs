@@ -154,7 +154,7 @@ fn failure_of_second(row: &Row) -> Option<String> {
 /// agree.
 fn disagreement(row: &Row) -> Option<String> {
     let found = &row.num_dual;
-    if found.holds() {
+    if found.verdict == Verdict::Pass {
         return None;
     }
     Some(format!(
@@ -174,7 +174,10 @@ fn disagreement(row: &Row) -> Option<String> {
 fn agreement(rows: &[Row]) -> Option<String> {
     let part = |row: &&Row| row.num_dual.difference / row.num_dual.tolerance.max(f64::MIN_POSITIVE);
     let worst = rows.iter().max_by(|a, b| part(a).total_cmp(&part(b)))?;
-    let agree = rows.iter().filter(|row| row.num_dual.holds()).count();
+    let agree = rows
+        .iter()
+        .filter(|row| row.num_dual.verdict == Verdict::Pass)
+        .count();
     Some(format!(
         "{}: {} of {} first derivatives agree with those over num_dual::Dual64; the largest \
          difference, of d {}/d {}, is {:.0e} (allowed: {:.0e})",

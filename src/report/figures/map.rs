@@ -1,4 +1,4 @@
-use super::style::field_of;
+use super::style::{field, field_of};
 use crate::parameters::Setup;
 use crate::report::plot::{Axis, Field, Figure, Hue, Layer, LineNames, Measure};
 use crate::report::shown;
@@ -24,7 +24,7 @@ pub struct OnMap<'a> {
 /// A map with its gradients, the constraints as lines with their forbidden side hatched, the drive
 /// as set up, and the optimum with the region of little loss. Texts are in the units of `system`.
 pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
-    let (across, up) = (&map.across, &map.up);
+    let (across, up) = (&map.plane.across, &map.plane.up);
     let [x, y] = [across, up]
         .map(|vary| Axis::linear(Measure::parameter(vary.parameter)).exactly(vary.low, vary.high));
     let title = format!(
@@ -35,14 +35,14 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     );
     let name = format!("map-{}", map.of.name());
     let mut figure = Figure::new(name, title, x, y)
-        .with(Layer::Contours(field(map)))
+        .with(Layer::Contours(field_of_map(map)))
         .with(arrows(across, up, &map.slopes));
     figure.aspect = 0.85;
     figure.line_names = LineNames::OnLines;
     let best = on.best.filter(|best| best.value().is_some());
     figure.subtitle = held(on.setup, best, [across, up], system);
     for (i, (constraint, map)) in on.limits.iter().enumerate() {
-        let forbidden = forbidden(constraint, &field(map), 2 + i, system);
+        let forbidden = forbidden(constraint, &field_of_map(map), 2 + i, system);
         figure.layers.extend(forbidden);
     }
     let region = on.region.map_or(vec![], |region| {
@@ -63,7 +63,7 @@ const AS_SET_UP: &str = "as set up";
 /// The drive as set up and the optimum, if the map contains them, with an arrow from the drive as
 /// set up to the optimum.
 fn marks(map: &Map, setup: &Setup<f64>, best: Option<&Optimum>) -> Vec<Layer> {
-    let (across, up) = (&map.across, &map.up);
+    let (across, up) = (&map.plane.across, &map.plane.up);
     let at =
         |setup: &Setup<f64>| Some([setup.value(across.parameter)?, setup.value(up.parameter)?]);
     let is_on = |[x, y]: &[f64; 2]| {
@@ -249,12 +249,8 @@ fn nearly_as_good(region: &Region, name: &str) -> Vec<Layer> {
 }
 
 /// A map as a field of a plot.
-fn field(map: &Map) -> Field {
-    let measure = Measure::outcome(map.of);
-    Field {
-        gradients: map.gradients.clone(),
-        ..field_of(measure, map.across, map.up, map.columns, &map.values)
-    }
+fn field_of_map(map: &Map) -> Field {
+    field(&map.plane, 0, Measure::outcome(map.of))
 }
 
 /// Gradients in units of the ranges: the arrows show the steepest ascent on the page. Their length

@@ -88,7 +88,7 @@ pub(super) fn assumed(shot: &Shot) -> [bool; 2] {
 
 /// Appends the cells of a row.
 pub(super) fn row(added: &Added, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
-    let shot = &flown.shots()[row];
+    let shot = &flown.shots[row];
     let club = [
         shot.club.speed,
         shot.club.attack_angle,

@@ -67,7 +67,7 @@ impl Added {
 
     /// Appends the added cells of a row, without a separator before the first.
     pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
-        let shot = &flown.shots()[row];
+        let shot = &flown.shots[row];
         bytes.extend_from_slice(shot.line.to_string().as_bytes());
         for text in [flown.flight(row), flown.reason(row).unwrap_or_default()] {
             bytes.push(self.separator);
@@ -160,7 +160,7 @@ impl Copied {
     }
 
     pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
-        let shot = &flown.shots()[row];
+        let shot = &flown.shots[row];
         let separator = self.added.separator;
         if shot
             .refusal()

@@ -194,7 +194,7 @@ impl Keys {
     }
 
     pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
-        let shot = &flown.shots()[row];
+        let shot = &flown.shots[row];
         let flight = flown.flight(row);
         let start = format!("{{\"line\":{},\"flight\":\"{flight}\",", shot.line);
         bytes.extend_from_slice(start.as_bytes());

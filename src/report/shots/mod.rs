@@ -22,7 +22,7 @@ pub use summary::{
 };
 
 use crate::drive::Outcome;
-use crate::shots::{Flown, Layout, Shots};
+use crate::shots::{Flown, Shots};
 use crate::units::System;
 use csv::{Added, Copied};
 use screen::Screen;
@@ -62,10 +62,8 @@ enum Table {
 impl ShotWriter {
     /// A writer for these shots; CSV is in the units of a system.
     pub fn new(format: ShotFormat, shots: &Shots, of: &[Outcome], system: System) -> Self {
-        let table = match (format, shots.layout()) {
-            (ShotFormat::Csv, Layout::Export(export)) => {
-                Table::Copied(Copied::new(export, of, system))
-            }
+        let table = match (format, shots.export()) {
+            (ShotFormat::Csv, Some(export)) => Table::Copied(Copied::new(export, of, system)),
             (ShotFormat::Csv | ShotFormat::LaunchMonitor, _) => Table::Columns(Added {
                 of: of.to_vec(),
                 system,
@@ -96,7 +94,7 @@ impl ShotWriter {
     /// rows.
     pub fn rows(&self, flown: &Flown) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(flown.rows() * 400);
-        let section = flown.section();
+        let section = flown.section.as_ref();
         let copied = match (&self.table, section) {
             (Table::Copied(copied), Some(section)) => Some(copied.of_section(&section.export)),
             _ => None,

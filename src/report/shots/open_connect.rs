@@ -145,7 +145,7 @@ impl ClubData {
 
 impl<'a> Flight<'a> {
     fn new(flown: &'a Flown, row: usize) -> Self {
-        let shot = &flown.shots()[row];
+        let shot = &flown.shots[row];
         let stated = shot
             .values
             .iter()
@@ -156,7 +156,7 @@ impl<'a> Flight<'a> {
             .filter(|(_, is)| *is && shot.launch().is_some())
             .map(|(of, _)| (of.name(), ASSUMED));
         let origins: ByName<&'static str> = stated.chain(assumed).collect();
-        let outcomes = flown.outcomes().iter().enumerate();
+        let outcomes = flown.of.iter().enumerate();
         Self {
             status: flown.flight(row),
             reason: flown.reason(row),
@@ -177,7 +177,7 @@ fn number(value: Option<f64>, of: Outcome, unit: &str) -> Option<f64> {
 /// Appends the message of a row. For a row that cannot be flown, the message states that it has no
 /// ball data, so that no simulator plays it.
 pub(super) fn row(flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
-    let shot = &flown.shots()[row];
+    let shot = &flown.shots[row];
     let club = ClubData::new(shot);
     let message = Message {
         device_id: "longdrive",
@@ -202,7 +202,7 @@ pub(super) fn row(flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
 /// break.
 pub fn open_connect_answer(flown: &Flown) -> Vec<u8> {
     let is_no_shot = flown
-        .shots()
+        .shots
         .first()
         .and_then(Shot::refusal)
         .is_some_and(|refusal| refusal.is_no_shot());

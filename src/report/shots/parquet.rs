@@ -176,7 +176,7 @@ impl ShotParquet {
         match of {
             Of::Line => Cells::Numbers(
                 rows()
-                    .map(|(flown, row)| flown.shots()[row].line as f64)
+                    .map(|(flown, row)| flown.shots[row].line as f64)
                     .collect(),
             ),
             Of::Flight => Cells::Texts(
@@ -186,26 +186,26 @@ impl ShotParquet {
             ),
             Of::Row => Cells::Texts(
                 rows()
-                    .map(|(flown, row)| flown.shots()[row].text.as_str().into())
+                    .map(|(flown, row)| flown.shots[row].text.as_str().into())
                     .collect(),
             ),
             Of::Reason => texts(&|flown, row| flown.reason(row).map(str::to_owned)),
             Of::Notes => texts(&|flown, row| {
-                let notes = &flown.shots()[row].notes;
+                let notes = &flown.shots[row].notes;
                 (!notes.is_empty()).then(|| notes.join("; "))
             }),
             Of::SpinOrigin => texts(&|flown, row| {
-                let shot = &flown.shots()[row];
+                let shot = &flown.shots[row];
                 let spin = shot
                     .value(Outcome::Spin)
                     .or_else(|| shot.value(Outcome::Backspin));
                 Some(spin?.origin?.name().to_owned())
             }),
-            Of::Condition => texts(&|flown, row| flown.shots()[row].condition.clone()),
-            Of::Launch(at) => numbers(&|flown, row| launch(&flown.shots()[row])[at]),
-            Of::Club(at) => numbers(&|flown, row| flown.shots()[row].club.values()[at]),
-            Of::Further(at) => numbers(&|flown, row| flown.shots()[row].further().get(at).copied()),
-            Of::Measured(of) => numbers(&|flown, row| Some(flown.shots()[row].value(of)?.value)),
+            Of::Condition => texts(&|flown, row| flown.shots[row].condition.clone()),
+            Of::Launch(at) => numbers(&|flown, row| launch(&flown.shots[row])[at]),
+            Of::Club(at) => numbers(&|flown, row| flown.shots[row].club.values()[at]),
+            Of::Further(at) => numbers(&|flown, row| flown.shots[row].further().get(at).copied()),
+            Of::Measured(of) => numbers(&|flown, row| Some(flown.shots[row].value(of)?.value)),
             Of::Predicted(at) => numbers(&|flown, row| flown.predicted(row, at)),
             Of::Residual(at) => numbers(&|flown, row| flown.residual(row, at)),
         }

@@ -47,7 +47,7 @@ impl Screen {
 
     /// Appends the cells of a row.
     pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
-        let shot = &flown.shots()[row];
+        let shot = &flown.shots[row];
         let [speed, angle, _, spin, _] = launch(shot);
         let launch = [
             (Outcome::BallSpeed, speed),

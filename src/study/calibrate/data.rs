@@ -3,12 +3,11 @@
 use super::reading::Reading;
 use super::rows::Rows;
 use super::shot_table::ShotTable;
-use crate::error::{Error, Result};
-use crate::external_errors::read_error_text;
+use crate::error::Result;
 use crate::input_file::InputFile;
 use crate::parameters::Setup;
 use crate::shots::{Shots, is_json};
-use crate::table::{ClubColumns, Entry, RowFilter, TableOptions, Text, TextTable};
+use crate::table::{ClubColumns, Entry, RowFilter, SourceName, TableOptions, Text, TextTable};
 use std::io::{Cursor, Read};
 use std::path::Path;
 
@@ -16,7 +15,7 @@ impl ShotTable {
     /// Reads measured shots from the rows of a CSV file that `filter` selects, by default all rows.
     ///
     /// # Errors
-    /// The errors of [`read`](Self::read), and [`Error::Table`] if `filter` selects no row or names
+    /// The errors of [`read`](Self::read), and [`Error::Table`](crate::Error::Table) if `filter` selects no row or names
     /// a column that the table does not have.
     pub fn open(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
         Self::opened(setup, path, filter, ClubColumns::Ignored)
@@ -37,13 +36,9 @@ impl ShotTable {
         filter: RowFilter,
         club: ClubColumns,
     ) -> Result<Self> {
-        let file = path.display().to_string();
-        let source = InputFile::open(path).map_err(|error| Error::Table {
-            file: file.clone(),
-            place: String::new(),
-            reason: read_error_text(&error),
-        })?;
-        Self::read_rows(setup, Self::text(&file, source)?.with_filter(filter), club)
+        let name = SourceName(path.display().to_string());
+        let text = Text::open(&name.0, name.io(InputFile::open(path))?)?;
+        Self::read_rows(setup, text.with_filter(filter), club)
     }
 
     /// Reads measured shots from CSV text. Also reads messages of GSPro Open Connect, and exports
@@ -54,24 +49,14 @@ impl ShotTable {
     /// ignored too, and physically impossible measured values are not compared.
     ///
     /// # Errors
-    /// [`Error::Table`] with row and column for an unknown or repeated column, a wrong unit, a cell
+    /// [`Error::Table`](crate::Error::Table) with row and column for an unknown or repeated column, a wrong unit, a cell
     /// that is not a number, an uncertain decimal mark, a sigma ≤ 0, a value outside its range, and
     /// a table without rows.
-    pub fn read(setup: &Setup<f64>, file: &str, source: impl Read) -> Result<Self> {
-        Self::read_rows(setup, Self::text(file, source)?, ClubColumns::Ignored)
-    }
-
-    /// Reads the whole text.
-    fn text(file: &str, mut source: impl Read) -> Result<Text> {
+    pub fn read(setup: &Setup<f64>, file: &str, mut source: impl Read) -> Result<Self> {
         let mut bytes = vec![];
-        source
-            .read_to_end(&mut bytes)
-            .map_err(|error| Error::Table {
-                file: file.into(),
-                place: String::new(),
-                reason: read_error_text(&error),
-            })?;
-        Text::open(file, Cursor::new(bytes))
+        SourceName(file.into()).io(source.read_to_end(&mut bytes))?;
+        let text = Text::open(file, Cursor::new(bytes))?;
+        Self::read_rows(setup, text, ClubColumns::Ignored)
     }
 
     /// Reads CSV text. With [`ClubColumns::Read`] a row needs no measurement other than its launch.

@@ -1,6 +1,5 @@
 //! Reads the rows of a table of measured shots.
 
-use super::instrument::instrument;
 use super::shot_table::{Measurement, Shot, Stationary};
 use super::statistics::Uncertainties;
 use crate::drive::{Outcome, OutcomeGroup};
@@ -265,10 +264,8 @@ impl Reading {
                 .iter()
                 .filter_map(|name| setup.variable(name).ok());
             let is_given = |parameter: &&Parameter| {
-                let at = ClubOfShot::NAMES
-                    .iter()
-                    .position(|name| *name == parameter.name);
-                at.is_some_and(|at| shots.iter().any(|shot| shot.club.values()[at].is_some()))
+                ClubOfShot::place(parameter)
+                    .is_some_and(|at| shots.iter().any(|shot| shot.club.values()[at].is_some()))
             };
             columns.extend(
                 of_club
@@ -298,11 +295,8 @@ impl Reading {
         let of = |column: &Column| match column.content {
             Content::Outcome(outcome) => shot.value(outcome).map(|value| value.value),
             Content::Input(parameter) => {
-                let of_club = ClubOfShot::NAMES
-                    .iter()
-                    .position(|name| *name == parameter.name);
                 let at = || further.iter().position(|own| *own == parameter);
-                of_club.map_or_else(
+                ClubOfShot::place(parameter).map_or_else(
                     || shot.further().get(at()?).copied(),
                     |at| shot.club.values()[at],
                 )
@@ -312,39 +306,32 @@ impl Reading {
         self.columns.iter().map(of).collect()
     }
 
+    /// The column with a content, and its index.
+    fn column(&self, content: Content) -> Option<(usize, &Column)> {
+        let mut columns = self.columns.iter().enumerate();
+        columns.find(|(_, column)| column.content == content)
+    }
+
     fn cell(&self, record: Values<'_>, content: Content) -> Result<Option<f64>, RowError> {
-        let Some(at) = self
-            .columns
-            .iter()
-            .position(|column| column.content == content)
-        else {
+        let Some((at, column)) = self.column(content) else {
             return Ok(None);
         };
-        let column = &self.columns[at];
         record
             .value(at, column)
             .map_err(|why| RowError::new(Some(column.head.clone()), why))
     }
 
     fn sigma(&self, record: Values<'_>, content: Content, one: f64) -> Result<f64, RowError> {
+        let Some((_, column)) = self.column(content) else {
+            return Ok(one);
+        };
         let sigma = self.cell(record, content)?;
-        let has_column = self.columns.iter().any(|column| column.content == content);
-        match sigma {
-            Some(sigma) if sigma > 0.0 => Ok(sigma),
-            None if !has_column => Ok(one),
-            _ => {
-                let head = self
-                    .columns
-                    .iter()
-                    .find(|column| column.content == content)
-                    .map(|column| column.head.clone());
-                Err(RowError::new(
-                    head,
-                    "a standard uncertainty must be a number above 0 wherever there is a \
-                            measurement",
-                ))
-            }
-        }
+        sigma.filter(|sigma| *sigma > 0.0).ok_or_else(|| {
+            RowError::new(
+                Some(column.head.clone()),
+                "a standard uncertainty must be a number above 0 wherever there is a measurement",
+            )
+        })
     }
 
     /// True for outcomes that the fit compares: for launches all outcomes except the launch
@@ -460,7 +447,7 @@ impl Reading {
             row.not_compared = here();
             return Ok(());
         }
-        let assumed = instrument(outcome).map_or(column.one(), |(_, sigma)| sigma);
+        let assumed = outcome.measurement_uncertainty().unwrap_or(column.one());
         let sigma = self.sigma(record, Content::Sigma(outcome), assumed)?;
         row.shot.measured.push(Measurement {
             outcome,
@@ -496,7 +483,7 @@ impl Reading {
                 .iter()
                 .enumerate()
                 .filter_map(|(at, column)| match column.content {
-                    Content::Input(parameter) if ClubOfShot::NAMES.contains(&parameter.name) => {
+                    Content::Input(parameter) if ClubOfShot::place(parameter).is_some() => {
                         Some((parameter.name, record.value(at, column).ok().flatten()?))
                     }
                     _ => None,
@@ -529,12 +516,6 @@ impl Reading {
         Ok(value)
     }
 
-    fn has(&self, outcome: Outcome) -> bool {
-        self.columns
-            .iter()
-            .any(|column| column.content == Content::Outcome(outcome))
-    }
-
     /// Column heads of the launch and of the club, if the table has club columns and a complete
     /// launch.
     pub fn launch_beside_club(&self) -> Option<[String; 2]> {
@@ -555,13 +536,8 @@ impl Reading {
 
     /// The column head of outcome `of`, for messages.
     fn head(&self, of: Outcome) -> String {
-        let column = self
-            .columns
-            .iter()
-            .find(|column| column.content == Content::Outcome(of));
-        column
-            .map_or(of.name(), |column| column.head.as_str())
-            .to_owned()
+        let column = self.column(Content::Outcome(of));
+        column.map_or(of.name().into(), |(_, column)| column.head.clone())
     }
 
     /// The launch conditions of a row.
@@ -608,7 +584,8 @@ impl Reading {
 
     /// Names and values of the launch parameters for the launch conditions of a row.
     fn launch(&self, stated: Launch) -> Result<[(&'static str, f64); 5], RowError> {
-        conditions(stated, |of| self.has(of)).map_err(
+        let has = |of: Outcome| self.column(Content::Outcome(of)).is_some();
+        conditions(stated, has).map_err(
             |Fault {
                  of,
                  why,
@@ -626,11 +603,7 @@ impl Reading {
         record: Values<'_>,
         at_shot: &Setup<f64>,
     ) -> Result<Vec<Stationary>, RowError> {
-        let Some(at) = self
-            .columns
-            .iter()
-            .position(|column| column.content == Content::Stationary)
-        else {
+        let Some((at, _)) = self.column(Content::Stationary) else {
             return Ok(vec![]);
         };
         let here = || Some("stationary".to_owned());
@@ -662,7 +635,7 @@ impl Reading {
 
     /// Remarks on assumed standard uncertainties, and the quality of all uncertainties.
     pub fn assumed(&self, shots: &[Shot]) -> (Vec<Message>, Uncertainties) {
-        let has = |content: Content| self.columns.iter().any(|column| column.content == content);
+        let has = |content: Content| self.column(content).is_some();
         let measured = || shots.iter().flat_map(|shot| &shot.measured);
         let is_measured = |outcome| measured().any(|measured| measured.outcome == outcome);
         let mut worth = Uncertainties::Stated;
@@ -674,7 +647,7 @@ impl Reading {
                 Content::Outcome(outcome) if !is_measured(outcome) => {}
                 Content::Outcome(outcome) if !has(Content::Sigma(outcome)) => {
                     remarks.push(assumed_sigma(column, outcome));
-                    if instrument(outcome).is_none() {
+                    if outcome.measurement_uncertainty().is_none() {
                         worth = Uncertainties::Weights;
                     } else if worth == Uncertainties::Stated {
                         worth = Uncertainties::Instruments;
@@ -698,7 +671,8 @@ impl Reading {
 /// Remark on an outcome without a column 'sigma': its standard uncertainty is the uncertainty of
 /// the instrument; if this is unknown, one unit serves as a weight.
 fn assumed_sigma(column: &Column, outcome: Outcome) -> Message {
-    let Some((instrument, sigma)) = instrument(outcome) else {
+    let (Some(instrument), Some(sigma)) = (outcome.instrument(), outcome.measurement_uncertainty())
+    else {
         return format!(
             "{0} has no column 'sigma {0}': each row is weighted as if its standard uncertainty \
              were 1 {1}",

@@ -18,7 +18,7 @@ pub enum Uncertainties {
     /// The table states all standard uncertainties.
     Stated,
     /// The table lacks some standard uncertainties; the known uncertainties of instruments replace
-    /// them ([`instrument`](super::instrument())).
+    /// them ([`Outcome::measurement_uncertainty`](crate::Outcome::measurement_uncertainty)).
     Instruments,
     /// Some standard uncertainties are unknown: one unit of the column serves as a weight.
     Weights,

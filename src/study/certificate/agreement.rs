@@ -53,11 +53,6 @@ impl Agreement {
             tolerance,
         }
     }
-
-    /// True if the difference is within the tolerance.
-    pub fn holds(&self) -> bool {
-        self.verdict == Verdict::Pass
-    }
 }
 
 /// Derivatives of several outcomes by one parameter, computed with num-dual.

@@ -53,13 +53,6 @@ pub struct Continuity {
     pub verdict: Verdict,
 }
 
-impl Continuity {
-    /// True if no jump exceeds its tolerance.
-    pub fn passed(&self) -> bool {
-        self.verdict == Verdict::Pass
-    }
-}
-
 /// Varies `wrt[0]` until the number of time steps changes, and measures there the jumps of the
 /// outcomes and of their derivatives by `wrt`. Empty if the number does not change nearby, or if
 /// `goes_on` returns false.

@@ -96,13 +96,6 @@ pub struct Convergence {
     pub would_show: [bool; 2],
 }
 
-impl Convergence {
-    /// True if both orders are as expected.
-    pub fn passed(&self) -> bool {
-        self.verdict == Verdict::Pass
-    }
-}
-
 /// Convergence of outcomes and of their derivatives by `wrt` with decreasing time step. A
 /// logarithmic wind is omitted, because it varies within half a metre of height, which these steps
 /// cross at once. Steps longer than the spin decay time are omitted too. Empty if too few steps

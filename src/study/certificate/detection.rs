@@ -107,7 +107,7 @@ pub(super) fn detection_tests(
         };
         for row in rows
             .iter()
-            .filter(|row| row.first.verdict == Verdict::Pass && row.num_dual.holds())
+            .filter(|row| [row.first.verdict, row.num_dual.verdict] == [Verdict::Pass; 2])
         {
             let Some(wrong) = wrong(error, row, landing).filter(|wrong| *wrong != row.first.exact)
             else {
@@ -115,8 +115,8 @@ pub(super) fn detection_tests(
             };
             test.rows += 1;
             test.caught += usize::from(row.ladder.judge(wrong, demand(setup)).failed());
-            test.caught_by_num_dual +=
-                usize::from(!Agreement::new(wrong, row.num_dual.num_dual, &row.ladder).holds());
+            let agreement = Agreement::new(wrong, row.num_dual.num_dual, &row.ladder);
+            test.caught_by_num_dual += usize::from(agreement.verdict == Verdict::Fail);
         }
         test
     })

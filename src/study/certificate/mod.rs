@@ -101,8 +101,10 @@ impl Certificate {
         };
         let landing = self.landing.iter();
         let landing = landing.filter(|row| row.check.verdict == Verdict::Fail);
-        let continuity = self.continuity.iter().filter(|check| !check.passed());
-        let convergence = self.convergence.iter().filter(|check| !check.passed());
+        let continuity = self.continuity.iter();
+        let continuity = continuity.filter(|check| check.verdict == Verdict::Fail);
+        let convergence = self.convergence.iter();
+        let convergence = convergence.filter(|check| check.verdict == Verdict::Fail);
         let planted = self.planted.iter().filter(|test| !test.is_caught());
         let checks = [
             (

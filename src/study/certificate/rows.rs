@@ -44,7 +44,7 @@ impl Row {
     /// True if num-dual shows that the derivative is wrong. At a corner both methods may return
     /// either one-sided slope.
     pub fn num_dual_fails(&self) -> bool {
-        self.first.verdict != Verdict::Corner && !self.num_dual.holds()
+        self.first.verdict != Verdict::Corner && self.num_dual.verdict == Verdict::Fail
     }
 
     /// True if differences of gradients show that the second derivative is wrong.

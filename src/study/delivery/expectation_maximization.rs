@@ -7,7 +7,7 @@ use super::unknown::Unknown;
 use crate::derivative::{Evaluator, Order, Taylor};
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::parameters::Parameter;
+use crate::study::calibrate::ShotTable;
 use nalgebra::{DMatrix, DVector};
 
 /// Maximum number of iterations.
@@ -63,7 +63,7 @@ impl SwingInformation {
         shots: &[&Delivered],
         of: &[Outcome],
         unknowns: &[Unknown],
-        is_measured: &impl Fn(&'static Parameter) -> bool,
+        table: &ShotTable,
         mean: &DVector<f64>,
         launches: &LinearizedLaunches,
     ) -> Result<Self> {
@@ -76,7 +76,7 @@ impl SwingInformation {
             count,
         };
         for shot in shots {
-            all.add(shot, of, unknowns, is_measured, &at, launches)?;
+            all.add(shot, of, unknowns, table, &at, launches)?;
         }
         Ok(all)
     }
@@ -87,7 +87,7 @@ impl SwingInformation {
         shot: &Delivered,
         of: &[Outcome],
         unknowns: &[Unknown],
-        is_measured: &impl Fn(&'static Parameter) -> bool,
+        table: &ShotTable,
         at: &[f64],
         launches: &LinearizedLaunches,
     ) -> Result<()> {
@@ -119,7 +119,7 @@ impl SwingInformation {
         let mut score = weighted * residuals;
         self.information += slopes.transpose() * slopes / self.count;
         for (i, (posterior, unknown)) in shot.posteriors.iter().zip(unknowns).enumerate() {
-            if is_measured(unknown.parameter) {
+            if table.gives(unknown.parameter) {
                 let prior = posterior.unknown;
                 let weight = (unknown.sigma / prior.sigma).powi(2);
                 information[(i, i)] += weight;

@@ -6,7 +6,7 @@ use super::unknown::Unknown;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
-use crate::study::calibrate::Measurement;
+use crate::study::calibrate::{Measurement, ShotTable};
 use crate::units::counted;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
@@ -111,8 +111,8 @@ impl Population {
     ///
     /// Unidentified directions keep their prior distribution. Because an impact is nonlinear, this
     /// can make the predicted launches scatter more than the shots; a smaller prior deviation is
-    /// then used. `is_measured` is true for the parameters that the rows measure. For all other
-    /// parameters the prior describes the swings.
+    /// then used. For parameters that the rows of `table` do not give, the prior describes the
+    /// swings.
     ///
     /// # Errors
     /// [`Error::Delivery`] for fewer than [`LEAST_SHOTS`] shots, and if most swings of the
@@ -121,7 +121,7 @@ impl Population {
         setup: &Setup<f64>,
         all: &[Delivery],
         unknowns: &[Unknown],
-        is_measured: impl Fn(&'static Parameter) -> bool,
+        table: &ShotTable,
     ) -> Result<Self> {
         let shots: Vec<&Delivered> = all.iter().filter_map(Delivery::explained).collect();
         if shots.len() < LEAST_SHOTS {
@@ -134,7 +134,7 @@ impl Population {
         }
         let mut best: Option<(f64, Self)> = None;
         for prior_factor in PRIOR_FACTORS {
-            let found = converged(setup, &shots, unknowns, &is_measured, prior_factor);
+            let found = converged(setup, &shots, unknowns, table, prior_factor);
             let found = match (found, &best) {
                 (Ok(found), _) => found,
                 (Err(error), None) if prior_factor == PRIOR_FACTORS[PRIOR_FACTORS.len() - 1] => {
@@ -214,7 +214,7 @@ fn converged(
     setup: &Setup<f64>,
     shots: &[&Delivered],
     unknowns: &[Unknown],
-    is_measured: &impl Fn(&'static Parameter) -> bool,
+    table: &ShotTable,
     prior_factor: f64,
 ) -> Result<Population> {
     let n = unknowns.len();
@@ -228,8 +228,7 @@ fn converged(
     let mut iteration = 0;
     loop {
         let launches = LinearizedLaunches::of(setup, &of, unknowns, &mean, &covariance)?;
-        let information =
-            SwingInformation::new(shots, &of, unknowns, is_measured, &mean, &launches)?;
+        let information = SwingInformation::new(shots, &of, unknowns, table, &mean, &launches)?;
         let directions = Directions::new(&information.information);
         let (along, unidentified) = (&directions.identified, &directions.unidentified);
         let assumed = unidentified * (prior_factor * prior_factor);

@@ -5,7 +5,7 @@ use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::statistics::Moments;
-use crate::study::calibrate::{Measurement, Shot, ShotTable, instrument};
+use crate::study::calibrate::{Measurement, Shot, ShotTable};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -57,7 +57,7 @@ fn measured(condition: &Parameter, value: f64) -> Option<Measurement> {
     Some(Measurement {
         outcome,
         value,
-        sigma: instrument(outcome)?.1,
+        sigma: outcome.measurement_uncertainty()?,
     })
 }
 

@@ -1,8 +1,10 @@
 //! Main numbers of a design before and after the search.
 
+use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Setup;
-use crate::study::{Goal, Optimum, goals_of};
+use crate::study::problem::SearchProblem;
+use crate::study::{Goal, Optimum, Search};
 use serde::Serialize;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -22,38 +24,45 @@ pub struct Improvement {
 const PARTS: [&str; 3] = ["mean(carry)", "std(carry)", "rms(lateral)"];
 
 /// Mean carry, standard deviation of carry, and root mean square distance from the target line;
-/// `None` once `stop` is true.
+/// empty once `stop` is true.
 ///
 /// # Errors
-/// The errors of [`goals_of`].
+/// The errors of [`optimum`](crate::study::optimum).
 pub fn improvements(
     setup: &Setup<f64>,
     best: &Optimum,
     stop: &Arc<AtomicBool>,
 ) -> Result<Vec<Improvement>> {
-    let goals = PARTS
-        .iter()
-        .map(|text| Goal::read(text, None))
-        .collect::<Result<Vec<_>>>()?;
-    let of = |setup: &Setup<f64>| {
-        goals_of(
-            setup,
-            &goals,
-            &best.search.vary,
-            &best.search.scenarios,
-            stop,
-        )
+    let part = |text: &&str| {
+        let goal = Goal::read(text, None)?;
+        let value = |setup: &Setup<f64>| value(setup, &goal, &best.search, stop);
+        Ok(Improvement {
+            as_set_up: value(setup)?,
+            best: value(&best.setup)?,
+            goal,
+        })
     };
-    let found = of(setup).and_then(|before| Ok((before, of(&best.setup)?)));
+    let found = PARTS.iter().map(part).collect::<Result<Vec<_>>>();
     if stop.load(Ordering::Relaxed) {
         return Ok(vec![]);
     }
-    let (before, after) = found?;
-    let value = |of: &Option<Vec<f64>>, k: usize| of.as_ref().map(|values| values[k]);
-    let part = |(k, goal)| Improvement {
-        goal,
-        as_set_up: value(&before, k),
-        best: value(&after, k),
+    found
+}
+
+/// Value of a goal over the swings at a setup's own design, SI. `None` if the ball does not fly in
+/// one of the swings, and once `stop` is true.
+fn value(
+    setup: &Setup<f64>,
+    goal: &Goal,
+    search: &Search,
+    stop: &Arc<AtomicBool>,
+) -> Result<Option<f64>> {
+    let search = Search {
+        of: goal.clone(),
+        vary: search.vary.clone(),
+        scenarios: search.scenarios.clone(),
+        ..Search::largest(Outcome::Carry)
     };
-    Ok(goals.into_iter().enumerate().map(part).collect())
+    let problem = SearchProblem::of_goals(setup, search, stop)?;
+    Ok(problem.as_set_up().ok().map(|values| values[0]))
 }

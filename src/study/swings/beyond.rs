@@ -126,12 +126,12 @@ impl Pareto {
             .collect();
         let mut count = ExceededCount::default();
         for point in &self.points {
-            let Some(share) = beyond_share(&point.setup, &self.scenarios, &of, stop) else {
+            let Some(share) = beyond_share(&point.setup, &self.search.scenarios, &of, stop) else {
                 return vec![NOT_LOOKED_AT.into()];
             };
             count.add(share.exceeded_limits());
         }
-        let what = match self.scenarios.is_one_drive() {
+        let what = match self.search.scenarios.is_one_drive() {
             true => ["point of the front", "points of the front"],
             false => [
                 "point of the front, for at least 1 % of its swings",

@@ -100,7 +100,7 @@ impl GoalFunction {
             scenarios,
             ..Search::largest(Outcome::Carry)
         };
-        let problem = SearchProblem::of_goals(setup, &search, &Arc::default())?;
+        let problem = SearchProblem::of_goals(setup, search, &Arc::default())?;
         Ok(Self { problem })
     }
 

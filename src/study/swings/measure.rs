@@ -114,24 +114,19 @@ impl Measure {
         weights: &[f64],
         order: Order,
     ) -> Taylor {
-        let each = || {
-            drives
-                .iter()
-                .map(|outcomes| outcomes[0])
-                .zip(weights.iter().copied())
-        };
+        let first = drives.iter().filter_map(|outcomes| outcomes.first());
+        let each: Vec<(&Taylor, f64)> = first.copied().zip(weights.iter().copied()).collect();
         let one = |of: &Outcome| of.quantity().size_of(of.unit()).unwrap_or(1.0);
         let is_second = order == Order::Second;
         let sum = |h: &dyn Fn(f64) -> [f64; 3]| {
-            summed(
-                each().map(|(f, weight)| (f, h(f.value).map(|part| weight * part))),
-                &[],
-                is_second,
-            )
+            let terms = each
+                .iter()
+                .map(|(f, weight)| (*f, h(f.value).map(|part| weight * part)));
+            summed(terms, &[], is_second)
         };
         let lowest = |sign: f64, of: &Outcome, share: f64| {
             let share = LowestShare {
-                drives: &each().collect::<Vec<_>>(),
+                drives: &each,
                 sign,
                 share,
                 smoothing: SMOOTHING * one(of),
@@ -140,7 +135,7 @@ impl Measure {
         };
         match self {
             Self::Mean(_) => sum(&|f| [f, 1.0, 0.0]),
-            Self::Deviation(of) => deviation(each, LEAST_DEVIATION * one(of), is_second),
+            Self::Deviation(of) => deviation(&each, LEAST_DEVIATION * one(of), is_second),
             Self::RootMeanSquare(of) => {
                 root(&sum(&|f| [f * f, 2.0 * f, 2.0]), LEAST_DEVIATION * one(of))
             }
@@ -207,17 +202,13 @@ fn lowest_mean(drives: impl Iterator<Item = (f64, f64)>, share: f64) -> f64 {
 }
 
 /// Standard deviation of weighted drives, smoothed at 0.
-fn deviation<'a, D: Iterator<Item = (&'a Taylor, f64)>>(
-    drives: impl Fn() -> D,
-    least: f64,
-    is_second: bool,
-) -> Taylor {
-    let weighted = drives().map(|(f, w)| (f, [w * f.value, w, 0.0]));
+fn deviation(drives: &[(&Taylor, f64)], least: f64, is_second: bool) -> Taylor {
+    let weighted = drives.iter().map(|(f, w)| (*f, [w * f.value, *w, 0.0]));
     let mean = summed(weighted, &[], false);
     // Σ w (f − mean) = 0 cancels the derivatives of the mean
-    let squares = drives().map(|(f, w)| {
+    let squares = drives.iter().map(|(f, w)| {
         let off = f.value - mean.value;
-        (f, [w * off * off, 2.0 * w * off, 2.0 * w])
+        (*f, [w * off * off, 2.0 * w * off, 2.0 * w])
     });
     root(&summed(squares, &mean.gradient, is_second), least)
 }

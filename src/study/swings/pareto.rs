@@ -19,6 +19,8 @@ pub struct ParetoSearch {
     pub vary: Vec<Vary>,
     /// The constraints.
     pub subject_to: Vec<Constraint>,
+    /// The swings, or [one drive](Scenarios::one_drive).
+    pub scenarios: Scenarios,
     /// Number of points, spread evenly along the front and including its ends.
     pub points: usize,
     /// Settings of the optimizer.
@@ -31,8 +33,6 @@ pub struct ParetoSearch {
 pub struct Pareto {
     /// The search.
     pub search: ParetoSearch,
-    /// The swings.
-    pub scenarios: Scenarios,
     /// The compromises, in order.
     pub points: Vec<ParetoPoint>,
     /// Index of the knee (see [`Front::knee`]); `None` if the front has no knee.
@@ -103,21 +103,14 @@ impl Pareto {
     }
 }
 
-/// The best compromises between two goals over swings, or between two outcomes of one drive
-/// ([`Scenarios::one_drive`]).
+/// The best compromises between two goals over swings, or between two outcomes of one drive.
 ///
 /// # Errors
 /// [`Error::NotConverged`] if the search for the best value of one goal does not converge; the
 /// errors of [`optimum`](crate::study::optimum).
-pub fn pareto(
-    setup: &Setup<f64>,
-    search: ParetoSearch,
-    scenarios: Scenarios,
-    follow: &Observers,
-) -> Result<Pareto> {
+pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, follow: &Observers) -> Result<Pareto> {
     let [(_, sense), (_, against)] = search.goals;
-    let first_goal = search.first_goal(&scenarios);
-    let problem = SearchProblem::new(setup, &first_goal, &follow.interrupt)?;
+    let problem = SearchProblem::new(setup, search.first_goal(), &follow.interrupt)?;
     let own = problem.as_set_up();
     if own.is_err() && follow.interrupt.load(Ordering::Relaxed) {
         return Err(stopped("the search began"));
@@ -156,7 +149,6 @@ pub fn pareto(
         .and_then(|values| Some([*values.first()?, *values.last()?]));
     Ok(Pareto {
         search,
-        scenarios,
         points,
         knee,
         bend,
@@ -169,7 +161,7 @@ pub fn pareto(
 
 impl ParetoSearch {
     /// The search for the best first goal. The second goal is its last constraint, without limits.
-    fn first_goal(&self, scenarios: &Scenarios) -> Search {
+    fn first_goal(&self) -> Search {
         let [(first, sense), (second, _)] = self.goals.clone();
         let mut subject_to = self.subject_to.clone();
         subject_to.push(Constraint {
@@ -183,7 +175,7 @@ impl ParetoSearch {
             sense,
             vary: self.vary.clone(),
             subject_to,
-            scenarios: scenarios.clone(),
+            scenarios: self.scenarios.clone(),
             options: self.options.clone(),
         }
     }

@@ -93,7 +93,7 @@ fn computed(
 ) -> Result<Price> {
     let search = &best.search;
     let mean_swing = over(search, Scenarios::mean(swings));
-    let alone = SearchProblem::new(setup, &mean_swing, stop)?;
+    let alone = SearchProblem::new(setup, mean_swing, stop)?;
     let observer = Observer {
         interrupt: Arc::clone(stop),
         ..Observer::default()
@@ -106,7 +106,7 @@ fn computed(
         observer,
     )?
     .x;
-    let kept = SearchProblem::new(setup, search, stop)?
+    let kept = SearchProblem::new(setup, search.clone(), stop)?
         .values(&design)
         .ok();
     let nominal = alone.values(&design).map(|promised| Nominal {
@@ -150,12 +150,12 @@ fn errors_of(
     {
         Some(rule) => {
             let finer = over(search, Scenarios::new(swings, rule)?);
-            Some(SearchProblem::new(setup, &finer, stop)?.values(x)?)
+            Some(SearchProblem::new(setup, finer, stop)?.values(x)?)
         }
         None => None,
     };
     let replications = match finer.is_none() || of.iter().any(|goal| goal.has_edge()) {
-        true => SearchProblem::new(setup, search, stop)?.replications(x)?,
+        true => SearchProblem::new(setup, search.clone(), stop)?.replications(x)?,
         false => vec![],
     };
     let error = |(k, (goal, value)): (usize, (&&Goal, &f64))| match &finer {

@@ -58,7 +58,7 @@ pub fn resampled(
         return Ok(None);
     }
     let is_stopped = || stop.load(Ordering::Relaxed);
-    let problem = match SearchProblem::new(setup, &best.search, stop) {
+    let problem = match SearchProblem::new(setup, best.search.clone(), stop) {
         Err(_) if is_stopped() => return Ok(None),
         problem => problem?,
     };

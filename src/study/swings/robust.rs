@@ -1,8 +1,8 @@
 use crate::error::{Error, Result};
 use crate::number::Taylor;
 use crate::optimize::{
-    Bounds, ConstraintValue, Domain, Evaluation, Observers, Problem, Solution, Status,
-    minimize_from, starts,
+    Bounds, ConstraintValue, Domain, Evaluation, LocalMinimum, Observers, Problem, Solution,
+    Status, minimize_from, starts,
 };
 use crate::parameters::{LAW, NO_CLUB, Parameter, Setup};
 use crate::study::cancellable::stopped;
@@ -300,21 +300,27 @@ pub fn robust(
     if is_stopped() {
         return Err(stopped("the search for one design for all models began"));
     }
-    let least = losses.minimize_greatest(&starts, follow)?;
-    let design = least.solution.x[..search.vary.len()].to_vec();
+    let ends = minimize_from(&losses, &losses.domain()?, &starts, &search.options, follow)?;
+    let stopped = ends
+        .iter()
+        .filter(|end| end.solution.status == Status::Interrupted)
+        .map(|end| end.starts.len())
+        .sum();
+    let solution = least_loss(ends)?;
+    let design = solution.x[..search.vary.len()].to_vec();
     let goals = losses.goals(&design)?;
     Ok(Robust {
         setup: losses.problems[0].moved(&design)?,
         losses: losses.of(&goals),
-        shares: shares(&least.solution, search.subject_to.len()),
+        shares: shares(&solution, search.subject_to.len()),
         models,
         matrix,
-        solution: least.solution,
+        solution,
         design,
         goals,
         as_set_up,
         searches: starts.len(),
-        stopped: least.stopped,
+        stopped,
         search,
     })
 }
@@ -375,7 +381,7 @@ impl<'a> Losses<'a> {
     fn new(search: &'a Search, models: &[(Model, Optimum)], follow: &Observers) -> Result<Self> {
         let sign = search.sense.sign();
         let problem = |(model, _): &(Model, Optimum)| {
-            SearchProblem::new(&model.setup, search, &follow.interrupt)
+            SearchProblem::new(&model.setup, search.clone(), &follow.interrupt)
         };
         let least = |(_, best): &(Model, Optimum)| sign * best.value().unwrap_or(f64::NAN);
         Ok(Self {
@@ -464,40 +470,27 @@ impl<'a> Losses<'a> {
     }
 }
 
-/// Result of the search for the minimax design.
-struct LeastLoss {
-    solution: Solution,
-    /// Number of interrupted searches.
-    stopped: usize,
+/// The best end of the searches for the minimax design.
+///
+/// # Errors
+/// [`Error::NotConverged`] if no point of the searches has a value.
+fn least_loss(ends: Vec<LocalMinimum>) -> Result<Solution> {
+    let best = ends.into_iter().next().ok_or(Error::Nothing {
+        doing: "search from",
+        what: "start",
+    })?;
+    let solution = best.solution;
+    if solution.value.is_some() {
+        return Ok(solution);
+    }
+    Err(Error::NotConverged {
+        status: solution.status.name(),
+        message: solution.message.into(),
+    })
 }
 
 impl Losses<'_> {
-    /// Searches for the minimax design from each start (x, t).
-    ///
-    /// # Errors
-    /// [`Error::NotConverged`] if no point of the search has a value; the errors of
-    /// [`minimize_from`].
-    fn minimize_greatest(&self, starts: &[Vec<f64>], follow: &Observers) -> Result<LeastLoss> {
-        let options = &self.search.options;
-        let ends = minimize_from(self, &self.domain()?, starts, options, follow)?;
-        let interrupted = ends
-            .iter()
-            .filter(|end| end.solution.status == Status::Interrupted);
-        let stopped = interrupted.map(|end| end.starts.len()).sum();
-        let best = ends.into_iter().next().ok_or(Error::Nothing {
-            doing: "search from",
-            what: "start",
-        })?;
-        let solution = best.solution;
-        if solution.value.is_none() {
-            return Err(Error::NotConverged {
-                status: solution.status.name(),
-                message: solution.message.into(),
-            });
-        }
-        Ok(LeastLoss { solution, stopped })
-    }
-
+    /// The domain of the variables (x, t) and of the functions.
     fn domain(&self) -> Result<Domain> {
         let Bounds { mut low, mut high } = self.problems[0].domain.variables.clone();
         low.push(f64::NEG_INFINITY);

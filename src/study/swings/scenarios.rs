@@ -35,9 +35,6 @@ pub struct Scenarios {
     pub weights: Vec<f64>,
     /// Rule that generated the scenarios.
     pub rule: Rule,
-    /// Bounds of each parameter's distribution, SI; they may be infinite. `None` for recorded
-    /// swings.
-    pub ends: Vec<Option<[f64; 2]>>,
     /// The distributions of the points; `None` for recorded swings and one drive.
     distributed: Option<Swings>,
 }
@@ -151,7 +148,6 @@ impl Scenarios {
             points: vec![vec![]],
             weights: vec![1.0],
             rule: Rule::Quadrature(1),
-            ends: vec![],
             distributed: None,
         }
     }
@@ -197,20 +193,12 @@ impl Scenarios {
                     })?;
             }
         }
-        let ends = match swings {
-            Swings::Recorded { .. } => vec![None; parameters.len()],
-            Swings::Distributed { inputs, .. } => inputs
-                .iter()
-                .map(|input| Some(input.distribution.ends()))
-                .collect(),
-        };
         let distributed = matches!(swings, Swings::Distributed { .. }).then(|| swings.clone());
         Ok(Self {
             parameters,
             points,
             weights,
             rule,
-            ends,
             distributed,
         })
     }
@@ -241,10 +229,19 @@ impl Scenarios {
             .collect()
     }
 
+    /// Bounds of the distribution of a parameter (by index), SI; they may be infinite. `None` for
+    /// recorded swings.
+    fn ends(&self, of: usize) -> Option<[f64; 2]> {
+        match &self.distributed {
+            Some(Swings::Distributed { inputs, .. }) => Some(inputs[of].distribution.ends()),
+            _ => None,
+        }
+    }
+
     /// The scenarios, then scenarios with the parameters `of` at all combinations of the bounds of
     /// their distributions. The other parameters keep their values in each scenario.
     pub(crate) fn and_ends<'a>(&'a self, of: &[usize]) -> impl Iterator<Item = Vec<f64>> + 'a {
-        let ends = |k: &usize| Some((*k, self.ends.get(*k).copied().flatten()?));
+        let ends = |k: &usize| Some((*k, self.ends(*k)?));
         let (bounded, endless): (Vec<_>, Vec<_>) = of
             .iter()
             .filter_map(ends)
@@ -277,23 +274,17 @@ impl Scenarios {
     /// True if the distribution of a parameter has an infinite bound: the parameter then has values
     /// beyond the scenarios.
     pub(crate) fn is_endless(&self, of: usize) -> bool {
-        self.ends
-            .get(of)
-            .copied()
-            .flatten()
+        self.ends(of)
             .is_some_and(|ends| ends.iter().any(|end| end.is_infinite()))
     }
 
     /// One scenario: the mean of each parameter.
     pub fn mean(swings: &Swings) -> Self {
-        let (parameters, points) = (swings.parameters(), vec![swings.means()]);
-        let ends = vec![None; parameters.len()];
         Self {
-            parameters,
-            points,
+            parameters: swings.parameters(),
+            points: vec![swings.means()],
             weights: vec![1.0],
             rule: Rule::Recorded,
-            ends,
             distributed: None,
         }
     }

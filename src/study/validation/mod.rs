@@ -149,7 +149,8 @@ pub fn validation(own: Option<Law<f64>>) -> Result<Vec<SetScores>> {
 
 fn scores(set: &'static Set, own: Option<Law<f64>>) -> Result<SetScores> {
     let mut cases = cases::cases(set.rows)?;
-    let base = set.computation.has_base().then(|| cases.remove(0));
+    // the gain of carry is relative to the first case
+    let base = (set.computation.compared() == [Compared::Gain]).then(|| cases.remove(0));
     let mut found = SetScores {
         set,
         cases,

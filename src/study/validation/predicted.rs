@@ -33,12 +33,9 @@ pub(super) fn predicted(
             let of = [
                 (Compared::Carry, Outcome::CarryDistance),
                 (Compared::Apex, Outcome::ApexHeight),
+                (Compared::Descent, Outcome::DescentAngle),
             ];
-            read(
-                &drive,
-                of.into_iter()
-                    .chain([(Compared::Descent, Outcome::DescentAngle)]),
-            )
+            read(&drive, of)
         }),
         Computation::Altitude | Computation::AltitudeAlone => base.map_or(vec![], |base| {
             let launched = if set.computation == Computation::Altitude {
@@ -156,10 +153,8 @@ fn best(mut setup: Setup<f64>, case: &Case) -> Result<Vec<(Compared, f64)>> {
     Ok(drive.map_or(vec![], |drive| read(&drive, of)))
 }
 
-fn read(
-    drive: &Drive<f64>,
-    of: impl IntoIterator<Item = (Compared, Outcome)>,
-) -> Vec<(Compared, f64)> {
+/// The quantities that a drive has.
+fn read(drive: &Drive<f64>, of: [(Compared, Outcome); 3]) -> Vec<(Compared, f64)> {
     of.into_iter()
         .filter_map(|(compared, outcome)| Some((compared, outcome.value(drive)?)))
         .collect()

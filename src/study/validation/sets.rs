@@ -27,11 +27,6 @@ impl Computation {
             Self::Optimum => &[Compared::Carry, Compared::LaunchAngle, Compared::Spin],
         }
     }
-
-    /// True if differences are relative to the first case.
-    pub(super) fn has_base(self) -> bool {
-        matches!(self, Self::Altitude | Self::AltitudeAlone)
-    }
 }
 
 /// Published drives of one kind.
