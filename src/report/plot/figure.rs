@@ -189,17 +189,6 @@ pub enum Layer {
         /// The outlines. A line without width connects a hole with its outline.
         rings: Vec<Vec<[f64; 2]>>,
     },
-    /// A rectangle.
-    Frame {
-        /// The name.
-        name: String,
-        /// The colour.
-        hue: Hue,
-        /// The lower left corner.
-        low: [f64; 2],
-        /// The upper right corner.
-        high: [f64; 2],
-    },
 }
 
 impl Layer {
@@ -232,8 +221,7 @@ impl Layer {
             | Self::Mark { name, hue, .. }
             | Self::Text { name, hue, .. }
             | Self::Arrows { name, hue, .. }
-            | Self::Region { name, hue, .. }
-            | Self::Frame { name, hue, .. } => (name, Some(*hue)),
+            | Self::Region { name, hue, .. } => (name, Some(*hue)),
             Self::Contours(field) => (&field.measure.label, None),
         }
     }

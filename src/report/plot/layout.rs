@@ -186,7 +186,6 @@ fn coordinates(figure: &Figure) -> impl Iterator<Item = [f64; 2]> + '_ {
             Layer::Mark { at, .. } | Layer::Text { at, .. } => vec![*at],
             Layer::Region { rings, .. } => rings.concat(),
             Layer::Arrows { arrows, .. } => arrows.iter().flatten().copied().collect(),
-            Layer::Frame { low, high, .. } => vec![*low, *high],
         }
     })
 }
