@@ -230,11 +230,6 @@ impl Document {
         }
     }
 
-    /// Adds a table. Columns of numbers are right-aligned.
-    pub(super) fn table(&mut self, head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) {
-        self.add(Table::new(head.iter().copied(), rows));
-    }
-
     /// Adds a table.
     pub(super) fn add(&mut self, table: Table) {
         self.push(Block::Table(table));

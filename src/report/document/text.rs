@@ -1,5 +1,5 @@
-use super::{Block, Detail, Document, Level, Line, Table};
-use crate::report::lines::{item, note, paragraph};
+use super::{Block, Detail, Document, Level, Table};
+use crate::report::lines::{INDENT, wrapped};
 use crate::report::table::table;
 
 /// The width and the detail of a text.
@@ -49,7 +49,7 @@ impl Document {
         let width = options.width;
         let blocks = self.parts.iter().enumerate().filter_map(|(at, part)| {
             if Some(at) == last_left_out {
-                return Some(paragraph(REST, width));
+                return Some(Level::Flush.lines(REST, width));
             }
             if !options.has(part.detail) {
                 return None;
@@ -57,8 +57,11 @@ impl Document {
             Some(match &part.block {
                 Block::Heading(_) if self.is_of_figures(at) => return None,
                 Block::Heading(text) => format!("\n{}", underlined(text, "-")),
-                Block::Paragraph(text) => paragraph(text, width),
-                Block::List(lines) => lines.iter().map(|line| line_text(line, width)).collect(),
+                Block::Paragraph(text) => Level::Flush.lines(text, width),
+                Block::List(lines) => {
+                    let lines = lines.iter().map(|line| line.level.lines(&line.text, width));
+                    lines.collect()
+                }
                 Block::Table(table) => table_text(table, options),
                 Block::Figure(_) => return None,
             })
@@ -85,11 +88,15 @@ fn underlined(text: &str, sign: &str) -> String {
     format!("{text}\n{}\n", sign.repeat(text.chars().count()))
 }
 
-fn line_text(line: &Line, width: usize) -> String {
-    match line.level {
-        Level::Flush => paragraph(&line.text, width),
-        Level::Item => item(&line.text, width),
-        Level::Note => note(&line.text, width),
+impl Level {
+    /// A text with this indent, in lines of at most `width` columns.
+    fn lines(self, text: &str, width: usize) -> String {
+        let indent = match self {
+            Self::Flush => 0,
+            Self::Item => INDENT,
+            Self::Note => 3 * INDENT,
+        };
+        wrapped(text, [indent; 2], width)
     }
 }
 
@@ -114,7 +121,8 @@ fn table_text(found: &Table, options: &TextOptions) -> String {
     let mut text = table(&head, &right, rows, most);
     if !found.row_notes.is_empty() {
         // the first line has the column heads, each further line is a row
-        let details = found.row_notes.iter().map(|details| note(details, width));
+        let details = found.row_notes.iter();
+        let details = details.map(|details| Level::Note.lines(details, width));
         let details = std::iter::once(String::new()).chain(details);
         text = text
             .lines()
@@ -125,16 +133,16 @@ fn table_text(found: &Table, options: &TextOptions) -> String {
     let caption = if found.caption.is_empty() {
         String::new()
     } else {
-        paragraph(&found.caption, width)
+        Level::Flush.lines(&found.caption, width)
     };
     let left_out = match found.rows.len().saturating_sub(first) {
         0 => String::new(),
-        rows => item(&format!("{rows} more rows: `all`"), width),
+        rows => Level::Item.lines(&format!("{rows} more rows: `all`"), width),
     };
     let remarks: String = found
         .remarks
         .iter()
-        .map(|line| line_text(line, width))
+        .map(|line| line.level.lines(&line.text, width))
         .collect();
     caption + &text + &left_out + &remarks
 }

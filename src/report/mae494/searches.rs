@@ -1,6 +1,6 @@
 //! Searches with and without the noise of the while-loop.
 
-use crate::report::document::Document;
+use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::published::Published;
 use crate::reproduce::{Delivery, Landing, Mae494, Method, Searches};
@@ -48,8 +48,8 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published
             method(searches.method).into(),
         ]
     });
-    document.table(
-        &[
+    document.add(Table::new(
+        [
             "found",
             "median miss",
             "worst miss",
@@ -58,7 +58,7 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published
             "method",
         ],
         rows,
-    );
+    ));
     document.figure(ends(&found.noise.searches, &best));
 }
 

@@ -1,6 +1,6 @@
 //! Printed optima of the report, compared with the exact optima.
 
-use crate::report::document::Document;
+use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Layer, Measure};
 use crate::report::published::Published;
 use crate::reproduce::{Mae494, Row};
@@ -66,17 +66,17 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: Published) 
         ]
     };
     document.paragraph("Table 1: the best loft at each attack angle.");
-    document.table(
-        &head("attack angle", "loft printed", "exact best loft"),
+    document.add(Table::new(
+        head("attack angle", "loft printed", "exact best loft"),
         found
             .table1
             .iter()
             .map(|r| row(r, r.printed.attack_angle, r.printed.loft, r.exact().loft)),
-    );
+    ));
     document.figure(best_lofts(&found.table1));
     document.paragraph("Table 2: the best attack angle at each loft.");
-    document.table(
-        &head("loft", "attack angle printed", "exact best attack angle"),
+    document.add(Table::new(
+        head("loft", "attack angle printed", "exact best attack angle"),
         found.table2.iter().map(|r| {
             row(
                 r,
@@ -85,7 +85,7 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: Published) 
                 r.exact().attack_angle,
             )
         }),
-    );
+    ));
 }
 
 fn best_lofts(rows: &[Row]) -> Figure {

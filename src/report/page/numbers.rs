@@ -1,7 +1,6 @@
 //! Numbers of a page, in both systems of units.
 
 use crate::drive::Outcome;
-use crate::parameters::Parameter;
 use crate::report::frame::both;
 use crate::report::shown;
 use crate::units::{System, significant, with_unit};
@@ -10,16 +9,6 @@ use maud::Markup;
 /// The value of an outcome; a dash if there is no value.
 pub(super) fn outcome(of: Outcome, found: Option<f64>) -> Markup {
     both(|system| shown::outcome_or_dash(of, found, system))
-}
-
-/// A loss of an outcome.
-pub(super) fn loss(of: Outcome, loss: f64) -> Markup {
-    both(|system| shown::spread(of, loss, system))
-}
-
-/// A computed value of a parameter.
-pub(super) fn parameter(parameter: &Parameter, found: f64) -> Markup {
-    both(|system| shown::parameter(parameter, found, system))
 }
 
 /// The size of an outcome's uncertainty with two significant digits: "7.4 yd".

@@ -1,6 +1,6 @@
 use super::figures::{ALTERNATIVE, best, figures};
 use crate::parameters::Law;
-use crate::report::document::{Detail, Document};
+use crate::report::document::{Detail, Document, Table};
 use crate::study::validation::{Compared, LawScores, SWEPT, SetScores};
 use crate::units::{System, counted, fixed, signed};
 
@@ -71,10 +71,10 @@ fn summary(document: &mut Document, found: &[SetScores], system: System) {
         ]
     });
     let head = format!("MAE [{}] of carry", system.unit("yd"));
-    document.table(
-        &["drives", default, ALTERNATIVE, "best", "which is", &head],
+    document.add(Table::new(
+        ["drives", default, ALTERNATIVE, "best", "which is", &head],
         rows,
-    );
+    ));
     document.paragraph(format!(
         "No law is the best on every set, and the default is not the one with the smallest error \
          of carry on averages of tours: naruo-mizota and bearman-harvey are. But the averages are \
@@ -151,7 +151,7 @@ fn one(document: &mut Document, set: &SetScores, system: System) {
         cells.push(format!("{}{part}", law.law));
         cells
     });
-    document.table(&head, rows);
+    document.add(Table::new(head, rows));
 }
 
 /// The first quantity of a set.

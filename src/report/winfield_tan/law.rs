@@ -1,7 +1,7 @@
 //! The law fitted to the paper's tables.
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
-use crate::report::document::Document;
+use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Layer, Measure};
 use crate::report::published::Published;
 use crate::report::shown::stated;
@@ -125,7 +125,7 @@ fn fit(document: &mut Document, found: &WinfieldTan, shown: Published) {
         "standard error",
         "coefficient",
     ];
-    document.table(&head, rows);
+    document.add(Table::new(head, rows));
 }
 
 /// Adds drag and lift to a document, by spin ratio and speed.
@@ -158,7 +158,7 @@ fn values(document: &mut Document, found: &WinfieldTan, speeds: &Speeds) {
             .chain(lift)
             .collect()
     });
-    document.table(&heads, rows);
+    document.add(Table::new(heads, rows));
 }
 
 /// A number with two significant digits and its unit.
@@ -206,8 +206,8 @@ pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
         .iter()
         .map(|decay| decay.sum)
         .fold(f64::INFINITY, f64::min);
-    document.table(
-        &["δ, 1/s", "sum of squares", "relative to the smallest"],
+    document.add(Table::new(
+        ["δ, 1/s", "sum of squares", "relative to the smallest"],
         found.fitted.profile.iter().map(|decay| {
             vec![
                 format!("{}", decay.rate),
@@ -215,7 +215,7 @@ pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
                 format!("{:.2}", decay.sum / least),
             ]
         }),
-    );
+    ));
     let axes = (
         Axis::linear(Measure::new("spin decay", Quantity::RATE, "1/s")),
         Axis::linear(Measure::plain("sum of squares")),

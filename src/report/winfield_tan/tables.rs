@@ -1,6 +1,6 @@
 //! The numbers of the paper, compared with the computed numbers.
 
-use crate::report::document::Document;
+use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::published::Published;
 use crate::reproduce::{Best, LoftCarry, MISPRINTS, WinfieldTan};
@@ -22,8 +22,8 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Publishe
         Measure::new("club speed", speed.0, speed.1).show_both(found.shot.club_speed, shown.paper);
     document.paragraph(format!("Loft 10°, attack angle 0°, {at}."));
     let (length, time) = ((Quantity::LENGTH, "yd"), (Quantity::TIME, "s"));
-    document.table(
-        &["printed", "computed", "difference", "what"],
+    document.add(Table::new(
+        ["printed", "computed", "difference", "what"],
         [
             row("ball upwards", speed, ours.up, theirs.up),
             row("ball downrange", speed, ours.downrange, theirs.downrange),
@@ -50,7 +50,7 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Publishe
             row("apex", length, ours.apex_height, theirs.apex_height),
             row("time of the apex", time, ours.apex_time, theirs.apex_time),
         ],
-    );
+    ));
     document.paragraph(format!(
         "The printed launch angle is a misprint: the printed components of the ball's velocity \
          give {}. The robot Iron Byron, with the same \
@@ -76,8 +76,8 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Publi
         )
     };
     document.heading("The optimum");
-    document.table(
-        &["loft", "attack angle", "carry", ""],
+    document.add(Table::new(
+        ["loft", "attack angle", "carry", ""],
         [
             vec![
                 degrees(printed.loft),
@@ -98,7 +98,7 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Publi
                 "exact".into(),
             ],
         ],
-    );
+    ));
     document.paragraph(format!(
         "The optimum lies on a ridge: as the attack angle rises, the best loft falls, and carry \
          hardly changes. The printed delivery \
@@ -106,8 +106,8 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Publi
          has little meaning. Along the ridge:",
         less(computed.carry - at_printed)
     ));
-    document.table(
-        &["attack angle", "best loft", "carry", "loss"],
+    document.add(Table::new(
+        ["attack angle", "best loft", "carry", "loss"],
         found.ridge.iter().map(|point| {
             let loss = less((computed.carry - point.carry).max(0.0));
             vec![
@@ -117,7 +117,7 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Publi
                 loss,
             ]
         }),
-    );
+    ));
 }
 
 pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Published) {
@@ -146,8 +146,8 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Publis
         shown.length_unit(),
     ));
     document.paragraph("Table 1: the best attack angle at each loft.");
-    document.table(
-        &[
+    document.add(Table::new(
+        [
             "loft",
             "attack printed",
             "attack",
@@ -156,10 +156,10 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Publis
             "difference",
         ],
         found.table1.iter().map(|row| line(row, true, shown)),
-    );
+    ));
     document.paragraph("Table 2: the best loft at each attack angle.");
-    document.table(
-        &[
+    document.add(Table::new(
+        [
             "attack angle",
             "loft printed",
             "loft",
@@ -168,7 +168,7 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Publis
             "difference",
         ],
         found.table2.iter().map(|row| line(row, false, shown)),
-    );
+    ));
     let slips = MISPRINTS.map(|(table, row, scanned, taken)| {
         format!("Table {table} at {row}° prints {scanned}; {taken} is used instead")
     });
@@ -260,19 +260,19 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
     let mean = &found.average;
     document.heading("The average over attack angles");
     document.paragraph("Carry averaged over attack angles of 0, 1 … 10°, at each loft.");
-    document.table(
-        &["loft", "average carry"],
+    document.add(Table::new(
+        ["loft", "average carry"],
         mean.rows.iter().map(|row| {
             vec![
                 format!("{:.0}°", row.loft.to_degrees()),
                 shown.length(row.carry),
             ]
         }),
-    );
+    ));
     let row = |loft: f64, carry: String, what: &str| vec![degrees(loft), carry, what.to_owned()];
     let computed = |best: LoftCarry, what: &str| row(best.loft, shown.length(best.carry), what);
-    document.table(
-        &["best loft", "average carry", "how"],
+    document.add(Table::new(
+        ["best loft", "average carry", "how"],
         [
             row(
                 mean.printed.loft,
@@ -285,7 +285,7 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
             ),
             computed(mean.best, "exact optimum of the average, no polynomial"),
         ],
-    );
+    ));
     let carry = Axis::linear(Measure::new("average carry", Quantity::LENGTH, "yd"));
     let points = |rows: &[LoftCarry]| rows.iter().map(|row| [row.loft, row.carry]).collect();
     let best = mean.by_polynomial;
