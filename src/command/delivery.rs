@@ -6,8 +6,8 @@ use crate::command::output::{Answer, Warnings, command_line, system, tell};
 use crate::command::request::{Request, Setting, Source};
 use crate::parameters::Vary;
 use crate::report::{
-    DeliveryOptions, DeliveryReport, Origin, bound_warnings, delivery_toml,
-    parameter_difference_text, parameter_text, population_warnings, recovered_csv, recovered_toml,
+    DeliveryReport, Origin, bound_warnings, delivery_toml, parameter_difference_text,
+    parameter_text, population_warnings, recovered_csv, recovered_toml,
 };
 use crate::study::calibrate::ShotTable;
 use crate::study::delivery::{
@@ -274,11 +274,8 @@ fn answer(args: &Args, found: &Deliveries, warnings: Vec<Message>) -> Answer {
         .population
         .as_ref()
         .and_then(|found| found.as_ref().ok());
-    let options = DeliveryOptions {
-        is_table: args.shots.is_some(),
-        left_out: found.left_out,
-    };
-    let report = DeliveryReport::new(&found.all, population, options);
+    let is_table = args.shots.is_some();
+    let report = DeliveryReport::new(&found.all, population, is_table, found.left_out);
     Answer::report(&report, &Origin::default(), warnings, args.setup_args.json)
 }
 

@@ -628,7 +628,7 @@ mod in_parquet {
             );
             bytes.extend(group.bytes);
         }
-        bytes.extend(table.foot(&groups).unwrap());
+        bytes.extend(table.foot(&groups, &[]).unwrap());
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.parquet");
         std::fs::write(&path, bytes).unwrap();
@@ -677,7 +677,11 @@ mod in_parquet {
         let table = SweepParquet::new(&small().0, "").unwrap();
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.parquet");
-        std::fs::write(&path, [table.head(), table.foot(&[]).unwrap()].concat()).unwrap();
+        std::fs::write(
+            &path,
+            [table.head(), table.foot(&[], &[]).unwrap()].concat(),
+        )
+        .unwrap();
         let file = SerializedFileReader::new(File::open(path).unwrap()).unwrap();
         assert_eq!(file.metadata().file_metadata().num_rows(), 0);
     }
