@@ -139,7 +139,7 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Publish
          its bound.)",
     );
     let rows = study.sensitivities.iter().map(|constant| {
-        let parameter = constant.sensitivity.parameter;
+        let parameter = constant.parameter;
         vec![
             format!(
                 "{} {}",
@@ -147,7 +147,7 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Publish
                 shown.length_unit()
             ),
             format!("{}°", with_sign(constant.loft_per_cent().to_degrees())),
-            stated(parameter, constant.value, shown.system),
+            stated(parameter, constant.at, shown.system),
             parameter.name.into(),
         ]
     });
