@@ -9,6 +9,7 @@ use longdrive::batch::{gradient_batch, simulate_batch};
 use longdrive::parameters::{Parameter, Vary};
 use longdrive::report::{SweepCsv, SweepJsonLines};
 use longdrive::table::open_table;
+use longdrive::units::TableUnits;
 use longdrive::{Drive, Error, Outcome, Setup, derivative};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -539,7 +540,7 @@ fn same_rows_after_reading_csv_and_json_lines() {
         values[0].iter().all(Option::is_some) && values[1][0].is_none() && values[1][1].is_some()
     );
 
-    let table = SweepCsv::new(&batch);
+    let table = SweepCsv::new(&batch, TableUnits::Si);
     let text = String::from_utf8([table.head(), table.rows(&block)].concat()).unwrap();
     let lines: Vec<_> = text.lines().collect();
     assert_eq!(

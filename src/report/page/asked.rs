@@ -18,7 +18,7 @@ const NAMED: usize = 3;
 /// The title of the page: the setup or the stated launch, and the first changes of the setup.
 pub(super) fn title(findings: &Findings, system: System) -> Result<String> {
     // a setup file has its own name
-    if findings.is_of_a_file() {
+    if findings.name != findings.preset.name {
         return Ok(findings.name.clone());
     }
     let changed = changed(findings, system)?;

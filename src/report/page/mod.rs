@@ -16,7 +16,7 @@ use super::figures::{
     map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use super::frame::{self, Pair, TextFile, both, chosen, picture_files, pictures};
-use super::optimum::best_toml;
+use super::optimum::optimum_toml;
 use super::plot::{Figure, Look, figure_svg};
 use super::{setup_toml, shown};
 use crate::error::{Error, Result};
@@ -32,7 +32,7 @@ use maud::{Markup, html};
 pub fn report_documents(findings: &Findings) -> Result<Vec<TextFile>> {
     let plots = plots(findings);
     let setup = match findings.best() {
-        Some(best) => best_toml(best, None, None, findings.preset)?,
+        Some(best) => optimum_toml(best, None, None, findings.preset)?,
         None => setup_toml(
             &findings.setup,
             findings.preset,

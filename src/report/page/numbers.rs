@@ -3,19 +3,11 @@
 use crate::drive::Outcome;
 use crate::report::frame::both;
 use crate::report::shown;
-use crate::units::{System, significant, with_unit};
 use maud::Markup;
 
 /// The value of an outcome; a dash if there is no value.
 pub(super) fn outcome(of: Outcome, found: Option<f64>) -> Markup {
     both(|system| shown::outcome_or_dash(of, found, system))
-}
-
-/// The size of an outcome's uncertainty with two significant digits: "7.4 yd".
-pub(super) fn of_known_size(of: Outcome, size: f64, system: System) -> String {
-    let unit = system.unit(of.unit());
-    let number = significant(size / of.quantity().size_of(unit).unwrap_or(1.0), 2);
-    with_unit(&number, unit)
 }
 
 /// A change whose unit appears once: "9.5 → 6.70 deg".
