@@ -2,7 +2,7 @@
 //! also in the units of the paper.
 
 use super::shown::ratio;
-use crate::units::{Quantity, System, fixed, signed};
+use crate::units::{Quantity, System, fixed, signed, typed};
 
 /// The units in which a study is displayed.
 #[derive(Clone, Copy)]
@@ -91,7 +91,7 @@ impl Published {
 /// A number with two decimals, as in the papers; zero has no sign.
 fn two_decimals(quantity: Quantity, unit: &str, value: f64) -> String {
     let number = value / quantity.size_of(unit).unwrap_or(f64::NAN);
-    format!("{} {unit}", fixed(number, 2)).trim_end().to_owned()
+    typed(&fixed(number, 2), unit)
 }
 
 #[cfg(test)]

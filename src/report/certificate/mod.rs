@@ -1,5 +1,9 @@
-use super::stopped;
-use super::text::{ending, lines, rows_table};
+//! A certificate of derivatives, as text and as JSON.
+
+mod text;
+
+pub(super) use text::settled;
+
 use crate::derivative::check::{Check, Point, Verdict};
 use crate::drive::Outcome;
 use crate::report::document::{Document, Line};
@@ -13,6 +17,7 @@ use crate::study::certificate::{
 };
 use crate::units::System;
 use serde::Serialize;
+use text::{ending, lines, rows_table, stopped};
 
 /// A certificate of derivatives, SI and radians.
 #[derive(Clone, Debug, Serialize)]
