@@ -211,6 +211,25 @@ impl Layer {
         }
     }
 
+    /// The points of the layer; of a map, its corners.
+    pub(in crate::report) fn points(&self) -> Vec<[f64; 2]> {
+        match self {
+            Self::Line { points, .. } | Self::Dots { points, .. } => points.clone(),
+            Self::Band { points, .. } => points
+                .iter()
+                .flat_map(|[x, low, high]| [[*x, *low], [*x, *high]])
+                .collect(),
+            Self::Bars { bars, .. } => bars
+                .iter()
+                .flat_map(|bar| [bar.from, bar.to].map(|x| [x, bar.place as f64]))
+                .collect(),
+            Self::Contours(field) => vec![[field.x[0], field.y[0]], [field.x[1], field.y[1]]],
+            Self::Mark { at, .. } | Self::Text { at, .. } => vec![*at],
+            Self::Region { rings, .. } => rings.concat(),
+            Self::Arrows { arrows, .. } => arrows.iter().flatten().copied().collect(),
+        }
+    }
+
     /// The name, and the colour if the layer has a single one.
     pub fn named(&self) -> (&str, Option<Hue>) {
         match self {

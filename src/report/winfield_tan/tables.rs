@@ -18,9 +18,12 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Publishe
     };
     document.heading("The single shot");
     let speed = (Quantity::SPEED, "mph");
-    let at =
-        Measure::new("club speed", speed.0, speed.1).show_both(found.shot.club_speed, shown.paper);
-    document.paragraph(format!("Loft 10°, attack angle 0°, {at}."));
+    let [at, in_other] = [shown.paper, shown.paper.other()].map(|system| {
+        speed
+            .0
+            .read_off(found.shot.club_speed, system.unit(speed.1))
+    });
+    document.paragraph(format!("Loft 10°, attack angle 0°, {at} ({in_other})."));
     let (length, time) = ((Quantity::LENGTH, "yd"), (Quantity::TIME, "s"));
     document.add(Table::new(
         ["printed", "computed", "difference", "what"],
