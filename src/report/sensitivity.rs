@@ -405,7 +405,11 @@ fn direction_line(best: &Optimum, direction: &Direction, loss: &str, system: Sys
 fn change(best: &Optimum, changed: &Changed, system: System) -> Table {
     let (of, parameter) = (best.search.outcome(), changed.change.parameter);
     let row = |words: &str, value: Option<f64>, x: &[f64]| {
-        let value = value.map_or(shown::NONE.into(), |value| shown::finely(of, value, system));
+        // one more decimal, so that two close values can be compared
+        let unit = system.unit(of.unit());
+        let value = value.map_or(shown::NONE.into(), |value| {
+            of.quantity().read_off_finely(value, unit)
+        });
         let x = best
             .search
             .vary

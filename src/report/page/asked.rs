@@ -139,7 +139,7 @@ fn wanted(search: &Search) -> Markup {
             let [low, high] =
                 [vary.low, vary.high].map(|value| shown::told(vary.parameter, value, system));
             let name = shown::words(vary.parameter.name);
-            format!("{name} {}", to(&low, &high))
+            format!("{name} {}", from_to(&low, &high).replace(" → ", " to "))
         };
         search.vary.iter().map(range).collect::<Vec<_>>().join(", ")
     };
@@ -157,11 +157,6 @@ fn wanted(search: &Search) -> Markup {
             dt { "Limits" } dd { (both(limits)) }
         }
     }
-}
-
-/// The ends of a range: "4 to 20 deg".
-fn to(low: &str, high: &str) -> String {
-    from_to(low, high).replace(" → ", " to ")
 }
 
 /// Parameters with their values: "swing speed 115 mph, swing path 0 deg".
