@@ -23,7 +23,6 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
         shares.truncate(MOST);
         let bars = (names.len()..).zip(&shares).map(|(place, share)| Bar {
             place,
-            from: 0.0,
             to: share.amount,
         });
         layers.push(Layer::Bars {

@@ -142,7 +142,7 @@ fn rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Row<'a>>
             let one = |bar: &Bar| Row {
                 kind: "bar",
                 name: place(bar.place).to_owned(),
-                numbers: [Some(bar.from), None, Some(bar.to), None],
+                numbers: [Some(0.0), None, Some(bar.to), None],
                 value: None,
             };
             bars.iter().map(one).collect()

@@ -221,7 +221,7 @@ impl Layer {
                 .collect(),
             Self::Bars { bars, .. } => bars
                 .iter()
-                .flat_map(|bar| [bar.from, bar.to].map(|x| [x, bar.place as f64]))
+                .flat_map(|bar| [0.0, bar.to].map(|x| [x, bar.place as f64]))
                 .collect(),
             Self::Contours(field) => vec![[field.x[0], field.y[0]], [field.x[1], field.y[1]]],
             Self::Mark { at, .. } | Self::Text { at, .. } => vec![*at],
@@ -246,13 +246,11 @@ impl Layer {
     }
 }
 
-/// A horizontal bar.
+/// A horizontal bar that begins at 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bar {
     /// The number of the name on the axis.
     pub place: usize,
-    /// The start.
-    pub from: f64,
     /// The end.
     pub to: f64,
 }
