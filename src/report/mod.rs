@@ -40,7 +40,6 @@ mod shots;
 mod shown;
 mod sweep;
 mod swings;
-mod table;
 mod uncertainty;
 mod validation;
 mod winfield_tan;

@@ -1,6 +1,5 @@
-use super::{Block, Detail, Document, Level, Table};
+use super::{Block, Detail, Document, Level};
 use crate::report::lines::{INDENT, wrapped};
-use crate::report::table::table;
 
 /// The width and the detail of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,7 +61,7 @@ impl Document {
                     let lines = lines.iter().map(|line| line.level.lines(&line.text, width));
                     lines.collect()
                 }
-                Block::Table(table) => table_text(table, options),
+                Block::Table(table) => table.text(options),
                 Block::Figure(_) => return None,
             })
         });
@@ -90,7 +89,7 @@ fn underlined(text: &str, sign: &str) -> String {
 
 impl Level {
     /// A text with this indent, in lines of at most `width` columns.
-    fn lines(self, text: &str, width: usize) -> String {
+    pub(super) fn lines(self, text: &str, width: usize) -> String {
         let indent = match self {
             Self::Flush => 0,
             Self::Item => INDENT,
@@ -98,51 +97,4 @@ impl Level {
         };
         wrapped(text, [indent; 2], width)
     }
-}
-
-fn table_text(found: &Table, options: &TextOptions) -> String {
-    let width = options.width;
-    let head: Vec<&str> = found.head.iter().map(String::as_str).collect();
-    let right: Vec<usize> = (0..head.len())
-        .filter(|column| found.is_right[*column])
-        .collect();
-    let first = if options.all {
-        usize::MAX
-    } else {
-        found.first_rows
-    };
-    let rows = found.rows.iter().take(first).cloned();
-    // a row with a note stays on one line
-    let most = if found.row_notes.is_empty() {
-        width
-    } else {
-        usize::MAX
-    };
-    let mut text = table(&head, &right, rows, most);
-    if !found.row_notes.is_empty() {
-        // the first line has the column heads, each further line is a row
-        let details = found.row_notes.iter();
-        let details = details.map(|details| Level::Note.lines(details, width));
-        let details = std::iter::once(String::new()).chain(details);
-        text = text
-            .lines()
-            .zip(details)
-            .map(|(line, details)| format!("{line}\n{details}"))
-            .collect();
-    }
-    let caption = if found.caption.is_empty() {
-        String::new()
-    } else {
-        Level::Flush.lines(&found.caption, width)
-    };
-    let left_out = match found.rows.len().saturating_sub(first) {
-        0 => String::new(),
-        rows => Level::Item.lines(&format!("{rows} more rows: `all`"), width),
-    };
-    let remarks: String = found
-        .remarks
-        .iter()
-        .map(|line| line.level.lines(&line.text, width))
-        .collect();
-    caption + &text + &left_out + &remarks
 }

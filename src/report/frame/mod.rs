@@ -2,12 +2,10 @@
 //! pictures.
 
 mod picture;
-mod table;
 mod units;
 
 pub use picture::TextFile;
 pub(super) use picture::{Pair, picture_files, pictures, svg_name};
-pub(super) use table::{is_of_numbers, scrolled};
 pub(super) use units::{both, chosen};
 
 use super::plot::dark_rules;
@@ -47,4 +45,10 @@ pub(super) fn page(
         }
     };
     page.into_string()
+}
+
+/// A table that scrolls sideways if it is wider than the page, also by keyboard. `label` describes
+/// its content.
+pub(super) fn scrolled(label: &str, table: Markup) -> Markup {
+    html! { section.wide tabindex="0" aria-label=(label) { (table) } }
 }
