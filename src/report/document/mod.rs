@@ -1,12 +1,14 @@
 //! The document of a report, and its conversion to plain text, Markdown and HTML.
 
 mod html;
+mod line;
 mod markdown;
 mod table;
 mod table_text;
 mod text;
 
 pub use html::document_files;
+pub use line::Line;
 pub(super) use table::Table;
 pub use text::TextOptions;
 
@@ -45,46 +47,6 @@ enum Block {
     List(Vec<Line>),
     Table(Table),
     Figure(Box<Figure>),
-}
-
-/// A line of a list.
-#[derive(Clone, Debug)]
-pub struct Line {
-    level: Level,
-    text: String,
-}
-
-/// The indent of a line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Level {
-    /// No indent.
-    Flush,
-    /// An item of a list.
-    Item,
-    /// Details of the item above.
-    Note,
-}
-
-impl Line {
-    /// A line without indent.
-    pub fn flush(text: impl Into<String>) -> Self {
-        Self::new(Level::Flush, text)
-    }
-
-    /// An item of a list.
-    pub fn item(text: impl Into<String>) -> Self {
-        Self::new(Level::Item, text)
-    }
-
-    /// Details of the item above.
-    pub fn note(text: impl Into<String>) -> Self {
-        Self::new(Level::Note, text)
-    }
-
-    fn new(level: Level, text: impl Into<String>) -> Self {
-        let text = text.into();
-        Self { level, text }
-    }
 }
 
 impl Block {

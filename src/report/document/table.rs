@@ -1,4 +1,4 @@
-use super::Line;
+use super::line::Line;
 
 /// A table with remarks below it.
 #[derive(Clone, Debug)]

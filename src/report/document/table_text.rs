@@ -1,7 +1,8 @@
 //! Tables as plain text.
 
+use super::Table;
+use super::line::Level;
 use super::text::TextOptions;
-use super::{Level, Table};
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, presets};
 
 /// Minimum width of a column whose text is wrapped.

@@ -1,5 +1,5 @@
-use super::{Block, Detail, Document, Level};
-use crate::report::lines::{INDENT, wrapped};
+use super::line::Level;
+use super::{Block, Detail, Document};
 
 /// The width and the detail of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,16 +85,4 @@ impl Document {
 
 fn underlined(text: &str, sign: &str) -> String {
     format!("{text}\n{}\n", sign.repeat(text.chars().count()))
-}
-
-impl Level {
-    /// A text with this indent, in lines of at most `width` columns.
-    pub(super) fn lines(self, text: &str, width: usize) -> String {
-        let indent = match self {
-            Self::Flush => 0,
-            Self::Item => INDENT,
-            Self::Note => 3 * INDENT,
-        };
-        wrapped(text, [indent; 2], width)
-    }
 }
