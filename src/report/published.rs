@@ -1,6 +1,7 @@
 //! Numbers of a published study. Computed numbers are in the requested units; printed numbers are
 //! also in the units of the paper.
 
+use super::plot::{Axis, Measure};
 use super::shown::ratio;
 use crate::units::{Quantity, System, fixed, signed, typed};
 
@@ -86,6 +87,11 @@ impl Published {
             format!("{printed} ({asked})")
         }
     }
+}
+
+/// An axis of angles, deg.
+pub(super) fn angles(label: &str) -> Axis {
+    Axis::linear(Measure::new(label, Quantity::ANGLE, "deg"))
 }
 
 /// A number with two decimals, as in the papers; zero has no sign.

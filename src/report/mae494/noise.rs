@@ -2,7 +2,7 @@
 
 use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Layer, Measure};
-use crate::report::published::Published;
+use crate::report::published::{Published, angles};
 use crate::reproduce::{Landings, Noise, Slopes};
 use crate::units::{Quantity, significant};
 
@@ -101,17 +101,13 @@ fn add_longer_differences(document: &mut Document, noise: &Noise, shown: Publish
     ));
 }
 
-fn loft() -> Axis {
-    Axis::linear(Measure::new("loft", Quantity::ANGLE, "deg"))
-}
-
 fn zoomed(zoom: &[Landings]) -> Figure {
     let points = |carry: fn(&Landings) -> f64| zoom.iter().map(|at| [at.loft, carry(at)]).collect();
     let carry = Axis::linear(Measure::new("carry", Quantity::LENGTH, "m"));
     Figure::new(
         "teeth",
         "Carry at high zoom, attack angle 0°",
-        loft(),
+        angles("loft"),
         carry,
     )
     .with(Layer::line(
@@ -146,7 +142,7 @@ fn slopes(slopes: &[Slopes]) -> Figure {
     Figure::new(
         "slopes",
         "Slopes of carry by loft, attack angle 0°",
-        loft(),
+        angles("loft"),
         slope,
     )
     .with(Layer::line(

@@ -70,20 +70,10 @@ fn carry(sets: &[&SetScores]) -> Figure {
         Axis::linear(measure("measured")),
         Axis::linear(measure("predicted")),
     );
-    if let Some(by) = floor(Compared::Carry) {
-        let points = ends.map(|at| [at, at - by, at + by]).to_vec();
-        figure = figure.with(Layer::Band {
-            name: INSTRUMENTS.into(),
-            hue: Hue::Faint,
-            points,
-        });
-    }
-    figure = figure.with(Layer::Line {
-        name: "as measured".into(),
-        hue: Hue::Ink,
-        is_dashed: true,
-        points: ends.map(|at| [at, at]).to_vec(),
-    });
+    let exact = ends.map(|at| [at, at]);
+    figure
+        .layers
+        .extend(without_error(Compared::Carry, "as measured", exact));
     for (i, (name, points)) in all.into_iter().enumerate() {
         figure = figure.with(Layer::dots(name, i, points));
     }
@@ -122,20 +112,8 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure
     };
     let title = format!("Error of {words} by {speed}, {drives}");
     let mut figure = Figure::new(name, title, Axis::linear(x), Axis::linear(y));
-    if let Some(by) = floor(of) {
-        let points = ends.map(|at| [at, -by, by]).to_vec();
-        figure = figure.with(Layer::Band {
-            name: INSTRUMENTS.into(),
-            hue: Hue::Faint,
-            points,
-        });
-    }
-    figure = figure.with(Layer::Line {
-        name: String::new(),
-        hue: Hue::Ink,
-        is_dashed: true,
-        points: ends.map(|at| [at, 0.0]).to_vec(),
-    });
+    let exact = ends.map(|at| [at, 0.0]);
+    figure.layers.extend(without_error(of, "", exact));
     for (i, (law, points)) in laws.iter().zip(all).enumerate() {
         figure = figure.with(Layer::dots(*law, i, points));
     }
@@ -144,6 +122,23 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure
     } else {
         BAND.into()
     })
+}
+
+/// The line of predictions without error, through two points, in the band for the difference between
+/// two launch monitors.
+fn without_error(of: Compared, name: &str, ends: [[f64; 2]; 2]) -> Vec<Layer> {
+    let band = floor(of).map(|by| Layer::Band {
+        name: INSTRUMENTS.into(),
+        hue: Hue::Faint,
+        points: ends.map(|[x, y]| [x, y - by, y + by]).to_vec(),
+    });
+    let line = Layer::Line {
+        name: name.into(),
+        hue: Hue::Ink,
+        is_dashed: true,
+        points: ends.to_vec(),
+    };
+    band.into_iter().chain([line]).collect()
 }
 
 fn of_law(law: Option<&LawScores>, of: Compared) -> &[crate::study::validation::Residual] {

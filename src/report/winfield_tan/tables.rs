@@ -2,7 +2,7 @@
 
 use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
-use crate::report::published::Published;
+use crate::report::published::{Published, angles};
 use crate::reproduce::{Best, LoftCarry, MISPRINTS, WinfieldTan};
 use crate::units::{Quantity, fixed};
 
@@ -201,10 +201,6 @@ fn line(row: &Best, is_by_loft: bool, shown: Published) -> Vec<String> {
     ]
 }
 
-fn angle(label: &str) -> Axis {
-    Axis::linear(Measure::new(label, Quantity::ANGLE, "deg"))
-}
-
 fn ridges(found: &WinfieldTan) -> Figure {
     let points = |rows: &[Best], is_printed: bool| {
         let of = |row: &Best| {
@@ -221,8 +217,8 @@ fn ridges(found: &WinfieldTan) -> Figure {
     Figure::new(
         "optima",
         "The best attack angle at each loft, and the best loft at each attack angle",
-        angle("attack angle"),
-        angle("loft"),
+        angles("attack angle"),
+        angles("loft"),
     )
     .with(Layer::line(
         "best attack angle",
@@ -301,7 +297,7 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
         Figure::new(
             "average",
             "Average carry over attack angles of 0–10°",
-            angle("loft"),
+            angles("loft"),
             carry,
         )
         .with(Layer::line(
