@@ -7,7 +7,7 @@ use crate::optimize::{
     Domain, Evaluation, Observers, Options, Problem, Status, minimize_from, starts,
 };
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
+use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT, delivered};
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
 
@@ -163,13 +163,11 @@ impl Subsystems {
         let through =
             |parameter: usize| [0, 1, 2].map(|q| slopes[q] * impact[q].gradient[parameter]);
         let (own_choice, _) = alone.best([launch[0], launch[0]])?;
+        let attack_angle = optimum.exact().attack_angle;
         let square = Delivery {
             loft: 0.0,
-            ..optimum.exact()
-        };
-        let square = Delivery {
-            carry: tables::carried(&square.set(setup))?,
-            ..square
+            attack_angle,
+            carry: tables::carried(&delivered(setup, 0.0, attack_angle))?,
         };
         Ok(Self {
             whole: Launched {
