@@ -6,8 +6,8 @@ use crate::command::output::{Answer, command_line, system, tell, warn};
 use crate::command::ranges::varied;
 use crate::command::request::{Request, Setting, Source};
 use crate::report::{
-    DeliveryOptions, DeliveryReport, Origin, bound_warnings, delivery_toml,
-    parameter_difference_text, parameter_text, population_warnings, recovered_csv, recovered_toml,
+    DeliveryReport, Origin, bound_warnings, delivery_toml, parameter_difference_text,
+    parameter_text, population_warnings, recovered_csv, recovered_toml,
 };
 use crate::study::calibrate::ShotTable;
 use crate::study::delivery::{
@@ -268,11 +268,8 @@ fn answer(args: &Args, found: &Deliveries) -> Answer {
         .population
         .as_ref()
         .and_then(|found| found.as_ref().ok());
-    let options = DeliveryOptions {
-        is_table: args.shots.is_some(),
-        left_out: found.left_out,
-    };
-    let report = DeliveryReport::new(&found.all, population, options);
+    let is_table = args.shots.is_some();
+    let report = DeliveryReport::new(&found.all, population, is_table, found.left_out);
     Answer::report(&report, &Origin::default(), args.setup_args.json)
 }
 

@@ -81,10 +81,8 @@ pub fn run(args: &Args) -> Result<Answer> {
         }
     }
     let answer = if request.is_json {
-        let mut reply = match &analysis {
-            Some(analysis) => SensitivityReport::reply(&optima, analysis, warnings()),
-            None => SensitivityReport::none(&optima, reason.as_ref(), warnings()),
-        };
+        let mut reply =
+            SensitivityReport::reply(&optima, analysis.as_ref(), reason.as_ref(), warnings());
         reply.body.optimum.file = written;
         Answer::json(&reply.about(&origin))
     } else {

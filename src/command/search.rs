@@ -207,7 +207,12 @@ pub fn write(
         )));
         return Ok(None);
     }
-    let toml = optimum_toml(optima, swings, request.source.preset())?;
+    let toml = optimum_toml(
+        &optima.best,
+        swings,
+        optima.interrupted(),
+        request.source.preset(),
+    )?;
     output.write(request.with_stated_step(toml)?.as_bytes())?;
     let place = match swings {
         Some(_) => "with the best design",

@@ -43,7 +43,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         .map(|path| rule.folder(path, &DOCUMENT))
         .transpose()?;
     let found = validation(own)?;
-    let report = ValidationReport::new(&found);
+    let report = ValidationReport { sets: &found };
     if let Some(folder) = &folder {
         write(folder, &report, system())?;
     }

@@ -1,15 +1,27 @@
+use crate::json::number;
 use crate::units::{Quantity, significant};
+use serde::Serialize;
 
-/// Allowed values of a parameter: all physically possible values, not just usual values.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The range of a parameter.
+// all physically possible values, not just usual values
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(
+    test,
+    derive(schemars::JsonSchema),
+    schemars(rename = "ParameterRange")
+)]
 pub struct Range {
     /// Lower end, SI.
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub low: f64,
-    /// Upper end, SI.
-    pub high: f64,
-    /// True if the lower end itself is allowed.
+    /// True if the lower end is allowed.
     pub low_included: bool,
-    /// True if the upper end itself is allowed.
+    /// Upper end, SI.
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    pub high: f64,
+    /// True if the upper end is allowed.
     pub high_included: bool,
 }
 

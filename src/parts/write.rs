@@ -136,7 +136,7 @@ impl Dataset {
         };
         // serialisation cannot fail: the description has only strings and finite numbers
         let note = serde_json::to_string(&part).unwrap_or_default();
-        let foot = self.table.foot_with(&file.groups, &[(PART, note)])?;
+        let foot = self.table.foot(&file.groups, &[(PART, note)])?;
         file.write(&foot).map_err(unwritten)?;
         let (bytes, sha256) = file.persist(&path).map_err(unwritten)?;
         Ok(PartResult::New(Manifest {

@@ -6,7 +6,7 @@ use crate::derivative::Taylor;
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Parameter;
-use crate::units::{System, per, significant};
+use crate::units::{System, per, significant, typed};
 use serde::Serialize;
 
 /// Outcomes with their derivatives, SI and radians.
@@ -124,12 +124,12 @@ fn outcome(
     } else {
         taylor.value
     };
-    let value_in_si = format!("{} {si}", significant(value, 15));
+    let value_in_si = typed(&significant(value, 15), si);
     document.list([Line::flush(format!(
         "{} = {}; in SI {}",
         of.name(),
         shown::both(of, taylor.value, system),
-        value_in_si.trim_end()
+        value_in_si
     ))]);
 
     let settled =
@@ -139,9 +139,7 @@ fn outcome(
         vec![
             parameter.name.into(),
             shown::slope(of, taylor.value, parameter, *slope, system, 6),
-            format!("{in_si} {}", per(si, parameter.quantity.si))
-                .trim_end()
-                .to_owned(),
+            typed(&in_si, &per(si, parameter.quantity.si)),
         ]
     });
     let derivative = format!("d {}", of.name());

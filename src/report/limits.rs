@@ -15,31 +15,6 @@ pub(super) struct Objective {
     pub is_converged: bool,
 }
 
-/// A constraint at the end of a search.
-#[derive(Clone, Copy)]
-pub(super) struct Limit<'a> {
-    pub constraint: &'a Constraint,
-    /// The value of the constraint, and its multiplier in the problem as a minimization.
-    pub at: &'a ConstraintValue,
-    /// The gradient of the limited goal by the varied parameters.
-    pub slopes: &'a [f64],
-    /// The gain of the objective for each unit by which the limit is relaxed; for an equation, for
-    /// each unit by which its right side is raised.
-    pub gain: f64,
-}
-
-impl<'a> Limit<'a> {
-    /// A constraint whose gain is its multiplier.
-    pub fn new(constraint: &'a Constraint, at: &'a ConstraintValue, slopes: &'a [f64]) -> Self {
-        Self {
-            constraint,
-            at,
-            slopes,
-            gain: gain(constraint, at),
-        }
-    }
-}
-
 /// The gain of the objective for each unit by which a limit is relaxed; for an equation, for each
 /// unit by which its right side is raised.
 pub(super) fn gain(constraint: &Constraint, at: &ConstraintValue) -> f64 {
@@ -67,16 +42,21 @@ impl Objective {
     }
 
     /// The state of a constraint in words, such as "active: +0.52 yd for each degree that the limit
-    /// is relaxed". If there are two limits, the text names the active limit.
-    pub fn limit(self, limit: Limit<'_>, system: System) -> String {
-        let Limit {
-            constraint: Constraint {
-                goal, low, high, ..
-            },
-            at,
-            slopes,
-            gain,
-        } = limit;
+    /// is relaxed". If there are two limits, the text names the active limit. `slopes` is the
+    /// gradient of the limited goal by the varied parameters; `gain` is the gain of the objective
+    /// for each unit by which the limit is relaxed, or by which the right side of an equation is
+    /// raised.
+    pub fn limit(
+        self,
+        constraint: &Constraint,
+        at: &ConstraintValue,
+        slopes: &[f64],
+        gain: f64,
+        system: System,
+    ) -> String {
+        let Constraint {
+            goal, low, high, ..
+        } = constraint;
         let by = (goal.quantity, goal.unit);
         let price = |amount: f64| self.price(amount, by, system);
         if low == high {

@@ -3,22 +3,7 @@
 use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
 
 /// Spaces before a line of a list.
-const INDENT: usize = 2;
-
-/// A paragraph.
-pub(super) fn paragraph(text: &str, width: usize) -> String {
-    wrapped(text, [0, 0], width)
-}
-
-/// An item of a list, with a hanging indent.
-pub(super) fn item(text: &str, width: usize) -> String {
-    wrapped(text, [INDENT, INDENT], width)
-}
-
-/// Details below the line above.
-pub(super) fn note(text: &str, width: usize) -> String {
-    wrapped(text, [3 * INDENT, 3 * INDENT], width)
-}
+pub(super) const INDENT: usize = 2;
 
 /// Reasons for omissions, each reason once with all its names: "gravity, air.density: the reason".
 /// The reasons are in the order of their first occurrence.
@@ -74,7 +59,7 @@ pub fn wrapped(text: &str, [first, by]: [usize; 2], most: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{by_reason, item, paragraph, remark};
+    use super::{INDENT, by_reason, remark, wrapped};
 
     const WIDTH: usize = 100;
 
@@ -91,11 +76,7 @@ mod tests {
             "a long explanation of what this is about, with the reason and what to do with it "
                 .repeat(4);
         let words = words.trim();
-        for text in [
-            paragraph(words, WIDTH),
-            item(words, WIDTH),
-            remark(words, WIDTH),
-        ] {
+        for text in [wrapped(words, [INDENT; 2], WIDTH), remark(words, WIDTH)] {
             assert!(
                 text.lines().all(|line| line.chars().count() <= WIDTH) && text.lines().count() > 3,
                 "{text}"

@@ -40,7 +40,6 @@ mod shots;
 mod shown;
 mod sweep;
 mod swings;
-mod table;
 mod uncertainty;
 mod validation;
 mod winfield_tan;
@@ -52,8 +51,8 @@ pub use compare::{
     CauseValue, ComparedDrive, ComparisonReport, DifferenceReport, ShareReport, SharesReport,
 };
 pub use delivery::{
-    DeliveryOptions, DeliveryReport, DeliveryRow, KnownReport, bound_warnings, delivery_toml,
-    population_warnings, recovered_csv, recovered_toml,
+    DeliveryReport, DeliveryRow, KnownReport, bound_warnings, delivery_toml, population_warnings,
+    recovered_csv, recovered_toml,
 };
 pub use design::Designed;
 pub use document::{Document, Line, TextOptions, document_files};
@@ -72,7 +71,7 @@ pub use optimum::{
     optimum_document, optimum_toml,
 };
 pub use origin::Origin;
-pub use parameters::{ParameterRange, ParameterReport, ParametersReport};
+pub use parameters::{ParameterReport, ParametersReport};
 pub use pareto::{ParetoGoalReport, ParetoPointReport, ParetoReport, pareto_csv, pareto_toml};
 #[cfg(feature = "parquet")]
 pub use parquet::{ParquetGroup, PlacedGroup};

@@ -3,8 +3,8 @@ use super::json::Number;
 use super::reply::Report;
 use crate::atmosphere::in_effect;
 use crate::parameters::{
-    GOLFER, Golfer, Kind, LAW, Law, METHOD, Method, PRESETS, Parameter, SPEED_OF, Setup, SpeedOf,
-    TABLE, TABLE_LAW, TURF, TURFS, UNSET,
+    GOLFER, Golfer, Kind, LAW, Law, METHOD, Method, PRESETS, Parameter, Range, SPEED_OF, Setup,
+    SpeedOf, TABLE, TABLE_LAW, TURF, TURFS, UNSET,
 };
 use crate::units::System;
 use crate::{Error, Result};
@@ -51,7 +51,7 @@ pub struct ParameterReport {
     /// The source of the default.
     pub source: &'static str,
     /// The allowed values.
-    pub range: ParameterRange,
+    pub range: Range,
     /// The kind.
     pub kind: Kind,
     /// The law that has this parameter as a coefficient; `null` for other parameters.
@@ -74,20 +74,6 @@ pub struct ChoiceReport {
     pub names: Vec<&'static str>,
     /// The meaning.
     pub doc: String,
-}
-
-/// The range of a parameter.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ParameterRange {
-    /// Lower end, SI.
-    pub low: Number,
-    /// True if the lower end is allowed.
-    pub low_included: bool,
-    /// Upper end, SI.
-    pub high: Number,
-    /// True if the upper end is allowed.
-    pub high_included: bool,
 }
 
 impl ParametersReport {
@@ -170,7 +156,6 @@ fn unknown_word(word: &str, names: &[&'static str]) -> Error {
 
 impl ParameterReport {
     fn new(row: &'static Parameter, value: Option<f64>) -> Self {
-        let range = row.range;
         Self {
             row,
             parameter: row.name,
@@ -180,12 +165,7 @@ impl ParameterReport {
             value: value.into(),
             default: row.default_value().into(),
             source: row.source,
-            range: ParameterRange {
-                low: range.low.into(),
-                low_included: range.low_included,
-                high: range.high.into(),
-                high_included: range.high_included,
-            },
+            range: row.range,
             kind: row.kind,
             law: row.law,
             doc: row.doc,

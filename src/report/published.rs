@@ -1,8 +1,9 @@
 //! Numbers of a published study. Computed numbers are in the requested units; printed numbers are
 //! also in the units of the paper.
 
+use super::plot::{Axis, Measure};
 use super::shown::ratio;
-use crate::units::{Quantity, System, fixed, signed};
+use crate::units::{Quantity, System, fixed, signed, typed};
 
 /// The units in which a study is displayed.
 #[derive(Clone, Copy)]
@@ -88,10 +89,15 @@ impl Published {
     }
 }
 
+/// An axis of angles, deg.
+pub(super) fn angles(label: &str) -> Axis {
+    Axis::linear(Measure::new(label, Quantity::ANGLE, "deg"))
+}
+
 /// A number with two decimals, as in the papers; zero has no sign.
 fn two_decimals(quantity: Quantity, unit: &str, value: f64) -> String {
     let number = value / quantity.size_of(unit).unwrap_or(f64::NAN);
-    format!("{} {unit}", fixed(number, 2)).trim_end().to_owned()
+    typed(&fixed(number, 2), unit)
 }
 
 #[cfg(test)]

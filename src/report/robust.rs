@@ -1,6 +1,6 @@
 use super::document::{Document, Line, Table};
 use super::json::{ByName, Number, Settings, settings};
-use super::limits::{self, Limit, Objective, ended_at};
+use super::limits::{self, Objective, ended_at};
 use super::optimum::{ConstraintReport, Multipliers};
 use super::reply::{Ending, Report};
 use super::setup_file::{remarks_on_varied, setup_toml};
@@ -341,10 +341,6 @@ fn add_constraints(document: &mut Document, found: &Robust, system: System) {
         let limit = &found.search.subject_to[j];
         let by = (limit.goal.quantity, limit.goal.unit);
         let gain = found.limit_price(k, j, &at);
-        let of = Limit {
-            gain,
-            ..Limit::new(limit, &at, slopes)
-        };
         let bests = of_the_bests([at.multiplier; 2], objective.price(gain, by, system))
             .filter(|_| objective.is_converged);
         let bests = bests.map_or(String::new(), |price| {
@@ -354,7 +350,7 @@ fn add_constraints(document: &mut Document, found: &Robust, system: System) {
             limit.expression.clone(),
             (k + 1).to_string(),
             shown::goal(&limit.goal, at.value, system),
-            objective.limit(of, system) + &bests,
+            objective.limit(limit, &at, slopes, gain, system) + &bests,
         ]
     });
     let rows: Vec<_> = rows.collect();

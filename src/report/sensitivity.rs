@@ -4,7 +4,7 @@ use super::lines::by_reason;
 use super::optimum::{
     OptimumReport, Surroundings, add_convergence, add_place, drive_lines, gain_lines,
 };
-use super::reply::{Reply, share};
+use super::reply::Reply;
 use super::shown;
 use super::swings::OverSwings;
 use crate::error::{Error, Result};
@@ -106,56 +106,44 @@ pub struct ResolvedOptimum {
 }
 
 impl SensitivityReport {
-    /// The answer of `optimum-sensitivity`.
-    pub fn reply(optima: &Optima, analysis: &Analysis, warnings: Vec<Message>) -> Reply<Self> {
-        let (best, all) = (&optima.best, &analysis.sensitivities);
-        let found = all
-            .iter()
-            .filter(|(_, sensitivity)| sensitivity.is_ok())
-            .count();
-        let optimum = OptimumReport::of_many(optima);
-        let optimum = optimum.with_surroundings(best, &analysis.surroundings());
-        let body = Self::new(optimum, best, analysis);
-        let reply = Reply::done("optimum-sensitivity", warnings, body);
-        match share(found, all.len()) {
-            // a parameter without sensitivities has its own message
-            "done" | "partial" => reply.ended(best.status(), Some(best.message().to_string())),
-            none => reply.ended(
-                none,
-                Some("this optimum has none of the requested sensitivities".into()),
-            ),
-        }
-    }
-
-    /// The answer without an optimum, or without its sensitivities; `why` is the reason.
-    pub fn none(optima: &Optima, why: Option<&Error>, warnings: Vec<Message>) -> Reply<Self> {
+    /// The answer of `optimum-sensitivity`. If the search or the analysis failed, there is no
+    /// `analysis`; `why` is the error of the analysis.
+    pub fn reply(
+        optima: &Optima,
+        analysis: Option<&Analysis>,
+        why: Option<&Error>,
+        warnings: Vec<Message>,
+    ) -> Reply<Self> {
         let Reply {
             status,
             message,
             body,
             warnings,
-            from,
             ..
         } = OptimumReport::reply(optima, &OverSwings::default(), warnings);
-        let reply = Reply::done(
-            "optimum-sensitivity",
-            warnings,
-            Self {
-                optimum: body,
+        let body = Self::new(body, &optima.best, analysis);
+        let reply = Reply::done("optimum-sensitivity", warnings, body);
+        match (analysis, why) {
+            // a parameter without sensitivities has its own message
+            (Some(analysis), _) if !analysis.is_answered() => reply.ended(
+                "no-answer",
+                Some("this optimum has none of the requested sensitivities".into()),
+            ),
+            (None, Some(why)) => reply.ended(why.status(), Some(why.to_string())),
+            _ => reply.ended(status, message),
+        }
+    }
+
+    fn new(optimum: OptimumReport, best: &Optimum, analysis: Option<&Analysis>) -> Self {
+        let Some(analysis) = analysis else {
+            return Self {
+                optimum,
                 sensitivity: None,
                 directions: None,
                 ellipses: None,
                 changes: None,
-            },
-        );
-        let reply = Reply { from, ..reply };
-        match why {
-            Some(why) => reply.ended(why.status(), Some(why.to_string())),
-            None => reply.ended(status, message),
-        }
-    }
-
-    fn new(optimum: OptimumReport, best: &Optimum, analysis: &Analysis) -> Self {
+            };
+        };
         let Analysis {
             sensitivities,
             flatness,
@@ -168,7 +156,7 @@ impl SensitivityReport {
             .iter()
             .map(|changed| StatedChangeReport::new(best, changed));
         Self {
-            optimum,
+            optimum: optimum.with_surroundings(best, &analysis.surroundings()),
             sensitivity: Some(sensitivity.collect()),
             directions: Some(flatness.directions.clone()),
             ellipses: Some(flatness.ellipses.clone()),
@@ -417,7 +405,11 @@ fn direction_line(best: &Optimum, direction: &Direction, loss: &str, system: Sys
 fn change(best: &Optimum, changed: &Changed, system: System) -> Table {
     let (of, parameter) = (best.search.outcome(), changed.change.parameter);
     let row = |words: &str, value: Option<f64>, x: &[f64]| {
-        let value = value.map_or(shown::NONE.into(), |value| shown::finely(of, value, system));
+        // one more decimal, so that two close values can be compared
+        let unit = system.unit(of.unit());
+        let value = value.map_or(shown::NONE.into(), |value| {
+            of.quantity().read_off_finely(value, unit)
+        });
         let x = best
             .search
             .vary

@@ -4,7 +4,7 @@ use super::presets::{SourcedValue, sourced, sources};
 use super::shown;
 use crate::error::Result;
 use crate::parameters::{Parameter, Preset, Setup, TABLE, UNSET, Vary, is_given_alike, is_of_step};
-use crate::units::significant;
+use crate::units::{significant, typed};
 
 /// Significant digits that distinguish all double-precision numbers.
 const MOST_DIGITS: usize = 17;
@@ -135,22 +135,14 @@ pub(super) fn exact(parameter: &Parameter, value: Option<f64>, unit: &str) -> St
         return UNSET.into();
     };
     let number = parameter.quantity.number_in(value, unit);
-    let text = |digits: usize| {
-        format!("{} {unit}", significant(number, digits))
-            .trim_end()
-            .to_owned()
-    };
+    let text = |digits: usize| typed(&significant(number, digits), unit);
     let reads_back = |text: &String| {
         parameter
             .read(text, false)
             .is_ok_and(|read| read.map(f64::to_bits) == Some(value.to_bits()))
     };
     let shown = (1..=MOST_DIGITS).map(text).find(reads_back);
-    shown.unwrap_or_else(|| {
-        format!("{value:?} {}", parameter.quantity.si)
-            .trim_end()
-            .to_owned()
-    })
+    shown.unwrap_or_else(|| typed(&format!("{value:?}"), parameter.quantity.si))
 }
 
 /// A setup file: these first lines, the preset, then the values by TOML table, some as comments.

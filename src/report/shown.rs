@@ -85,11 +85,6 @@ pub(super) fn side(quantity: Quantity, unit: &str, value: f64) -> String {
     }
 }
 
-/// The value of an outcome with one more decimal, so that two close values can be compared.
-pub(super) fn finely(of: Outcome, value: f64, system: System) -> String {
-    of.quantity().read_off_finely(value, system.unit(of.unit()))
-}
-
 /// The value of an outcome; a dash if the drive does not have it.
 pub(super) fn outcome_or_dash(of: Outcome, value: Option<f64>, system: System) -> String {
     value.map_or(NONE.into(), |value| outcome(of, value, system))

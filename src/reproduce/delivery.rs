@@ -43,8 +43,13 @@ impl Delivery {
 
     /// The setup with this delivery.
     pub(super) fn set(&self, setup: &Setup<f64>) -> Setup<f64> {
-        let mut setup = *setup;
-        (setup.club.loft, setup.swing.attack_angle) = (self.loft, self.attack_angle);
-        setup
+        delivered(setup, self.loft, self.attack_angle)
     }
+}
+
+/// The setup with this loft and attack angle.
+pub(super) fn delivered(setup: &Setup<f64>, loft: f64, attack_angle: f64) -> Setup<f64> {
+    let mut setup = *setup;
+    (setup.club.loft, setup.swing.attack_angle) = (loft, attack_angle);
+    setup
 }

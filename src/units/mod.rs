@@ -20,12 +20,11 @@ pub(crate) use decimals::{fixed, signed};
 pub use error::UnitError;
 pub(crate) use expression::Unit;
 pub use message::{Digits, Message};
-pub(crate) use spelling::{leading_number, with_unit};
+pub(crate) use spelling::{leading_number, typed, with_unit};
 pub use spelling::{one, per, printed, ratio, typeset};
 pub use system::{System, TableUnits};
 
 use expression::read_unit;
-use spelling::typed;
 use std::fmt;
 use symbols::{Dimension, SYMBOLS};
 

@@ -23,7 +23,7 @@ pub(crate) fn with_unit(number: &str, unit: &str) -> String {
 }
 
 /// A number with its unit in the spelling of input: "7.5 deg".
-pub(super) fn typed(number: &str, unit: &str) -> String {
+pub(crate) fn typed(number: &str, unit: &str) -> String {
     format!("{number} {unit}").trim_end().to_owned()
 }
 

@@ -326,18 +326,15 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
         !listed.contains("interrupted") && listed.contains("converged"),
         "{listed}"
     );
-    let text = optimum_toml(&found, None, preset)?;
+    let text = optimum_toml(&found.best, None, found.interrupted(), preset)?;
     let ended = 400 - stopped;
     let line = format!(
         "\n# interrupted: {ended} of 400 searches ended, and {stopped} were stopped before their \
          end; the best so far:\n# converged: "
     );
     assert!(text.contains(&line), "{text}");
-    let whole = optimum_toml(
-        &optima(&setup, &search, 4, &Observers::default())?,
-        None,
-        preset,
-    )?;
+    let found = optima(&setup, &search, 4, &Observers::default())?;
+    let whole = optimum_toml(&found.best, None, found.interrupted(), preset)?;
     assert!(
         !whole.contains("interrupted") && whole.contains("\n# converged: "),
         "{whole}"

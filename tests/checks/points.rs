@@ -6,6 +6,7 @@ use longdrive::parameters::{Parameter, Vary};
 #[cfg(feature = "full")]
 use longdrive::report::SweepParquet;
 use longdrive::report::{SweepCsv, SweepJsonLines};
+use longdrive::units::TableUnits;
 use longdrive::{Error, Outcome, Result, Setup};
 
 /// A faulty source of points: it appends `appended` values for each row, and up to `more` rows more
@@ -228,7 +229,7 @@ fn points_and_blocks_of_wrong_lengths_panic_with_both_lengths() {
 
     let other = Batch::new(&setup, &[loft], &[Outcome::Carry], &[]).unwrap();
     let written: &[&dyn Fn()] = &[
-        &|| drop(SweepCsv::new(&other).rows(&block)),
+        &|| drop(SweepCsv::new(&other, TableUnits::Si).rows(&block)),
         &|| drop(SweepJsonLines::new(&other).rows(&block)),
         #[cfg(feature = "full")]
         &|| {
@@ -243,7 +244,12 @@ fn points_and_blocks_of_wrong_lengths_panic_with_both_lengths() {
             "{said}"
         );
     }
-    assert!(!SweepCsv::new(&batch).rows(&block).is_empty() && block.result(7).next().is_none());
+    assert!(
+        !SweepCsv::new(&batch, TableUnits::Si)
+            .rows(&block)
+            .is_empty()
+            && block.result(7).next().is_none()
+    );
     let beyond: [&dyn Fn() -> usize; 6] = [
         &|| block.status(1).name().len(),
         &|| block.point(1).len(),

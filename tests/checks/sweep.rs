@@ -9,6 +9,7 @@ use longdrive::batch::{gradient_batch, simulate_batch};
 use longdrive::parameters::{Parameter, Vary};
 use longdrive::report::{SweepCsv, SweepJsonLines};
 use longdrive::table::open_table;
+use longdrive::units::TableUnits;
 use longdrive::{Drive, Error, Outcome, Setup, derivative};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -539,7 +540,7 @@ fn same_rows_after_reading_csv_and_json_lines() {
         values[0].iter().all(Option::is_some) && values[1][0].is_none() && values[1][1].is_some()
     );
 
-    let table = SweepCsv::new(&batch);
+    let table = SweepCsv::new(&batch, TableUnits::Si);
     let text = String::from_utf8([table.head(), table.rows(&block)].concat()).unwrap();
     let lines: Vec<_> = text.lines().collect();
     assert_eq!(
@@ -628,7 +629,7 @@ mod in_parquet {
             );
             bytes.extend(group.bytes);
         }
-        bytes.extend(table.foot(&groups).unwrap());
+        bytes.extend(table.foot(&groups, &[]).unwrap());
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.parquet");
         std::fs::write(&path, bytes).unwrap();
@@ -677,7 +678,11 @@ mod in_parquet {
         let table = SweepParquet::new(&small().0, "").unwrap();
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.parquet");
-        std::fs::write(&path, [table.head(), table.foot(&[]).unwrap()].concat()).unwrap();
+        std::fs::write(
+            &path,
+            [table.head(), table.foot(&[], &[]).unwrap()].concat(),
+        )
+        .unwrap();
         let file = SerializedFileReader::new(File::open(path).unwrap()).unwrap();
         assert_eq!(file.metadata().file_metadata().num_rows(), 0);
     }

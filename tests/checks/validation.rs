@@ -37,7 +37,7 @@ fn differences(of: &SetScores, law: &str, compared: Compared) -> Vec<f64> {
 
 #[test]
 fn a_part_of_pictures_alone_is_left_out_of_the_text() {
-    let document = ValidationReport::new(&FOUND).document(System::Us);
+    let document = ValidationReport { sets: &FOUND }.document(System::Us);
     let (text, markdown) = (document.text(&WHOLE), document.markdown(System::Us));
     assert!(
         document.figures().next().is_some()
@@ -289,7 +289,7 @@ fn misses_of_the_other_clubs_in_the_text_are_those_of_the_table() {
 fn what_validation_md_shows_is_that_of_the_program() {
     let place = |name: &str| format!("{}/../docs/{name}", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(place("validation.md")).unwrap();
-    let document = ValidationReport::new(&FOUND).document(System::Us);
+    let document = ValidationReport { sets: &FOUND }.document(System::Us);
     let markdown = document
         .markdown(System::Us)
         .replace("\n## ", "\n### ")

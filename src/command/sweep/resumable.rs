@@ -335,7 +335,7 @@ impl ResumableFile<'_> {
                 .iter()
                 .map(|(group, ..)| group.clone())
                 .collect();
-            let foot = table.foot(&groups)?;
+            let foot = table.foot(&groups, &[])?;
             let Err(error) = self.file.write_all(&foot) else {
                 break;
             };

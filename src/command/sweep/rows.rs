@@ -92,7 +92,7 @@ impl Writer {
             },
         };
         let table = match format {
-            Format::Csv => Table::Csv(SweepCsv::in_units(batch, units)),
+            Format::Csv => Table::Csv(SweepCsv::new(batch, units)),
             Format::Jsonl => Table::JsonLines(SweepJsonLines::new(batch)),
             #[cfg(feature = "parquet")]
             Format::Parquet => {

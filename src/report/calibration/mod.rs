@@ -12,7 +12,7 @@ use crate::error::Result;
 use crate::optimize::least_squares::Status;
 use crate::parameters::Preset;
 use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable};
-use crate::units::{Message, System, counted, counted_of};
+use crate::units::{Message, System, counted, counted_of, typed};
 use serde::Serialize;
 use text::{by_outcome, to_its_error};
 
@@ -264,8 +264,7 @@ impl<'a> CalibrationReport<'a> {
             let value = match standard_error {
                 Some(error) => {
                     let number = |value: f64| to_its_error(quantity, unit, value, standard_error);
-                    let show =
-                        |value: f64| format!("{} {unit}", number(value)).trim_end().to_owned();
+                    let show = |value: f64| typed(&number(value), unit);
                     format!("{} ± {}", show(value), show(error))
                 }
                 None => format!("{} without a standard error", as_declared(parameter, value)),

@@ -1,5 +1,5 @@
 use crate::optimize::least_squares::Status;
-use crate::report::document::Document;
+use crate::report::document::{Document, Table};
 use crate::report::shown;
 use crate::study::calibrate::{
     Calibration, Estimate, HeldOut, Remainder, ShotTable, Statistics, Uncertainties, Undetermined,
@@ -102,13 +102,13 @@ pub(super) fn estimates(
             "The fit was interrupted: these values are its last point, not a minimum."
         });
     }
-    document.table(
-        &["parameter", "estimate", "standard error", "95 % interval"],
+    document.add(Table::new(
+        ["parameter", "estimate", "standard error", "95 % interval"],
         found
             .estimates
             .iter()
             .map(|estimate| estimated(estimate, system)),
-    );
+    ));
     document.paragraph(chi_square(statistics, table.uncertainties));
     for undetermined in &statistics.undetermined {
         document.paragraph(format!(
@@ -125,7 +125,7 @@ pub(super) fn residuals(document: &mut Document, found: &Calibration, system: Sy
         .remainders
         .iter()
         .map(|remainder| row(remainder, system));
-    document.table(&head, rows);
+    document.add(Table::new(head, rows));
 }
 
 /// Adds the prediction errors on held-out data to a document, if there are any.
@@ -138,7 +138,7 @@ pub(super) fn held_out(document: &mut Document, held_out: &[(String, HeldOut)], 
     let rows = held_out
         .iter()
         .map(|(name, held)| held_row(name, held, system));
-    document.table(&head, rows);
+    document.add(Table::new(head, rows));
 }
 
 /// A value in a unit, rounded to the second significant digit of its standard error.
@@ -300,7 +300,7 @@ pub(super) fn correlations(document: &mut Document, found: &Calibration) {
         let name = format!("{} {}", a + 1, found.estimates[a].parameter.name);
         (0..n).map(|b| cell(a, b)).chain([name]).collect()
     });
-    document.table(&head, rows);
+    document.add(Table::new(head, rows));
 }
 
 /// The cells of a residual.

@@ -1,19 +1,248 @@
 //! A certificate of derivatives, as text and as JSON.
 
-mod report;
 mod text;
 
-pub use report::{CertificateReport, CertificateRow, Curve, LoopCheck, NegativeControl};
 pub(super) use text::settled;
 
-use crate::study::certificate::Certificate;
-use crate::units::counted;
+use crate::derivative::check::{Check, Point, Verdict};
+use crate::drive::Outcome;
+use crate::report::document::{Document, Line};
+use crate::report::json::Number;
+use crate::report::lines::by_reason;
+use crate::report::reply::{Ending, Report};
+use crate::reproduce::LoopRow;
+use crate::study::certificate::{
+    Agreement, AtLanding, Certificate, Continuity, Convergence, DetectionTest, Missing,
+    NotExamined, Row, StepError,
+};
+use crate::units::System;
+use serde::Serialize;
+use text::{ending, lines, rows_table, stopped};
 
-/// The progress of an interrupted certificate; `None` for a complete certificate.
-fn stopped(certificate: &Certificate) -> Option<String> {
-    let [done, all] = certificate.stopped?;
-    Some(format!(
-        "the rows are complete for {done} of {}",
-        counted(all as u64, "parameter")
-    ))
+/// A certificate of derivatives, SI and radians.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct CertificateReport<'a> {
+    #[serde(skip)]
+    certificate: &'a Certificate,
+    #[serde(skip)]
+    loops: &'a [LoopRow],
+    /// True if nothing failed, every injected error was detected and the command was not
+    /// interrupted.
+    pub passed: bool,
+    /// The derivative of each outcome by each parameter, the largest error first.
+    pub rows: Vec<CertificateRow<'a>>,
+    /// The negative control: the detection of injected errors.
+    pub negative_control: NegativeControl,
+    /// Derivatives at the landing, compared with differences at a fixed time.
+    pub landing: &'a [AtLanding],
+    /// The outcomes at parameter values where the number of time steps changes.
+    pub continuity: &'a [Continuity],
+    /// The convergence of the outcomes with the time step.
+    pub convergence: &'a [Convergence],
+    /// The errors of outcomes and derivatives that the time step causes. They do not affect
+    /// `passed`.
+    pub step_errors: &'a [StepError],
+    /// Omitted checks, with the reasons.
+    pub not_examined: &'a [NotExamined],
+    /// Finite differences of the carry that the while-loop of the MAE 494 report computes, for each
+    /// parameter with a certified derivative of carry.
+    pub while_loop: Vec<LoopCheck<'a>>,
+    /// Outcomes without derivatives at this drive, with the reasons.
+    pub missing: &'a [Missing],
+}
+
+/// A derivative compared with finite differences.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct CertificateRow<'a> {
+    /// The outcome.
+    pub of: Outcome,
+    /// The parameter.
+    pub parameter: &'static str,
+    /// `pass`, `fail` or `corner`.
+    pub verdict: Verdict,
+    /// The exact derivative, SI.
+    pub exact: Number,
+    /// The best numerical derivative, SI.
+    pub best_difference: Number,
+    /// The difference between `exact` and `best_difference`, SI.
+    pub error: Number,
+    /// The largest allowed `error`, SI.
+    pub tolerance: Number,
+    /// The derivative from `num_dual::Dual64`.
+    pub num_dual: Agreement,
+    /// The one-sided derivatives below and above a corner, SI: `null` without a corner, and on a
+    /// side outside of the parameter's range.
+    pub sides: Option<[Option<f64>; 2]>,
+    /// The step at which the plain central difference has the smallest error, SI.
+    pub best_step: Number,
+    /// The error of the central difference at `best_step`, SI.
+    pub best_step_error: Number,
+    /// The slopes of the Taylor remainders of degree 0, 1 and 2 as functions of the step, in
+    /// logarithmic scales; `null` if rounding dominates the remainder.
+    pub taylor_slopes: [Number; 3],
+    /// The check of the second derivative by the parameter; `null` if this derivative does not
+    /// exist or is discontinuous.
+    pub second: Option<&'a Check>,
+    /// The error of plain central differences at each step: the V-curve.
+    pub curve: Curve,
+}
+
+/// The errors of central differences at several steps.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct Curve {
+    /// The steps, SI.
+    pub steps: Vec<f64>,
+    /// The error at each step, SI.
+    pub errors: Vec<f64>,
+}
+
+/// The negative control: the detection of injected errors.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct NegativeControl {
+    /// True if every injected error was detected.
+    pub caught: bool,
+    /// The injected errors.
+    pub planted: Vec<DetectionTest>,
+}
+
+/// A finite difference of the carry that the while-loop of the MAE 494 report computes.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct LoopCheck<'a> {
+    /// The comparison of finite differences with the exact derivative.
+    #[serde(flatten)]
+    pub check: &'a Check,
+    /// The parameter.
+    pub parameter: &'static str,
+    /// The finite difference with a step of 1e-8, SI.
+    pub difference: Number,
+    /// True if `difference` and the exact derivative have different signs.
+    pub sign_is_wrong: bool,
+    /// The errors of the finite differences at several steps.
+    pub curve: Curve,
+}
+
+impl<'a> CertificateReport<'a> {
+    /// The report of a certificate. `loops` are the finite differences of the while-loop, for
+    /// comparison.
+    pub fn new(certificate: &'a Certificate, loops: &'a [LoopRow]) -> Self {
+        Self {
+            certificate,
+            loops,
+            passed: certificate.passed(),
+            rows: certificate.rows.iter().map(CertificateRow::new).collect(),
+            negative_control: NegativeControl {
+                caught: certificate.caught(),
+                planted: certificate.planted.to_vec(),
+            },
+            landing: &certificate.landing,
+            continuity: &certificate.continuity,
+            convergence: &certificate.convergence,
+            step_errors: &certificate.step,
+            not_examined: &certificate.not_examined,
+            while_loop: loops.iter().map(LoopCheck::new).collect(),
+            missing: &certificate.missing,
+        }
+    }
+}
+
+impl Report for CertificateReport<'_> {
+    const COMMAND: &'static str = "verify";
+
+    #[cfg(test)]
+    fn statuses() -> Vec<&'static str> {
+        vec!["passed", "failed", "interrupted"]
+    }
+
+    /// The status is `passed`, `failed` or `interrupted`.
+    fn ending(&self) -> Ending {
+        let certificate = self.certificate;
+        let missing = by_reason(
+            certificate
+                .missing
+                .iter()
+                .map(|missing| (missing.of.name(), missing.reason.to_string())),
+        );
+        let missing = missing.iter().map(|line| format!("left out: {line}"));
+        let failures = certificate.failures();
+        let failures = (!failures.is_empty()).then(|| format!("failed: {}", failures.join("; ")));
+        let message = stopped(certificate)
+            .into_iter()
+            .chain(failures)
+            .chain(missing)
+            .collect::<Vec<_>>()
+            .join("; ");
+        Ending {
+            status: match (certificate.stopped, certificate.passed()) {
+                (Some(_), _) => "interrupted",
+                (None, true) => "passed",
+                (None, false) => "failed",
+            },
+            message: (!message.is_empty()).then_some(message),
+        }
+    }
+
+    /// The verdict on each derivative, the largest error first, then the other checks, and the
+    /// while-loop for comparison.
+    fn document(&self, system: System) -> Document {
+        let mut document = Document::default();
+        document.add(rows_table(&self.certificate.rows));
+        document.list([Line::item(
+            "error: the difference from the numerical derivative; num-dual: the difference from the \
+             derivative over num_dual::Dual64; both relative to the exact derivative, or absolute \
+             if it is 0",
+        )]);
+        let lines = lines(self.certificate, self.loops, system);
+        document.list(lines.into_iter().map(Line::item));
+        document.paragraph(ending(self.certificate));
+        document
+    }
+}
+
+impl<'a> CertificateRow<'a> {
+    fn new(row: &'a Row) -> Self {
+        let check = &row.first;
+        let best = check.best_step();
+        Self {
+            of: row.of,
+            parameter: row.parameter.name,
+            verdict: row.verdict(),
+            exact: check.exact.into(),
+            best_difference: check.best.map(|best| best.value).into(),
+            error: check.error.into(),
+            tolerance: check.bar.into(),
+            num_dual: row.num_dual,
+            sides: check.sides,
+            best_step: best.map(|best| best.step).into(),
+            best_step_error: best.map(|best| best.error).into(),
+            taylor_slopes: row.slopes.map(Number::from),
+            second: row.second.as_ref(),
+            curve: Curve::new(&check.curve),
+        }
+    }
+}
+
+impl Curve {
+    fn new(points: &[Point]) -> Self {
+        Self {
+            steps: points.iter().map(|point| point.step).collect(),
+            errors: points.iter().map(|point| point.error).collect(),
+        }
+    }
+}
+
+impl<'a> LoopCheck<'a> {
+    fn new(row: &'a LoopRow) -> Self {
+        Self {
+            check: &row.check,
+            parameter: row.parameter.name,
+            difference: row.small_difference().into(),
+            sign_is_wrong: row.has_wrong_sign(),
+            curve: Curve::new(&row.check.curve),
+        }
+    }
 }

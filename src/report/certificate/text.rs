@@ -1,4 +1,3 @@
-use super::stopped;
 use crate::derivative::check::Verdict;
 use crate::drive::Outcome;
 use crate::report::document::Table;
@@ -9,6 +8,15 @@ use crate::study::certificate::{
     Certificate, Continuity, Convergence, DetectionTest, Row, StepError,
 };
 use crate::units::{System, counted, counted_of, fixed, significant};
+
+/// The progress of an interrupted certificate; `None` for a complete certificate.
+pub(super) fn stopped(certificate: &Certificate) -> Option<String> {
+    let [done, all] = certificate.stopped?;
+    Some(format!(
+        "the rows are complete for {done} of {}",
+        counted(all as u64, "parameter")
+    ))
+}
 
 /// The lines below the table of derivatives: corners, failures, then each of the other checks.
 pub(super) fn lines(certificate: &Certificate, loops: &[LoopRow], system: System) -> Vec<String> {

@@ -25,8 +25,12 @@ use text::{amount, median_identified, of_one, of_table, verdict};
 pub struct DeliveryReport<'a> {
     #[serde(skip)]
     deliveries: &'a [Delivery],
+    /// True for launches from a table, false for a single launch.
     #[serde(skip)]
-    options: DeliveryOptions,
+    is_table: bool,
+    /// Number of rows that were not computed because of an interruption.
+    #[serde(skip)]
+    left_out: usize,
     /// The delivery of each shot; one entry for a single shot.
     pub rows: Vec<DeliveryRow>,
     /// Mean and standard deviation of each parameter over the shots.
@@ -34,15 +38,6 @@ pub struct DeliveryReport<'a> {
     /// The normal distribution of the swings behind the shots, without the measurement errors of
     /// the launch monitor; `null` for fewer than 10 shots with a delivery.
     pub population: Option<&'a Population>,
-}
-
-/// The origin of the launches.
-#[derive(Clone, Copy, Debug)]
-pub struct DeliveryOptions {
-    /// True for launches from a table, false for a single launch.
-    pub is_table: bool,
-    /// Number of rows that were not computed because of an interruption.
-    pub left_out: usize,
 }
 
 /// The delivery of a shot.
@@ -89,15 +84,18 @@ pub struct KnownReport {
 }
 
 impl<'a> DeliveryReport<'a> {
-    /// The report of these deliveries and of their population.
+    /// The report of these deliveries, from a table or of a single launch, and of their population.
+    /// `left_out` is the number of rows that were not computed because of an interruption.
     pub fn new(
         deliveries: &'a [Delivery],
         population: Option<&'a Population>,
-        options: DeliveryOptions,
+        is_table: bool,
+        left_out: usize,
     ) -> Self {
         Self {
             deliveries,
-            options,
+            is_table,
+            left_out,
             rows: deliveries.iter().map(DeliveryRow::new).collect(),
             spread: Spread::of(deliveries),
             population,
@@ -114,7 +112,7 @@ impl Report for DeliveryReport<'_> {
     }
 
     fn ending(&self) -> Ending {
-        let (all, left_out) = (self.deliveries, self.options.left_out);
+        let (all, left_out) = (self.deliveries, self.left_out);
         if left_out > 0 {
             let rows = counted(left_out as u64, "row");
             return Ending {
@@ -135,7 +133,7 @@ impl Report for DeliveryReport<'_> {
     /// The delivery of a single shot, or the deliveries of a table with their means and deviations.
     fn document(&self, system: System) -> Document {
         match self.deliveries {
-            [Delivery { found: Ok(one), .. }, ..] if !self.options.is_table => of_one(one, system),
+            [Delivery { found: Ok(one), .. }, ..] if !self.is_table => of_one(one, system),
             all => of_table(all, self.population, system),
         }
     }

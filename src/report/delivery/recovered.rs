@@ -7,7 +7,7 @@ use crate::report::shown;
 use crate::study::delivery::{
     Delivery, MeanAndDeviation, Population, Posterior, PredictedOutcome, Recovered,
 };
-use crate::units::{Message, System, counted, significant};
+use crate::units::{Message, System, counted, significant, typed};
 
 /// Minimum fraction of a parameter's prior variance that a shot must remove, so that the
 /// distribution of the parameter does not depend mainly on the prior.
@@ -133,7 +133,5 @@ pub fn population_warnings(population: &Population, system: System) -> Vec<Messa
 /// A value in the unit of its parameter.
 fn amount(parameter: &Parameter, value: f64, digits: usize) -> String {
     let size = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
-    format!("{} {}", significant(value / size, digits), parameter.unit)
-        .trim_end()
-        .to_owned()
+    typed(&significant(value / size, digits), parameter.unit)
 }

@@ -1,6 +1,6 @@
 use super::{Block, Document, Table};
 use crate::error::Result;
-use crate::report::frame::{Frame, Pair, TextFile, both, picture_files, pictures, scrolled};
+use crate::report::frame::{Pair, TextFile, chosen, page, picture_files, pictures, scrolled};
 use crate::units::System;
 use maud::{Markup, html};
 
@@ -14,7 +14,11 @@ use maud::{Markup, html};
 /// [`figure_csv`](crate::report::plot::figure_csv).
 pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<TextFile>> {
     let [metric, us] = documents;
-    let chosen = if system == System::ALL[0] { metric } else { us };
+    let title = if system == System::ALL[0] {
+        &metric.title
+    } else {
+        &us.title
+    };
     let figures = metric.figures().zip(us.figures());
     let pairs: Vec<Pair> = figures
         .map(|(metric, us)| [metric.clone(), us.clone()])
@@ -31,24 +35,14 @@ pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<T
         .chunk_by(of_a_kind)
         .map(|blocks| parts.part(blocks))
         .collect::<Result<Vec<_>>>()?;
-    let header = words(&metric.title, &us.title);
-    let frame = Frame {
-        title: &chosen.title,
-        header: html! { h1 { (header) } },
-        main: html! { @for part in all { (part) "\n" } },
-        footer: None,
-        system,
-    };
+    let header = chosen(&metric.title, &us.title);
+    let main = html! { @for part in all { (part) "\n" } };
     let mut files = vec![TextFile {
         name: "index.html".into(),
-        text: frame.page(),
+        text: page(title, &html! { h1 { (header) } }, &main, None, system),
     }];
     files.extend(picture_files(&pairs, system)?);
     Ok(files)
-}
-
-fn words(metric: &str, us: &str) -> Markup {
-    both(|system| if system == System::Us { us } else { metric }.to_owned())
 }
 
 /// Converts the blocks of a page in order. The heading or short text before a table becomes the
@@ -66,18 +60,18 @@ impl Parts<'_> {
         Ok(match blocks {
             [(Block::Heading(metric), Block::Heading(us)), ..] => {
                 self.about.clone_from(us);
-                html! { h2 { (words(metric, us)) } }
+                html! { h2 { (chosen(metric, us)) } }
             }
             [(Block::Paragraph(metric), Block::Paragraph(us)), ..] => {
                 // a short line above a table is its label
                 if us.ends_with([':', '.']) && us.chars().count() < 80 {
                     self.about = us.trim_end_matches([':', '.']).into();
                 }
-                html! { p { (words(metric, us)) } }
+                html! { p { (chosen(metric, us)) } }
             }
             [(Block::List(metric), Block::List(us)), ..] => {
                 html! {
-                    ul { @for (metric, us) in metric.iter().zip(us) { li { (words(&metric.text, &us.text)) } } }
+                    ul { @for (metric, us) in metric.iter().zip(us) { li { (chosen(&metric.text, &us.text)) } } }
                 }
             }
             [(Block::Table(metric), Block::Table(us)), ..] => {
@@ -85,9 +79,9 @@ impl Parts<'_> {
                     self.about = us.caption.trim_end_matches([':', '.']).into();
                 }
                 html! {
-                    @if !us.caption.is_empty() { p { (words(&metric.caption, &us.caption)) } }
+                    @if !us.caption.is_empty() { p { (chosen(&metric.caption, &us.caption)) } }
                     (scrolled(&self.label(), table(metric, us)))
-                    @for (metric, us) in metric.notes().zip(us.notes()) { p { (words(metric, us)) } }
+                    @for (metric, us) in metric.notes().zip(us.notes()) { p { (chosen(metric, us)) } }
                 }
             }
             figures => {
@@ -127,7 +121,7 @@ fn table(metric: &Table, us: &Table) -> Markup {
             .iter()
             .zip(us)
             .enumerate()
-            .map(|(column, (metric, us))| (class(column), words(metric, us)))
+            .map(|(column, (metric, us))| (class(column), chosen(metric, us)))
             .collect()
     };
     html! {

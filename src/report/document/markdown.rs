@@ -1,4 +1,5 @@
-use super::{Block, Document, Level, Line, Table};
+use super::line::Level;
+use super::{Block, Document, Line, Table};
 use crate::report::frame::svg_name;
 use crate::units::System;
 

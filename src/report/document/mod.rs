@@ -1,13 +1,17 @@
 //! The document of a report, and its conversion to plain text, Markdown and HTML.
 
 mod html;
+mod line;
 mod markdown;
+mod table;
+mod table_text;
 mod text;
 
 pub use html::document_files;
+pub use line::Line;
+pub(super) use table::Table;
 pub use text::TextOptions;
 
-use super::frame::is_of_numbers;
 use super::plot::Figure;
 
 /// Headings, paragraphs, lists, tables and figures, in order.
@@ -43,147 +47,6 @@ enum Block {
     List(Vec<Line>),
     Table(Table),
     Figure(Box<Figure>),
-}
-
-/// A line of a list.
-#[derive(Clone, Debug)]
-pub struct Line {
-    level: Level,
-    text: String,
-}
-
-/// The indent of a line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Level {
-    /// No indent.
-    Flush,
-    /// An item of a list.
-    Item,
-    /// Details of the item above.
-    Note,
-}
-
-impl Line {
-    /// A line without indent.
-    pub fn flush(text: impl Into<String>) -> Self {
-        Self::new(Level::Flush, text)
-    }
-
-    /// An item of a list.
-    pub fn item(text: impl Into<String>) -> Self {
-        Self::new(Level::Item, text)
-    }
-
-    /// Details of the item above.
-    pub fn note(text: impl Into<String>) -> Self {
-        Self::new(Level::Note, text)
-    }
-
-    fn new(level: Level, text: impl Into<String>) -> Self {
-        let text = text.into();
-        Self { level, text }
-    }
-}
-
-/// A table with remarks below it.
-#[derive(Clone, Debug)]
-pub(super) struct Table {
-    head: Vec<String>,
-    rows: Vec<Vec<String>>,
-    /// Right-aligned columns.
-    is_right: Vec<bool>,
-    /// A line directly above the table; omitted if it is empty.
-    caption: String,
-    /// Details below each row; an empty text is omitted.
-    row_notes: Vec<String>,
-    /// Lines directly below the table.
-    remarks: Vec<Line>,
-    /// Number of rows that a text for a screen shows.
-    first_rows: usize,
-}
-
-impl Table {
-    /// A table with these column heads. Columns of numbers are right-aligned.
-    pub fn new<H: Into<String>>(
-        head: impl IntoIterator<Item = H>,
-        rows: impl IntoIterator<Item = Vec<String>>,
-    ) -> Self {
-        let head: Vec<String> = head.into_iter().map(Into::into).collect();
-        let rows: Vec<Vec<String>> = rows.into_iter().collect();
-        let is_right = (0..head.len())
-            .map(|column| {
-                let cells = rows.iter().filter_map(|row| row.get(column));
-                is_of_numbers(cells.map(String::as_str))
-            })
-            .collect();
-        Self {
-            head,
-            rows,
-            is_right,
-            caption: String::new(),
-            row_notes: vec![],
-            remarks: vec![],
-            first_rows: usize::MAX,
-        }
-    }
-
-    /// Right-aligns exactly these columns.
-    #[must_use]
-    pub fn right(mut self, columns: impl IntoIterator<Item = usize>) -> Self {
-        self.is_right.fill(false);
-        for column in columns {
-            self.is_right[column] = true;
-        }
-        self
-    }
-
-    /// Adds a line directly above the table.
-    #[must_use]
-    pub fn with_caption(self, caption: &str) -> Self {
-        Self {
-            caption: caption.into(),
-            ..self
-        }
-    }
-
-    /// Limits the number of rows that a text for a screen shows.
-    #[must_use]
-    pub fn with_first_rows(self, first_rows: usize) -> Self {
-        Self { first_rows, ..self }
-    }
-
-    /// Adds details below each row.
-    #[must_use]
-    pub fn with_row_notes(self, row_notes: Vec<String>) -> Self {
-        Self { row_notes, ..self }
-    }
-
-    /// Adds a remark directly below the table.
-    pub fn remark(&mut self, text: impl Into<String>) {
-        self.line(Line::item(text));
-    }
-
-    /// Adds a line directly below the table.
-    pub fn line(&mut self, line: Line) {
-        self.remarks.push(line);
-    }
-
-    /// All texts.
-    fn texts(&mut self) -> impl Iterator<Item = &mut String> {
-        let remarks = self.remarks.iter_mut().map(|line| &mut line.text);
-        self.head
-            .iter_mut()
-            .chain(self.rows.iter_mut().flatten())
-            .chain([&mut self.caption])
-            .chain(&mut self.row_notes)
-            .chain(remarks)
-    }
-
-    /// The notes and remarks of the table, without the caption.
-    fn notes(&self) -> impl Iterator<Item = &str> {
-        let remarks = self.remarks.iter().map(|line| line.text.as_str());
-        self.row_notes.iter().map(String::as_str).chain(remarks)
-    }
 }
 
 impl Block {
@@ -228,11 +91,6 @@ impl Document {
         if !lines.is_empty() {
             self.push(Block::List(lines));
         }
-    }
-
-    /// Adds a table. Columns of numbers are right-aligned.
-    pub(super) fn table(&mut self, head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) {
-        self.add(Table::new(head.iter().copied(), rows));
     }
 
     /// Adds a table.

@@ -1,6 +1,5 @@
-use super::{Block, Detail, Document, Level, Line, Table};
-use crate::report::lines::{item, note, paragraph};
-use crate::report::table::table;
+use super::line::Level;
+use super::{Block, Detail, Document};
 
 /// The width and the detail of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +48,7 @@ impl Document {
         let width = options.width;
         let blocks = self.parts.iter().enumerate().filter_map(|(at, part)| {
             if Some(at) == last_left_out {
-                return Some(paragraph(REST, width));
+                return Some(Level::Flush.lines(REST, width));
             }
             if !options.has(part.detail) {
                 return None;
@@ -57,9 +56,12 @@ impl Document {
             Some(match &part.block {
                 Block::Heading(_) if self.is_of_figures(at) => return None,
                 Block::Heading(text) => format!("\n{}", underlined(text, "-")),
-                Block::Paragraph(text) => paragraph(text, width),
-                Block::List(lines) => lines.iter().map(|line| line_text(line, width)).collect(),
-                Block::Table(table) => table_text(table, options),
+                Block::Paragraph(text) => Level::Flush.lines(text, width),
+                Block::List(lines) => {
+                    let lines = lines.iter().map(|line| line.level.lines(&line.text, width));
+                    lines.collect()
+                }
+                Block::Table(table) => table.text(options),
                 Block::Figure(_) => return None,
             })
         });
@@ -83,58 +85,4 @@ impl Document {
 
 fn underlined(text: &str, sign: &str) -> String {
     format!("{text}\n{}\n", sign.repeat(text.chars().count()))
-}
-
-fn line_text(line: &Line, width: usize) -> String {
-    match line.level {
-        Level::Flush => paragraph(&line.text, width),
-        Level::Item => item(&line.text, width),
-        Level::Note => note(&line.text, width),
-    }
-}
-
-fn table_text(found: &Table, options: &TextOptions) -> String {
-    let width = options.width;
-    let head: Vec<&str> = found.head.iter().map(String::as_str).collect();
-    let right: Vec<usize> = (0..head.len())
-        .filter(|column| found.is_right[*column])
-        .collect();
-    let first = if options.all {
-        usize::MAX
-    } else {
-        found.first_rows
-    };
-    let rows = found.rows.iter().take(first).cloned();
-    // a row with a note stays on one line
-    let most = if found.row_notes.is_empty() {
-        width
-    } else {
-        usize::MAX
-    };
-    let mut text = table(&head, &right, rows, most);
-    if !found.row_notes.is_empty() {
-        // the first line has the column heads, each further line is a row
-        let details = found.row_notes.iter().map(|details| note(details, width));
-        let details = std::iter::once(String::new()).chain(details);
-        text = text
-            .lines()
-            .zip(details)
-            .map(|(line, details)| format!("{line}\n{details}"))
-            .collect();
-    }
-    let caption = if found.caption.is_empty() {
-        String::new()
-    } else {
-        paragraph(&found.caption, width)
-    };
-    let left_out = match found.rows.len().saturating_sub(first) {
-        0 => String::new(),
-        rows => item(&format!("{rows} more rows: `all`"), width),
-    };
-    let remarks: String = found
-        .remarks
-        .iter()
-        .map(|line| line_text(line, width))
-        .collect();
-    caption + &text + &left_out + &remarks
 }

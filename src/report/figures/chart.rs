@@ -68,17 +68,10 @@ impl<'a> Drawing<'a> {
     /// The plot of the optimal value.
     fn value(&self, of: Outcome) -> Figure {
         let measure = Measure::outcome(of);
-        let points = self.chart.points.iter();
-        let line = points.filter_map(|point| Some([point.at, point.best.value()?]));
         let title = format!("Best {} against {}", measure.label, self.along.label);
-        let mut figure = self
-            .figure(of.name(), title, measure)
-            .with(optimum_line(line));
-        if let Some((at, best)) = self.own {
-            let mark = |value| self.own_mark(at, value, &shown::outcome(of, value, self.system));
-            figure.layers.extend(best.value().map(mark));
-        }
-        marked(figure, self.chart, self.system, |point| point.best.value())
+        let figure = self.figure(of.name(), title, measure);
+        let told = |value: f64| shown::outcome(of, value, self.system);
+        self.with_optima(figure, Optimum::value, told)
     }
 
     /// The plot of the optimal value of the varied parameter `i`, with the bounds of its range.
@@ -89,22 +82,13 @@ impl<'a> Drawing<'a> {
             capital(&measure.label),
             self.along.label
         );
-        let points = self.chart.points.iter();
-        let line = points.map(|point| [point.at, point.best.solution.x[i]]);
         let name = vary.parameter.name.replace('.', "-");
-        let mut figure = self
+        let figure = self
             .figure(&name, title, measure)
             .with(self.bound_line("bounds", vary.low))
-            .with(self.bound_line("", vary.high))
-            .with(optimum_line(line));
-        if let Some((at, best)) = self.own {
-            let told = |value| shown::parameter(vary.parameter, value, self.system);
-            let mark = |value: &f64| self.own_mark(at, *value, &told(*value));
-            figure.layers.extend(best.solution.x.get(i).map(mark));
-        }
-        marked(figure, self.chart, self.system, |point| {
-            Some(point.best.solution.x[i])
-        })
+            .with(self.bound_line("", vary.high));
+        let told = |value: f64| shown::parameter(vary.parameter, value, self.system);
+        self.with_optima(figure, |best| best.solution.x.get(i).copied(), told)
     }
 
     fn figure(&self, of: &str, title: String, measure: Measure) -> Figure {
@@ -130,23 +114,49 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// The mark of the optimum for the setup; `told` is the optimal value as text.
-    fn own_mark(&self, at: f64, value: f64, told: &str) -> Layer {
-        let place = shown::stated(self.chart.along.parameter, at, self.system);
-        Layer::Mark {
-            name: format!("{place}: {told}"),
+    /// Adds the optima to a plot of `value`: a line, a mark of the optimum for the setup with its
+    /// value as text, and numbered marks of the points where a bound or constraint becomes active or
+    /// inactive. The note explains the numbers.
+    fn with_optima(
+        &self,
+        figure: Figure,
+        value: impl Fn(&Optimum) -> Option<f64>,
+        told: impl Fn(f64) -> String,
+    ) -> Figure {
+        let (chart, system) = (self.chart, self.system);
+        let along = chart.along.parameter;
+        let place = |point: &ChartPoint| Some([point.at, value(&point.best)?]);
+        let mut figure = figure.with(Layer::Line {
+            name: "optimum".into(),
+            hue: Hue::OPTIMUM,
+            is_dashed: true,
+            points: chart.points.iter().filter_map(place).collect(),
+        });
+        let own = self.own.and_then(|(at, best)| Some([at, value(best)?]));
+        figure.layers.extend(own.map(|at| Layer::Mark {
+            name: format!("{}: {}", shown::stated(along, at[0], system), told(at[1])),
             hue: Hue::SET_UP,
-            at: [at, value],
+            at,
+        }));
+        let mut notes = vec![];
+        for point in &chart.points {
+            if let (Some(event), Some(place)) = (&point.event, place(point)) {
+                let number = format!("{}", notes.len() + 1);
+                let at = self.along.show(point.at, system);
+                let search = &point.best.search;
+                let event =
+                    event.words(|active| shown::active(active, search, system, shown::words));
+                notes.push(format!("{number}: at {at} {event}."));
+                figure.layers.push(Layer::Mark {
+                    name: number,
+                    hue: Hue::Ink,
+                    at: place,
+                });
+            }
         }
-    }
-}
-
-fn optimum_line(points: impl Iterator<Item = [f64; 2]>) -> Layer {
-    Layer::Line {
-        name: "optimum".into(),
-        hue: Hue::OPTIMUM,
-        is_dashed: true,
-        points: points.collect(),
+        let ends = chart.begun.iter().chain(&chart.ended);
+        notes.extend(ends.map(|why| why.in_units(system)));
+        figure.noted(notes.join(" "))
     }
 }
 
@@ -177,36 +187,4 @@ fn held(chart: &Chart, i: usize, vary: &Vary) -> Option<&'static str> {
         .into_iter()
         .find(|(_, end)| lies(*end))
         .map(|(name, _)| name)
-}
-
-/// Marks the points where a bound or constraint becomes active or inactive; the note explains them.
-fn marked(
-    mut figure: Figure,
-    chart: &Chart,
-    system: System,
-    y: impl Fn(&ChartPoint) -> Option<f64>,
-) -> Figure {
-    let mut notes = vec![];
-    for point in &chart.points {
-        if let (Some(event), Some(y)) = (&point.event, y(point)) {
-            let number = format!("{}", notes.len() + 1);
-            let at = Measure::parameter(chart.along.parameter).show(point.at, system);
-            let event = event
-                .words(|active| shown::active(active, &point.best.search, system, shown::words));
-            notes.push(format!("{number}: at {at} {event}."));
-            figure.layers.push(Layer::Mark {
-                name: number,
-                hue: Hue::Ink,
-                at: [point.at, y],
-            });
-        }
-    }
-    notes.extend(
-        chart
-            .begun
-            .iter()
-            .chain(&chart.ended)
-            .map(|why| why.in_units(system)),
-    );
-    figure.noted(notes.join(" "))
 }

@@ -12,30 +12,37 @@ const MOST: usize = 12;
 pub fn difference_figure(difference: &Difference, system: System) -> Figure {
     let of = difference.of;
     let measure = Measure::outcome(of);
-    let mut rows = Rows::default();
-    let by_parameter = rows.bars(difference, &difference.by_parameter);
     let by_launch = difference.by_launch.as_ref();
-    let by_launch = by_launch.map(|split| rows.bars(difference, split));
-    let layer = |name: &str, hue: usize, bars: Vec<Bar>| Layer::Bars {
-        name: name.into(),
-        hue: Hue::Series(hue),
-        bars,
-    };
+    let splits = [("by parameter", 2, &difference.by_parameter)]
+        .into_iter()
+        .chain(by_launch.map(|split| ("by launch and air", 3, split)));
+    let (mut names, mut layers, mut left_out) = (vec![], vec![], 0);
+    for (name, hue, split) in splits {
+        let mut shares = largest(difference, split);
+        left_out += shares.len().saturating_sub(MOST);
+        shares.truncate(MOST);
+        let bars = (names.len()..).zip(&shares).map(|(place, share)| Bar {
+            place,
+            to: share.amount,
+        });
+        layers.push(Layer::Bars {
+            name: name.into(),
+            hue: Hue::Series(hue),
+            bars: bars.collect(),
+        });
+        names.extend(shares.iter().map(|share| words(share.cause.name())));
+    }
     let x = Axis::linear(Measure {
         label: format!("share of the difference of {}", measure.label),
         ..measure.clone()
     });
-    let title = format!("Difference of {} between two drives", measure.label);
     let mut figure = Figure::new(
         format!("difference-{}", of.name()),
-        title,
+        format!("Difference of {} between two drives", measure.label),
         x,
-        Axis::names(rows.names),
-    )
-    .with(layer("by parameter", 2, by_parameter));
-    if let Some(bars) = by_launch {
-        figure = figure.with(layer("by launch and air", 3, bars));
-    }
+        Axis::names(names),
+    );
+    figure.layers = layers;
     let [a, b] = difference.values;
     let mut note = format!(
         "{} of b minus its value of a: {}, from {} to {}. The bars of a colour add up to this \
@@ -45,40 +52,19 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
         measure.show(a, system),
         measure.show(b, system),
     );
-    if rows.left_out > 0 {
-        let left_out = counted(rows.left_out as u64, "smaller share");
+    if left_out > 0 {
+        let left_out = counted(left_out as u64, "smaller share");
         note += &format!(" Not shown: {left_out}.");
     }
     figure.noted(note)
 }
 
-/// The rows of an axis that shows names instead of numbers.
-#[derive(Default)]
-struct Rows {
-    names: Vec<String>,
-    /// Number of shares without a row.
-    left_out: usize,
-}
-
-impl Rows {
-    /// Adds a row below the others for each of the largest shares of a split, and returns the bars.
-    fn bars(&mut self, difference: &Difference, split: &Shares) -> Vec<Bar> {
-        let is_rounding =
-            |share: &&Share| shown::is_rounding(difference.of, difference.values[0], share.amount);
-        let mut shares: Vec<&Share> = split.shares.iter().collect();
-        shares.retain(|share| !is_rounding(share));
-        shares.sort_by(|a, b| b.amount.abs().total_cmp(&a.amount.abs()));
-        self.left_out += shares.len().saturating_sub(MOST);
-        shares.truncate(MOST);
-        let mut bars = vec![];
-        for share in shares {
-            bars.push(Bar {
-                place: self.names.len(),
-                from: 0.0,
-                to: share.amount,
-            });
-            self.names.push(words(share.cause.name()));
-        }
-        bars
-    }
+/// The shares of a split that are more than rounding errors, the largest first.
+fn largest<'a>(difference: &Difference, split: &'a Shares) -> Vec<&'a Share> {
+    let is_rounding =
+        |share: &&Share| shown::is_rounding(difference.of, difference.values[0], share.amount);
+    let mut shares: Vec<&Share> = split.shares.iter().collect();
+    shares.retain(|share| !is_rounding(share));
+    shares.sort_by(|a, b| b.amount.abs().total_cmp(&a.amount.abs()));
+    shares
 }

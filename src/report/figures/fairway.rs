@@ -1,6 +1,6 @@
 use super::capital;
 use super::scale::{Grows, extent, to_scale, with_margin};
-use super::style::style;
+use super::style::{clear_names, style};
 use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure, nice_step};
 use crate::report::shown;
@@ -88,13 +88,7 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
 /// Ranges of the coordinates of `layers`, with margins. The first range, to the right, is symmetric
 /// about the target line and at least as wide as the fairway; the second range is downrange.
 fn extents(layers: &[Layer]) -> [[f64; 2]; 2] {
-    let points = || {
-        layers.iter().flat_map(|layer| match layer {
-            Layer::Line { points, .. } | Layer::Dots { points, .. } => points.clone(),
-            Layer::Mark { at, .. } => vec![*at],
-            _ => vec![],
-        })
-    };
+    let points = || layers.iter().flat_map(Layer::points);
     let widest = points().map(|[x, _]| x.abs()).fold(0.5 * FAIRWAY, f64::max);
     // a single point gets a margin too
     let around = |[low, high]: [f64; 2]| {
@@ -174,17 +168,6 @@ fn arcs([x, y]: [[f64; 2]; 2], system: System) -> Vec<Layer> {
         }
     }
     layers
-}
-
-/// Clears the names of symbols, because the first view already has them in its legend.
-fn clear_names(layers: &mut [Layer]) {
-    for layer in layers {
-        if let Layer::Line { name, .. } | Layer::Dots { name, .. } | Layer::Mark { name, .. } =
-            layer
-        {
-            name.clear();
-        }
-    }
 }
 
 /// The ellipses, the roll-out and the marks of a drive. The legend names each drive once, at its

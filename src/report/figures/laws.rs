@@ -89,12 +89,9 @@ pub fn laws_figure(
 
 /// The finite coefficients of lines and points.
 fn values(layers: &[Layer]) -> impl Iterator<Item = f64> {
-    let points = layers.iter().flat_map(|layer| match layer {
-        Layer::Line { points, .. } | Layer::Dots { points, .. } => &points[..],
-        _ => &[],
-    });
+    let points = layers.iter().flat_map(Layer::points);
     points
-        .map(|[_, value]| *value)
+        .map(|[_, value]| value)
         .filter(|value| value.is_finite())
 }
 

@@ -1,7 +1,7 @@
 //! Common style of the plots of drives, and conversion of grids to fields. A drive has one colour
 //! and one dash pattern in all plots, and the titles of all plots use the same words.
 
-use crate::report::plot::{Field, Hue, Measure};
+use crate::report::plot::{Field, Hue, Layer, Measure};
 use crate::study::{Plane, Vary};
 use std::fmt;
 
@@ -31,6 +31,17 @@ pub(super) fn style(name: &str, place: usize) -> (Hue, bool) {
         "as set up" => (Hue::SET_UP, false),
         "optimum" => (Hue::OPTIMUM, true),
         _ => (Hue::Series(place), place > 0),
+    }
+}
+
+/// Clears the names of symbols in a further view: the first view has them in its legend.
+pub(super) fn clear_names(layers: &mut [Layer]) {
+    for layer in layers {
+        if let Layer::Line { name, .. } | Layer::Dots { name, .. } | Layer::Mark { name, .. } =
+            layer
+        {
+            name.clear();
+        }
     }
 }
 

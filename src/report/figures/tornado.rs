@@ -126,7 +126,6 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System)
     let bars = |name: &str, hue: Hue, end: usize| {
         let bars = ranked.iter().enumerate().map(|(place, effect)| Bar {
             place,
-            from: 0.0,
             to: ends(effect)[end],
         });
         Layer::Bars {

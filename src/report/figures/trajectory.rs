@@ -1,5 +1,5 @@
 use super::scale::{Grows, extent, to_scale, with_margin};
-use super::style::style;
+use super::style::{clear_names, style};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Vector;
@@ -332,21 +332,7 @@ fn stretched(figure: &Figure, lines: &[Layer], y: [f64; 2], view: View) -> Optio
         figure.y.clone().exactly(low, high),
     );
     panel.aspect = STRETCHED;
-    // the legend of the view above has the names
-    let unnamed = |layer: &Layer| match layer.clone() {
-        Layer::Line {
-            hue,
-            is_dashed,
-            points,
-            ..
-        } => Layer::Line {
-            name: String::new(),
-            hue,
-            is_dashed,
-            points,
-        },
-        layer => layer,
-    };
-    panel.layers = lines.iter().map(unnamed).collect();
+    panel.layers = lines.to_vec();
+    clear_names(&mut panel.layers);
     (times > CLEARLY).then_some(panel)
 }

@@ -1,6 +1,6 @@
 //! Plots on a page, each drawn for several widths and for both systems of units.
 
-use super::units::both;
+use super::units::chosen;
 use crate::error::Result;
 use crate::report::plot::{Figure, Look, figure_csv, figure_svg};
 use crate::units::System;
@@ -21,11 +21,6 @@ pub struct TextFile {
 /// Widths of pictures, pixels: narrow for a phone or a printed column, where text has its normal
 /// size, and broad for a screen.
 const WIDTHS: [(&str, u32); 2] = [("narrow", 340), ("broad", 560)];
-
-/// A plot drawn in each system.
-pub(in crate::report) fn in_each(figure: impl Fn(System) -> Figure) -> Pair {
-    System::ALL.map(figure)
-}
 
 /// The file name of a plot's picture.
 pub(in crate::report) fn svg_name(figure: &Figure, system: System) -> String {
@@ -82,7 +77,7 @@ pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>)
                 @for (pair, drawings) in drawn {
                     figure class=[(pair[0].columns > 1).then_some("whole")] {
                         @for (class, svg) in &drawings { div class=(class) { (PreEscaped(svg)) } }
-                        figcaption { (both(|system| note(pair, system))) " " (links(pair)) }
+                        figcaption { (chosen(&pair[0].note, &pair[1].note)) " " (links(pair)) }
                     }
                 }
             }
@@ -116,16 +111,6 @@ fn drawings(pair: &Pair) -> Result<Vec<(String, String)>> {
         }
     }
     Ok(drawings)
-}
-
-/// The note of a plot in the units of a system.
-fn note([metric, us]: &Pair, system: System) -> String {
-    if system == System::Us {
-        &us.note
-    } else {
-        &metric.note
-    }
-    .clone()
 }
 
 /// Links to the files of a plot.

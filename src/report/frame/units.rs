@@ -18,6 +18,11 @@ pub(in crate::report) fn both(write: impl Fn(System) -> String) -> Markup {
     }
 }
 
+/// A text given in each system of units; only once if both are equal.
+pub(in crate::report) fn chosen(metric: &str, us: &str) -> Markup {
+    both(|system| if system == System::Us { us } else { metric }.to_owned())
+}
+
 /// The switch of units, which needs no script.
 pub(super) fn switch(system: System) -> Markup {
     html! {

@@ -11,7 +11,7 @@ use super::optimum::Multipliers;
 use super::published::Published;
 use super::reply::Report;
 use crate::reproduce::{
-    Average, Delivery, Energy, Mae494, Noise, Parametric, Regression, Row, Subsystems,
+    Average, Constant, Delivery, Energy, Mae494, Noise, Parametric, Regression, Row, Subsystems,
 };
 use crate::units::System;
 use serde::Serialize;
@@ -45,7 +45,7 @@ pub struct Mae494Report<'a> {
     /// Optima of impact and flight, separately.
     pub subsystems: &'a Subsystems,
     /// The sensitivity of the optimum to the constants.
-    pub parametric: ParametricReport,
+    pub parametric: ParametricReport<'a>,
     /// The noise of the while-loop.
     pub noise: &'a Noise,
     /// The numbers that the report prints.
@@ -82,25 +82,11 @@ pub struct TableRow {
 /// The sensitivity of the optimum to the constants.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ParametricReport {
+pub struct ParametricReport<'a> {
     /// Each constant.
-    pub sensitivity: Vec<ConstantReport>,
+    pub sensitivity: &'a [Constant],
     /// The optima after changes of a constant.
     pub changes: Vec<ChangeReport>,
-}
-
-/// The sensitivity of the optimum to a constant.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ConstantReport {
-    /// The constant.
-    pub parameter: &'static str,
-    /// The value of the constant, SI.
-    pub at: f64,
-    /// The derivative of the optimal carry by the constant, SI.
-    pub value: f64,
-    /// The derivatives of the optimal parameters by the constant, SI.
-    pub optimum: ByName<f64>,
 }
 
 /// The optimum after a change of a constant.
@@ -237,21 +223,8 @@ impl TableRow {
     }
 }
 
-impl ParametricReport {
-    fn new(study: &Parametric) -> Self {
-        let sensitivity = study.sensitivities.iter().map(|constant| {
-            let sensitivity = &constant.sensitivity;
-            let names = ["club.loft", "swing.attack_angle"];
-            ConstantReport {
-                parameter: sensitivity.parameter.name,
-                at: constant.value,
-                value: sensitivity.value,
-                optimum: names
-                    .into_iter()
-                    .zip([sensitivity.optimum[0], sensitivity.optimum[1]])
-                    .collect(),
-            }
-        });
+impl<'a> ParametricReport<'a> {
+    fn new(study: &'a Parametric) -> Self {
         let loft = |loft: f64| [("club.loft", loft)].into_iter().collect();
         let changes = study.changes.iter().map(|changed| ChangeReport {
             parameter: changed.change.parameter.name,
@@ -266,7 +239,7 @@ impl ParametricReport {
             },
         });
         Self {
-            sensitivity: sensitivity.collect(),
+            sensitivity: &study.sensitivities,
             changes: changes.collect(),
         }
     }

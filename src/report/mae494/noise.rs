@@ -1,8 +1,8 @@
 //! The section about the noise of the while-loop.
 
-use crate::report::document::Document;
+use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Layer, Measure};
-use crate::report::published::Published;
+use crate::report::published::{Published, angles};
 use crate::reproduce::{Landings, Noise, Slopes};
 use crate::units::{Quantity, significant};
 
@@ -39,7 +39,7 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: Published) {
         let slope = shown.per_radian(at.overshot);
         vec![format!("{} s", at.step), slope, String::new()]
     });
-    document.table(&["time step", "loop", ""], rows);
+    document.add(Table::new(["time step", "loop", ""], rows));
     document.paragraph(
         "Longer differences reach over several jumps, but have an error from the curvature \
          instead. The same loft and attack angle, with the original time step:",
@@ -65,8 +65,8 @@ fn add_slopes(document: &mut Document, noise: &Noise, shown: Published) {
             .into(),
         ]
     });
-    document.table(
-        &[
+    document.add(Table::new(
+        [
             "loft",
             "exact",
             "exact, at fixed time",
@@ -75,7 +75,7 @@ fn add_slopes(document: &mut Document, noise: &Noise, shown: Published) {
             "",
         ],
         rows,
-    );
+    ));
 }
 
 /// Adds a table of finite differences with larger increments of the loft.
@@ -89,8 +89,8 @@ fn add_longer_differences(document: &mut Document, noise: &Noise, shown: Publish
             String::new(),
         ]
     });
-    document.table(
-        &[
+    document.add(Table::new(
+        [
             "difference",
             "loop",
             "loop, interpolated",
@@ -98,11 +98,7 @@ fn add_longer_differences(document: &mut Document, noise: &Noise, shown: Publish
             "",
         ],
         rows,
-    );
-}
-
-fn loft() -> Axis {
-    Axis::linear(Measure::new("loft", Quantity::ANGLE, "deg"))
+    ));
 }
 
 fn zoomed(zoom: &[Landings]) -> Figure {
@@ -111,7 +107,7 @@ fn zoomed(zoom: &[Landings]) -> Figure {
     Figure::new(
         "teeth",
         "Carry at high zoom, attack angle 0°",
-        loft(),
+        angles("loft"),
         carry,
     )
     .with(Layer::line(
@@ -146,7 +142,7 @@ fn slopes(slopes: &[Slopes]) -> Figure {
     Figure::new(
         "slopes",
         "Slopes of carry by loft, attack angle 0°",
-        loft(),
+        angles("loft"),
         slope,
     )
     .with(Layer::line(

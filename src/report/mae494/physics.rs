@@ -1,7 +1,7 @@
 //! Checks of the report's claims with its own model.
 
 use super::tables::degrees;
-use crate::report::document::Document;
+use crate::report::document::{Document, Table};
 use crate::report::published::Published;
 use crate::report::shown::{ratio, stated};
 use crate::reproduce::{ByLaunch, Launched, Mae494};
@@ -56,8 +56,8 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Publish
             what.into(),
         ]
     };
-    document.table(
-        &["ball speed", "launch angle", "backspin", "carry", ""],
+    document.add(Table::new(
+        ["ball speed", "launch angle", "backspin", "carry", ""],
         [
             row("the optimum of the whole", &parts.whole),
             row(
@@ -69,7 +69,7 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Publish
                 &found.energy.farthest,
             ),
         ],
-    );
+    ));
     document.paragraph(optima_of_subsystems(found, shown));
     document.paragraph(format!(
         "At the optimum of the whole: the change of carry in {} for one degree, through each part \
@@ -116,8 +116,8 @@ fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: Published
         ("loft", parts.by_loft),
         ("attack angle", parts.by_attack_angle),
     ];
-    document.table(
-        &[
+    document.add(Table::new(
+        [
             "ball speed",
             "launch angle",
             "backspin",
@@ -125,7 +125,7 @@ fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: Published
             "by one degree of",
         ],
         rows.map(|(name, parts)| through(parts).into_iter().chain([name.into()]).collect()),
-    );
+    ));
 }
 
 pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Published) {
@@ -139,7 +139,7 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Publish
          its bound.)",
     );
     let rows = study.sensitivities.iter().map(|constant| {
-        let parameter = constant.sensitivity.parameter;
+        let parameter = constant.parameter;
         vec![
             format!(
                 "{} {}",
@@ -147,14 +147,14 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Publish
                 shown.length_unit()
             ),
             format!("{}°", with_sign(constant.loft_per_cent().to_degrees())),
-            stated(parameter, constant.value, shown.system),
+            stated(parameter, constant.at, shown.system),
             parameter.name.into(),
         ]
     });
-    document.table(
-        &["best carry", "best loft", "value", "one per cent more of"],
+    document.add(Table::new(
+        ["best carry", "best loft", "value", "one per cent more of"],
         rows,
-    );
+    ));
     document.paragraph(
         "The report says that the shape of the head has a large effect through the inertia dyadic; \
          in a strike on the sweet spot only the moment about \
@@ -176,8 +176,8 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Publish
             format!("{} {:+.0} %", changed.change.parameter.name, 100.0 * part),
         ]
     });
-    document.table(
-        &[
+    document.add(Table::new(
+        [
             "carry predicted",
             "carry",
             "loft predicted",
@@ -185,7 +185,7 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Publish
             "change",
         ],
         rows,
-    );
+    ));
 }
 
 /// A change with four decimals and its sign.

@@ -1,8 +1,8 @@
 //! Searches with and without the noise of the while-loop.
 
-use crate::report::document::Document;
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
-use crate::report::published::Published;
+use crate::report::document::{Document, Table};
+use crate::report::plot::{Figure, Hue, Layer};
+use crate::report::published::{Published, angles};
 use crate::reproduce::{Delivery, Landing, Mae494, Method, Searches};
 use crate::units::Quantity;
 
@@ -48,8 +48,8 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published
             method(searches.method).into(),
         ]
     });
-    document.table(
-        &[
+    document.add(Table::new(
+        [
             "found",
             "median miss",
             "worst miss",
@@ -58,7 +58,7 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published
             "method",
         ],
         rows,
-    );
+    ));
     document.figure(ends(&found.noise.searches, &best));
 }
 
@@ -80,12 +80,11 @@ fn method(method: Method) -> &'static str {
 }
 
 fn ends(searches: &[Searches], best: &Delivery) -> Figure {
-    let angle = |label: &str| Axis::linear(Measure::new(label, Quantity::ANGLE, "deg"));
     let mut figure = Figure::new(
         "ends",
         "Where searches from the same starts end",
-        angle("loft"),
-        angle("attack angle"),
+        angles("loft"),
+        angles("attack angle"),
     )
     .noted("If a search does not move, the mark of its end hides the mark of its start.");
     if let Some(any) = searches.first() {

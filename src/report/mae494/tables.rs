@@ -1,10 +1,10 @@
 //! Printed optima of the report, compared with the exact optima.
 
-use crate::report::document::Document;
-use crate::report::plot::{Axis, Figure, Layer, Measure};
-use crate::report::published::Published;
+use crate::report::document::{Document, Table};
+use crate::report::plot::{Figure, Layer};
+use crate::report::published::{Published, angles};
 use crate::reproduce::{Mae494, Row};
-use crate::units::{Quantity, fixed};
+use crate::units::fixed;
 
 pub(super) fn optimum(document: &mut Document, found: &Mae494, shown: Published) {
     let Row { printed, best, .. } = &found.optimum;
@@ -66,17 +66,17 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: Published) 
         ]
     };
     document.paragraph("Table 1: the best loft at each attack angle.");
-    document.table(
-        &head("attack angle", "loft printed", "exact best loft"),
+    document.add(Table::new(
+        head("attack angle", "loft printed", "exact best loft"),
         found
             .table1
             .iter()
             .map(|r| row(r, r.printed.attack_angle, r.printed.loft, r.exact().loft)),
-    );
+    ));
     document.figure(best_lofts(&found.table1));
     document.paragraph("Table 2: the best attack angle at each loft.");
-    document.table(
-        &head("loft", "attack angle printed", "exact best attack angle"),
+    document.add(Table::new(
+        head("loft", "attack angle printed", "exact best attack angle"),
         found.table2.iter().map(|r| {
             row(
                 r,
@@ -85,11 +85,10 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: Published) 
                 r.exact().attack_angle,
             )
         }),
-    );
+    ));
 }
 
 fn best_lofts(rows: &[Row]) -> Figure {
-    let angle = |label: &str| Axis::linear(Measure::new(label, Quantity::ANGLE, "deg"));
     let points = |loft: fn(&Row) -> f64| {
         rows.iter()
             .map(|row| [row.printed.attack_angle, loft(row)])
@@ -98,8 +97,8 @@ fn best_lofts(rows: &[Row]) -> Figure {
     Figure::new(
         "table-1",
         "The best loft at each attack angle",
-        angle("attack angle"),
-        angle("loft"),
+        angles("attack angle"),
+        angles("loft"),
     )
     .with(Layer::dots(
         "as the report prints it",

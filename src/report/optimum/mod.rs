@@ -13,7 +13,6 @@ pub(super) use report::constraints;
 pub use report::{
     ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimumReport,
 };
-pub(super) use setup_file::best_toml;
 pub use setup_file::optimum_toml;
 pub use surroundings::{ClubAloneReport, Surroundings, WindowReport};
 pub(super) use text::{add_convergence, add_place, ended_line, place};

@@ -1,6 +1,6 @@
 //! Multipliers of constraints and bounds in words.
 
-use super::super::limits::{self, Limit, Objective};
+use super::super::limits::{self, Objective, gain};
 use super::super::shown;
 use crate::optimize::Status;
 use crate::study::{Optimum, Sense};
@@ -28,8 +28,8 @@ pub(in crate::report) fn constraint_in_words(
         return String::new();
     };
     let slopes = optimum.solution.jacobian.get(j);
-    let limit = Limit::new(constraint, at, slopes.map_or(&[], Vec::as_slice));
-    objective(optimum).limit(limit, system)
+    let slopes = slopes.map_or(&[][..], Vec::as_slice);
+    objective(optimum).limit(constraint, at, slopes, gain(constraint, at), system)
 }
 
 /// The state of a bound in words, such as "at its upper bound: +2.11 yd for each degree that it is
@@ -40,7 +40,7 @@ pub(in crate::report) fn bound_in_words(optimum: &Optimum, i: usize, system: Sys
     let lower = optimum.solution.lower_multipliers[i];
     let upper = optimum.solution.upper_multipliers[i];
     let value = optimum.value().unwrap_or_default();
-    let gain = if optimum.search.sense == Sense::Maximize {
+    let sign = if optimum.search.sense == Sense::Maximize {
         1.0
     } else {
         -1.0
@@ -48,7 +48,7 @@ pub(in crate::report) fn bound_in_words(optimum: &Optimum, i: usize, system: Sys
     let of = (goal.quantity, goal.unit);
     let by = vary.parameter;
     let price = |amount: f64| {
-        let amount = shown::settled(gain * amount, value, of, &[by]);
+        let amount = shown::settled(sign * amount, value, of, &[by]);
         let text = shown::price(of, amount, (by.quantity, by.unit), system);
         signed(amount, text)
     };

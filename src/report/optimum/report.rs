@@ -193,22 +193,15 @@ impl OptimumReport {
     /// The answer of `optimize`.
     pub fn reply(optima: &Optima, over: &OverSwings, warnings: Vec<Message>) -> Reply<Self> {
         let body = Self {
+            optima: (optima.starts > 1).then(|| LocalReport::all(optima)),
             swings: StudiesReport::new(&optima.best, over),
-            ..Self::of_many(optima)
+            ..Self::new(&optima.best)
         };
         let reply = Reply::done("optimize", warnings, body);
         let best = &optima.best;
         match optima.interrupted() {
             None => reply.ended(best.status(), Some(best.message().to_string())),
             interrupted => reply.ended("interrupted", interrupted),
-        }
-    }
-
-    /// The report of the best optimum. For several starts it contains all local optima.
-    pub(in crate::report) fn of_many(optima: &Optima) -> Self {
-        Self {
-            optima: (optima.starts > 1).then(|| LocalReport::all(optima)),
-            ..Self::new(&optima.best)
         }
     }
 

@@ -5,20 +5,16 @@ use super::super::shown;
 use super::super::uncertainty::distribution_text;
 use crate::error::Result;
 use crate::parameters::Preset;
+use crate::study::Optimum;
 use crate::study::swings::Swings;
-use crate::study::{Optima, Optimum};
 use crate::units::{System, counted};
 
-/// The setup at the best optimum as a setup file in TOML, with full precision.
+/// The setup at an optimum as a setup file in TOML, with full precision. `interrupted` is the
+/// message on interrupted searches.
 ///
 /// # Errors
 /// The errors of [`setup_toml`].
-pub fn optimum_toml(optima: &Optima, swings: Option<&Swings>, preset: &Preset) -> Result<String> {
-    best_toml(&optima.best, swings, optima.interrupted(), preset)
-}
-
-/// The setup at an optimum, with a note on interrupted searches.
-pub(in crate::report) fn best_toml(
+pub fn optimum_toml(
     optimum: &Optimum,
     swings: Option<&Swings>,
     interrupted: Option<String>,

@@ -3,7 +3,7 @@
 
 use super::findings::Findings;
 use super::gain::steps;
-use super::numbers::{from_to, of_known_size, outcome};
+use super::numbers::{from_to, outcome};
 use crate::drive::Outcome;
 use crate::optimize::Status;
 use crate::report::figures::capital;
@@ -11,7 +11,7 @@ use crate::report::frame::both;
 use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
 use crate::report::shown;
 use crate::study::{Effects, Optimum, Sense};
-use crate::units::{System, leading_number, one, signed};
+use crate::units::{System, leading_number, one, signed, significant, with_unit};
 use maud::{Markup, html};
 
 /// Maximum number of parameters named as sources of the uncertainty.
@@ -84,9 +84,15 @@ fn change(of: Outcome, from: f64, to: f64, system: System) -> String {
 fn tiles(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Markup {
     let of = findings.of;
     let [at_yours, at_best] = [findings.effects_of(of), findings.at_best.as_ref()];
+    // two significant digits: "7.4 yd"
+    let two_digits = |size: f64, system: System| {
+        let unit = system.unit(of.unit());
+        let number = size / of.quantity().size_of(unit).unwrap_or(1.0);
+        with_unit(&significant(number, 2), unit)
+    };
     let known = |uncertainty: Option<f64>| {
         let uncertainty = uncertainty.filter(|uncertainty| *uncertainty > 0.0);
-        html! { @if let Some(size) = uncertainty { dd.known { "± " (both(|system| of_known_size(of, size, system))) } } }
+        html! { @if let Some(size) = uncertainty { dd.known { "± " (both(|system| two_digits(size, system))) } } }
     };
     html! {
         dl.tiles {

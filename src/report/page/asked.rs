@@ -4,7 +4,7 @@ use super::findings::Findings;
 use super::numbers::from_to;
 use crate::error::Result;
 use crate::parameters::{Parameter, Vary};
-use crate::report::frame::both;
+use crate::report::frame::{both, chosen};
 use crate::report::presets::{Change, changes};
 use crate::report::shown;
 use crate::study::Search;
@@ -18,7 +18,7 @@ const NAMED: usize = 3;
 /// The title of the page: the setup or the stated launch, and the first changes of the setup.
 pub(super) fn title(findings: &Findings, system: System) -> Result<String> {
     // a setup file has its own name
-    if findings.is_of_a_file() {
+    if findings.name != findings.preset.name {
         return Ok(findings.name.clone());
     }
     let changed = changed(findings, system)?;
@@ -99,12 +99,12 @@ pub(super) fn asked(findings: &Findings) -> Result<Markup> {
     let launch = launch(findings);
     let [metric, us] = System::ALL.map(|system| changed(findings, system));
     let (metric, us) = (metric?, us?);
-    let of_preset = |system: System| {
-        let changes = if system == System::Us { &us } else { &metric };
+    let text = |changes: &[Change]| {
         let one =
             |change: &Change| format!("{} {}", change.name, from_to(&change.from, &change.to));
         changes.iter().map(one).collect::<Vec<_>>().join("; ")
     };
+    let of_preset = chosen(&text(&metric), &text(&us));
     let search = findings.found.as_ref().map(|found| &found.search);
     Ok(html! {
         dl.asked {
@@ -120,12 +120,12 @@ pub(super) fn asked(findings: &Findings) -> Result<Markup> {
             @if launch.is_empty() {
                 dt { "Preset" } dd {
                     (findings.preset.name)
-                    @if us.is_empty() { ", as it is" } @else { "; changed: " (both(of_preset)) }
+                    @if us.is_empty() { ", as it is" } @else { "; changed: " (of_preset) }
                 }
             } @else {
                 dt { "Ball, air and ground" } dd {
                     "those of the preset " (findings.preset.name)
-                    @if !us.is_empty() { "; changed: " (both(of_preset)) }
+                    @if !us.is_empty() { "; changed: " (of_preset) }
                 }
             }
         }
@@ -139,7 +139,7 @@ fn wanted(search: &Search) -> Markup {
             let [low, high] =
                 [vary.low, vary.high].map(|value| shown::told(vary.parameter, value, system));
             let name = shown::words(vary.parameter.name);
-            format!("{name} {}", to(&low, &high))
+            format!("{name} {}", from_to(&low, &high).replace(" → ", " to "))
         };
         search.vary.iter().map(range).collect::<Vec<_>>().join(", ")
     };
@@ -157,11 +157,6 @@ fn wanted(search: &Search) -> Markup {
             dt { "Limits" } dd { (both(limits)) }
         }
     }
-}
-
-/// The ends of a range: "4 to 20 deg".
-fn to(low: &str, high: &str) -> String {
-    from_to(low, high).replace(" → ", " to ")
 }
 
 /// Parameters with their values: "swing speed 115 mph, swing path 0 deg".

@@ -144,9 +144,4 @@ impl Findings {
             Flight::Landed(_) => None,
         }
     }
-
-    /// True for a setup file, false for a preset with changes.
-    pub(super) fn is_of_a_file(&self) -> bool {
-        self.name != self.preset.name
-    }
 }

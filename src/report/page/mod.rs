@@ -15,8 +15,8 @@ use super::figures::{
     At, Causes, OnMap, View, capital, chart_figures, face_figure, fairway_figure, launches_figure,
     map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
-use super::frame::{Frame, Pair, TextFile, both, in_each, picture_files, pictures};
-use super::optimum::best_toml;
+use super::frame::{self, Pair, TextFile, both, chosen, picture_files, pictures};
+use super::optimum::optimum_toml;
 use super::plot::{Figure, Look, figure_svg};
 use super::{setup_toml, shown};
 use crate::error::{Error, Result};
@@ -32,7 +32,7 @@ use maud::{Markup, html};
 pub fn report_documents(findings: &Findings) -> Result<Vec<TextFile>> {
     let plots = plots(findings);
     let setup = match findings.best() {
-        Some(best) => best_toml(best, None, None, findings.preset)?,
+        Some(best) => optimum_toml(best, None, None, findings.preset)?,
         None => setup_toml(
             &findings.setup,
             findings.preset,
@@ -61,17 +61,17 @@ fn plots(findings: &Findings) -> Plots {
         // insert the landings after the view from the side
         drive.insert(
             drive.len().min(1),
-            in_each(|system| fairway_figure(&findings.landings, system)),
+            System::ALL.map(|system| fairway_figure(&findings.landings, system)),
         );
     }
     let launches = findings
         .launches
         .as_ref()
-        .map(|launches| in_each(|system| launches_figure(launches, system)));
+        .map(|launches| System::ALL.map(|system| launches_figure(launches, system)));
     let face = findings
         .face
         .as_ref()
-        .map(|face| in_each(|system| face_figure(face, system)));
+        .map(|face| System::ALL.map(|system| face_figure(face, system)));
     Plots {
         drive,
         strike: launches.into_iter().chain(face).collect(),
@@ -80,7 +80,7 @@ fn plots(findings: &Findings) -> Plots {
         map: findings
             .map
             .as_ref()
-            .map(|map| in_each(|system| mapped(findings, map, system)))
+            .map(|map| System::ALL.map(|system| mapped(findings, map, system)))
             .into_iter()
             .collect(),
         chart: findings
@@ -99,7 +99,7 @@ fn plots(findings: &Findings) -> Plots {
         curves: Some(vcurve_figure(&findings.rows, &findings.loops))
             .filter(|figure| figure_svg(figure, &Look::default()).is_ok())
             // the texts of these curves have no units
-            .map(|figure| in_each(|_| figure.clone()))
+            .map(|figure| System::ALL.map(|_| figure.clone()))
             .into_iter()
             .collect(),
     }
@@ -206,25 +206,22 @@ impl Plots {
 fn page(findings: &Findings, plots: &Plots) -> Result<String> {
     let [metric, us] = System::ALL.map(|system| asked::title(findings, system));
     let (metric, us) = (metric?, us?);
-    let title = |system| {
-        if system == System::Us {
-            us.clone()
-        } else {
-            metric.clone()
-        }
-    };
     let header = html! {
-        h1 { "Drive: " (both(title)) }
+        h1 { "Drive: " (chosen(&metric, &us)) }
         p.faint { (asked::subtitle(findings)?) }
     };
-    let frame = Frame {
-        title: &format!("longdrive: {}", title(findings.system)),
-        header,
-        main: main(findings, plots)?,
-        footer: Some(sections::footer(findings)),
-        system: findings.system,
+    let title = if findings.system == System::Us {
+        us
+    } else {
+        metric
     };
-    Ok(frame.page())
+    Ok(frame::page(
+        &format!("longdrive: {title}"),
+        &header,
+        &main(findings, plots)?,
+        Some(sections::footer(findings)),
+        findings.system,
+    ))
 }
 
 fn main(findings: &Findings, plots: &Plots) -> Result<Markup> {
@@ -243,7 +240,7 @@ fn main(findings: &Findings, plots: &Plots) -> Result<Markup> {
             h2 { "The drive" }
             (pictures(&plots.drive)?)
             @for [metric, us] in &plots.left_out {
-                p.faint { (both(|system| capital(if system == System::Us { us } else { metric }))) "." }
+                p.faint { (chosen(&capital(metric), &capital(us))) "." }
             }
             @if let Some(explorer) = &findings.explorer { (sections::explorer(explorer)) }
             (pictures(&plots.strike)?)

@@ -1,32 +1,13 @@
 //! Numbers of a page, in both systems of units.
 
 use crate::drive::Outcome;
-use crate::parameters::Parameter;
 use crate::report::frame::both;
 use crate::report::shown;
-use crate::units::{System, significant, with_unit};
 use maud::Markup;
 
 /// The value of an outcome; a dash if there is no value.
 pub(super) fn outcome(of: Outcome, found: Option<f64>) -> Markup {
     both(|system| shown::outcome_or_dash(of, found, system))
-}
-
-/// A loss of an outcome.
-pub(super) fn loss(of: Outcome, loss: f64) -> Markup {
-    both(|system| shown::spread(of, loss, system))
-}
-
-/// A computed value of a parameter.
-pub(super) fn parameter(parameter: &Parameter, found: f64) -> Markup {
-    both(|system| shown::parameter(parameter, found, system))
-}
-
-/// The size of an outcome's uncertainty with two significant digits: "7.4 yd".
-pub(super) fn of_known_size(of: Outcome, size: f64, system: System) -> String {
-    let unit = system.unit(of.unit());
-    let number = significant(size / of.quantity().size_of(unit).unwrap_or(1.0), 2);
-    with_unit(&number, unit)
 }
 
 /// A change whose unit appears once: "9.5 → 6.70 deg".

@@ -1,13 +1,13 @@
 //! The sections of a page with texts and tables.
 
 use super::findings::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE};
-use super::numbers::{loss, outcome, parameter};
+use super::numbers::outcome;
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::parameters::{GOLFER, METHOD, Parameter, SPEED_OF};
 use crate::report::certificate::settled;
 use crate::report::figures::capital;
-use crate::report::frame::{both, scrolled};
+use crate::report::frame::{both, chosen, scrolled};
 use crate::report::limits::ended_at;
 use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
 use crate::report::presets::{SourcedValue, sources};
@@ -119,15 +119,17 @@ fn label(head: impl Render) -> Markup {
 
 /// The head of the column of windows, with the loss that the windows allow.
 fn alone(of: Outcome, flatness: &Flatness) -> Markup {
-    html! { "alone, for a loss of " (loss(of, flatness.loss)) }
+    let loss = both(|system| shown::spread(of, flatness.loss, system));
+    html! { "alone, for a loss of " (loss) }
 }
 
 /// The window of a parameter, with the reason for each end that is not due to the loss.
 fn window(best: &Optimum, vary: &Vary, window: &Window) -> Markup {
+    let end = |value: f64| both(|system| shown::parameter(vary.parameter, value, system));
     html! {
         span {
-            (parameter(vary.parameter, window.low)) (limit(best, window.low_limit)) " … "
-            (parameter(vary.parameter, window.high)) (limit(best, window.high_limit))
+            (end(window.low)) (limit(best, window.low_limit)) " … "
+            (end(window.high)) (limit(best, window.high_limit))
         }
     }
 }
@@ -225,9 +227,6 @@ pub(super) fn setup(findings: &Findings) -> Result<Markup> {
         .map(|system| sources(&findings.setup, findings.preset, Some(system)));
     let rows = us?.into_iter().zip(metric?);
     let rows = rows.filter(|(us, _)| !(is_launched && is_of_strike(findings, us.name)));
-    let either = |us: &str, metric: &str| {
-        both(|system| if system == System::Us { us } else { metric }.into())
-    };
     Ok(html! {
         p.faint {
             "All numbers of the setup and their sources; it is based on the preset "
@@ -241,9 +240,9 @@ pub(super) fn setup(findings: &Findings) -> Result<Markup> {
                 @for (us, metric) in rows {
                     tr {
                         td { (us.name) }
-                        td.number { (either(&us.value, &metric.value)) }
+                        td.number { (chosen(&metric.value, &us.value)) }
                         td.words.source {
-                            (either(&source_of(findings, &us), &source_of(findings, &metric)))
+                            (chosen(&source_of(findings, &metric), &source_of(findings, &us)))
                         }
                     }
                 }

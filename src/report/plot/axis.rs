@@ -50,16 +50,6 @@ impl Measure {
         self.quantity.read_off(value, system.unit(self.unit))
     }
 
-    /// A value in the units of both systems: "251.1 yd (229.6 m)".
-    pub fn show_both(&self, value: f64, system: System) -> String {
-        let [chosen, other] = [system, system.other()].map(|system| self.show(value, system));
-        if chosen == other {
-            chosen
-        } else {
-            format!("{chosen} ({other})")
-        }
-    }
-
     /// A difference or an uncertainty, which has one decimal more: "4.12 yd".
     pub fn show_difference(&self, value: f64, system: System) -> String {
         self.quantity
@@ -68,7 +58,10 @@ impl Measure {
 
     /// The name with the unit of a system: `carry [yd]`, `club loft [°]`.
     pub fn titled(&self, system: System) -> String {
-        with_unit(&self.label, &printed(system.unit(self.unit)))
+        match printed(system.unit(self.unit)).as_str() {
+            "" => self.label.clone(),
+            unit => format!("{} [{unit}]", self.label),
+        }
     }
 
     /// The name with the unit of a table: `carry [m]`.
@@ -79,14 +72,6 @@ impl Measure {
     /// An SI value as a number in the units of a table.
     pub fn number(&self, value: f64, units: TableUnits) -> f64 {
         units.number(value, self.quantity, self.unit)
-    }
-}
-
-fn with_unit(label: &str, unit: &str) -> String {
-    if unit.is_empty() {
-        label.into()
-    } else {
-        format!("{label} [{unit}]")
     }
 }
 

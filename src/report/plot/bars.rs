@@ -141,7 +141,7 @@ impl Rows {
         };
         let font = Font::new(VALUE, canvas.palette.ink);
         for bar in bars {
-            let [Some(from), Some(to)] = [bar.from, bar.to].map(|x| plane.pixel_across(x)) else {
+            let [Some(from), Some(to)] = [0.0, bar.to].map(|x| plane.pixel_across(x)) else {
                 continue;
             };
             let (lane, lanes) = lane(figure, layer, bar);
@@ -208,7 +208,7 @@ fn others(figure: &Figure, layer: usize, place: usize) -> Vec<(usize, Bar)> {
 
 /// The lane of a bar, and the number of lanes in its row: two if bars would overlap, otherwise one.
 fn lane(figure: &Figure, layer: usize, bar: &Bar) -> (usize, usize) {
-    let ends = |bar: &Bar| [bar.from.min(bar.to), bar.from.max(bar.to)];
+    let ends = |bar: &Bar| [bar.to.min(0.0), bar.to.max(0.0)];
     let [low, high] = ends(bar);
     let covers = |other: &Bar| {
         let [from, to] = ends(other);
@@ -226,12 +226,8 @@ fn lane(figure: &Figure, layer: usize, bar: &Bar) -> (usize, usize) {
 /// True if the value is to the left of its bar: the bar points left, or the bar has no length and
 /// the other bar of the row points right.
 fn is_left(figure: &Figure, layer: usize, bar: &Bar) -> bool {
-    let is_right = |bar: &Bar| bar.to > bar.from;
-    bar.to < bar.from
-        || (bar.to <= bar.from
-            && others(figure, layer, bar.place)
-                .iter()
-                .any(|(_, other)| is_right(other)))
+    let mut others = others(figure, layer, bar.place).into_iter();
+    bar.to < 0.0 || (bar.to <= 0.0 && others.any(|(_, other)| other.to > 0.0))
 }
 
 /// The value at the end of a bar, in the unit of the axis: "+3.9". It has more digits if all values
@@ -239,10 +235,10 @@ fn is_left(figure: &Figure, layer: usize, bar: &Bar) -> bool {
 fn value(figure: &Figure, layer: usize, bar: &Bar, system: System) -> String {
     let measure = &figure.x.measure;
     let unit = system.unit(measure.unit);
-    let amount = bar.to - bar.from;
+    let amount = bar.to;
     let text = measure.quantity.read_off(amount, unit);
     let is_lost = |bar: &Bar| {
-        let text = measure.quantity.read_off((bar.to - bar.from).abs(), unit);
+        let text = measure.quantity.read_off(bar.to.abs(), unit);
         leading_number(&text)
             .bytes()
             .all(|digit| b"0.".contains(&digit))
@@ -268,12 +264,9 @@ pub(super) fn with_room(figure: &Figure, system: System, width: f64) -> Option<A
         let Layer::Bars { bars, .. } = bars else {
             continue;
         };
-        for bar in bars
-            .iter()
-            .filter(|bar| bar.from.is_finite() && bar.to.is_finite())
-        {
-            low = low.min(bar.from).min(bar.to);
-            high = high.max(bar.from).max(bar.to);
+        for bar in bars.iter().filter(|bar| bar.to.is_finite()) {
+            low = low.min(bar.to);
+            high = high.max(bar.to);
             let side = usize::from(!is_left(figure, layer, bar));
             beside[side] = beside[side].max(
                 text_width(&typeset(&value(figure, layer, bar, system)), VALUE, false) + 2.0 * GAP,

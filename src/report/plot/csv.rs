@@ -117,8 +117,6 @@ impl Columns {
 /// The rows of a layer. If the figure has several views, `of_view` is appended to the names.
 fn rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Row<'a>> {
     let point = |[x, y]: [f64; 2]| [Some(x), Some(y), None, None];
-    let between =
-        |[x, y]: [f64; 2], [to_x, to_y]: [f64; 2]| [Some(x), Some(y), Some(to_x), Some(to_y)];
     let row = |kind: &'static str, numbers: [Option<f64>; 4]| -> Row<'a> {
         Row {
             kind,
@@ -144,14 +142,14 @@ fn rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Row<'a>>
             let one = |bar: &Bar| Row {
                 kind: "bar",
                 name: place(bar.place).to_owned(),
-                numbers: [Some(bar.from), None, Some(bar.to), None],
+                numbers: [Some(0.0), None, Some(bar.to), None],
                 value: None,
             };
             bars.iter().map(one).collect()
         }
         Layer::Arrows { arrows, .. } => arrows
             .iter()
-            .map(|[from, to]| row("arrow", between(*from, *to)))
+            .map(|[from, to]| row("arrow", [from[0], from[1], to[0], to[1]].map(Some)))
             .collect(),
         Layer::Region { rings, .. } => {
             // a row without numbers separates two rings
@@ -161,7 +159,6 @@ fn rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Row<'a>>
                 .map(|at| row("region", point(*at)))
                 .collect()
         }
-        Layer::Frame { low, high, .. } => vec![row("frame", between(*low, *high))],
         Layer::Contours(field) => {
             let one = |(i, value): (usize, &Option<f64>)| {
                 let at = field.place((i % field.columns) as f64, (i / field.columns) as f64);

@@ -189,17 +189,6 @@ pub enum Layer {
         /// The outlines. A line without width connects a hole with its outline.
         rings: Vec<Vec<[f64; 2]>>,
     },
-    /// A rectangle.
-    Frame {
-        /// The name.
-        name: String,
-        /// The colour.
-        hue: Hue,
-        /// The lower left corner.
-        low: [f64; 2],
-        /// The upper right corner.
-        high: [f64; 2],
-    },
 }
 
 impl Layer {
@@ -222,6 +211,25 @@ impl Layer {
         }
     }
 
+    /// The points of the layer; of a map, its corners.
+    pub(in crate::report) fn points(&self) -> Vec<[f64; 2]> {
+        match self {
+            Self::Line { points, .. } | Self::Dots { points, .. } => points.clone(),
+            Self::Band { points, .. } => points
+                .iter()
+                .flat_map(|[x, low, high]| [[*x, *low], [*x, *high]])
+                .collect(),
+            Self::Bars { bars, .. } => bars
+                .iter()
+                .flat_map(|bar| [0.0, bar.to].map(|x| [x, bar.place as f64]))
+                .collect(),
+            Self::Contours(field) => vec![[field.x[0], field.y[0]], [field.x[1], field.y[1]]],
+            Self::Mark { at, .. } | Self::Text { at, .. } => vec![*at],
+            Self::Region { rings, .. } => rings.concat(),
+            Self::Arrows { arrows, .. } => arrows.iter().flatten().copied().collect(),
+        }
+    }
+
     /// The name, and the colour if the layer has a single one.
     pub fn named(&self) -> (&str, Option<Hue>) {
         match self {
@@ -232,20 +240,17 @@ impl Layer {
             | Self::Mark { name, hue, .. }
             | Self::Text { name, hue, .. }
             | Self::Arrows { name, hue, .. }
-            | Self::Region { name, hue, .. }
-            | Self::Frame { name, hue, .. } => (name, Some(*hue)),
+            | Self::Region { name, hue, .. } => (name, Some(*hue)),
             Self::Contours(field) => (&field.measure.label, None),
         }
     }
 }
 
-/// A horizontal bar.
+/// A horizontal bar that begins at 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bar {
     /// The number of the name on the axis.
     pub place: usize,
-    /// The start.
-    pub from: f64,
     /// The end.
     pub to: f64,
 }

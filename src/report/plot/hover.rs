@@ -1,12 +1,12 @@
 //! Tooltips: SVG titles on invisible shapes.
 
-use super::axis::{Axis, Measure, Scale};
+use super::axis::{Axis, Scale};
 use super::canvas::Canvas;
 use super::contour::Ground;
 use super::figure::{Figure, Layer};
 use super::layers::Plane;
 use super::simplify::simplified;
-use crate::units::{Quantity, System, significant};
+use crate::units::{Quantity, System, significant, typed};
 
 /// Maximum number of points of a line with a tooltip at each point.
 const FEW: usize = 40;
@@ -84,9 +84,8 @@ fn contours_of<'a>(
     };
     let unit = system.unit(field.measure.unit);
     let of = |ground: &'a Ground| {
-        let level = significant(ground.level, 6);
-        let title = format!("{} {level} {unit}", field.measure.label);
-        let title = title.trim_end().to_owned();
+        let level = typed(&significant(ground.level, 6), unit);
+        let title = format!("{} {level}", field.measure.label);
         let lines = ground.lines.iter();
         lines.map(move |piece| (title.clone(), piece.as_slice()))
     };
@@ -100,19 +99,13 @@ fn on_axis(axis: &Axis, value: f64, system: System) -> String {
             .get(value.round() as usize)
             .cloned()
             .unwrap_or_default(),
-        _ => format!(
-            "{} {}",
-            axis.measure.label,
-            of(&axis.measure, value, system)
-        )
-        .trim()
-        .to_owned(),
+        _ => {
+            let measure = &axis.measure;
+            let value = match measure.quantity {
+                Quantity::NUMBER => significant(value, 4),
+                _ => measure.show(value, system),
+            };
+            format!("{} {value}", measure.label).trim().to_owned()
+        }
     }
-}
-
-fn of(measure: &Measure, value: f64, system: System) -> String {
-    if measure.quantity == Quantity::NUMBER {
-        return significant(value, 4);
-    }
-    measure.quantity.read_off(value, system.unit(measure.unit))
 }

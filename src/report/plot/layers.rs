@@ -18,7 +18,7 @@ const BARS_APART: f64 = 32.0;
 /// Width of the lines of background elements, pixels.
 const THIN: f64 = 1.2;
 /// Width of the lines of foreground elements, pixels.
-pub(super) const WIDE: f64 = 2.0;
+const WIDE: f64 = 2.0;
 
 /// Radius of a dot, pixels.
 const DOT: f64 = 3.0;
@@ -123,13 +123,6 @@ pub(super) fn draw(canvas: &mut Canvas, plane: &Plane, layer: &Layer, grounds: &
         } => {
             let rings: Vec<_> = rings.iter().map(|ring| plane.all(ring)).collect();
             region(canvas, &rings, hue, *is_hatched);
-        }
-        Layer::Frame { low, high, .. } => {
-            let [Some(low), Some(high)] = [plane.pixel(*low), plane.pixel(*high)] else {
-                return;
-            };
-            let corners = [low, [high[0], low[1]], high, [low[0], high[1]], low];
-            line(canvas, &corners, color, WIDE, true);
         }
     }
 }
@@ -286,33 +279,20 @@ fn ground(canvas: &mut Canvas, plane: &Plane, field: &Field, grounds: &[Ground])
     }
 }
 
-/// Draws a line; a single point is a dot.
-pub(super) fn line(
-    canvas: &mut Canvas,
-    points: &[[f64; 2]],
-    color: Color,
-    width: f64,
-    is_dashed: bool,
-) {
-    match points {
-        [] => {}
-        [at] => canvas.disc(*at, DOT, color),
-        _ => canvas.line(
-            points,
-            Stroke {
-                color,
-                width,
-                is_dashed,
-            },
-        ),
-    }
-}
-
-/// Draws a line of a series, with cross bars at regular distances.
+/// Draws a line of a series, with cross bars at regular distances; a single point is a dot.
 pub(super) fn series(canvas: &mut Canvas, points: &[[f64; 2]], hue: Hue, is_dashed: bool) {
     let color = canvas.palette.of(hue);
     let width = if hue == Hue::Faint { THIN } else { WIDE };
-    line(canvas, points, color, width, is_dashed);
+    let stroke = Stroke {
+        color,
+        width,
+        is_dashed,
+    };
+    match points {
+        [] => {}
+        [at] => canvas.disc(*at, DOT, color),
+        _ => canvas.line(points, stroke),
+    }
     let (mut gone, mut next) = (0.0, FIRST_BARS);
     for pair in points.windows(2) {
         let [dx, dy] = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];

@@ -171,22 +171,5 @@ fn across(
 
 /// The points that the axes must include.
 fn coordinates(figure: &Figure) -> impl Iterator<Item = [f64; 2]> + '_ {
-    figure.layers.iter().flat_map(|layer| -> Vec<[f64; 2]> {
-        match layer {
-            Layer::Line { points, .. } | Layer::Dots { points, .. } => points.clone(),
-            Layer::Band { points, .. } => points
-                .iter()
-                .flat_map(|[x, low, high]| [[*x, *low], [*x, *high]])
-                .collect(),
-            Layer::Bars { bars, .. } => bars
-                .iter()
-                .flat_map(|bar| [bar.from, bar.to].map(|x| [x, bar.place as f64]))
-                .collect(),
-            Layer::Contours(field) => vec![[field.x[0], field.y[0]], [field.x[1], field.y[1]]],
-            Layer::Mark { at, .. } | Layer::Text { at, .. } => vec![*at],
-            Layer::Region { rings, .. } => rings.concat(),
-            Layer::Arrows { arrows, .. } => arrows.iter().flatten().copied().collect(),
-            Layer::Frame { low, high, .. } => vec![*low, *high],
-        }
-    })
+    figure.layers.iter().flat_map(Layer::points)
 }

@@ -2,7 +2,7 @@
 
 use super::canvas::{Anchor, Canvas, Font, LINE, SIGN, TEXT};
 use super::figure::{Figure, Hue, Layer, LineNames};
-use super::layers::{WIDE, arrow, line, point, region, series};
+use super::layers::{arrow, point, region, series};
 use super::text_width::{text_width, wrapped};
 use crate::units::typeset;
 
@@ -133,7 +133,6 @@ impl Entry<'_> {
                 let corners = vec![low, [high[0], low[1]], high, [low[0], high[1]]];
                 region(canvas, &[corners], hue, *is_hatched);
             }
-            Layer::Frame { .. } => line(canvas, &ends, color, WIDE, true),
             Layer::Dots { .. } => point(canvas, [x + 0.5 * SIGN, y], hue),
             Layer::Band { .. } => canvas.rectangle(low, high, color, 0.22),
             Layer::Bars { .. } => canvas.rectangle(low, high, color, 0.85),

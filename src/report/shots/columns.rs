@@ -2,8 +2,7 @@
 
 use super::csv::Added;
 use crate::drive::Outcome;
-use crate::shots::{Flown, Shot, size};
-use crate::units::Quantity;
+use crate::shots::{Flown, Shot};
 
 /// The launch columns. The spin is given as total spin and spin axis.
 const LAUNCH: [(&str, Outcome); 5] = [
@@ -113,11 +112,4 @@ pub(super) fn row(added: &Added, flown: &Flown, row: usize, bytes: &mut Vec<u8>)
         bytes.push(added.separator);
     }
     added.row(flown, row, bytes);
-}
-
-/// A value in a unit, rounded to six decimals to remove the rounding errors of the conversion.
-pub(super) fn in_unit(value: f64, quantity: Quantity, unit: &str) -> f64 {
-    let number = value / size(quantity, unit);
-    let digits = 1e6;
-    (number * digits).round() / digits
 }

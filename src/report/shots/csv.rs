@@ -1,6 +1,7 @@
 //! Predictions of shots, in columns after the columns of the export.
 
 use crate::drive::Outcome;
+use crate::report::sweep::push_number;
 use crate::shots::{Export, Flown, size};
 use crate::table::quoted;
 use crate::units::System;
@@ -43,15 +44,9 @@ impl Added {
     /// Appends a number in a unit; an empty cell for `None`.
     pub fn push(&self, bytes: &mut Vec<u8>, value: Option<f64>, unit: &'static str, of: Outcome) {
         let Some(value) = value else { return };
-        self.push_number(
-            bytes,
-            (value / size(of.quantity(), unit) * DECIMALS).round() / DECIMALS,
-        );
-    }
-
-    fn push_number(&self, bytes: &mut Vec<u8>, number: f64) {
+        let number = (value / size(of.quantity(), unit) * DECIMALS).round() / DECIMALS;
         let from = bytes.len();
-        super::super::sweep::push_number(bytes, number);
+        push_number(bytes, number);
         if self.has_decimal_comma {
             bytes[from..]
                 .iter_mut()

@@ -2,11 +2,11 @@
 
 #[cfg(test)]
 use super::super::json::{ByName, Number};
-use super::super::sweep::push_number;
 use crate::drive::Outcome;
 #[cfg(test)]
 use crate::shots::Origin;
 use crate::shots::{Club, Export, Flown, Section, Shot, Shots};
+use serde::Serialize;
 use std::sync::Arc;
 
 /// The keys of the launch, in the order of [`crate::shots::Shot::launch`].
@@ -24,7 +24,7 @@ pub(super) struct Keys {
     of: Vec<Outcome>,
     /// The parameters besides the launch, each with a value in every row.
     further: Vec<&'static str>,
-    /// The export, with the text `"COLUMN HEAD":` for each of its columns.
+    /// The export, with the key of each of its columns.
     cells: Option<(Arc<Export>, Vec<String>)>,
 }
 
@@ -114,51 +114,31 @@ impl<V: schemars::JsonSchema> schemars::JsonSchema for ByOutcome<V> {
     }
 }
 
-fn text(bytes: &mut Vec<u8>, text: &str) {
+/// Appends a value as JSON. A number that is not finite is `null`.
+fn push(bytes: &mut Vec<u8>, value: impl Serialize) {
     // writing to memory does not fail
-    let _ = serde_json::to_writer(bytes, text);
+    let _ = serde_json::to_writer(bytes, &value);
 }
 
-fn text_or_null(bytes: &mut Vec<u8>, value: Option<&str>) {
-    match value {
-        Some(value) => text(bytes, value),
-        None => bytes.extend_from_slice(b"null"),
-    }
-}
-
-fn number(bytes: &mut Vec<u8>, value: Option<f64>) {
-    match value.filter(|value| value.is_finite()) {
-        Some(value) => push_number(bytes, value),
-        None => bytes.extend_from_slice(b"null"),
-    }
-}
-
-/// Appends an object of numbers.
-fn numbers<'a>(bytes: &mut Vec<u8>, of: impl Iterator<Item = (&'a str, Option<f64>)>) {
+/// Appends an object.
+fn push_object<'a, V: Serialize>(bytes: &mut Vec<u8>, entries: impl Iterator<Item = (&'a str, V)>) {
     bytes.push(b'{');
-    for (at, (name, value)) in of.enumerate() {
+    for (at, (name, value)) in entries.enumerate() {
         if at > 0 {
             bytes.push(b',');
         }
-        text(bytes, name);
+        push(bytes, name);
         bytes.push(b':');
-        number(bytes, value);
+        push(bytes, value);
     }
     bytes.push(b'}');
 }
 
-/// Appends an object of the origins that a shot states.
-fn origins(bytes: &mut Vec<u8>, shot: &Shot) {
-    bytes.push(b'{');
-    let origins = shot
-        .values
-        .iter()
-        .filter_map(|value| Some((value.of.name(), value.origin?.name())));
-    for (at, (name, origin)) in origins.enumerate() {
-        let comma = if at > 0 { "," } else { "" };
-        bytes.extend_from_slice(format!("{comma}\"{name}\":\"{origin}\"").as_bytes());
-    }
-    bytes.push(b'}');
+/// Appends an object of numbers.
+fn push_numbers<'a>(bytes: &mut Vec<u8>, of: impl Iterator<Item = (&'a str, Option<f64>)>) {
+    // the sum turns -0 into 0
+    let numbers = of.map(|(name, value)| (name, value.map(|value| value + 0.0)));
+    push_object(bytes, numbers);
 }
 
 impl Keys {
@@ -177,12 +157,11 @@ impl Keys {
             // a repeated column head gets a number
             let key = |(at, head): (usize, &String)| {
                 let before = heads[..at].iter().filter(|other| *other == head).count();
-                let name = if before == 0 {
+                if before == 0 {
                     head.clone()
                 } else {
                     format!("{head} ({})", before + 1)
-                };
-                serde_json::Value::from(name).to_string() + ":"
+                }
             };
             (export.clone(), heads.iter().enumerate().map(key).collect())
         });
@@ -199,18 +178,18 @@ impl Keys {
         let start = format!("{{\"line\":{},\"flight\":\"{flight}\",", shot.line);
         bytes.extend_from_slice(start.as_bytes());
         bytes.extend_from_slice(b"\"reason\":");
-        text_or_null(bytes, flown.reason(row));
+        push(bytes, flown.reason(row));
         bytes.extend_from_slice(b",\"notes\":");
-        let _ = serde_json::to_writer(&mut *bytes, &shot.notes);
+        push(bytes, &shot.notes);
         self.measured(shot, bytes);
         let outcomes = || self.of.iter().enumerate();
         bytes.extend_from_slice(b",\"predicted\":");
-        numbers(
+        push_numbers(
             bytes,
             outcomes().map(|(at, of)| (of.name(), flown.predicted(row, at))),
         );
         bytes.extend_from_slice(b",\"residual\":");
-        numbers(
+        push_numbers(
             bytes,
             outcomes().map(|(at, of)| (of.name(), flown.residual(row, at))),
         );
@@ -231,35 +210,37 @@ impl Keys {
         match shot.launch() {
             Some(launch) => {
                 let launch = launch.iter().map(|value| Some(*value));
-                numbers(bytes, LAUNCH.into_iter().zip(launch));
+                push_numbers(bytes, LAUNCH.into_iter().zip(launch));
             }
             None => bytes.extend_from_slice(b"null"),
         }
         bytes.extend_from_slice(b",\"parameters\":");
         let further = shot.further().iter().map(|value| Some(*value));
-        numbers(bytes, self.further.iter().copied().zip(further));
+        push_numbers(bytes, self.further.iter().copied().zip(further));
         bytes.extend_from_slice(b",\"club\":");
         let club = Club::NAMES
             .into_iter()
             .zip(shot.club.values())
             .filter(|(_, value)| value.is_some());
-        numbers(bytes, club);
+        push_numbers(bytes, club);
         bytes.extend_from_slice(b",\"condition\":");
-        text_or_null(bytes, shot.condition.as_deref());
+        push(bytes, &shot.condition);
         bytes.extend_from_slice(b",\"stated\":");
         let stated = shot.values.iter();
-        numbers(
+        push_numbers(
             bytes,
             stated.map(|value| (value.of.name(), Some(value.value))),
         );
         bytes.extend_from_slice(b",\"origins\":");
-        origins(bytes, shot);
+        let origins = shot.values.iter();
+        let origins = origins.filter_map(|value| Some((value.of.name(), value.origin?.name())));
+        push_object(bytes, origins);
     }
 
     /// Appends the original row.
     fn own(&self, row: &str, is_unreadable: bool, bytes: &mut Vec<u8>) {
         match &self.cells {
-            _ if is_unreadable => text(bytes, row),
+            _ if is_unreadable => push(bytes, row),
             // a line break in a JSON message is only white space, because a string cannot contain
             // it
             None => bytes.extend(row.bytes().map(|byte| {
@@ -270,15 +251,10 @@ impl Keys {
                 }
             })),
             Some((export, keys)) => {
-                bytes.push(b'{');
-                for (at, (key, cell)) in keys.iter().zip(export.cells(row)).enumerate() {
-                    if at > 0 {
-                        bytes.push(b',');
-                    }
-                    bytes.extend_from_slice(key.as_bytes());
-                    text(bytes, &cell);
-                }
-                bytes.push(b'}');
+                push_object(
+                    bytes,
+                    keys.iter().map(String::as_str).zip(export.cells(row)),
+                );
             }
         }
     }

@@ -1,10 +1,10 @@
 //! Flown shots as messages of GSPro Open Connect, and the answer to a message.
 
-use super::columns::{assumed, in_unit, launch};
+use super::columns::{assumed, launch};
 use crate::batch::Status;
 use crate::drive::Outcome;
 use crate::report::json::ByName;
-use crate::shots::{ASSUMED, Flown, Shot};
+use crate::shots::{ASSUMED, Flown, Shot, size};
 use serde::Serialize;
 
 /// A shot with the keys and units of the protocol.
@@ -19,57 +19,13 @@ struct Message<'a> {
     #[serde(rename = "APIversion")]
     api_version: &'static str,
     #[serde(rename = "BallData")]
-    ball: BallData,
+    ball: ByName<f64>,
     #[serde(rename = "ClubData")]
-    club: ClubData,
+    club: ByName<f64>,
     #[serde(rename = "ShotDataOptions")]
-    options: Options,
+    options: ByName<bool>,
     #[serde(rename = "Flight")]
     flight: Flight<'a>,
-}
-
-/// The launch: speed in mph, angles in degrees, spins in rpm, carry in yards. Missing values are
-/// omitted.
-#[derive(Serialize)]
-struct BallData {
-    #[serde(rename = "Speed", skip_serializing_if = "Option::is_none")]
-    speed: Option<f64>,
-    #[serde(rename = "SpinAxis", skip_serializing_if = "Option::is_none")]
-    spin_axis: Option<f64>,
-    #[serde(rename = "TotalSpin", skip_serializing_if = "Option::is_none")]
-    total_spin: Option<f64>,
-    #[serde(rename = "BackSpin", skip_serializing_if = "Option::is_none")]
-    backspin: Option<f64>,
-    #[serde(rename = "SideSpin", skip_serializing_if = "Option::is_none")]
-    sidespin: Option<f64>,
-    #[serde(rename = "HLA", skip_serializing_if = "Option::is_none")]
-    direction: Option<f64>,
-    #[serde(rename = "VLA", skip_serializing_if = "Option::is_none")]
-    angle: Option<f64>,
-    #[serde(rename = "CarryDistance", skip_serializing_if = "Option::is_none")]
-    carry: Option<f64>,
-}
-
-/// The club: speed in mph, angles in degrees. Missing values are omitted.
-#[derive(Serialize)]
-struct ClubData {
-    #[serde(rename = "Speed", skip_serializing_if = "Option::is_none")]
-    speed: Option<f64>,
-    #[serde(rename = "AngleOfAttack", skip_serializing_if = "Option::is_none")]
-    attack_angle: Option<f64>,
-    #[serde(rename = "FaceToTarget", skip_serializing_if = "Option::is_none")]
-    face_angle: Option<f64>,
-    #[serde(rename = "Path", skip_serializing_if = "Option::is_none")]
-    path: Option<f64>,
-}
-
-/// Flags for the parts of a message.
-#[derive(Serialize)]
-#[serde(rename_all = "PascalCase")]
-struct Options {
-    contains_ball_data: bool,
-    contains_club_data: bool,
-    is_heart_beat: bool,
 }
 
 /// The predictions of a row, SI, with the status of its flight.
@@ -94,53 +50,54 @@ struct Answer<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     flight: Option<Flight<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    player: Option<Player>,
+    player: Option<ByName<&'static str>>,
 }
 
-/// The player of a simulator.
-#[derive(Serialize)]
-#[serde(rename_all = "PascalCase")]
-struct Player {
-    handed: &'static str,
-    club: &'static str,
+/// The launch, with the keys of the protocol. A missing value is omitted.
+fn ball(shot: &Shot) -> ByName<f64> {
+    let [speed, angle, direction, spin, axis] = launch(shot);
+    let of_launch = |at: usize| shot.launch().map(|launch| launch[at]);
+    // a simulator needs the assumed values too; `Origins` identifies them
+    let direction = direction.or(of_launch(2));
+    let axis = axis.or(shot.launch().map(|_| 0.0));
+    let carry = shot.value(Outcome::CarryDistance).map(|value| value.value);
+    let values = [
+        ("Speed", speed, Outcome::BallSpeed, "mph"),
+        ("SpinAxis", axis, Outcome::SpinAxis, "deg"),
+        ("TotalSpin", spin, Outcome::Spin, "rpm"),
+        ("BackSpin", of_launch(3), Outcome::Backspin, "rpm"),
+        ("SideSpin", of_launch(4), Outcome::Sidespin, "rpm"),
+        ("HLA", direction, Outcome::LaunchDirection, "deg"),
+        ("VLA", angle, Outcome::LaunchAngle, "deg"),
+        ("CarryDistance", carry, Outcome::CarryDistance, "yd"),
+    ];
+    values.into_iter().filter_map(known).collect()
 }
 
-impl BallData {
-    fn new(shot: &Shot) -> Self {
-        let [speed, angle, direction, spin, axis] = launch(shot);
-        let of_launch = |at: usize| shot.launch().map(|launch| launch[at]);
-        // a simulator needs the assumed values too; `Origins` identifies them
-        let direction = direction.or(of_launch(2));
-        let axis = axis.or(shot.launch().map(|_| 0.0));
-        let carry = shot.value(Outcome::CarryDistance).map(|value| value.value);
-        Self {
-            speed: number(speed, Outcome::BallSpeed, "mph"),
-            spin_axis: number(axis, Outcome::SpinAxis, "deg"),
-            total_spin: number(spin, Outcome::Spin, "rpm"),
-            backspin: number(of_launch(3), Outcome::Backspin, "rpm"),
-            sidespin: number(of_launch(4), Outcome::Sidespin, "rpm"),
-            direction: number(direction, Outcome::LaunchDirection, "deg"),
-            angle: number(angle, Outcome::LaunchAngle, "deg"),
-            carry: number(carry, Outcome::CarryDistance, "yd"),
-        }
-    }
+/// The club, with the keys of the protocol. A missing value is omitted.
+fn club(shot: &Shot) -> ByName<f64> {
+    let club = &shot.club;
+    let values = [
+        ("Speed", club.speed, Outcome::BallSpeed, "mph"),
+        (
+            "AngleOfAttack",
+            club.attack_angle,
+            Outcome::LaunchAngle,
+            "deg",
+        ),
+        ("FaceToTarget", club.face_angle, Outcome::LaunchAngle, "deg"),
+        ("Path", club.path, Outcome::LaunchAngle, "deg"),
+    ];
+    values.into_iter().filter_map(known).collect()
 }
 
-impl ClubData {
-    fn new(shot: &Shot) -> Self {
-        let angle = |value| number(value, Outcome::LaunchAngle, "deg");
-        Self {
-            speed: number(shot.club.speed, Outcome::BallSpeed, "mph"),
-            attack_angle: angle(shot.club.attack_angle),
-            face_angle: angle(shot.club.face_angle),
-            path: angle(shot.club.path),
-        }
-    }
-
-    fn is_empty(&self) -> bool {
-        let values = [self.speed, self.attack_angle, self.face_angle, self.path];
-        values.iter().all(Option::is_none)
-    }
+/// A value with its key, in a unit of the protocol. Six decimals: this removes the rounding errors
+/// of the conversion.
+fn known(
+    (key, value, of, unit): (&'static str, Option<f64>, Outcome, &str),
+) -> Option<(&'static str, f64)> {
+    let number = value? / size(of.quantity(), unit);
+    Some((key, (number * 1e6).round() / 1e6))
 }
 
 impl<'a> Flight<'a> {
@@ -169,28 +126,24 @@ impl<'a> Flight<'a> {
     }
 }
 
-/// A number in a unit of the protocol.
-fn number(value: Option<f64>, of: Outcome, unit: &str) -> Option<f64> {
-    Some(in_unit(value?, of.quantity(), unit))
-}
-
 /// Appends the message of a row. For a row that cannot be flown, the message states that it has no
 /// ball data, so that no simulator plays it.
 pub(super) fn row(flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
     let shot = &flown.shots[row];
-    let club = ClubData::new(shot);
+    let club = club(shot);
+    let options = [
+        ("ContainsBallData", shot.launch().is_some()),
+        ("ContainsClubData", !club.0.is_empty()),
+        ("IsHeartBeat", false),
+    ];
     let message = Message {
         device_id: "longdrive",
         units: "Yards",
         shot_number: shot.line,
         api_version: "1",
-        ball: BallData::new(shot),
-        options: Options {
-            contains_ball_data: shot.launch().is_some(),
-            contains_club_data: !club.is_empty(),
-            is_heart_beat: false,
-        },
+        ball: ball(shot),
         club,
+        options: options.into_iter().collect(),
         flight: Flight::new(flown, row),
     };
     // writing to memory does not fail
@@ -219,10 +172,7 @@ pub fn open_connect_answer(flown: &Flown) -> Vec<u8> {
             code: 201,
             message: Some("GSPro Player Information"),
             flight: None,
-            player: Some(Player {
-                handed: "RH",
-                club: "DR",
-            }),
+            player: Some([("Handed", "RH"), ("Club", "DR")].into_iter().collect()),
         },
         None => Answer {
             code: 501,

@@ -221,8 +221,48 @@ impl Report for ShotsReport<'_> {
         self.ending.clone()
     }
 
+    /// The counts of rows, and the residuals of each outcome by ball speed.
     fn document(&self, system: System) -> Document {
-        document(self.tally, self.source, system)
+        let tally = self.tally;
+        let mut lines = counts(tally, self.source);
+        let mut rows = vec![];
+        for (at, of) in tally.of.iter().enumerate() {
+            if tally.all[at].count > 0 {
+                rows.extend(residual_rows(tally, at, *of, system));
+            }
+        }
+        let mut document = Document::default();
+        if rows.is_empty() {
+            lines.push(Line::flush(
+                "no row has a measured value of these outcomes to compare with",
+            ));
+            document.list(lines);
+            add_clubs(&mut document, tally, system);
+            return document;
+        }
+        document.list(lines);
+        let head = [
+            "outcome",
+            "ball speed",
+            "rows",
+            "bias",
+            "MAE",
+            "sd",
+            "sd of instruments",
+        ];
+        let mut table = Table::new(head, rows)
+            .right(2..=6)
+            .with_caption("predicted − measured:");
+        table.line(Line::flush(
+            "sd of instruments: of the differences of two launch monitors on the same 58 drives (Bliss \
+             & Langdown 2026); their spins differ by 513 rpm",
+        ));
+        if tally.of.iter().any(|of| of.is_lateral()) {
+            table.line(Line::flush("lateral: + is right of the target line"));
+        }
+        document.add(table);
+        add_clubs(&mut document, tally, system);
+        document
     }
 }
 
@@ -243,49 +283,6 @@ fn speeds(band: &Band, system: System) -> String {
         (Some(from), None) => format!("{} {unit} or more", shown(from)),
         (None, None) => "all".into(),
     }
-}
-
-/// The counts of rows, and the residuals of each outcome by ball speed.
-fn document(tally: &ShotStatistics, source: Option<&'static str>, system: System) -> Document {
-    let mut lines = counts(tally, source);
-    let mut rows = vec![];
-    for (at, of) in tally.of.iter().enumerate() {
-        if tally.all[at].count > 0 {
-            rows.extend(residual_rows(tally, at, *of, system));
-        }
-    }
-    let mut document = Document::default();
-    if rows.is_empty() {
-        lines.push(Line::flush(
-            "no row has a measured value of these outcomes to compare with",
-        ));
-        document.list(lines);
-        add_clubs(&mut document, tally, system);
-        return document;
-    }
-    document.list(lines);
-    let head = [
-        "outcome",
-        "ball speed",
-        "rows",
-        "bias",
-        "MAE",
-        "sd",
-        "sd of instruments",
-    ];
-    let mut table = Table::new(head, rows)
-        .right(2..=6)
-        .with_caption("predicted − measured:");
-    table.line(Line::flush(
-        "sd of instruments: of the differences of two launch monitors on the same 58 drives (Bliss \
-         & Langdown 2026); their spins differ by 513 rpm",
-    ));
-    if tally.of.iter().any(|of| of.is_lateral()) {
-        table.line(Line::flush("lateral: + is right of the target line"));
-    }
-    document.add(table);
-    add_clubs(&mut document, tally, system);
-    document
 }
 
 /// Adds the first outcome of each club.

@@ -32,13 +32,8 @@ impl ColumnUnit {
 }
 
 impl SweepCsv {
-    /// The table of a batch in SI.
-    pub fn new(batch: &Batch) -> Self {
-        Self::in_units(batch, TableUnits::Si)
-    }
-
     /// The table of a batch in these units.
-    pub fn in_units(batch: &Batch, units: TableUnits) -> Self {
+    pub fn new(batch: &Batch, units: TableUnits) -> Self {
         let parameters = batch.parameters().iter();
         let parameters = parameters.map(|row| (row.name, row.quantity, row.unit));
         let outcomes = batch.outcomes().iter();

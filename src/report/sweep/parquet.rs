@@ -99,19 +99,11 @@ impl SweepParquet {
         self.table.place(metadata, at, ordinal)
     }
 
-    /// The last bytes of a file with these row groups.
-    ///
-    /// # Errors
-    /// [`Error::Output`](crate::Error::Output) if Parquet does not allow `groups`.
-    pub fn foot(&self, groups: &[PlacedGroup]) -> Result<Vec<u8>> {
-        self.foot_with(groups, &[])
-    }
-
-    /// The footer with these notes by key.
+    /// The last bytes of a file with these row groups and these notes by key.
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow `groups` or `notes`.
-    pub fn foot_with(&self, groups: &[PlacedGroup], notes: &[(&str, String)]) -> Result<Vec<u8>> {
+    pub fn foot(&self, groups: &[PlacedGroup], notes: &[(&str, String)]) -> Result<Vec<u8>> {
         self.table.foot(groups, notes)
     }
 }

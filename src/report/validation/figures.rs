@@ -10,30 +10,6 @@ use crate::units::Quantity;
 /// The independent law for comparison with the default law.
 pub(super) const ALTERNATIVE: &str = "ferguson";
 
-/// The speed on the horizontal axis of residuals.
-#[derive(Clone, Copy)]
-enum Over {
-    Ball,
-    Club,
-}
-
-impl Over {
-    fn measure(self) -> Measure {
-        let label = match self {
-            Self::Ball => "ball speed",
-            Self::Club => "club speed",
-        };
-        Measure::new(label, Quantity::SPEED, "mph")
-    }
-
-    fn of(self, case: &Case) -> Option<f64> {
-        match self {
-            Self::Ball => case.ball_speed,
-            Self::Club => case.club_speed,
-        }
-    }
-}
-
 /// The set of optima to plot. Its club is chosen so that the impact gives the chart's ratio of
 /// launch angle and spin.
 const OPTIMA: &str = "chart-optima-impact";
@@ -55,15 +31,9 @@ pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
     let laws = drawn(&measured);
     let mut figures = vec![carry(&measured)];
     for of in [Compared::Carry, Compared::Apex, Compared::Descent] {
-        figures.push(residuals(&measured, &laws, of, Over::Ball, "all clubs"));
+        figures.push(residuals(&measured, &laws, of));
     }
-    figures.push(residuals(
-        &optima,
-        &laws,
-        Compared::Spin,
-        Over::Club,
-        "best loft",
-    ));
+    figures.push(residuals(&optima, &laws, Compared::Spin));
     figures
 }
 
@@ -100,75 +70,75 @@ fn carry(sets: &[&SetScores]) -> Figure {
         Axis::linear(measure("measured")),
         Axis::linear(measure("predicted")),
     );
-    if let Some(by) = floor(Compared::Carry) {
-        let points = ends.map(|at| [at, at - by, at + by]).to_vec();
-        figure = figure.with(Layer::Band {
-            name: INSTRUMENTS.into(),
-            hue: Hue::Faint,
-            points,
-        });
-    }
-    figure = figure.with(Layer::Line {
-        name: "as measured".into(),
-        hue: Hue::Ink,
-        is_dashed: true,
-        points: ends.map(|at| [at, at]).to_vec(),
-    });
+    let exact = ends.map(|at| [at, at]);
+    figure
+        .layers
+        .extend(without_error(Compared::Carry, "as measured", exact));
     for (i, (name, points)) in all.into_iter().enumerate() {
         figure = figure.with(Layer::dots(name, i, points));
     }
     figure.noted(BAND)
 }
 
-/// The residuals of a quantity against a speed, a series for each law.
-fn residuals(
-    sets: &[&SetScores],
-    laws: &[&'static str],
-    of: Compared,
-    over: Over,
-    drives: &str,
-) -> Figure {
+/// The residuals of a quantity, a series for each law: of the spin against the club speed, of other
+/// quantities against the ball speed.
+fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure {
+    let is_spin = of == Compared::Spin;
+    let (speed, drives) = match is_spin {
+        true => ("club speed", "best loft"),
+        false => ("ball speed", "all clubs"),
+    };
+    let speed_of = |case: &Case| match is_spin {
+        true => case.club_speed,
+        false => case.ball_speed,
+    };
     let (quantity, unit) = of.unit();
     let words = of.words();
     let series = |law: &&'static str| -> Vec<[f64; 2]> {
         let points = sets.iter().flat_map(|set| {
             let scores = set.laws.iter().find(|one| one.law == *law);
             let left = of_law(scores, of).iter();
-            left.filter_map(|one| Some([over.of(set.cases.get(one.case)?)?, one.difference]))
+            left.filter_map(|one| Some([speed_of(set.cases.get(one.case)?)?, one.difference]))
         });
         points.collect()
     };
     let all: Vec<Vec<[f64; 2]>> = laws.iter().map(series).collect();
     let ends = ends(all.iter().flatten().map(|at| at[0]));
+    let x = Measure::new(speed, Quantity::SPEED, "mph");
     let y = Measure::new(format!("computed − published {words}"), quantity, unit);
     let name = match of {
         Compared::Carry => "validation-carry-residuals".into(),
         of => format!("validation-{}", of.name()),
     };
-    let title = format!("Error of {words} by {}, {drives}", over.measure().label);
-    let mut figure = Figure::new(name, title, Axis::linear(over.measure()), Axis::linear(y));
-    if let Some(by) = floor(of) {
-        let points = ends.map(|at| [at, -by, by]).to_vec();
-        figure = figure.with(Layer::Band {
-            name: INSTRUMENTS.into(),
-            hue: Hue::Faint,
-            points,
-        });
-    }
-    figure = figure.with(Layer::Line {
-        name: String::new(),
-        hue: Hue::Ink,
-        is_dashed: true,
-        points: ends.map(|at| [at, 0.0]).to_vec(),
-    });
+    let title = format!("Error of {words} by {speed}, {drives}");
+    let mut figure = Figure::new(name, title, Axis::linear(x), Axis::linear(y));
+    let exact = ends.map(|at| [at, 0.0]);
+    figure.layers.extend(without_error(of, "", exact));
     for (i, (law, points)) in laws.iter().zip(all).enumerate() {
         figure = figure.with(Layer::dots(*law, i, points));
     }
-    figure.noted(if of == Compared::Spin {
+    figure.noted(if is_spin {
         format!("{OPTIMUM} {BAND}")
     } else {
         BAND.into()
     })
+}
+
+/// The line of predictions without error, through two points, in the band for the difference between
+/// two launch monitors.
+fn without_error(of: Compared, name: &str, ends: [[f64; 2]; 2]) -> Vec<Layer> {
+    let band = floor(of).map(|by| Layer::Band {
+        name: INSTRUMENTS.into(),
+        hue: Hue::Faint,
+        points: ends.map(|[x, y]| [x, y - by, y + by]).to_vec(),
+    });
+    let line = Layer::Line {
+        name: name.into(),
+        hue: Hue::Ink,
+        is_dashed: true,
+        points: ends.to_vec(),
+    };
+    band.into_iter().chain([line]).collect()
 }
 
 fn of_law(law: Option<&LawScores>, of: Compared) -> &[crate::study::validation::Residual] {

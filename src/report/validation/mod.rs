@@ -19,12 +19,7 @@ pub struct ValidationReport<'a> {
     pub sets: &'a [SetScores],
 }
 
-impl<'a> ValidationReport<'a> {
-    /// The report of these errors.
-    pub fn new(found: &'a [SetScores]) -> Self {
-        Self { sets: found }
-    }
-
+impl ValidationReport<'_> {
     /// The errors as CSV: a row for each quantity of each drive, in SI.
     ///
     /// # Errors

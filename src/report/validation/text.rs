@@ -1,7 +1,7 @@
 use super::figures::{ALTERNATIVE, best, figures};
 use crate::parameters::Law;
-use crate::report::document::{Detail, Document};
-use crate::study::validation::{Compared, LawScores, SWEPT, SetScores};
+use crate::report::document::{Detail, Document, Table};
+use crate::study::validation::{Case, Compared, LawScores, SWEPT, SetScores};
 use crate::units::{System, counted, fixed, signed};
 
 /// The quantity of most sets.
@@ -71,10 +71,10 @@ fn summary(document: &mut Document, found: &[SetScores], system: System) {
         ]
     });
     let head = format!("MAE [{}] of carry", system.unit("yd"));
-    document.table(
-        &["drives", default, ALTERNATIVE, "best", "which is", &head],
+    document.add(Table::new(
+        ["drives", default, ALTERNATIVE, "best", "which is", &head],
         rows,
-    );
+    ));
     document.paragraph(format!(
         "No law is the best on every set, and the default is not the one with the smallest error \
          of carry on averages of tours: naruo-mizota and bearman-harvey are. But the averages are \
@@ -142,7 +142,8 @@ fn one(document: &mut Document, set: &SetScores, system: System) {
             cells.push(bias.map_or("–".into(), |bias| difference(first(set), bias, system)));
         }
         let computed = law.scores.first().map_or(0, |score| score.residuals.len());
-        let of = first_published(set);
+        let is_published = |case: &&Case| case.published(first(set)).is_some();
+        let of = set.cases.iter().filter(is_published).count();
         let part = if computed < of {
             format!(" ({computed} of {of} drives)")
         } else {
@@ -151,20 +152,12 @@ fn one(document: &mut Document, set: &SetScores, system: System) {
         cells.push(format!("{}{part}", law.law));
         cells
     });
-    document.table(&head, rows);
+    document.add(Table::new(head, rows));
 }
 
 /// The first quantity of a set.
 fn first(set: &SetScores) -> Compared {
     set.set.computation.compared()[0]
-}
-
-/// Number of cases that have the first quantity of the set.
-fn first_published(set: &SetScores) -> usize {
-    set.cases
-        .iter()
-        .filter(|case| case.published(first(set)).is_some())
-        .count()
 }
 
 /// A number without its unit, with the digits of the data.

@@ -1,12 +1,12 @@
 //! The law fitted to the paper's tables.
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
-use crate::report::document::Document;
+use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Layer, Measure};
 use crate::report::published::Published;
 use crate::report::shown::stated;
 use crate::reproduce::{FittedNumber, WinfieldTan};
-use crate::units::{Quantity, System, significant};
+use crate::units::{Quantity, System, significant, typed};
 
 /// Speeds of the displayed values, m/s. The flights of the paper have these speeds.
 const METRES_PER_SECOND: [f64; 4] = [30.0, 40.0, 50.0, 65.0];
@@ -100,7 +100,10 @@ fn fit(document: &mut Document, found: &WinfieldTan, shown: Published) {
         fit.estimates.len(),
         fit.remainders.len(),
         significant(found.setup.aero.spin_decay, 3),
-        given(shown.length_number(WEIGHT), shown.length_unit()),
+        typed(
+            &significant(shown.length_number(WEIGHT), 2),
+            shown.length_unit()
+        ),
     ));
     let rows = fit.estimates.iter().map(|estimate| {
         let parameter = estimate.parameter;
@@ -111,7 +114,7 @@ fn fit(document: &mut Document, found: &WinfieldTan, shown: Published) {
         let size = parameter.quantity.size_of(unit).unwrap_or(1.0);
         let error = estimate
             .standard_error
-            .map(|error| given(error * scale / size, unit));
+            .map(|error| typed(&significant(error * scale / size, 2), unit));
         vec![
             show(found.setup.value(parameter)),
             show(Some(estimate.value)),
@@ -125,7 +128,7 @@ fn fit(document: &mut Document, found: &WinfieldTan, shown: Published) {
         "standard error",
         "coefficient",
     ];
-    document.table(&head, rows);
+    document.add(Table::new(head, rows));
 }
 
 /// Adds drag and lift to a document, by spin ratio and speed.
@@ -158,14 +161,7 @@ fn values(document: &mut Document, found: &WinfieldTan, speeds: &Speeds) {
             .chain(lift)
             .collect()
     });
-    document.table(&heads, rows);
-}
-
-/// A number with two significant digits and its unit.
-fn given(number: f64, unit: &str) -> String {
-    format!("{} {unit}", significant(number, 2))
-        .trim_end()
-        .to_owned()
+    document.add(Table::new(heads, rows));
 }
 
 /// True if the spin is at most the largest spin of the paper's flights.
@@ -206,8 +202,8 @@ pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
         .iter()
         .map(|decay| decay.sum)
         .fold(f64::INFINITY, f64::min);
-    document.table(
-        &["δ, 1/s", "sum of squares", "relative to the smallest"],
+    document.add(Table::new(
+        ["δ, 1/s", "sum of squares", "relative to the smallest"],
         found.fitted.profile.iter().map(|decay| {
             vec![
                 format!("{}", decay.rate),
@@ -215,7 +211,7 @@ pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
                 format!("{:.2}", decay.sum / least),
             ]
         }),
-    );
+    ));
     let axes = (
         Axis::linear(Measure::new("spin decay", Quantity::RATE, "1/s")),
         Axis::linear(Measure::plain("sum of squares")),

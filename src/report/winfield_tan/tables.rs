@@ -1,8 +1,8 @@
 //! The numbers of the paper, compared with the computed numbers.
 
-use crate::report::document::Document;
+use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
-use crate::report::published::Published;
+use crate::report::published::{Published, angles};
 use crate::reproduce::{Best, LoftCarry, MISPRINTS, WinfieldTan};
 use crate::units::{Quantity, fixed};
 
@@ -18,12 +18,15 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Publishe
     };
     document.heading("The single shot");
     let speed = (Quantity::SPEED, "mph");
-    let at =
-        Measure::new("club speed", speed.0, speed.1).show_both(found.shot.club_speed, shown.paper);
-    document.paragraph(format!("Loft 10°, attack angle 0°, {at}."));
+    let [at, in_other] = [shown.paper, shown.paper.other()].map(|system| {
+        speed
+            .0
+            .read_off(found.shot.club_speed, system.unit(speed.1))
+    });
+    document.paragraph(format!("Loft 10°, attack angle 0°, {at} ({in_other})."));
     let (length, time) = ((Quantity::LENGTH, "yd"), (Quantity::TIME, "s"));
-    document.table(
-        &["printed", "computed", "difference", "what"],
+    document.add(Table::new(
+        ["printed", "computed", "difference", "what"],
         [
             row("ball upwards", speed, ours.up, theirs.up),
             row("ball downrange", speed, ours.downrange, theirs.downrange),
@@ -50,7 +53,7 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Publishe
             row("apex", length, ours.apex_height, theirs.apex_height),
             row("time of the apex", time, ours.apex_time, theirs.apex_time),
         ],
-    );
+    ));
     document.paragraph(format!(
         "The printed launch angle is a misprint: the printed components of the ball's velocity \
          give {}. The robot Iron Byron, with the same \
@@ -76,8 +79,8 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Publi
         )
     };
     document.heading("The optimum");
-    document.table(
-        &["loft", "attack angle", "carry", ""],
+    document.add(Table::new(
+        ["loft", "attack angle", "carry", ""],
         [
             vec![
                 degrees(printed.loft),
@@ -98,7 +101,7 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Publi
                 "exact".into(),
             ],
         ],
-    );
+    ));
     document.paragraph(format!(
         "The optimum lies on a ridge: as the attack angle rises, the best loft falls, and carry \
          hardly changes. The printed delivery \
@@ -106,8 +109,8 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Publi
          has little meaning. Along the ridge:",
         less(computed.carry - at_printed)
     ));
-    document.table(
-        &["attack angle", "best loft", "carry", "loss"],
+    document.add(Table::new(
+        ["attack angle", "best loft", "carry", "loss"],
         found.ridge.iter().map(|point| {
             let loss = less((computed.carry - point.carry).max(0.0));
             vec![
@@ -117,7 +120,7 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Publi
                 loss,
             ]
         }),
-    );
+    ));
 }
 
 pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Published) {
@@ -146,8 +149,8 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Publis
         shown.length_unit(),
     ));
     document.paragraph("Table 1: the best attack angle at each loft.");
-    document.table(
-        &[
+    document.add(Table::new(
+        [
             "loft",
             "attack printed",
             "attack",
@@ -156,10 +159,10 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Publis
             "difference",
         ],
         found.table1.iter().map(|row| line(row, true, shown)),
-    );
+    ));
     document.paragraph("Table 2: the best loft at each attack angle.");
-    document.table(
-        &[
+    document.add(Table::new(
+        [
             "attack angle",
             "loft printed",
             "loft",
@@ -168,7 +171,7 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Publis
             "difference",
         ],
         found.table2.iter().map(|row| line(row, false, shown)),
-    );
+    ));
     let slips = MISPRINTS.map(|(table, row, scanned, taken)| {
         format!("Table {table} at {row}° prints {scanned}; {taken} is used instead")
     });
@@ -198,10 +201,6 @@ fn line(row: &Best, is_by_loft: bool, shown: Published) -> Vec<String> {
     ]
 }
 
-fn angle(label: &str) -> Axis {
-    Axis::linear(Measure::new(label, Quantity::ANGLE, "deg"))
-}
-
 fn ridges(found: &WinfieldTan) -> Figure {
     let points = |rows: &[Best], is_printed: bool| {
         let of = |row: &Best| {
@@ -218,8 +217,8 @@ fn ridges(found: &WinfieldTan) -> Figure {
     Figure::new(
         "optima",
         "The best attack angle at each loft, and the best loft at each attack angle",
-        angle("attack angle"),
-        angle("loft"),
+        angles("attack angle"),
+        angles("loft"),
     )
     .with(Layer::line(
         "best attack angle",
@@ -260,19 +259,19 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
     let mean = &found.average;
     document.heading("The average over attack angles");
     document.paragraph("Carry averaged over attack angles of 0, 1 … 10°, at each loft.");
-    document.table(
-        &["loft", "average carry"],
+    document.add(Table::new(
+        ["loft", "average carry"],
         mean.rows.iter().map(|row| {
             vec![
                 format!("{:.0}°", row.loft.to_degrees()),
                 shown.length(row.carry),
             ]
         }),
-    );
+    ));
     let row = |loft: f64, carry: String, what: &str| vec![degrees(loft), carry, what.to_owned()];
     let computed = |best: LoftCarry, what: &str| row(best.loft, shown.length(best.carry), what);
-    document.table(
-        &["best loft", "average carry", "how"],
+    document.add(Table::new(
+        ["best loft", "average carry", "how"],
         [
             row(
                 mean.printed.loft,
@@ -285,7 +284,7 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
             ),
             computed(mean.best, "exact optimum of the average, no polynomial"),
         ],
-    );
+    ));
     let carry = Axis::linear(Measure::new("average carry", Quantity::LENGTH, "yd"));
     let points = |rows: &[LoftCarry]| rows.iter().map(|row| [row.loft, row.carry]).collect();
     let best = mean.by_polynomial;
@@ -298,7 +297,7 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
         Figure::new(
             "average",
             "Average carry over attack angles of 0–10°",
-            angle("loft"),
+            angles("loft"),
             carry,
         )
         .with(Layer::line(

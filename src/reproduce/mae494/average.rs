@@ -22,13 +22,8 @@ pub struct Average {
 }
 
 impl Average {
-    /// The study for a setup.
-    pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
-        Self::at(setup, &printed::AVERAGED_LOFTS, printed::AVERAGE_LOFT)
-    }
-
     /// The study for the lofts `lofts`, deg, compared with a printed best loft, deg.
-    pub(in crate::reproduce) fn at(
+    pub(in crate::reproduce) fn new(
         setup: &Setup<f64>,
         lofts: &[f64],
         printed_loft: f64,

@@ -7,7 +7,7 @@ use crate::optimize::{
     Domain, Evaluation, Observers, Options, Problem, Status, minimize_from, starts,
 };
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
+use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT, delivered};
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
 
@@ -124,9 +124,9 @@ impl Energy {
     pub(super) fn new(setup: &Setup<f64>, distance: f64) -> Result<Self> {
         let (head, ball) = (setup.club.mass, setup.ball.mass);
         let fastest = (1.0 + setup.impact.restitution) / (1.0 + ball / head) * setup.swing.speed;
-        let alone = FlightAlone::new(setup, Wanted::Farthest)?;
+        let alone = FlightAlone::new(setup, None)?;
         let (farthest, prices) = alone.best([SLOWEST, fastest])?;
-        let slowest = FlightAlone::new(setup, Wanted::SlowestBeyond(distance))?;
+        let slowest = FlightAlone::new(setup, Some(distance))?;
         let (needed, _) = slowest.best([SLOWEST, MOST_SPEED])?;
         let energy = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
         Ok(Self {
@@ -149,7 +149,7 @@ impl Subsystems {
         let wrt = [setup.variable(LOFT)?, setup.variable(ATTACK_ANGLE)?];
         let impact = derivative::jacobian(setup, &quantities, &wrt)?;
         let launch: Vec<f64> = impact.iter().map(|quantity| quantity.value).collect();
-        let alone = FlightAlone::new(setup, Wanted::Farthest)?;
+        let alone = FlightAlone::new(setup, None)?;
         let failed = |message| Error::Undefined {
             what: "the carry of the launch".into(),
             reason: message,
@@ -163,13 +163,11 @@ impl Subsystems {
         let through =
             |parameter: usize| [0, 1, 2].map(|q| slopes[q] * impact[q].gradient[parameter]);
         let (own_choice, _) = alone.best([launch[0], launch[0]])?;
+        let attack_angle = optimum.exact().attack_angle;
         let square = Delivery {
             loft: 0.0,
-            ..optimum.exact()
-        };
-        let square = Delivery {
-            carry: tables::carried(&square.set(setup))?,
-            ..square
+            attack_angle,
+            carry: tables::carried(&delivered(setup, 0.0, attack_angle))?,
         };
         Ok(Self {
             whole: Launched {
@@ -190,18 +188,12 @@ impl Subsystems {
 /// The flight without a club, as a function of its launch x = (ball speed, launch angle, backspin).
 struct FlightAlone {
     carry: Evaluator,
-    wanted: Wanted,
-}
-
-#[derive(Clone, Copy)]
-enum Wanted {
-    Farthest,
-    /// Minimum ball speed that gives this carry, m.
-    SlowestBeyond(f64),
+    /// The carry, m, that the slowest launch must reach; `None` to search the farthest launch.
+    least_carry: Option<f64>,
 }
 
 impl FlightAlone {
-    fn new(setup: &Setup<f64>, wanted: Wanted) -> Result<Self> {
+    fn new(setup: &Setup<f64>, least_carry: Option<f64>) -> Result<Self> {
         let mut setup = *setup;
         let given = &mut setup.launch;
         (given.ball_speed, given.launch_angle, given.backspin) =
@@ -215,7 +207,7 @@ impl FlightAlone {
         let wrt = wrt.into_iter().collect::<Result<Vec<_>>>()?;
         Ok(Self {
             carry: Evaluator::new(&setup, &[Outcome::Carry], &wrt, Order::Second)?,
-            wanted,
+            least_carry,
         })
     }
 
@@ -225,11 +217,9 @@ impl FlightAlone {
             vec![speeds[0], ANGLES[0], 0.0],
             vec![speeds[1], ANGLES[1], MOST_SPIN],
         )?;
-        let domain = match self.wanted {
-            Wanted::Farthest => domain,
-            Wanted::SlowestBeyond(distance) => {
-                domain.subject_to(vec![distance], vec![f64::INFINITY])?
-            }
+        let domain = match self.least_carry {
+            None => domain,
+            Some(carry) => domain.subject_to(vec![carry], vec![f64::INFINITY])?,
         };
         let middle: Vec<f64> = (0..3)
             .map(|i| 0.5 * (domain.variables.low[i] + domain.variables.high[i]))
@@ -250,9 +240,9 @@ impl FlightAlone {
             doing: "find",
             what: "best launch",
         })?;
-        let carry = match self.wanted {
-            Wanted::Farthest => -best.value.unwrap_or_default(),
-            Wanted::SlowestBeyond(_) => best.constraints[0].value,
+        let carry = match self.least_carry {
+            None => -best.value.unwrap_or_default(),
+            Some(_) => best.constraints[0].value,
         };
         Ok((
             Launched {
@@ -273,12 +263,12 @@ impl Problem for FlightAlone {
             .at(x)
             .map_err(|error| error.to_string())?
             .swap_remove(0);
-        Ok(match self.wanted {
-            Wanted::Farthest => Evaluation {
+        Ok(match self.least_carry {
+            None => Evaluation {
                 objective: carry.negated(),
                 constraints: vec![],
             },
-            Wanted::SlowestBeyond(_) => {
+            Some(_) => {
                 let speed = Taylor {
                     value: x[0],
                     gradient: vec![1.0, 0.0, 0.0],

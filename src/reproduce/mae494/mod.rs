@@ -30,7 +30,7 @@ pub use while_loop::{LoopLanding, LoopRow, loop_landing, while_loop};
 
 use crate::error::Result;
 use crate::parameters::Setup;
-use crate::reproduce::delivery::Delivery;
+use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT, delivered};
 use crate::units::System;
 
 /// Reproduction of the report.
@@ -71,18 +71,18 @@ pub fn mae494(mut progress: impl FnMut(&str)) -> Result<Mae494> {
     let setup = Setup::preset("mae494")?;
     progress("the regression");
     let regression = Regression::new()?;
+    let loft = regression.slipped.loft;
+    let attack_angle = printed::REGRESSION_ATTACK.to_radians();
     let slipped = Delivery {
-        loft: regression.slipped.loft,
-        attack_angle: printed::REGRESSION_ATTACK.to_radians(),
-        carry: 0.0,
-    };
-    let slipped = Delivery {
-        carry: tables::carried(&slipped.set(&setup))?,
-        ..slipped
+        loft,
+        attack_angle,
+        carry: tables::carried(&delivered(&setup, loft, attack_angle))?,
     };
     progress("the tables");
-    let optimum = tables::optimum(&setup)?;
-    let (table1, table2) = (tables::table1(&setup)?, tables::table2(&setup)?);
+    let optimum = tables::row(&setup, printed::OPTIMUM, &[LOFT, ATTACK_ANGLE])?;
+    let by_attack = printed::TABLE_1.map(|[attack, loft, carry]| [loft, attack, carry]);
+    let table1 = tables::rows(&setup, &by_attack, &[LOFT])?;
+    let table2 = tables::rows(&setup, &printed::TABLE_2, &[ATTACK_ANGLE])?;
     progress("launches");
     let energy = Energy::new(&setup, optimum.printed.carry)?;
     let subsystems = Subsystems::new(&optimum)?;
@@ -90,7 +90,7 @@ pub fn mae494(mut progress: impl FnMut(&str)) -> Result<Mae494> {
     let noise = Noise::new(&setup, &mut progress)?;
     progress("the parametric study");
     Ok(Mae494 {
-        average: Average::new(&setup)?,
+        average: Average::new(&setup, &printed::AVERAGED_LOFTS, printed::AVERAGE_LOFT)?,
         parametric: Parametric::new(&optimum)?,
         optimum,
         table1,

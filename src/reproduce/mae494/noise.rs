@@ -5,7 +5,7 @@ use crate::derivative;
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{Delivery, LOFT};
+use crate::reproduce::delivery::{LOFT, delivered};
 use serde::Serialize;
 
 /// The "noise" of the report's flight loop: carry is a sawtooth function of loft, and finite
@@ -121,7 +121,7 @@ impl Noise {
     /// Studies the noise, with the air and the club of `setup`.
     pub(super) fn new(setup: &Setup<f64>, progress: &mut impl FnMut(&str)) -> Result<Self> {
         let (step, difference) = (setup.flight.step, f64::EPSILON.sqrt());
-        let smooth_at = |loft: f64| tables::carried(&level(setup, loft));
+        let smooth_at = |loft: f64| tables::carried(&delivered(setup, loft, 0.0));
         let ten = 10.0_f64.to_radians();
 
         let zoom = (0..=ZOOM).map(|k| {
@@ -166,8 +166,9 @@ impl Noise {
 }
 
 impl Landings {
+    /// The carries at this loft and attack angle 0°.
     fn at(setup: &Setup<f64>, loft: f64) -> Result<Self> {
-        let level = level(setup, loft);
+        let level = delivered(setup, loft, 0.0);
         let LoopLanding {
             overshot,
             interpolated,
@@ -185,7 +186,7 @@ impl Slopes {
     fn at(setup: &Setup<f64>, loft: f64, difference: f64) -> Result<Self> {
         let step = setup.flight.step;
         let [overshot, interpolated] = loop_slopes(setup, loft, difference, step)?;
-        let (exact, at_fixed_time) = exact_slopes(&level(setup, loft))?;
+        let (exact, at_fixed_time) = exact_slopes(&delivered(setup, loft, 0.0))?;
         Ok(Self {
             loft,
             exact,
@@ -199,8 +200,8 @@ impl Slopes {
 
 /// Forward differences of the report's loop and of its interpolated landing, m/rad.
 fn loop_slopes(setup: &Setup<f64>, loft: f64, by: f64, step: f64) -> Result<[f64; 2]> {
-    let here = fly_past_the_ground(&level(setup, loft), step)?;
-    let there = fly_past_the_ground(&level(setup, loft + by), step)?;
+    let here = fly_past_the_ground(&delivered(setup, loft, 0.0), step)?;
+    let there = fly_past_the_ground(&delivered(setup, loft + by, 0.0), step)?;
     Ok([
         (there.overshot - here.overshot) / by,
         (there.interpolated - here.interpolated) / by,
@@ -231,16 +232,6 @@ impl Sawtooth {
             height: heights.iter().sum::<f64>() / per,
         }
     }
-}
-
-/// A setup with this loft at attack angle 0°.
-fn level(setup: &Setup<f64>, loft: f64) -> Setup<f64> {
-    Delivery {
-        loft,
-        attack_angle: 0.0,
-        carry: 0.0,
-    }
-    .set(setup)
 }
 
 /// The derivative of carry by loft, d carry/dλ, and the derivative at fixed time, ∂z/∂λ = d

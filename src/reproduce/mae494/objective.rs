@@ -8,7 +8,7 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::optimize::{Domain, Taylor};
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
+use crate::reproduce::delivery::{ATTACK_ANGLE, LOFT, delivered};
 use serde::Serialize;
 use std::cell::Cell;
 
@@ -82,12 +82,7 @@ impl<'a> Objective<'a> {
     /// −carry.
     pub fn value(&self, x: &[f64]) -> Result<f64> {
         self.flights.set(self.flights.get() + 1);
-        let at = Delivery {
-            loft: x[0],
-            attack_angle: x[1],
-            carry: 0.0,
-        }
-        .set(self.setup);
+        let at = delivered(self.setup, x[0], x[1]);
         Ok(-match self.landing {
             Landing::Overshot => fly_past_the_ground(&at, at.flight.step)?.overshot,
             Landing::Interpolated => fly_past_the_ground(&at, at.flight.step)?.interpolated,

@@ -1,6 +1,10 @@
 use super::Row;
 use crate::error::Result;
-use crate::study::{Change, Changed, Sensitivity, change, sensitivity};
+use crate::json::by_name;
+use crate::parameters::Parameter;
+use crate::reproduce::delivery::{ATTACK_ANGLE, LOFT};
+use crate::study::{Change, Changed, change, sensitivity};
+use serde::Serialize;
 
 /// Parametric study that the report proposes: influence of its constants on the optimum.
 #[derive(Clone, Debug)]
@@ -11,24 +15,36 @@ pub struct Parametric {
     pub changes: Vec<Changed>,
 }
 
-/// A constant of the model with its influence on the optimum.
-#[derive(Clone, Debug)]
+/// The sensitivity of the optimum to a constant.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(
+    test,
+    derive(schemars::JsonSchema),
+    schemars(rename = "ConstantReport")
+)]
 pub struct Constant {
-    /// The constant's value, SI.
+    /// The constant.
+    pub parameter: &'static Parameter,
+    /// The value of the constant, SI.
+    pub at: f64,
+    /// The derivative of the optimal carry by the constant, SI.
     pub value: f64,
-    /// The sensitivity.
-    pub sensitivity: Sensitivity,
+    /// The derivatives of the optimal parameters by the constant, SI.
+    #[serde(serialize_with = "by_name")]
+    #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, f64>"))]
+    pub optimum: [(&'static str, f64); 2],
 }
 
 impl Constant {
     /// Change of the best carry if the constant increases by 1 %, m.
     pub fn carry_per_cent(&self) -> f64 {
-        0.01 * self.value * self.sensitivity.value
+        0.01 * self.at * self.value
     }
 
     /// Change of the best loft if the constant increases by 1 %, rad.
     pub fn loft_per_cent(&self) -> f64 {
-        0.01 * self.value * self.sensitivity.optimum[0]
+        let [(_, loft), _] = self.optimum;
+        0.01 * self.at * loft
     }
 }
 
@@ -67,10 +83,12 @@ impl Parametric {
         let best = &optimum.best;
         let constant = |name: &&str| {
             let parameter = best.setup.variable(name)?;
-            let value = best.setup.value(parameter).unwrap_or_default();
+            let found = sensitivity(best, parameter)?;
             Ok(Constant {
-                value,
-                sensitivity: sensitivity(best, parameter)?,
+                parameter,
+                at: best.setup.value(parameter).unwrap_or_default(),
+                value: found.value,
+                optimum: [(LOFT, found.optimum[0]), (ATTACK_ANGLE, found.optimum[1])],
             })
         };
         let mut sensitivities = CONSTANTS.iter().map(constant).collect::<Result<Vec<_>>>()?;

@@ -4,7 +4,7 @@ use super::tables::carried_if_flown;
 use crate::error::Result;
 use crate::optimize::{Evaluation, Options, minimize, starts};
 use crate::parameters::Setup;
-use crate::reproduce::delivery::Delivery;
+use crate::reproduce::delivery::{Delivery, delivered};
 use serde::Serialize;
 
 /// Searches with one definition of the landing and one method. All combinations use the same
@@ -58,13 +58,12 @@ pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<Searches>> {
         &[setup.club.loft, setup.swing.attack_angle],
         8 * STARTS,
     )? {
-        let start = Delivery {
-            loft: x[0],
-            attack_angle: x[1],
-            carry: 0.0,
-        };
-        if let Some(carry) = carried_if_flown(&start.set(setup))? {
-            begun.push(Delivery { carry, ..start });
+        if let Some(carry) = carried_if_flown(&delivered(setup, x[0], x[1]))? {
+            begun.push(Delivery {
+                loft: x[0],
+                attack_angle: x[1],
+                carry,
+            });
         }
     }
     begun.truncate(STARTS);
@@ -98,18 +97,14 @@ fn search(objective: &Objective<'_>, start: Delivery) -> Result<End> {
             (found.x, format!("{}: {}", found.status, found.message))
         }
     };
-    let at = Delivery {
-        loft: x[0],
-        attack_angle: x[1],
-        carry: 0.0,
-    };
-    let at = Delivery {
-        carry: carried_if_flown(&at.set(objective.setup))?.unwrap_or_default(),
-        ..at
-    };
+    let carry = carried_if_flown(&delivered(objective.setup, x[0], x[1]))?;
     Ok(End {
         start,
-        at,
+        at: Delivery {
+            loft: x[0],
+            attack_angle: x[1],
+            carry: carry.unwrap_or_default(),
+        },
         flights: objective.flights.get(),
         message,
     })

@@ -3,7 +3,7 @@ use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::optimize::Observers;
 use crate::parameters::{Setup, Vary};
-use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
+use crate::reproduce::delivery::{Delivery, LOFT};
 use crate::study::{Active, Optimum, Search, optima};
 
 /// A row of a printed table compared with the exact optimum of the same model.
@@ -36,37 +36,19 @@ impl Row {
     }
 }
 
-/// Table 1: the best loft at each attack angle.
-pub(super) fn table1(setup: &Setup<f64>) -> Result<Vec<Row>> {
-    let rows = printed::TABLE_1
-        .map(|[attack, loft, distance]| Delivery::in_degrees(loft, attack, distance));
-    rows.into_iter()
-        .map(|printed| row(setup, printed, &[LOFT]))
+/// The rows of a printed table: loft, deg; attack angle, deg; distance, m.
+pub(super) fn rows(setup: &Setup<f64>, printed: &[[f64; 3]], names: &[&str]) -> Result<Vec<Row>> {
+    printed
+        .iter()
+        .map(|printed| row(setup, *printed, names))
         .collect()
-}
-
-/// Table 2: the best attack angle at each loft.
-pub(super) fn table2(setup: &Setup<f64>) -> Result<Vec<Row>> {
-    let rows = printed::TABLE_2
-        .map(|[loft, attack, distance]| Delivery::in_degrees(loft, attack, distance));
-    rows.into_iter()
-        .map(|printed| row(setup, printed, &[ATTACK_ANGLE]))
-        .collect()
-}
-
-/// The exact optimum over loft and attack angle.
-pub(super) fn optimum(setup: &Setup<f64>) -> Result<Row> {
-    let [loft, attack, distance] = printed::OPTIMUM;
-    row(
-        setup,
-        Delivery::in_degrees(loft, attack, distance),
-        &[LOFT, ATTACK_ANGLE],
-    )
 }
 
 /// The exact optimum over the parameters `names` within the report's ranges. All other parameters
-/// have the printed values.
-fn row(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Row> {
+/// have the printed values: loft, deg; attack angle, deg; distance, m.
+pub(super) fn row(setup: &Setup<f64>, printed: [f64; 3], names: &[&str]) -> Result<Row> {
+    let [loft, attack_angle, distance] = printed;
+    let printed = Delivery::in_degrees(loft, attack_angle, distance);
     let at = printed.set(setup);
     let vary = names
         .iter()
@@ -88,7 +70,7 @@ fn row(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Row> {
 }
 
 /// The report's range of a parameter.
-pub(super) fn range(setup: &Setup<f64>, name: &str) -> Result<Vary> {
+fn range(setup: &Setup<f64>, name: &str) -> Result<Vary> {
     let ends = if name == LOFT {
         printed::LOFT
     } else {

@@ -24,7 +24,7 @@ pub struct Mean {
 impl Mean {
     pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
         let [loft, carry] = printed::AVERAGE;
-        let average = Average::at(setup, &printed::AVERAGED_LOFTS, loft)?;
+        let average = Average::new(setup, &printed::AVERAGED_LOFTS, loft)?;
         let printed = LoftCarry {
             loft: loft.to_radians(),
             carry: carry * Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN),

@@ -22,8 +22,6 @@ const DECAY: &str = "aero.spin_decay";
 pub struct Fitted {
     /// Calibration with the spin decay rate of the preset.
     pub law: Calibration,
-    /// Calibration including the decay rate.
-    pub with_decay: Calibration,
     /// Decay rate, 1/s. Its uncertainty is scaled by the residuals.
     pub decay: FittedNumber,
     /// Smallest sum of squares at each decay rate of `PROFILE`.
@@ -94,7 +92,6 @@ impl Fitted {
         }
         Ok(Self {
             law,
-            with_decay,
             decay,
             profile,
         })

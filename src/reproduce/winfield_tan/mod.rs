@@ -19,7 +19,7 @@ pub use tables::Best;
 
 use crate::error::Result;
 use crate::parameters::Setup;
-use crate::reproduce::delivery::Delivery;
+use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
 use crate::units::System;
 
 /// Reproduction of the paper.
@@ -58,8 +58,10 @@ pub fn winfield_tan(mut progress: impl FnMut(&str)) -> Result<WinfieldTan> {
     progress("the single shot");
     let shot = ShotComparison::new(&setup)?;
     progress("the optimum and the tables");
-    let optimum = tables::optimum(&setup)?;
-    let (table1, table2) = (tables::table1(&setup)?, tables::table2(&setup)?);
+    let optimum = tables::best(&setup, printed::OPTIMUM, &[LOFT, ATTACK_ANGLE])?;
+    let table1 = tables::rows(&setup, &printed::TABLE_1, &[ATTACK_ANGLE])?;
+    let by_attack = printed::TABLE_2.map(|[attack, loft, carry]| [loft, attack, carry]);
+    let table2 = tables::rows(&setup, &by_attack, &[LOFT])?;
     let ridge = tables::ridge(&setup, &optimum)?;
     progress("the average over attack angles");
     let average = Mean::new(&setup)?;

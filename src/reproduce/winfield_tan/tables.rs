@@ -1,11 +1,10 @@
 //! The printed optima, recomputed.
 
-use super::printed;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::optimize::{Observer, Status};
 use crate::parameters::{Setup, Vary};
-use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
+use crate::reproduce::delivery::{Delivery, LOFT};
 use crate::study::{Search, optimum as search};
 use crate::units::Quantity;
 
@@ -25,38 +24,11 @@ pub struct Best {
     pub at_printed: f64,
 }
 
-/// A printed delivery, in degrees and yards.
-fn printed_delivery(loft: f64, attack_angle: f64, carry: f64) -> Delivery {
-    let yard = Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN);
-    Delivery::in_degrees(loft, attack_angle, carry * yard)
-}
-
-pub(super) fn optimum(setup: &Setup<f64>) -> Result<Best> {
-    let [loft, attack, carry] = printed::OPTIMUM;
-    best(
-        setup,
-        printed_delivery(loft, attack, carry),
-        &[LOFT, ATTACK_ANGLE],
-    )
-}
-
-pub(super) fn table1(setup: &Setup<f64>) -> Result<Vec<Best>> {
-    printed::TABLE_1
+/// The optima of a printed table: loft, deg; attack angle, deg; carry, yd.
+pub(super) fn rows(setup: &Setup<f64>, printed: &[[f64; 3]], names: &[&str]) -> Result<Vec<Best>> {
+    printed
         .iter()
-        .map(|[loft, attack, carry]| {
-            best(
-                setup,
-                printed_delivery(*loft, *attack, *carry),
-                &[ATTACK_ANGLE],
-            )
-        })
-        .collect()
-}
-
-pub(super) fn table2(setup: &Setup<f64>) -> Result<Vec<Best>> {
-    printed::TABLE_2
-        .iter()
-        .map(|[attack, loft, carry]| best(setup, printed_delivery(*loft, *attack, *carry), &[LOFT]))
+        .map(|printed| best(setup, *printed, names))
         .collect()
 }
 
@@ -73,7 +45,12 @@ pub(super) fn ridge(setup: &Setup<f64>, top: &Best) -> Result<Vec<Delivery>> {
         .collect()
 }
 
-fn best(setup: &Setup<f64>, printed: Delivery, names: &[&str]) -> Result<Best> {
+/// The optimum over the parameters `names`, compared with the printed one: loft, deg; attack angle,
+/// deg; carry, yd.
+pub(super) fn best(setup: &Setup<f64>, printed: [f64; 3], names: &[&str]) -> Result<Best> {
+    let [loft, attack_angle, carry] = printed;
+    let yard = Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN);
+    let printed = Delivery::in_degrees(loft, attack_angle, carry * yard);
     let at_printed = Drive::new(&printed.set(setup))?.landed()?.carry;
     Ok(Best {
         computed: searched(setup, printed, names)?,

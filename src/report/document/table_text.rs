@@ -1,0 +1,178 @@
+//! Tables as plain text.
+
+use super::Table;
+use super::line::Level;
+use super::text::TextOptions;
+use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, presets};
+
+/// Minimum width of a column whose text is wrapped.
+const NARROWEST: usize = 20;
+
+/// Number of spaces before the first column, and after each column.
+const MARGIN: usize = 2;
+
+impl Table {
+    /// The table with its caption, notes and remarks.
+    pub(super) fn text(&self, options: &TextOptions) -> String {
+        let width = options.width;
+        let first = if options.all {
+            usize::MAX
+        } else {
+            self.first_rows
+        };
+        let rows = &self.rows[..self.rows.len().min(first)];
+        // a row with a note stays on one line
+        let most = if self.row_notes.is_empty() {
+            width
+        } else {
+            usize::MAX
+        };
+        let mut text = self.columns(rows, most);
+        if !self.row_notes.is_empty() {
+            // the first line has the column heads, each further line is a row
+            let details = self.row_notes.iter();
+            let details = details.map(|details| Level::Note.lines(details, width));
+            let details = std::iter::once(String::new()).chain(details);
+            text = text
+                .lines()
+                .zip(details)
+                .map(|(line, details)| format!("{line}\n{details}"))
+                .collect();
+        }
+        let caption = if self.caption.is_empty() {
+            String::new()
+        } else {
+            Level::Flush.lines(&self.caption, width)
+        };
+        let left_out = match self.rows.len() - rows.len() {
+            0 => String::new(),
+            rows => Level::Item.lines(&format!("{rows} more rows: `all`"), width),
+        };
+        let remarks = self.remarks.iter();
+        let remarks = remarks.map(|line| line.level.lines(&line.text, width));
+        caption + &text + &left_out + &remarks.collect::<String>()
+    }
+
+    /// The cells within `most` columns of a terminal, without lines between them. In a table that is
+    /// too wide, the last column is wrapped if it contains text. Otherwise the table continues below
+    /// with the remaining columns, after a repetition of the first column.
+    fn columns(&self, rows: &[Vec<String>], most: usize) -> String {
+        let all: Vec<usize> = (0..self.head.len()).collect();
+        let widths: Vec<usize> = all.iter().map(|&column| self.width(rows, column)).collect();
+        let last = all.len().saturating_sub(1);
+        let of_others = MARGIN
+            + widths
+                .iter()
+                .take(last)
+                .map(|width| width + MARGIN)
+                .sum::<usize>();
+        if of_others + widths.last().unwrap_or(&0) <= most {
+            return self.part(rows, &all, None);
+        }
+        if !self.is_right[last] && of_others + NARROWEST <= most {
+            return self.part(rows, &all, Some(most));
+        }
+        let mut parts = vec![];
+        let mut begun = 1;
+        while begun < all.len() {
+            let mut reach = MARGIN + widths[0] + MARGIN + widths[begun];
+            let mut end = begun + 1;
+            while end < all.len() && reach + MARGIN + widths[end] <= most {
+                reach += MARGIN + widths[end];
+                end += 1;
+            }
+            let columns: Vec<usize> = std::iter::once(0).chain(begun..end).collect();
+            parts.push(self.part(rows, &columns, None));
+            begun = end;
+        }
+        parts.join("\n")
+    }
+
+    /// The width of a column.
+    fn width(&self, rows: &[Vec<String>], column: usize) -> usize {
+        let lines = rows
+            .iter()
+            .filter_map(|row| row.get(column))
+            .flat_map(|cell| cell.lines());
+        lines
+            .map(|line| line.chars().count())
+            .chain([self.head[column].chars().count()])
+            .max()
+            .unwrap_or(0)
+    }
+
+    /// Some columns. With the width `narrowed`, the last column is wrapped.
+    fn part(&self, rows: &[Vec<String>], columns: &[usize], narrowed: Option<usize>) -> String {
+        let mut table = comfy_table::Table::new();
+        table.load_style(presets::NOTHING);
+        match narrowed {
+            Some(width) => table
+                .set_content_arrangement(ContentArrangement::Dynamic)
+                .set_width(width as u16),
+            None => table.set_content_arrangement(ContentArrangement::Disabled),
+        };
+        table.set_header(columns.iter().map(|&column| &self.head[column]));
+        for row in rows {
+            table.add_row(
+                columns
+                    .iter()
+                    .map(|&column| row.get(column).map_or("", String::as_str)),
+            );
+        }
+        for (at, column) in table.column_iter_mut().enumerate() {
+            column.set_padding((if at == 0 { MARGIN as u16 } else { 0 }, MARGIN as u16));
+            if self.is_right[columns[at]] {
+                column.set_cell_alignment(CellAlignment::Right);
+            }
+            if narrowed.is_some() && at + 1 < columns.len() {
+                column.set_constraint(ColumnConstraint::ContentWidth);
+            }
+        }
+        table.trim_fmt() + "\n"
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Table;
+
+    const WIDTH: usize = 100;
+
+    fn widest(text: &str) -> usize {
+        text.lines()
+            .map(|line| line.chars().count())
+            .max()
+            .unwrap_or(0)
+    }
+
+    #[test]
+    fn no_table_is_wider_than_a_terminal_and_nothing_is_lost() {
+        let words =
+            "a long explanation of what this row is about and what to do with it ".repeat(3);
+        let rows = [vec!["x".repeat(40), words.trim().to_owned()]];
+        let table = Table::new(["name", "meaning"], rows.clone()).right([]);
+        let text = table.columns(&rows, WIDTH);
+        assert!(widest(&text) <= WIDTH && text.lines().count() > 3, "{text}");
+        let kept: Vec<_> = text.split_whitespace().skip(3).collect();
+        assert_eq!(kept.join(" "), words.trim());
+
+        let names: Vec<String> = (0..12).map(|i| format!("column-{i:02}")).collect();
+        let head: Vec<&str> = ["by"]
+            .into_iter()
+            .chain(names.iter().map(String::as_str))
+            .collect();
+        let columns = head.len();
+        let row = std::iter::once("first".to_owned()).chain((0..12).map(|i| format!("{i}.25")));
+        let rows = [row.collect::<Vec<_>>()];
+        let table = Table::new(head, rows.clone()).right(1..columns);
+        let text = table.columns(&rows, WIDTH);
+        assert!(widest(&text) <= WIDTH, "{text}");
+        assert_eq!(text.matches("first").count(), 2, "{text}");
+        assert!(
+            (0..12)
+                .all(|i| text.contains(&format!(" {i}.25"))
+                    && text.contains(&format!("column-{i:02}"))),
+            "{text}"
+        );
+    }
+}
