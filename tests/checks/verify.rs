@@ -7,7 +7,7 @@ use longdrive::derivative::{Taylor, gradient};
 use longdrive::impact::{Grip, strike};
 use longdrive::parameters::{Law, Method, PRESETS, Parameter};
 use longdrive::report::{CertificateReport, Reply, Report};
-use longdrive::study::certificate::{Agreement, Certificate, InjectedError, certify};
+use longdrive::study::certificate::{Agreement, Certificate, PlantedError, certify};
 use longdrive::units::System;
 use longdrive::{Drive, Outcome, Setup};
 use proptest::prelude::*;
@@ -89,7 +89,7 @@ fn differences_certify_every_derivative_of_every_preset_and_catch_every_planted_
             preset.name
         );
         for planted in certificate.planted {
-            let least = if planted.error == InjectedError::LandingTerm {
+            let least = if planted.error == PlantedError::LandingTerm {
                 40
             } else {
                 200
@@ -290,7 +290,7 @@ fn differences_certify_random_derivatives_by_one_parameter() {
         asked.len(),
         failed.join("\n")
     );
-    // errors were injected into most of them, and found
+    // errors were planted in most of them, and found
     assert!(asked.len() > count / 2);
     let caught = |which: usize| asked.iter().filter(|(_, caught)| caught[which] > 0).count();
     assert!(

@@ -373,12 +373,12 @@ class VerifyReply(Reply):
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
     passed: bool
-    """True if nothing failed, every injected error was detected and the command was not
+    """True if nothing failed, every planted error was detected and the command was not
     interrupted."""
     rows: list[dict[str, Any]]
     """The derivative of each outcome by each parameter, the largest error first."""
     negative_control: dict[str, Any]
-    """The negative control: the detection of injected errors."""
+    """The negative control: the detection of planted errors."""
     landing: list[dict[str, Any]]
     """Derivatives at the landing, compared with differences at a fixed time."""
     continuity: list[dict[str, Any]]

@@ -27,12 +27,12 @@ pub struct CertificateReport<'a> {
     certificate: &'a Certificate,
     #[serde(skip)]
     loops: &'a [LoopRow],
-    /// True if nothing failed, every injected error was detected and the command was not
+    /// True if nothing failed, every planted error was detected and the command was not
     /// interrupted.
     pub passed: bool,
     /// The derivative of each outcome by each parameter, the largest error first.
     pub rows: Vec<CertificateRow<'a>>,
-    /// The negative control: the detection of injected errors.
+    /// The negative control: the detection of planted errors.
     pub negative_control: NegativeControl,
     /// Derivatives at the landing, compared with differences at a fixed time.
     pub landing: &'a [AtLanding],
@@ -99,13 +99,13 @@ pub struct Curve {
     pub errors: Vec<f64>,
 }
 
-/// The negative control: the detection of injected errors.
+/// The negative control: the detection of planted errors.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct NegativeControl {
-    /// True if every injected error was detected.
+    /// True if every planted error was detected.
     pub caught: bool,
-    /// The injected errors.
+    /// The planted errors.
     pub planted: Vec<DetectionTest>,
 }
 

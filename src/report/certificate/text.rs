@@ -94,7 +94,7 @@ fn continuity(found: &Continuity, system: System) -> String {
     )
 }
 
-/// The detection of an injected error.
+/// The detection of a planted error.
 fn planted(planted: &DetectionTest) -> String {
     let name = planted.error.name();
     if planted.rows == 0 {

@@ -7,9 +7,9 @@ use crate::drive::{Drive, Outcome};
 use crate::parameters::{Parameter, Setup};
 use serde::{Serialize, Serializer};
 
-/// A wrong derivative that is injected in place of the right derivative.
+/// A wrong derivative that is planted in place of the right derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum InjectedError {
+pub enum PlantedError {
     /// Sign changed.
     Sign,
     /// Too large by the factor 1 + 1e-6.
@@ -18,8 +18,8 @@ pub enum InjectedError {
     LandingTerm,
 }
 
-impl InjectedError {
-    /// All injected errors.
+impl PlantedError {
+    /// All planted errors.
     pub const ALL: [Self; 3] = [Self::Sign, Self::Millionth, Self::LandingTerm];
 
     /// JSON name: `sign`.
@@ -33,21 +33,21 @@ impl InjectedError {
 }
 
 /// The name.
-impl Serialize for InjectedError {
+impl Serialize for PlantedError {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
     }
 }
 
-schema_of_names!(InjectedError, "InjectedError");
+schema_of_names!(PlantedError, "PlantedError");
 
-/// Detection rate of an injected error.
+/// Detection rate of a planted error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct DetectionTest {
-    /// The injected error.
-    pub error: InjectedError,
-    /// Number of rows with the error injected: passing rows with a significant derivative that the
+    /// The planted error.
+    pub error: PlantedError,
+    /// Number of rows with the planted error: passing rows with a significant derivative that the
     /// error changes.
     pub rows: usize,
     /// Number of rows where differences detected the error.
@@ -98,7 +98,7 @@ pub(super) fn detection_tests(
     rows: &[Row],
     landing: Option<&LandingTerms>,
 ) -> [DetectionTest; 3] {
-    InjectedError::ALL.map(|error| {
+    PlantedError::ALL.map(|error| {
         let mut test = DetectionTest {
             error,
             rows: 0,
@@ -122,12 +122,12 @@ pub(super) fn detection_tests(
     })
 }
 
-fn wrong(error: InjectedError, row: &Row, landing: Option<&LandingTerms>) -> Option<f64> {
+fn wrong(error: PlantedError, row: &Row, landing: Option<&LandingTerms>) -> Option<f64> {
     let exact = row.first.exact;
     let (size, wrong) = match error {
-        InjectedError::Sign => (exact, -exact),
-        InjectedError::Millionth => (exact, exact * (1.0 + 1e-6)),
-        InjectedError::LandingTerm => {
+        PlantedError::Sign => (exact, -exact),
+        PlantedError::Millionth => (exact, exact * (1.0 + 1e-6)),
+        PlantedError::LandingTerm => {
             let term = landing?.of(row)?;
             (term, exact - term)
         }

@@ -1,6 +1,6 @@
 //! Certificate of a drive's derivatives: comparison with finite differences and with num-dual, an
 //! implicit function test of the landing, smoothness where the number of steps changes, convergence
-//! with the time step, and detection tests with injected errors.
+//! with the time step, and detection tests with planted errors.
 
 mod agreement;
 mod continuity;
@@ -16,7 +16,7 @@ pub use agreement::Agreement;
 pub use continuity::Continuity;
 pub use convergence::Convergence;
 use detection::LandingTerms;
-pub use detection::{DetectionTest, InjectedError};
+pub use detection::{DetectionTest, PlantedError};
 pub use landing::AtLanding;
 pub use rows::Row;
 pub use step::StepError;
@@ -73,7 +73,7 @@ pub struct Certificate {
     pub step: Vec<StepError>,
     /// Checks that were not run.
     pub not_examined: Vec<NotExamined>,
-    /// Detection tests with injected errors.
+    /// Detection tests with planted errors.
     pub planted: [DetectionTest; 3],
     /// Outcomes that have no derivatives at this drive, with the reason.
     pub missing: Vec<Missing>,
@@ -85,7 +85,7 @@ pub struct Certificate {
 }
 
 impl Certificate {
-    /// True if the certificate is complete and not empty, no check failed, and every injected error
+    /// True if the certificate is complete and not empty, no check failed, and every planted error
     /// was detected.
     pub fn passed(&self) -> bool {
         !self.rows.is_empty() && self.stopped.is_none() && self.failures().is_empty()
@@ -183,7 +183,7 @@ impl Certificate {
         Ok(())
     }
 
-    /// True if every injected error was detected in every row.
+    /// True if every planted error was detected in every row.
     pub fn caught(&self) -> bool {
         self.planted.iter().all(DetectionTest::is_caught)
     }
