@@ -26,13 +26,16 @@ pub struct LocalMinimum {
     pub starts: Vec<usize>,
 }
 
+/// Callback that receives the number of a search, and its [`Iteration`] or [`Solution`].
+pub type Callback<T> = Arc<dyn Fn(usize, &T) + Send + Sync>;
+
 /// Callbacks, interrupt flag and checkpoint of searches that run in parallel.
 #[derive(Clone, Default)]
 pub struct Observers {
     /// Called after every iteration, with the number of the start.
-    pub iteration: Option<Arc<dyn Fn(usize, &Iteration) + Send + Sync>>,
+    pub iteration: Option<Callback<Iteration>>,
     /// Called at the end of every search, with the number of the start.
-    pub end: Option<Arc<dyn Fn(usize, &Solution) + Send + Sync>>,
+    pub end: Option<Callback<Solution>>,
     /// Interrupt flag: once true, all searches end with their best points so far.
     pub interrupt: Arc<AtomicBool>,
     /// Checkpoint that saves the searches, and from which they resume.
