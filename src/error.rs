@@ -464,16 +464,17 @@ pub(crate) fn nearest<'a>(
         .max_by(|a, b| by_glyphs(a.1).total_cmp(&by_glyphs(b.1)))
 }
 
-/// Jaro–Winkler similarity of two names, 0 to 1. For names in groups, the product of the
-/// similarities of the groups and of the last parts, so that a long group does not outweigh the
-/// last part. A name without its group ("loft") is also compared with the last part of `known`. Names that
-/// differ only in case have similarity 1.
+/// Jaro–Winkler similarity of two names, 0 to 1. For names with equally many parts, the product of
+/// the similarities of the groups and of the last parts, so that a long group does not outweigh the
+/// last part. A name without its group ("loft") is also compared with the last part of `known`.
+/// Names that differ only in case have similarity 1.
 fn similarity(given: &str, known: &str) -> f64 {
     if given.eq_ignore_ascii_case(known) {
         return 1.0;
     }
+    let has_as_many_parts = given.matches('.').count() == known.matches('.').count();
     match (given.rsplit_once('.'), known.rsplit_once('.')) {
-        (Some((group, rest)), Some((of, last))) => {
+        (Some((group, rest)), Some((of, last))) if has_as_many_parts => {
             strsim::jaro_winkler(group, of) * strsim::jaro_winkler(rest, last)
         }
         (None, Some((_, last))) => {
@@ -506,6 +507,7 @@ mod tests {
         for (given, meant) in [
             ("club.weight_2.toex", "club.weight_2.toe"),
             ("clubs.loft", "club.loft"),
+            ("club.loft.x", "club.loft"),
             ("club.lofft", "club.loft"),
             ("loft", "club.loft"),
             ("atack_angle", "swing.attack_angle"),
