@@ -44,7 +44,6 @@ impl State {
         }
         self.counters.restorations += 1;
         let mut best: Option<(f64, Vec<f64>)> = None;
-        let mut is_feasible = false;
         for trial in 0..STARTS {
             let start = spread(&self.scaling.domain.variables, &self.point.x, trial);
             let Some((violation, x)) = self.minimize_violation(start, TOLERANCE, evaluate)? else {
@@ -58,15 +57,17 @@ impl State {
                 best = Some((violation, x));
             }
             if violation <= options.kkt_tolerance {
-                is_feasible = true;
                 break;
             }
         }
-        if !is_feasible {
-            // another restoration would begin at nearly the same points
+        let Some((violation, x)) = best else {
+            return Ok(false);
+        };
+        let first_point = |from: &[f64]| spread(&self.scaling.domain.variables, from, 0);
+        if violation > options.kkt_tolerance && first_point(&x) == first_point(&self.point.x) {
+            // the bounds alone determine the points: another restoration would repeat this one
             self.counters.restorations = MAX_RESTORATIONS;
         }
-        let Some((_, x)) = best else { return Ok(false) };
         self.effort.evaluations += 1;
         let Ok(f) = evaluate(&x)? else {
             return Ok(false);

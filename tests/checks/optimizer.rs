@@ -1064,6 +1064,38 @@ fn contradicting_constraints_are_infeasible() {
     assert_eq!(found.status, Status::Infeasible, "{}", found.message);
 }
 
+/// The bounds alone determine the points of a restoration. The violation 2 + sin 6x + x/2 has two
+/// minima, and the search begins at the higher one; the centre of the bounds is a point of the
+/// restoration.
+#[test]
+fn exact_points_of_a_restoration_within_bounds_are_evaluated_once() {
+    let at_the_centre = RefCell::new(0);
+    let waves = |v: &[f64]| {
+        if v == [0.0, 0.0] {
+            *at_the_centre.borrow_mut() += 1;
+        }
+        let value = 2.0 + (6.0 * v[0]).sin() + 0.5 * v[0];
+        let slope = 6.0 * (6.0 * v[0]).cos() + 0.5;
+        let curvature = -36.0 * (6.0 * v[0]).sin();
+        vec![
+            taylor(v[1], [0.0, 1.0], FLAT),
+            taylor(value, [slope, 0.0], [[curvature, 0.0], [0.0, 0.0]]),
+        ]
+    };
+    let limit = [(f64::NEG_INFINITY, 0.0)];
+    let found = solve_subject_to(waves, &limit, [(-1.0, 1.0); 2], [0.8, 0.5]);
+    // 6 cos 6x = −1/2
+    let lowest = -f64::acos(-1.0 / 12.0) / 6.0;
+    assert_eq!(found.status, Status::Infeasible, "{}", found.message);
+    close(found.x[0], lowest, 1.0, 1e-6, "the smallest violation");
+    assert_eq!(
+        *at_the_centre.borrow(),
+        1,
+        "{} evaluations",
+        found.evaluations
+    );
+}
+
 /// Without curvature the minimum is a vertex. x + y on the unit square with 1 − gap ≤ x has it at
 /// (1 − gap, 0), where the limit and the lower bound of y have multiplier 1; the start is on the
 /// bound beside the limit.
