@@ -39,8 +39,7 @@ pub fn warn(warnings: impl IntoIterator<Item = Message>) {
     }
 }
 
-/// Reports a warning without adding it to the answer.
-pub fn say_warning(warning: &Message) {
+fn say_warning(warning: &Message) {
     let running = running();
     let text = warning.in_units(running.system());
     running

@@ -5,7 +5,7 @@ use crate::command::files::Destination;
 use crate::command::host::{SharedProgress, Work};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::tell_of_the_run;
-use crate::command::output::{say_warning, shown, system, tell};
+use crate::command::output::{shown, system, tell, warn};
 use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::running::running;
@@ -202,9 +202,9 @@ pub fn write(
     };
     let file = output.path().display();
     if optima.best.solution.status != Status::Converged {
-        say_warning(&Message::from(format!(
+        warn([Message::from(format!(
             "{file} is not written: there is no optimum"
-        )));
+        ))]);
         return Ok(None);
     }
     let toml = optimum_toml(

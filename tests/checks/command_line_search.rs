@@ -985,18 +985,27 @@ fn progress_of_a_chart_shows_the_given_points() {
 fn an_unwritten_setup_is_reported_even_with_quiet() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("best.toml");
-    let said = longdrive(&[
+    let asked = [
         "optimize",
         "-q",
         "--max-iterations",
         "1",
         "-o",
         file.to_str().unwrap(),
-    ]);
+    ];
+    let said = longdrive(&asked);
+    let unwritten = "is not written: there is no optimum";
     assert!(
-        said.status == 1 && said.err.contains("is not written: there is no optimum"),
+        said.status == 1 && said.err.contains(unwritten),
         "{}",
         said.err
+    );
+    let (_, answer) = json(&asked);
+    let warnings = answer["warnings"].as_array().unwrap().iter();
+    let mut warnings = warnings.map(|warning| warning.as_str().unwrap());
+    assert!(
+        warnings.any(|warning| warning.contains(unwritten)),
+        "{answer}"
     );
     assert!(!file.exists());
 }
