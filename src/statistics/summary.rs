@@ -38,12 +38,36 @@ pub struct Summary {
     pub best: Vec<Ranking>,
 }
 
+/// Refuses histograms and rankings that have values: each block would count them again.
+fn refuse_filled(histograms: &[Histogram], best: &[Ranking]) -> Result<()> {
+    let has_values = |histogram: &&Histogram| {
+        let outside = [histogram.below, histogram.above];
+        histogram
+            .counts
+            .iter()
+            .chain(&outside)
+            .any(|count| *count > 0)
+    };
+    let filled = histograms.iter().find(has_values);
+    let filled = filled.map(|histogram| format!("the histogram of {}", histogram.of));
+    let ranked = best.iter().find(|ranking| !ranking.rows.is_empty());
+    let ranked = ranked.map(|ranking| format!("the rows of {}", ranking.of));
+    match filled.or(ranked) {
+        None => Ok(()),
+        Some(given) => Err(Error::Together {
+            given,
+            reason: "there are values in it already; give an empty one".into(),
+        }),
+    }
+}
+
 impl SummarySpec {
     /// Specifies histograms and rankings, which are empty. Status counts and moments are always
     /// included.
     ///
     /// # Errors
-    /// [`Error::Together`] for an outcome that is not computed, and for repeated requests.
+    /// [`Error::Together`] for an outcome that is not computed, for repeated requests, and for a
+    /// histogram or a ranking that is not empty.
     pub fn new(batch: &Batch, histograms: Vec<Histogram>, best: Vec<Ranking>) -> Result<Self> {
         let twice = |what: &str, of: &str| Error::Together {
             given: format!("{what} of {of}"),
@@ -62,6 +86,7 @@ impl SummarySpec {
                 return Err(twice("the rows", &one.of));
             }
         }
+        refuse_filled(&histograms, &best)?;
         let of_histograms = histograms.iter().map(|histogram| &histogram.of);
         let mut of = of_histograms.chain(best.iter().map(|ranking| &ranking.of));
         let is_computed = |of: &str| batch.outcomes().iter().any(|outcome| outcome.name() == of);
@@ -199,5 +224,34 @@ impl Summary {
     /// Number of rows.
     pub fn rows(&self) -> u64 {
         self.statuses.values().sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Histogram, Ranking, SummarySpec};
+    use crate::batch::Batch;
+    use crate::drive::Outcome;
+    use crate::parameters::Setup;
+
+    #[test]
+    fn histograms_and_rankings_with_values_are_refused() {
+        let setup = Setup::default();
+        let speed = setup.variable("swing.speed").unwrap();
+        let batch = Batch::new(&setup, &[speed], &[Outcome::Carry], &[]).unwrap();
+        let refused = |histogram: &Histogram, ranking: &Ranking| {
+            SummarySpec::new(&batch, vec![histogram.clone()], vec![ranking.clone()])
+                .err()
+                .map(|error| error.to_string())
+        };
+        let mut histogram = Histogram::read("carry=200m..300m:4").unwrap();
+        let mut ranking = Ranking::read("carry:2", true).unwrap();
+        assert_eq!(refused(&histogram, &ranking), None);
+        ranking.add(0, 250.0, [("swing.speed", 50.0)].into_iter());
+        let message = refused(&histogram, &ranking).unwrap();
+        assert!(message.contains("the rows of carry"), "{message}");
+        histogram.add(250.0);
+        let message = refused(&histogram, &ranking).unwrap();
+        assert!(message.contains("the histogram of carry"), "{message}");
     }
 }
