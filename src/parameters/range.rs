@@ -2,8 +2,7 @@ use crate::json::number;
 use crate::units::{Quantity, significant};
 use serde::Serialize;
 
-/// The range of a parameter.
-// all physically possible values, not just usual values
+/// The allowed values of a parameter: all physically possible values, not just usual values.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(
     test,

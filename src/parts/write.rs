@@ -147,7 +147,8 @@ impl Dataset {
         }))
     }
 
-    /// Computes the rows of `run` and writes them to the file. Returns false if the run was stopped.
+    /// Computes the rows of `run` and writes them to the file. Returns false if the run was
+    /// stopped.
     fn write_rows(
         &self,
         file: &mut Unfinished,

@@ -53,8 +53,8 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
     ))
 }
 
-/// Plausible values of each outcome in SI, in the order of [`Outcome::ALL`]. An end that belongs to the range is moved outwards by a margin for the
-/// rounding of a unit conversion.
+/// Plausible values of each outcome in SI, in the order of [`Outcome::ALL`]. An end that belongs to
+/// the range is moved outwards by a margin for the rounding of a unit conversion.
 static IN_SI: LazyLock<Vec<Option<[f64; 2]>>> = LazyLock::new(|| {
     let in_si = |of: &Outcome| {
         let plausible = of.plausible()?;

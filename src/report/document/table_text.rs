@@ -53,9 +53,9 @@ impl Table {
         caption + &text + &left_out + &remarks.collect::<String>()
     }
 
-    /// The cells within `most` columns of a terminal, without lines between them. In a table that is
-    /// too wide, the last column is wrapped if it contains text. Otherwise the table continues below
-    /// with the remaining columns, after a repetition of the first column.
+    /// The cells within `most` columns of a terminal, without lines between them. In a table that
+    /// is too wide, the last column is wrapped if it contains text. Otherwise the table continues
+    /// below with the remaining columns, after a repetition of the first column.
     fn columns(&self, rows: &[Vec<String>], most: usize) -> String {
         let all: Vec<usize> = (0..self.head.len()).collect();
         let widths: Vec<usize> = all.iter().map(|&column| self.width(rows, column)).collect();

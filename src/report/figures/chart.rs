@@ -115,8 +115,8 @@ impl<'a> Drawing<'a> {
     }
 
     /// Adds the optima to a plot of `value`: a line, a mark of the optimum for the setup with its
-    /// value as text, and numbered marks of the points where a bound or constraint becomes active or
-    /// inactive. The note explains the numbers.
+    /// value as text, and numbered marks of the points where a bound or constraint becomes active
+    /// or inactive. The note explains the numbers.
     fn with_optima(
         &self,
         figure: Figure,

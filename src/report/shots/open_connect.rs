@@ -62,39 +62,38 @@ fn ball(shot: &Shot) -> ByName<f64> {
     let axis = axis.or(shot.launch().map(|_| 0.0));
     let carry = shot.value(Outcome::CarryDistance).map(|value| value.value);
     let values = [
-        ("Speed", speed, Outcome::BallSpeed, "mph"),
-        ("SpinAxis", axis, Outcome::SpinAxis, "deg"),
-        ("TotalSpin", spin, Outcome::Spin, "rpm"),
-        ("BackSpin", of_launch(3), Outcome::Backspin, "rpm"),
-        ("SideSpin", of_launch(4), Outcome::Sidespin, "rpm"),
-        ("HLA", direction, Outcome::LaunchDirection, "deg"),
-        ("VLA", angle, Outcome::LaunchAngle, "deg"),
-        ("CarryDistance", carry, Outcome::CarryDistance, "yd"),
+        in_unit("Speed", speed, Outcome::BallSpeed, "mph"),
+        in_unit("SpinAxis", axis, Outcome::SpinAxis, "deg"),
+        in_unit("TotalSpin", spin, Outcome::Spin, "rpm"),
+        in_unit("BackSpin", of_launch(3), Outcome::Backspin, "rpm"),
+        in_unit("SideSpin", of_launch(4), Outcome::Sidespin, "rpm"),
+        in_unit("HLA", direction, Outcome::LaunchDirection, "deg"),
+        in_unit("VLA", angle, Outcome::LaunchAngle, "deg"),
+        in_unit("CarryDistance", carry, Outcome::CarryDistance, "yd"),
     ];
-    values.into_iter().filter_map(known).collect()
+    values.into_iter().flatten().collect()
 }
 
 /// The club, with the keys of the protocol. A missing value is omitted.
 fn club(shot: &Shot) -> ByName<f64> {
     let club = &shot.club;
+    let angle = |key, value| in_unit(key, value, Outcome::LaunchAngle, "deg");
     let values = [
-        ("Speed", club.speed, Outcome::BallSpeed, "mph"),
-        (
-            "AngleOfAttack",
-            club.attack_angle,
-            Outcome::LaunchAngle,
-            "deg",
-        ),
-        ("FaceToTarget", club.face_angle, Outcome::LaunchAngle, "deg"),
-        ("Path", club.path, Outcome::LaunchAngle, "deg"),
+        in_unit("Speed", club.speed, Outcome::BallSpeed, "mph"),
+        angle("AngleOfAttack", club.attack_angle),
+        angle("FaceToTarget", club.face_angle),
+        angle("Path", club.path),
     ];
-    values.into_iter().filter_map(known).collect()
+    values.into_iter().flatten().collect()
 }
 
 /// A value with its key, in a unit of the protocol. Six decimals: this removes the rounding errors
 /// of the conversion.
-fn known(
-    (key, value, of, unit): (&'static str, Option<f64>, Outcome, &str),
+fn in_unit(
+    key: &'static str,
+    value: Option<f64>,
+    of: Outcome,
+    unit: &str,
 ) -> Option<(&'static str, f64)> {
     let number = value? / size(of.quantity(), unit);
     Some((key, (number * 1e6).round() / 1e6))

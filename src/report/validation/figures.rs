@@ -124,8 +124,8 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure
     })
 }
 
-/// The line of predictions without error, through two points, in the band for the difference between
-/// two launch monitors.
+/// The line of predictions without error, through two points, in the band for the difference
+/// between two launch monitors.
 fn without_error(of: Compared, name: &str, ends: [[f64; 2]; 2]) -> Vec<Layer> {
     let band = floor(of).map(|by| Layer::Band {
         name: INSTRUMENTS.into(),

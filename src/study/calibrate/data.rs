@@ -15,8 +15,8 @@ impl ShotTable {
     /// Reads measured shots from the rows of a CSV file that `filter` selects, by default all rows.
     ///
     /// # Errors
-    /// The errors of [`read`](Self::read), and [`Error::Table`](crate::Error::Table) if `filter` selects no row or names
-    /// a column that the table does not have.
+    /// The errors of [`read`](Self::read), and [`Error::Table`](crate::Error::Table) if `filter`
+    /// selects no row or names a column that the table does not have.
     pub fn open(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
         Self::opened(setup, path, filter, ClubColumns::Ignored)
     }
@@ -49,9 +49,9 @@ impl ShotTable {
     /// ignored too, and physically impossible measured values are not compared.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) with row and column for an unknown or repeated column, a wrong unit, a cell
-    /// that is not a number, an uncertain decimal mark, a sigma ≤ 0, a value outside its range, and
-    /// a table without rows.
+    /// [`Error::Table`](crate::Error::Table) with row and column for an unknown or repeated column,
+    /// a wrong unit, a cell that is not a number, an uncertain decimal mark, a sigma ≤ 0, a value
+    /// outside its range, and a table without rows.
     pub fn read(setup: &Setup<f64>, file: &str, mut source: impl Read) -> Result<Self> {
         let mut bytes = vec![];
         SourceName(file.into()).io(source.read_to_end(&mut bytes))?;

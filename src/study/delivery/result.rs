@@ -76,8 +76,8 @@ pub struct Delivered {
 }
 
 impl Delivered {
-    /// The outcome with the largest residual, if this residual is too large; then no delivery within
-    /// the ranges gives this launch.
+    /// The outcome with the largest residual, if this residual is too large; then no delivery
+    /// within the ranges gives this launch.
     pub fn unexplained(&self) -> Option<&Explained> {
         let worst = self
             .explained
