@@ -247,7 +247,7 @@ mod tests {
         let mut histogram = Histogram::read("carry=200m..300m:4").unwrap();
         let mut ranking = Ranking::read("carry:2", true).unwrap();
         assert_eq!(refused(&histogram, &ranking), None);
-        ranking.add(0, 250.0, [("swing.speed", 50.0)].into_iter());
+        ranking.add(0, 250.0, [("swing.speed", 50.0)]);
         let message = refused(&histogram, &ranking).unwrap();
         assert!(message.contains("the rows of carry"), "{message}");
         histogram.add(250.0);
