@@ -404,12 +404,12 @@ fn missing_columns_of_a_table_are_not_measured() {
 
 /// A ball without a direction says nothing of path, face angle and strike towards the toe.
 #[test]
-fn a_setup_file_names_values_that_the_launch_cannot_determine() {
+fn same_part_determined_in_the_answer_and_in_its_setup_file() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("golfer.toml");
     let launch = "ball_speed=150mph,launch_angle=12deg,spin=2600rpm";
-    let said = longdrive(&["delivery", "--launch", launch, "-o", file.to_str().unwrap()]);
-    assert_eq!(said.status, 0, "{}", said.err);
+    let (status, answer) = json(&["delivery", "--launch", launch, "-o", file.to_str().unwrap()]);
+    assert_eq!(status, 0, "{answer}");
     let setup = std::fs::read_to_string(&file).unwrap();
     let remark_of = |name: &str| {
         let line = setup.lines().find(|line| line.starts_with(name)).unwrap();
@@ -419,9 +419,13 @@ fn a_setup_file_names_values_that_the_launch_cannot_determine() {
         let remark = "assumed: 1 shot of a measured launch cannot determine it";
         assert_eq!(remark_of(name), remark, "{name}");
     }
-    for name in ["speed", "attack_angle", "high"] {
-        let remark = "recovered from 1 shot of a measured launch";
-        assert_eq!(remark_of(name), remark, "{name}");
+    let known = answer["rows"][0]["known"].as_array().unwrap();
+    for name in ["swing.speed", "swing.attack_angle", "strike.high"] {
+        let one = known.iter().find(|one| one["parameter"] == name).unwrap();
+        let determined = 100.0 * number(&one["told"]);
+        let remark =
+            format!("recovered from 1 shot of a measured launch, {determined:.0} % determined");
+        assert_eq!(remark_of(name.split('.').nth(1).unwrap()), remark, "{name}");
     }
 }
 

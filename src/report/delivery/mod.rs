@@ -268,7 +268,11 @@ pub fn delivery_toml(
             Some(identified) if identified < UNIDENTIFIED => {
                 format!("assumed: {shots} of {from} cannot determine it{scatter}")
             }
-            _ => format!("recovered from {shots} of {from}{scatter}"),
+            Some(identified) => {
+                let percent = 100.0 * identified;
+                format!("recovered from {shots} of {from}, {percent:.0} % determined{scatter}")
+            }
+            None => format!("recovered from {shots} of {from}{scatter}"),
         };
         remarks.push((parameter, remark));
     }
