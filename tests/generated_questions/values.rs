@@ -78,6 +78,11 @@ pub fn variable(chance: &mut Chance) -> &'static Parameter {
         return chance.of(&all);
     }
     let mut all = Setup::default().variables();
+    if chance.is_over_swings {
+        // the swings have values of the other parameters
+        all.retain(|row| row.name.starts_with("club."));
+        return of_the_drive(&all, chance);
+    }
     if chance.is_of_flight {
         let of_the_club = ["swing.", "club.", "strike.", "impact."];
         all.retain(|row| !of_the_club.iter().any(|group| row.name.starts_with(group)));
