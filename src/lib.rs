@@ -57,7 +57,7 @@
 #![cfg_attr(not(feature = "commands"), allow(dead_code, unused_imports))]
 
 #[macro_use]
-mod schema;
+mod variant_names;
 
 pub mod aerodynamics;
 pub mod atmosphere;

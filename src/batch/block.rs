@@ -1,7 +1,6 @@
 use crate::drive::{ExceededCount, ExceededLimits, Outcome, OutcomeGroup};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::fmt;
 
 /// Status of a drive in a batch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -26,35 +25,15 @@ pub enum Status {
     OutOfRange,
 }
 
-impl Status {
-    /// Every status.
-    pub const ALL: [Self; 6] = [
-        Self::Landed,
-        Self::NoFlight,
-        Self::Aloft,
-        Self::Diverged,
-        Self::NoStrike,
-        Self::OutOfRange,
-    ];
-
+variant_names! {
     /// Name in files: `landed`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Landed => "landed",
-            Self::NoFlight => "no-flight",
-            Self::Aloft => "aloft",
-            Self::Diverged => "diverged",
-            Self::NoStrike => "no-strike",
-            Self::OutOfRange => "out-of-range",
-        }
-    }
-}
-
-schema_of_names!(Status, "DriveStatus");
-
-impl fmt::Display for Status {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
+    Status as "DriveStatus" {
+        Landed = "landed",
+        NoFlight = "no-flight",
+        Aloft = "aloft",
+        Diverged = "diverged",
+        NoStrike = "no-strike",
+        OutOfRange = "out-of-range",
     }
 }
 

@@ -16,7 +16,6 @@ use super::state::State;
 use super::trial_step::{NOISE, TrialStep};
 use crate::units::counted;
 use serde::{Deserialize, Serialize};
-use std::fmt;
 
 /// Outcome of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -41,39 +40,17 @@ pub enum Status {
     Undefined,
 }
 
-impl Status {
-    /// Every status.
-    pub const ALL: [Self; 8] = [
-        Self::Converged,
-        Self::StalledAtKink,
-        Self::Stalled,
-        Self::Infeasible,
-        Self::Unbounded,
-        Self::IterationLimit,
-        Self::Interrupted,
-        Self::Undefined,
-    ];
-
+variant_names! {
     /// Name in reports: `converged`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Converged => "converged",
-            Self::StalledAtKink => "stalled-at-kink",
-            Self::Stalled => "stalled",
-            Self::Infeasible => "infeasible",
-            Self::Unbounded => "unbounded",
-            Self::IterationLimit => "iteration-limit",
-            Self::Interrupted => "interrupted",
-            Self::Undefined => "undefined",
-        }
-    }
-}
-
-schema_of_names!(Status, "SearchStatus");
-
-impl fmt::Display for Status {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+    Status as "SearchStatus" {
+        Converged = "converged",
+        StalledAtKink = "stalled-at-kink",
+        Stalled = "stalled",
+        Infeasible = "infeasible",
+        Unbounded = "unbounded",
+        IterationLimit = "iteration-limit",
+        Interrupted = "interrupted",
+        Undefined = "undefined",
     }
 }
 

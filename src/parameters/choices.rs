@@ -32,25 +32,22 @@ fn named<T: Copy>(
 /// Name of the setting: `golfer = "left"`.
 pub const GOLFER: &str = "golfer";
 
-impl Golfer {
-    /// Both hands.
-    pub const ALL: &'static [Self] = &[Self::Right, Self::Left];
-
+variant_names! {
     /// Name in `golfer`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Right => "right",
-            Self::Left => "left",
-        }
+    Golfer {
+        Right = "right",
+        Left = "left",
     }
+}
 
+impl Golfer {
     /// The golfer of this name.
     ///
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no golfer has this name.
     pub fn named(name: &str) -> Result<Self> {
         let advice = "write right for a right-handed golfer, left for a left-handed one";
-        named(Self::ALL, Self::name, name, GOLFER, advice)
+        named(&Self::ALL, Self::name, name, GOLFER, advice)
     }
 }
 
@@ -69,25 +66,22 @@ pub enum SpeedOf {
 /// Name of the setting: `swing.speed_of = "face-centre"`.
 pub const SPEED_OF: &str = "swing.speed_of";
 
-impl SpeedOf {
-    /// All points.
-    pub const ALL: &'static [Self] = &[Self::CentreOfMass, Self::FaceCentre];
-
+variant_names! {
     /// Name in `swing.speed_of`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::CentreOfMass => "centre-of-mass",
-            Self::FaceCentre => "face-centre",
-        }
+    SpeedOf {
+        CentreOfMass = "centre-of-mass",
+        FaceCentre = "face-centre",
     }
+}
 
+impl SpeedOf {
     /// The point of this name.
     ///
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no point has this name.
     pub fn named(name: &str) -> Result<Self> {
         let advice = "write centre-of-mass or face-centre, the point whose speed is swing.speed";
-        named(Self::ALL, Self::name, name, SPEED_OF, advice)
+        named(&Self::ALL, Self::name, name, SPEED_OF, advice)
     }
 }
 
@@ -103,18 +97,15 @@ pub enum Method {
     DormandPrince8,
 }
 
-impl Method {
-    /// All methods, from the lowest order.
-    pub const ALL: &'static [Self] = &[Self::Rk4, Self::DormandPrince8];
-
+variant_names! {
     /// Name in `flight.method`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rk4 => "rk4",
-            Self::DormandPrince8 => "dp8",
-        }
+    Method {
+        Rk4 = "rk4",
+        DormandPrince8 = "dp8",
     }
+}
 
+impl Method {
     /// Order p: the error is proportional to the p-th power of the step.
     pub fn order(self) -> u32 {
         match self {
@@ -144,7 +135,7 @@ impl Method {
         let names: Vec<_> = Self::ALL.iter().map(|method| method.name()).collect();
         let advice = format!("the methods are {}", names.join(", "));
         named(
-            Self::ALL,
+            &Self::ALL,
             Self::name,
             name,
             "method of integration",

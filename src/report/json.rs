@@ -150,9 +150,9 @@ fn choices() -> serde_json::Value {
     use crate::parameters::{Golfer, Method, SpeedOf};
     let of = |names: Vec<&str>| serde_json::json!({ "enum": names });
     serde_json::json!({
-        GOLFER: of(Golfer::ALL.iter().map(|golfer| golfer.name()).collect()),
-        SPEED_OF: of(SpeedOf::ALL.iter().map(|point| point.name()).collect()),
-        METHOD: of(Method::ALL.iter().map(|method| method.name()).collect()),
+        GOLFER: of(Golfer::ALL.map(Golfer::name).to_vec()),
+        SPEED_OF: of(SpeedOf::ALL.map(SpeedOf::name).to_vec()),
+        METHOD: of(Method::ALL.map(Method::name).to_vec()),
         LAW: { "type": "string" },
         TABLE: { "type": "string" }
     })

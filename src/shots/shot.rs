@@ -19,19 +19,16 @@ pub enum Origin {
     Modelled,
 }
 
-impl Origin {
-    /// Every origin.
-    pub const ALL: [Self; 3] = [Self::Measured, Self::Estimated, Self::Modelled];
-
+variant_names! {
     /// Name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Measured => "measured",
-            Self::Estimated => "estimated",
-            Self::Modelled => "modelled",
-        }
+    Origin as "Origin" {
+        Measured = "measured",
+        Estimated = "estimated",
+        Modelled = "modelled",
     }
+}
 
+impl Origin {
     /// Parses the origin in a cell, such as `Measured` or `Estimate`.
     pub(super) fn read(cell: &str) -> Option<Self> {
         match cell.to_lowercase().as_str() {
@@ -42,8 +39,6 @@ impl Origin {
         }
     }
 }
-
-schema_of_names!(Origin, "Origin");
 
 /// A value of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]

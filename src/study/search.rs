@@ -18,23 +18,20 @@ pub enum Sense {
     Minimize,
 }
 
-impl Sense {
-    /// Both directions.
-    pub const ALL: [Self; 2] = [Self::Maximize, Self::Minimize];
+variant_names! {
+    /// `maximize` or `minimize`, as on the command line and in JSON.
+    Sense as "Sense" {
+        Maximize = "maximize",
+        Minimize = "minimize",
+    }
+}
 
+impl Sense {
     /// Factor that turns the objective into a function to minimize: −1 or 1.
     pub fn sign(self) -> f64 {
         match self {
             Self::Maximize => -1.0,
             Self::Minimize => 1.0,
-        }
-    }
-
-    /// `maximize` or `minimize`, as on the command line and in JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Maximize => "maximize",
-            Self::Minimize => "minimize",
         }
     }
 
@@ -46,8 +43,6 @@ impl Sense {
         }
     }
 }
-
-schema_of_names!(Sense, "Sense");
 
 /// A search for the best drive, or for the best design over swings that vary.
 ///

@@ -30,20 +30,13 @@ pub enum BoundSide {
     Upper,
 }
 
-impl BoundSide {
-    /// Both bounds.
-    pub const ALL: [Self; 2] = [Self::Lower, Self::Upper];
-
+variant_names! {
     /// Name in JSON: `lower`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Lower => "lower",
-            Self::Upper => "upper",
-        }
+    BoundSide as "BoundSide" {
+        Lower = "lower",
+        Upper = "upper",
     }
 }
-
-schema_of_names!(BoundSide, "BoundSide");
 
 impl fmt::Display for Active {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

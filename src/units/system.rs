@@ -1,5 +1,4 @@
 use super::Quantity;
-use std::fmt;
 
 /// System of units for results.
 ///
@@ -20,18 +19,15 @@ pub enum System {
     Us,
 }
 
-impl System {
-    /// Both systems.
-    pub const ALL: [Self; 2] = [Self::Metric, Self::Us];
-
+variant_names! {
     /// Name on the command line: `metric`, `us`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Metric => "metric",
-            Self::Us => "us",
-        }
+    System {
+        Metric = "metric",
+        Us = "us",
     }
+}
 
+impl System {
     /// The other system.
     pub fn other(self) -> Self {
         match self {
@@ -106,11 +102,5 @@ impl TableUnits {
             Self::Si => value,
             Self::Of(system) => quantity.number_in(value, system.unit(unit)),
         }
-    }
-}
-
-impl fmt::Display for System {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
     }
 }

@@ -171,10 +171,7 @@ fn exact_both_points_coincide_if_the_head_does_not_turn() {
         setup.swing.closure_y,
         setup.swing.closure_z,
     ) = (0.0, 0.0, 0.0);
-    let [one, other] = SpeedOf::ALL else {
-        panic!("two points")
-    };
-    let carries = [*one, *other].map(|speed_of| {
+    let carries = SpeedOf::ALL.map(|speed_of| {
         Drive::new(&Setup { speed_of, ..setup })
             .unwrap()
             .landed()

@@ -56,7 +56,7 @@ fn for_every_way(check: impl Fn(&Setup<f64>)) {
             for changes in [&[][..], &sideways, &windy] {
                 let mut setup = Setup::default();
                 setup.set_law(law).unwrap();
-                setup.method = *method;
+                setup.method = method;
                 setup.set_all(changes.iter().copied()).unwrap();
                 setup
                     .set_all([("swing.attack_angle", "2 deg"), ("flight.step", "0.1 s")])
@@ -388,7 +388,7 @@ fn order_of_each_method_is_its_own_in_value_and_gradient() {
         fast(&setup, Outcome::FlightTime, &wrt, Order::First)
     };
     let exact = at(Method::DormandPrince8, 0.02);
-    for &method in Method::ALL {
+    for method in Method::ALL {
         // long enough that the error exceeds rounding
         let step = match method {
             Method::Rk4 => 0.1,

@@ -135,7 +135,7 @@ fn searched(setup: &Setup<f64>, goal: &str, vary: &[&str]) -> (f64, Vec<f64>) {
 fn exact_zero_lateral_mean_of_a_symmetric_head_and_strikes() {
     for golfer in Golfer::ALL {
         let setup = Setup {
-            golfer: *golfer,
+            golfer,
             ..Setup::default()
         };
         let (lateral, _) = searched(&setup, "mean(lateral)", &["club.loft=9deg..9.1deg"]);

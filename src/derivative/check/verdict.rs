@@ -15,26 +15,21 @@ pub enum Verdict {
     Pass,
 }
 
-impl Verdict {
-    /// Every verdict.
-    pub const ALL: [Self; 3] = [Self::Fail, Self::Corner, Self::Pass];
+variant_names! {
+    /// Name in JSON: `pass`.
+    Verdict as "Verdict" {
+        Fail = "fail",
+        Corner = "corner",
+        Pass = "pass",
+    }
+}
 
+impl Verdict {
     /// `Pass` for a check that passed, otherwise `Fail`.
     pub fn of(passed: bool) -> Self {
         if passed { Self::Pass } else { Self::Fail }
     }
-
-    /// Name in JSON: `pass`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Fail => "fail",
-            Self::Corner => "corner",
-            Self::Pass => "pass",
-        }
-    }
 }
-
-schema_of_names!(Verdict, "Verdict");
 
 /// Tolerance of a derivative, as a multiple of the error estimate of the differences. The estimates
 /// are rough: a few of ten thousand correct derivatives deviate by more than four estimates.

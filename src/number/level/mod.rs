@@ -10,7 +10,6 @@ mod registers;
 use super::Lanes;
 #[cfg(target_arch = "x86_64")]
 use super::inlined;
-use std::fmt;
 
 /// Instruction set for computing drives. Each level is a separate copy of the code. Results of
 /// different levels agree to rounding. Results of the same level, version of longdrive and
@@ -39,28 +38,18 @@ pub(crate) trait Task {
     fn run<V: Lanes<Lane = f64>>(&mut self) -> Self::Output;
 }
 
-impl Level {
-    /// All levels, in the order of register width. A processor has only the levels of its
-    /// architecture.
-    pub const ALL: [Self; 5] = [
-        Self::Baseline,
-        Self::Neon,
-        Self::Simd128,
-        Self::Avx2,
-        Self::Avx512,
-    ];
-
+variant_names! {
     /// Name on the command line: `avx2`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Baseline => "baseline",
-            Self::Neon => "neon",
-            Self::Simd128 => "simd128",
-            Self::Avx2 => "avx2",
-            Self::Avx512 => "avx512",
-        }
+    Level {
+        Baseline = "baseline",
+        Neon = "neon",
+        Simd128 = "simd128",
+        Avx2 = "avx2",
+        Avx512 = "avx512",
     }
+}
 
+impl Level {
     /// Widest level of this processor, the default.
     #[inline]
     pub fn here() -> Self {
@@ -154,11 +143,5 @@ impl Level {
             };
         }
         self.run_one_drive(task)
-    }
-}
-
-impl fmt::Display for Level {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
     }
 }

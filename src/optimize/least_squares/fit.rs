@@ -8,7 +8,6 @@ use crate::error::{Error, Result};
 use crate::units::counted;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -56,39 +55,17 @@ pub enum Status {
     Undefined,
 }
 
-impl Status {
-    /// Every status.
-    pub const ALL: [Self; 8] = [
-        Self::Converged,
-        Self::Undetermined,
-        Self::DominatedByOneResidual,
-        Self::Misfit,
-        Self::Stalled,
-        Self::IterationLimit,
-        Self::Interrupted,
-        Self::Undefined,
-    ];
-
+variant_names! {
     /// Name in reports: `converged`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Converged => "converged",
-            Self::Undetermined => "undetermined",
-            Self::DominatedByOneResidual => "outweighed",
-            Self::Misfit => "misfit",
-            Self::Stalled => "stalled",
-            Self::IterationLimit => "iteration-limit",
-            Self::Interrupted => "interrupted",
-            Self::Undefined => "undefined",
-        }
-    }
-}
-
-schema_of_names!(Status, "FitStatus");
-
-impl fmt::Display for Status {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+    Status as "FitStatus" {
+        Converged = "converged",
+        Undetermined = "undetermined",
+        DominatedByOneResidual = "outweighed",
+        Misfit = "misfit",
+        Stalled = "stalled",
+        IterationLimit = "iteration-limit",
+        Interrupted = "interrupted",
+        Undefined = "undefined",
     }
 }
 

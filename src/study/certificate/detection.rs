@@ -18,17 +18,12 @@ pub enum PlantedError {
     LandingTerm,
 }
 
-impl PlantedError {
-    /// All planted errors.
-    pub const ALL: [Self; 3] = [Self::Sign, Self::Millionth, Self::LandingTerm];
-
+variant_names! {
     /// JSON name: `sign`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Sign => "sign",
-            Self::Millionth => "factor 1 + 1e-6",
-            Self::LandingTerm => "no landing term",
-        }
+    PlantedError as "PlantedError" {
+        Sign = "sign",
+        Millionth = "factor 1 + 1e-6",
+        LandingTerm = "no landing term",
     }
 }
 
@@ -38,8 +33,6 @@ impl Serialize for PlantedError {
         serializer.serialize_str(self.name())
     }
 }
-
-schema_of_names!(PlantedError, "PlantedError");
 
 /// Detection rate of a planted error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

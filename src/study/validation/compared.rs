@@ -19,31 +19,20 @@ pub enum Compared {
     Spin,
 }
 
-impl Compared {
-    /// All quantities.
-    pub const ALL: [Self; 7] = [
-        Self::Carry,
-        Self::Apex,
-        Self::Descent,
-        Self::Curve,
-        Self::Gain,
-        Self::LaunchAngle,
-        Self::Spin,
-    ];
-
+variant_names! {
     /// Name of the quantity, which is also the head of its data column.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Carry => "carry",
-            Self::Apex => "apex",
-            Self::Descent => "descent",
-            Self::Curve => "curve",
-            Self::Gain => "gain",
-            Self::LaunchAngle => "launch_angle",
-            Self::Spin => "spin",
-        }
+    Compared as "Compared" {
+        Carry = "carry",
+        Apex = "apex",
+        Descent = "descent",
+        Curve = "curve",
+        Gain = "gain",
+        LaunchAngle = "launch_angle",
+        Spin = "spin",
     }
+}
 
+impl Compared {
     /// Name of the quantity in words.
     pub fn words(self) -> &'static str {
         match self {
@@ -62,5 +51,3 @@ impl Compared {
         }
     }
 }
-
-schema_of_names!(Compared, "Compared");

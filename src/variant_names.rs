@@ -1,0 +1,42 @@
+//! Enums whose variants have names in files, in JSON and on the command line.
+
+/// Names the variants of an enum. It gets `ALL`, `name()`, and the name as its text. With
+/// `as "Schema"` it also gets a JSON schema of this name, in which the names are the allowed
+/// strings.
+macro_rules! variant_names {
+    ($(#[doc = $doc:literal])* $Enum:ident as $schema:literal { $($names:tt)* }) => {
+        variant_names! { $(#[doc = $doc])* $Enum { $($names)* } }
+
+        #[cfg(test)]
+        impl schemars::JsonSchema for $Enum {
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                $schema.into()
+            }
+
+            fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                schemars::json_schema!({ "type": "string", "enum": Self::ALL.map(Self::name) })
+            }
+        }
+    };
+
+    ($(#[doc = $doc:literal])* $Enum:ident { $($Variant:ident = $name:literal,)+ }) => {
+        impl $Enum {
+            /// All variants, in their order.
+            pub const ALL: [Self; [$($name),+].len()] = [$(Self::$Variant),+];
+
+            $(#[doc = $doc])*
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$Variant => $name,)+
+                }
+            }
+        }
+
+        /// The name.
+        impl std::fmt::Display for $Enum {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.pad(self.name())
+            }
+        }
+    };
+}
