@@ -84,6 +84,7 @@ pub mod optimize;
 pub mod parameters;
 #[cfg(feature = "parquet")]
 pub mod parts;
+mod repeated;
 #[cfg(feature = "reports")]
 pub mod report;
 #[cfg(feature = "reports")]

@@ -12,6 +12,7 @@ use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
 use crate::external_errors::toml_error_text;
 use crate::input_file::InputFile;
+use crate::repeated::first_repeated;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
 
@@ -119,17 +120,13 @@ impl SetupFile {
 }
 
 fn refuse_duplicate_keys(items: &[Item<'_>], text: &str, file: &str) -> Result<()> {
-    for (i, item) in items.iter().enumerate() {
-        if let Some(first) = items[..i].iter().find(|first| first.key == item.key) {
-            let (line, _) = place_in(text, first.key_at);
-            let source = Error::Twice {
-                key: item.key.clone(),
-                line,
-            };
-            return Err(in_file(text, file, item.key_at, source));
-        }
-    }
-    Ok(())
+    let Some([first, again]) = first_repeated(items, |a, b| a.key == b.key) else {
+        return Ok(());
+    };
+    let (line, _) = place_in(text, items[first].key_at);
+    let key = items[again].key.clone();
+    let source = Error::Twice { key, line };
+    Err(in_file(text, file, items[again].key_at, source))
 }
 
 /// Refuses a turf without effect, and parameters that others in the file replace.

@@ -8,6 +8,7 @@ use super::table::{LAW, Law, Setup};
 use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
 use crate::number::{Numbers, inlined};
+use crate::repeated::first_repeated;
 use crate::units::{Message, Quantity, UnitError};
 use std::path::Path;
 
@@ -610,16 +611,15 @@ impl Setup<f64> {
 /// # Errors
 /// [`Error::Together`] for a repeated parameter.
 pub(crate) fn refuse_twice(wrt: &[&'static Parameter]) -> Result<()> {
-    let is_twice = |at: &usize| wrt[..*at].contains(&wrt[*at]);
-    (0..wrt.len()).find(is_twice).map_or(Ok(()), |at| {
-        let given = format!(
+    let Some([_, again]) = first_repeated(wrt, |a, b| a == b) else {
+        return Ok(());
+    };
+    Err(Error::Together {
+        given: format!(
             "{} is given twice among the parameters to differentiate by",
-            wrt[at]
-        );
-        Err(Error::Together {
-            given,
-            reason: "name it once".into(),
-        })
+            wrt[again]
+        ),
+        reason: "name it once".into(),
     })
 }
 

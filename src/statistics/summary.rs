@@ -4,6 +4,7 @@ use super::ranking::Ranking;
 use crate::batch::{Batch, Block, Status, StatusCounts};
 use crate::drive::ExceededCount;
 use crate::error::{Error, Result};
+use crate::repeated::first_repeated;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -73,18 +74,12 @@ impl SummarySpec {
             given: format!("{what} of {of}"),
             reason: "it is asked for twice; keep one".into(),
         };
-        for (at, one) in histograms.iter().enumerate() {
-            if histograms[..at].iter().any(|other| other.of == one.of) {
-                return Err(twice("the histogram", &one.of));
-            }
+        if let Some([_, again]) = first_repeated(&histograms, |a, b| a.of == b.of) {
+            return Err(twice("the histogram", &histograms[again].of));
         }
-        for (at, one) in best.iter().enumerate() {
-            if best[..at]
-                .iter()
-                .any(|other| other.of == one.of && other.highest == one.highest)
-            {
-                return Err(twice("the rows", &one.of));
-            }
+        let is_same = |a: &Ranking, b: &Ranking| a.of == b.of && a.highest == b.highest;
+        if let Some([_, again]) = first_repeated(&best, is_same) {
+            return Err(twice("the rows", &best[again].of));
         }
         refuse_filled(&histograms, &best)?;
         let of_histograms = histograms.iter().map(|histogram| &histogram.of);

@@ -7,6 +7,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::{Domain, Options};
 use crate::parameters::{Setup, Vary};
+use crate::repeated::first_repeated;
 
 /// Direction of a search: the largest or the smallest value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -165,15 +166,13 @@ impl Search {
                 what: "parameter with a range wider than a single value",
             });
         }
-        for (i, vary) in self.vary.iter().enumerate() {
-            let mut before = self.vary[..i].iter();
-            if before.any(|before| before.parameter == vary.parameter) {
-                return Err(Error::SearchRange {
-                    name: vary.parameter.name.into(),
-                    reason: "it is varied twice; give it one range".into(),
-                });
-            }
+        let is_same = |a: &Vary, b: &Vary| a.parameter == b.parameter;
+        match first_repeated(&self.vary, is_same) {
+            Some([_, again]) => Err(Error::SearchRange {
+                name: self.vary[again].parameter.name.into(),
+                reason: "it is varied twice; give it one range".into(),
+            }),
+            None => Ok(()),
         }
-        Ok(())
     }
 }

@@ -16,6 +16,7 @@ use crate::command::request::Request;
 use crate::command::verify::tell_left_out;
 use crate::optimize::{Observer, Status};
 use crate::parameters::{Law, Parameter};
+use crate::repeated::first_repeated;
 use crate::report::figures::{
     At, ChartFigures, OnMap, Over, View, chart_figures, difference_figure, laws_figure, map_figure,
     tornado_figure, trajectory_figure, vcurve_figure,
@@ -328,12 +329,9 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
         other.set_law(name).map(|()| other.law)
     };
     let asked: Vec<&str> = args.laws.iter().map(|name| name.trim()).collect();
-    if let Some((i, name)) = asked
-        .iter()
-        .enumerate()
-        .find(|(i, name)| asked[..*i].contains(name))
-    {
-        let source = format!("'{name}' (law {}) is named twice; keep one", i + 1);
+    if let Some([_, again]) = first_repeated(&asked, |a, b| a == b) {
+        let (name, number) = (asked[again], again + 1);
+        let source = format!("'{name}' (law {number}) is named twice; keep one");
         return Err(Error::unreadable("`laws`", source));
     }
     let laws = if asked.is_empty() {

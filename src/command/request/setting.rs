@@ -1,6 +1,7 @@
 //! Settings of the command line: `--set club.loft=11deg`, `--launch ball_speed=70m/s`.
 
 use crate::parameters::{is_reset, is_unset};
+use crate::repeated::first_repeated;
 use crate::{Error, Result, Setup};
 use std::fmt;
 
@@ -139,23 +140,19 @@ impl fmt::Display for Setting {
 /// # Errors
 /// [`Error::Unreadable`], which names two of the settings.
 pub fn refuse_duplicates(settings: &[Setting]) -> Result<()> {
-    for (i, setting) in settings.iter().enumerate() {
-        let earlier = settings[..i]
-            .iter()
-            .find(|earlier| earlier.parameter == setting.parameter);
-        if let Some(earlier) = earlier {
-            let what = if setting.replaces_launch() {
-                format!("the {}", setting.name)
-            } else {
-                setting.parameter.clone()
-            };
-            return Err(Error::unreadable(
-                setting.to_string(),
-                format!("{earlier} gives {what} too; keep one of the two"),
-            ));
-        }
-    }
-    Ok(())
+    let Some([first, again]) = first_repeated(settings, |a, b| a.parameter == b.parameter) else {
+        return Ok(());
+    };
+    let (earlier, setting) = (&settings[first], &settings[again]);
+    let what = if setting.replaces_launch() {
+        format!("the {}", setting.name)
+    } else {
+        setting.parameter.clone()
+    };
+    Err(Error::unreadable(
+        setting.to_string(),
+        format!("{earlier} gives {what} too; keep one of the two"),
+    ))
 }
 
 /// Splits `NAME=VALUE`.

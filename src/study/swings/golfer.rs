@@ -1,5 +1,6 @@
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
+use crate::repeated::first_repeated;
 use crate::study::uncertainty::Uncertain;
 
 /// Variation of a golfer's swings.
@@ -133,17 +134,12 @@ impl Swings {
                 what: "parameter",
             });
         }
-        for (i, input) in inputs.iter().enumerate() {
-            if inputs[..i]
-                .iter()
-                .any(|before| before.parameter == input.parameter)
-            {
-                let source = "it has two distributions; keep one".into();
-                return Err(Error::Unreadable {
-                    name: input.parameter.name.into(),
-                    source,
-                });
-            }
+        if let Some([_, again]) = first_repeated(&inputs, |a, b| a.parameter == b.parameter) {
+            let name = inputs[again].parameter.name;
+            return Err(Error::unreadable(
+                name,
+                "it has two distributions; keep one",
+            ));
         }
         let matrix = correlation_matrix(&inputs, correlations)?;
         let factor = factored(&matrix).map_err(|i| Error::Unreadable {
