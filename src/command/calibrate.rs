@@ -220,16 +220,13 @@ impl Outputs {
         let Some(output) = &self.setup else {
             return Ok(false);
         };
-        let file = output.path().display();
         if !is_fitted(found) {
-            warn([Message::from(format!(
-                "{file} is not written: the fit ended before it came to a minimum"
-            ))]);
+            warn([output.not_written("the fit ended before it came to a minimum")]);
             return Ok(false);
         }
         let data = args.data.display().to_string();
-        let toml = report.toml(request.source.preset(), &data)?;
-        output.write(request.with_stated_step(toml)?.as_bytes())?;
+        let toml = report.toml(request.source.preset, &data)?;
+        let file = request.write_setup(output, toml)?;
         tell(&format!("wrote the fitted setup into {file}"));
         Ok(true)
     }

@@ -114,7 +114,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(found.warnings());
     let is_setup_written = outputs.write_setup(&found, &requests.club, &setup)?;
     let setup_words = || match &outputs.setup {
-        Some(output) if is_setup_written => vec![output.path().display().to_string()],
+        Some(output) if is_setup_written => vec![output.path.display().to_string()],
         // omit the unknowns, which vary between the swings; all swings have the same club, ball and
         // air
         _ => requests.club.as_arguments(
@@ -276,12 +276,8 @@ fn answer(args: &Args, found: &Deliveries) -> Answer {
 /// The files to write.
 struct Outputs {
     setup: Option<Destination>,
-    swings: Option<SwingsFile>,
-}
-
-/// A file of swings: a table, or distributions.
-struct SwingsFile {
-    destination: Destination,
+    swings: Option<Destination>,
+    /// True for a table of swings; false for their distributions.
     is_table: bool,
 }
 
@@ -290,15 +286,11 @@ impl Outputs {
         let rule = Rule::new(request.inputs().chain(args.shots.clone()), args.overwrite);
         let setup = rule.setup_file(args.output.as_deref())?;
         let rule = rule.and_not(args.output.as_deref());
-        let swings = |file: &PathBuf| {
-            Ok(SwingsFile {
-                destination: rule.file(file)?,
-                is_table: is_table(file)?,
-            })
-        };
+        let swings = args.swings.as_deref();
         Ok(Self {
             setup,
-            swings: args.swings.as_ref().map(swings).transpose()?,
+            swings: swings.map(|file| rule.file(file)).transpose()?,
+            is_table: swings.map(is_table).transpose()?.unwrap_or_default(),
         })
     }
 
@@ -312,13 +304,12 @@ impl Outputs {
         let Some(output) = &self.setup else {
             return Ok(false);
         };
-        let file = output.path().display();
         let why = match (found.explained(), found.left_out) {
             (0, _) => "no delivery was found",
             (_, 0) => {
-                let preset = request.source.preset();
+                let preset = request.source.preset;
                 let toml = delivery_toml(setup, &found.all, preset, &found.from)?;
-                output.write(request.with_stated_step(toml)?.as_bytes())?;
+                let file = request.write_setup(output, toml)?;
                 tell(&format!(
                     "wrote the setup with this delivery into {file}; 'longdrive optimize {file} \
                      --vary club.loft=4deg..20deg' finds the loft of the longest carry for it"
@@ -327,7 +318,7 @@ impl Outputs {
             }
             _ => "the work was interrupted",
         };
-        warn([Message::from(format!("{file} is not written: {why}"))]);
+        warn([output.not_written(why)]);
         Ok(false)
     }
 
@@ -342,11 +333,51 @@ impl Outputs {
         let (Some(swings), Some(population)) = (&self.swings, &found.population) else {
             return Ok(true);
         };
-        let Some(unwritten) = swings.write(found, population, setup_words())? else {
-            return Ok(true);
+        if let Some(why) = self.why_no_swings(found, population) {
+            warn([swings.not_written(&why)]);
+            return Ok(false);
+        }
+        let text = match population {
+            Ok(population) if !self.is_table => recovered_toml(population, &found.from, system()),
+            _ => recovered_csv(&found.all)?,
         };
-        warn([unwritten]);
-        Ok(false)
+        swings.write(text.as_bytes())?;
+        let file = swings.path.display();
+        let explained = found.explained();
+        let count = counted(explained as u64, "swing");
+        tell(&if self.is_table {
+            format!(
+                "wrote {count} into {file}: what a shot does not identify is drawn towards the \
+                 prior, so these swings scatter less than the golfer's; a name that ends in .toml \
+                 gives the distribution"
+            )
+        } else {
+            format!("wrote the distribution of {count} into {file}")
+        });
+        if found.all.len() > explained {
+            tell(&format!(
+                "left out of the file: {} whose delivery was not found",
+                counted((found.all.len() - explained) as u64, "row")
+            ));
+        }
+        tell(&format!(
+            "the best design over these swings: {}",
+            optimize_over(&swings.path, setup_words())
+        ));
+        Ok(true)
+    }
+
+    /// The reason why the swings cannot be written; `None` if they can.
+    fn why_no_swings(&self, found: &Deliveries, population: &Result<Population>) -> Option<String> {
+        if found.left_out > 0 {
+            return Some("the work was interrupted".into());
+        }
+        match population {
+            _ if self.is_table => (found.explained() == 0).then(|| "no delivery was found".into()),
+            Ok(_) => None,
+            Err(Error::Delivery { reason }) => Some(reason.clone()),
+            Err(error) => Some(error.to_string()),
+        }
     }
 }
 
@@ -363,57 +394,6 @@ fn is_table(file: &Path) -> Result<bool> {
             );
             Err(Error::unreadable("`swings`", source))
         }
-    }
-}
-
-impl SwingsFile {
-    /// Writes the swings that explain the shots, or returns the reason why they are not written.
-    fn write(
-        &self,
-        found: &Deliveries,
-        population: &Result<Population>,
-        setup_words: Vec<String>,
-    ) -> Result<Option<Message>> {
-        let file = self.destination.path().display();
-        let unwritten =
-            |why: &str| Ok(Some(Message::from(format!("{file} is not written: {why}"))));
-        let explained = found.explained();
-        let swings = counted(explained as u64, "swing");
-        if found.left_out > 0 {
-            return unwritten("the work was interrupted");
-        }
-        if self.is_table && explained == 0 {
-            return unwritten("no delivery was found");
-        }
-        let (text, note) = match population {
-            _ if self.is_table => {
-                let note = format!(
-                    "wrote {swings} into {file}: what a shot does not identify is drawn towards \
-                     the prior, so these swings scatter less than the golfer's; a name that ends \
-                     in .toml gives the distribution"
-                );
-                (recovered_csv(&found.all)?, note)
-            }
-            Ok(population) => (
-                recovered_toml(population, &found.from, system()),
-                format!("wrote the distribution of {swings} into {file}"),
-            ),
-            Err(Error::Delivery { reason }) => return unwritten(reason),
-            Err(error) => return unwritten(&error.to_string()),
-        };
-        self.destination.write(text.as_bytes())?;
-        tell(&note);
-        if found.all.len() > explained {
-            tell(&format!(
-                "left out of the file: {} whose delivery was not found",
-                counted((found.all.len() - explained) as u64, "row")
-            ));
-        }
-        tell(&format!(
-            "the best design over these swings: {}",
-            optimize_over(self.destination.path(), setup_words)
-        ));
-        Ok(None)
     }
 }
 

@@ -11,6 +11,7 @@ use crate::command::interrupt;
 use crate::command::running::running;
 use crate::external_errors::write_error_text;
 use crate::input_file::is_in_memory;
+use crate::units::Message;
 use crate::{Error, Result};
 use std::fs;
 use std::io::{self, ErrorKind, Write};
@@ -54,7 +55,7 @@ impl Rule {
         if running().host.keeps(path) {
             return Ok(Destination {
                 shown: path.into(),
-                at: path.into(),
+                path: path.into(),
                 kind: Kind::Memory,
                 may_replace: true,
             });
@@ -63,7 +64,7 @@ impl Rule {
         let destination = self.place(path)?;
         if destination.is_file() {
             // before the work, report a path that cannot be written
-            create_beside(&destination.at).map_err(|error| unwritable(path, &error))?;
+            create_beside(&destination.path).map_err(|error| unwritable(path, &error))?;
         }
         Ok(destination)
     }
@@ -110,7 +111,7 @@ impl Rule {
             self.refuse_input(path, &located(path).unwrap_or_else(|| path.into()))?;
             return Ok(Destination {
                 shown: path.into(),
-                at: path.into(),
+                path: path.into(),
                 kind: Kind::File,
                 may_replace: self.overwrite,
             });
@@ -132,7 +133,7 @@ impl Rule {
         }
         Ok(Destination {
             shown: path.into(),
-            at,
+            path: at,
             kind: match found.is_file() {
                 true => Kind::File,
                 false => Kind::Device,
@@ -221,7 +222,7 @@ pub struct Destination {
     /// The name as typed, for messages.
     shown: PathBuf,
     /// The path of the file itself, with links resolved.
-    at: PathBuf,
+    pub path: PathBuf,
     kind: Kind,
     /// True if a file that was created since the check may be replaced.
     may_replace: bool,
@@ -238,9 +239,9 @@ enum Kind {
 }
 
 impl Destination {
-    /// The file itself.
-    pub fn path(&self) -> &Path {
-        &self.at
+    /// The warning that the file is not written, with the reason.
+    pub fn not_written(&self, why: &str) -> Message {
+        format!("{} is not written: {why}", self.path.display()).into()
     }
 
     /// Returns true for a file on disk; false for a device, a pipe, and a file in memory.
@@ -272,10 +273,10 @@ impl Destination {
     /// [`Error::Results`] if the file cannot be written.
     pub fn begin(&self) -> Result<Pieces> {
         let to = match self.kind {
-            Kind::File => create_beside(&self.at).map(To::Beside),
+            Kind::File => create_beside(&self.path).map(To::Beside),
             Kind::Device => fs::OpenOptions::new()
                 .write(true)
-                .open(&self.at)
+                .open(&self.path)
                 .map(To::Device),
             Kind::Memory => Ok(To::Memory(vec![])),
         };
@@ -335,13 +336,13 @@ impl Pieces {
     fn put_in_place(self) -> Result<()> {
         let Destination {
             shown,
-            at,
+            path,
             may_replace,
             ..
         } = self.destination;
         let rename = |file: NamedTempFile| -> io::Result<()> {
             file.as_file().sync_all()?;
-            Ok(persist(file.into_temp_path(), &at, may_replace)?)
+            Ok(persist(file.into_temp_path(), &path, may_replace)?)
         };
         match self.to {
             To::Device(_) => Ok(()),

@@ -329,10 +329,10 @@ impl Output {
         request: &Request,
         warnings: &mut Vec<Message>,
     ) -> Result<Option<String>> {
-        let file = self.destination.path().display().to_string();
         if !self.is_setup {
             self.destination
                 .write(pareto_csv(found, stated_system().into())?.as_bytes())?;
+            let file = self.destination.path.display().to_string();
             tell(&format!(
                 "wrote {} into {file}",
                 counted(found.points.len() as u64, "point")
@@ -355,12 +355,11 @@ impl Output {
                 }
                 None => "there is no knee; choose a point by its number with `at`".into(),
             };
-            warnings.push(format!("{file} is not written: {why}").into());
+            warnings.push(self.destination.not_written(&why));
             return Ok(None);
         };
-        let toml = pareto_toml(found, place, request.source.preset())?;
-        self.destination
-            .write(request.with_stated_step(toml)?.as_bytes())?;
+        let toml = pareto_toml(found, place, request.source.preset)?;
+        let file = request.write_setup(&self.destination, toml)?;
         tell(&format!(
             "wrote the setup of point {} into {file}",
             place + 1

@@ -11,7 +11,7 @@ use crate::optimize::Observers;
 use crate::report::{RobustReport, robust_toml};
 use crate::study::swings::{Model, robust};
 use crate::study::{Goal, Search};
-use crate::units::{Message, Quantity};
+use crate::units::Quantity;
 use crate::{Error, Result, Setup};
 use std::path::PathBuf;
 
@@ -87,18 +87,15 @@ pub fn run(args: &Args) -> Result<Answer> {
     interrupt::ends();
     let mut written = None;
     if let Some(output) = &output {
-        let file = output.path().display().to_string();
         if is_found {
-            let toml = robust_toml(&found, within, request.source.preset())?;
-            output.write(request.with_stated_step(toml)?.as_bytes())?;
+            let toml = robust_toml(&found, within, request.source.preset)?;
+            let file = request.write_setup(output, toml)?;
             tell(&format!(
                 "wrote the setup with the robust design into {file}"
             ));
             written = Some(file);
         } else {
-            warnings.push(Message::from(format!(
-                "{file} is not written: there is no robust design"
-            )));
+            warnings.push(output.not_written("there is no robust design"));
         }
     }
     warn(warnings);

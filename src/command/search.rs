@@ -14,7 +14,6 @@ use crate::parameters::Parameter;
 use crate::report::{goal_text, iteration_line, optimum_toml};
 use crate::study::swings::{Scenarios, Swings};
 use crate::study::{Constraint, Optima, Search, Sense, optima};
-use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -200,26 +199,23 @@ pub fn write(
     let Some(output) = output else {
         return Ok(None);
     };
-    let file = output.path().display();
     if optima.best.solution.status != Status::Converged {
-        warn([Message::from(format!(
-            "{file} is not written: there is no optimum"
-        ))]);
+        warn([output.not_written("there is no optimum")]);
         return Ok(None);
     }
     let toml = optimum_toml(
         &optima.best,
         swings,
         optima.interrupted(),
-        request.source.preset(),
+        request.source.preset,
     )?;
-    output.write(request.with_stated_step(toml)?.as_bytes())?;
+    let file = request.write_setup(output, toml)?;
     let place = match swings {
         Some(_) => "with the best design",
         None => "at the optimum",
     };
     tell(&format!("wrote the setup {place} into {file}"));
-    Ok(Some(file.to_string()))
+    Ok(Some(file))
 }
 
 /// The options of a search with this limit of iterations, or with the default limit.

@@ -22,7 +22,7 @@ pub fn asked(args: &Args) -> Result<Vec<Outcome>> {
 
 /// The setup with ball, air and law. The rows state the launches.
 pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
-    let setup = *request.partial_setup();
+    let setup = request.partial_setup;
     request.refuse_launch(
         &setup,
         &format!("{rows} give the launch of each ball; leave this out"),

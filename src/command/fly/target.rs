@@ -66,7 +66,7 @@ impl Target {
         let destination = self.destination.as_ref();
         destination
             .filter(|destination| !destination.is_in_memory())
-            .map(Destination::path)
+            .map(|destination| destination.path.as_path())
     }
 
     /// Opens the destination and writes the first bytes.

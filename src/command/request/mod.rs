@@ -24,8 +24,9 @@ pub struct Request {
     pub source: Source,
     /// The settings of the command line, in the order of its options: each parameter once.
     pub settings: Vec<Setting>,
-    /// The source with the settings applied; parameters without a default may be missing.
-    setup: Setup<f64>,
+    /// The source with the settings applied, without a check of its launch: the columns of a table
+    /// or the points of a sweep may complete it. Parameters without a default may be missing.
+    pub partial_setup: Setup<f64>,
     /// The choice of method and step.
     step: StepChoice,
     /// True for an answer in JSON.
@@ -86,16 +87,16 @@ impl Request {
     fn of_drive(source: Source, settings: Vec<Setting>) -> Result<Self> {
         refuse_duplicates(&settings)?;
         let mut request = Self {
-            setup: *source.setup(),
+            partial_setup: source.setup,
             source,
             settings,
             step: StepChoice::default(),
             is_json: false,
         };
         request.apply_settings()?;
-        request.refuse_given_twice(&request.setup, &[])?;
-        request.setup.validate_but_launch()?;
-        if request.setup.launch.is_given() {
+        request.refuse_given_twice(&request.partial_setup, &[])?;
+        request.partial_setup.validate_but_launch()?;
+        if request.partial_setup.launch.is_given() {
             request.refuse_club("the drive is given by its launch")?;
             request.note_unused_club();
         }
@@ -107,7 +108,7 @@ impl Request {
             .settings
             .iter()
             .partition(|setting| setting.replaces_launch());
-        let mut setup = self.setup;
+        let mut setup = self.partial_setup;
         for setting in &launch {
             let before = setup.given_launch_conditions();
             setup.replace_spin(setup.parameter(&setting.parameter)?);
@@ -127,7 +128,7 @@ impl Request {
         for setting in launch {
             setup.set(&setting.parameter, &setting.value)?;
         }
-        self.setup = setup;
+        self.partial_setup = setup;
         Ok(())
     }
 
@@ -136,15 +137,9 @@ impl Request {
     /// # Errors
     /// If a parameter is missing, or if parameters contradict each other.
     pub fn setup(&self) -> Result<Setup<f64>> {
-        self.refuse_idle_unset(&self.setup, &[])?;
-        self.setup.validate()?;
-        Ok(self.setup)
-    }
-
-    /// The setup without a check of its launch: the columns of a table or the points of a sweep may
-    /// complete it.
-    pub fn partial_setup(&self) -> &Setup<f64> {
-        &self.setup
+        self.refuse_idle_unset(&self.partial_setup, &[])?;
+        self.partial_setup.validate()?;
+        Ok(self.partial_setup)
     }
 
     /// The setup of a search over ranges `NAME=LOW..HIGH`: a varied parameter without a value gets
@@ -156,8 +151,8 @@ impl Request {
         &self,
         ranges: impl IntoIterator<Item = &'a String>,
     ) -> Result<Setup<f64>> {
-        self.refuse_idle_unset(&self.setup, &[])?;
-        self.with_starts(self.setup, ranges)
+        self.refuse_idle_unset(&self.partial_setup, &[])?;
+        self.with_starts(self.partial_setup, ranges)
     }
 
     /// A setup with a start value for each varied parameter that has no value.
@@ -315,14 +310,14 @@ impl Request {
         self.stated().any(&is)
             || self
                 .source
-                .given_in_file()
+                .given_in_file
                 .iter()
                 .any(|parameter| is(parameter.name))
     }
 
     /// The input files of the setup: the setup file, and tables of drag and lift.
     pub fn inputs(&self) -> impl Iterator<Item = PathBuf> {
-        let of_source = self.source.setup().law.table();
+        let of_source = self.source.setup.law.table();
         let of_setting = self
             .settings
             .iter()
@@ -344,7 +339,7 @@ impl Request {
         let is_of_club = |name: &str| {
             [GOLFER, SPEED_OF].contains(&name)
                 || self
-                    .setup
+                    .partial_setup
                     .parameter(name)
                     .is_ok_and(Parameter::is_of_strike)
         };
@@ -395,7 +390,7 @@ impl Request {
         why: &str,
     ) -> Result<()> {
         let has_default = |parameter: &&&'static Parameter| {
-            !parameter.is_of_launch() && self.source.setup().variable(parameter.name).is_ok()
+            !parameter.is_of_launch() && self.source.setup.variable(parameter.name).is_ok()
         };
         let parameters: Vec<_> = parameters.iter().filter(has_default).copied().collect();
         self.refuse_stated(&parameters, why)
@@ -417,7 +412,7 @@ impl Request {
                 .iter()
                 .any(|setting| setting.parameter == parameter.name && setting.is_unset())
         };
-        let in_file = self.source.given_in_file().iter().copied();
+        let in_file = self.source.given_in_file.iter().copied();
         let by_settings = self
             .settings
             .iter()
@@ -496,7 +491,7 @@ impl Request {
     fn note_unused_club(&self) {
         let names: Vec<_> = self
             .source
-            .given_in_file()
+            .given_in_file
             .iter()
             .filter(|parameter| parameter.is_of_strike())
             .map(|parameter| parameter.name)

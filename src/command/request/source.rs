@@ -17,8 +17,13 @@ pub struct Source {
     /// The argument on the command line.
     pub argument: String,
     kind: Kind,
-    /// The content of the file; for a preset, only its setup.
-    content: SetupFile,
+    pub setup: Setup<f64>,
+    /// The preset itself, or the preset on which the file is based.
+    pub preset: &'static Preset,
+    /// True for a preset, and for a file that names its preset.
+    pub names_preset: bool,
+    /// The parameters that a setup file on disk states.
+    pub given_in_file: Vec<&'static Parameter>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -47,10 +52,17 @@ impl Source {
         } else {
             (Kind::Preset, read_preset(argument)?)
         };
+        let given_in_file = match kind {
+            Kind::File => content.given,
+            Kind::Preset | Kind::StandardInput => vec![],
+        };
         Ok(Self {
             argument: argument.into(),
             kind,
-            content,
+            setup: content.setup,
+            preset: content.preset,
+            names_preset: content.names_preset,
+            given_in_file,
         })
     }
 
@@ -73,16 +85,6 @@ impl Source {
             || is_written_like_a_file && !is_part_of_a_name()
     }
 
-    /// The setup.
-    pub fn setup(&self) -> &Setup<f64> {
-        &self.content.setup
-    }
-
-    /// The preset itself, or the preset on which the file is based.
-    pub fn preset(&self) -> &'static Preset {
-        self.content.preset
-    }
-
     /// The name for messages.
     pub fn name(&self) -> &str {
         match self.kind {
@@ -91,18 +93,13 @@ impl Source {
         }
     }
 
-    /// True for a preset, and for a file that names its preset.
-    pub fn names_preset(&self) -> bool {
-        self.content.names_preset
-    }
-
     /// The name for the title of an answer, with the preset that a file starts from without naming
     /// it: "mine.toml (tour-average)".
     pub fn title(&self) -> String {
-        if self.names_preset() {
+        if self.names_preset {
             return self.name().into();
         }
-        format!("{} ({})", self.name(), self.preset().name)
+        format!("{} ({})", self.name(), self.preset.name)
     }
 
     /// True if the setup has a name on the command line: a preset or a file, not standard input.
@@ -112,20 +109,12 @@ impl Source {
 
     /// True if the setup is the preset of an average of many golfers.
     pub fn is_average(&self) -> bool {
-        self.kind == Kind::Preset && self.preset().is_average()
+        self.kind == Kind::Preset && self.preset.is_average()
     }
 
     /// The setup file, if the source is a file on disk.
     pub fn file(&self) -> Option<&Path> {
         (self.kind == Kind::File).then_some(Path::new(&self.argument))
-    }
-
-    /// The parameters that a setup file on disk states.
-    pub fn given_in_file(&self) -> &[&'static Parameter] {
-        match self.kind {
-            Kind::File => &self.content.given,
-            Kind::Preset | Kind::StandardInput => &[],
-        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::Request;
 use crate::command::args::SetupArgs;
+use crate::command::files::Destination;
 use crate::command::output::{tell, warn_early};
 use crate::integration::{Integration, StepChoice, of_the_flight};
 use crate::parameters::{Vary, is_of_step};
@@ -92,17 +93,22 @@ impl Request {
         matches!(self.step, StepChoice::Within(_))
     }
 
-    /// The text of a setup file for other commands. If the user stated method or step, the text has
-    /// the stated values. The values for `--tolerance` are valid only for the drives of this
-    /// command.
+    /// Writes a setup file for other commands, and returns its name.
     ///
     /// # Errors
     /// If the setup cannot be written.
-    pub fn with_stated_step(&self, toml: String) -> Result<String> {
-        if !self.is_within_tolerance() || !self.source.setup().states_step {
+    pub fn write_setup(&self, output: &Destination, toml: String) -> Result<String> {
+        output.write(self.with_stated_step(toml)?.as_bytes())?;
+        Ok(output.path.display().to_string())
+    }
+
+    /// The text of a setup file with the method and step that the user stated. The values for
+    /// `--tolerance` are valid only for the drives of this command.
+    fn with_stated_step(&self, toml: String) -> Result<String> {
+        if !self.is_within_tolerance() || !self.source.setup.states_step {
             return Ok(toml);
         }
-        let stated = setup_toml(self.source.setup(), self.source.preset(), &[], &[])?;
+        let stated = setup_toml(&self.source.setup, self.source.preset, &[], &[])?;
         Ok(with_step_of(&stated, &toml))
     }
 }

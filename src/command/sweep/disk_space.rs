@@ -22,7 +22,7 @@ pub fn check(
     writer: &Writer,
     target: &Target,
 ) -> Result<()> {
-    let (most, limit) = match (&args.max_size, target.file()) {
+    let (most, limit) = match (&args.max_size, &target.file) {
         (Some(text), _) => (read_size(text)?, format!("`max_size {text}`")),
         (None, Some(path)) => match free(path) {
             Some((bytes, folder)) => (

@@ -80,7 +80,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         let reply = Reply::done("sweep", warnings(), &summary);
         Answer::json(&ended(reply, is_complete, nothing))
     } else if is_complete && !target.is_standard_output() {
-        Answer::text(summary.text(target.file()) + "\n")
+        Answer::text(summary.text(target.file.as_deref()) + "\n")
     } else {
         Answer::text(String::new())
     };

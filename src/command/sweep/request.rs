@@ -20,7 +20,7 @@ pub struct SweepRequest {
 
 impl SweepRequest {
     pub fn of(args: &Args, request: &Request) -> Result<Self> {
-        let setup = *request.partial_setup();
+        let setup = request.partial_setup;
         let of = outcomes(&args.outcomes)?;
         let table = args.points.as_deref();
         let points = sweep_points(&setup, table, &args.over, args.sample, args.seed)?;

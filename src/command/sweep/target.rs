@@ -17,7 +17,7 @@ pub struct Target {
     /// The path as typed.
     path: PathBuf,
     /// The file, if the destination stores its bytes.
-    file: Option<PathBuf>,
+    pub file: Option<PathBuf>,
     pub format: Format,
 }
 
@@ -70,9 +70,7 @@ impl Target {
                  jsonl",
             );
         }
-        let file = destination
-            .is_file()
-            .then(|| destination.path().to_path_buf());
+        let file = destination.is_file().then(|| destination.path.clone());
         if let Some(file) = &file {
             check(file, args.resume, args.overwrite)?;
         }
@@ -120,11 +118,6 @@ impl Target {
     /// The path of the incomplete file.
     pub fn part(&self) -> Option<PathBuf> {
         self.file.as_deref().map(part_of)
-    }
-
-    /// The file, if the destination stores its bytes.
-    pub fn file(&self) -> Option<&Path> {
-        self.file.as_deref()
     }
 
     /// Begins the output, or continues an interrupted output.
