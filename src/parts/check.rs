@@ -1,11 +1,12 @@
 use super::definition::SweepDefinition;
 use super::footer::{Footer, Manifest};
-use super::hash::Hash;
+use super::hash::hex;
 use super::share::{file_name, rows_of};
 use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
 use crate::statistics::Summary;
 use serde::Serialize;
+use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -82,7 +83,7 @@ impl Checked {
         mut parts: BTreeMap<u64, (String, Footer)>,
         contents: bool,
     ) {
-        let mut hashes = Hash::default();
+        let mut hashes = Sha256::default();
         for number in 1..=self.question.parts {
             let Some((name, footer)) = parts.remove(&number) else {
                 self.missing.push(number);
@@ -93,7 +94,7 @@ impl Checked {
             if contents {
                 match footer.manifest(&folder.join(&name)) {
                     Ok(Manifest { sha256, .. }) => {
-                        hashes.add(format!("{sha256}  {name}\n").as_bytes());
+                        hashes.update(format!("{sha256}  {name}\n"));
                     }
                     Err(reason) => {
                         self.missing.push(number);
@@ -115,7 +116,7 @@ impl Checked {
             self.bytes += bytes;
         }
         if contents && self.missing.is_empty() {
-            self.sha256 = Some(hashes.hex());
+            self.sha256 = Some(hex(hashes));
         }
     }
 }

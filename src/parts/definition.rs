@@ -1,8 +1,9 @@
-use super::hash::Hash;
+use super::hash::hex;
 use crate::batch::{Batch, Points};
 use crate::fingerprint::Fingerprint;
 use crate::statistics::SummarySpec;
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 
 /// Definition of a sweep: everything that the bytes of its parts depend on. Numbers are written
 /// with all digits.
@@ -66,7 +67,7 @@ impl SweepDefinition {
 
     /// SHA-256, in hexadecimal.
     pub fn hash(&self) -> String {
-        Hash::of(self.text().as_bytes())
+        hex(Sha256::new_with_prefix(self.text()))
     }
 
     /// Difference from another definition, in words; `None` if they are equal.

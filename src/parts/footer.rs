@@ -1,5 +1,5 @@
 use super::definition::SweepDefinition;
-use super::hash::Hash;
+use super::hash::of_file;
 use crate::external_errors::{parquet_error_text, read_error_text};
 use crate::statistics::Summary;
 use parquet::file::metadata::{KeyValue, ParquetMetaDataReader};
@@ -111,8 +111,7 @@ impl Footer {
     /// The manifest of the file. Reads and hashes the whole file.
     pub fn manifest(self, path: &Path) -> Result<Manifest, String> {
         let file = File::open(path).map_err(|error| read_error_text(&error))?;
-        let (data, sha256) =
-            Hash::of_file(file, self.data).map_err(|error| read_error_text(&error))?;
+        let (data, sha256) = of_file(file, self.data).map_err(|error| read_error_text(&error))?;
         if data != self.part.data {
             return Err(
                 "its rows have changed: their SHA-256 differs from the SHA-256 in its footer"

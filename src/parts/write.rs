@@ -1,6 +1,6 @@
 use super::definition::SweepDefinition;
 use super::footer::{Footer, Manifest, PART, Part};
-use super::hash::Hash;
+use super::hash::hex;
 use super::share::{file_name, rows_of};
 use crate::atomic_file::{create_beside, folder_of, persist};
 use crate::batch::{Batch, Block, Points, Run};
@@ -8,6 +8,7 @@ use crate::error::{Error, Result};
 use crate::external_errors::write_error_text;
 use crate::report::{ParquetGroup, PlacedGroup, SweepParquet};
 use crate::statistics::{Histogram, Ranking, Summary, SummarySpec};
+use sha2::{Digest, Sha256};
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::ops::Range;
@@ -111,7 +112,7 @@ impl Dataset {
         };
         let mut file = Unfinished {
             file: create_beside(&path).map_err(unwritten)?,
-            hash: Hash::default(),
+            hash: Sha256::default(),
             bytes: 0,
             groups: vec![],
             summary: self.summary_spec.none(),
@@ -131,7 +132,7 @@ impl Dataset {
             rows: file.summary.rows(),
             question: self.question.hash(),
             instructions: self.question.instructions.clone(),
-            data: file.hash.clone().hex(),
+            data: hex(file.hash.clone()),
             summary: std::mem::take(&mut file.summary),
         };
         // serialisation cannot fail: the description has only strings and finite numbers
@@ -253,7 +254,7 @@ impl Dataset {
 struct Unfinished {
     file: tempfile::NamedTempFile,
     /// Hash of the bytes written so far.
-    hash: Hash,
+    hash: Sha256,
     /// Number of bytes written so far.
     bytes: u64,
     /// The row groups written so far.
@@ -265,7 +266,7 @@ struct Unfinished {
 impl Unfinished {
     fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.file.write_all(bytes)?;
-        self.hash.add(bytes);
+        self.hash.update(bytes);
         self.bytes += bytes.len() as u64;
         Ok(())
     }
@@ -276,6 +277,6 @@ impl Unfinished {
         persist(self.file.into_temp_path(), path, true)?;
         #[cfg(unix)]
         File::open(folder_of(path))?.sync_all()?;
-        Ok((self.bytes, self.hash.hex()))
+        Ok((self.bytes, hex(self.hash)))
     }
 }

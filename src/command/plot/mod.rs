@@ -6,12 +6,13 @@ mod drive;
 pub use args::Args;
 
 use crate::atmosphere::AirState;
-use crate::command::compare::warnings;
+use crate::command::args::SetupArgs;
+use crate::command::compare::{Pair, warnings};
 use crate::command::host::SharedProgress;
 use crate::command::names::{outcomes, sigmas, usual, variables};
 use crate::command::output::{Answer, bar, show, spinner, system, tell};
 use crate::command::pareto;
-use crate::command::picture::Target;
+use crate::command::picture::{Drawing, Target};
 use crate::command::request::Request;
 use crate::command::verify::tell_left_out;
 use crate::optimize::{Observer, Status};
@@ -30,15 +31,17 @@ use crate::study::{
 };
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
-use args::{
-    PlotChart, PlotCompare, PlotKind, PlotLaws, PlotSearch, PlotTornado, PlotTrajectory, PlotVcurve,
-};
+use args::{PlotChart, PlotKind, PlotLaws, PlotSearch, PlotTornado};
 use drive::{at_optimum, drawn_optimum, face, fairway, launches, strikes};
 use std::rc::Rc;
 
 pub fn run(args: &Args) -> Result<Answer> {
     match &args.kind {
-        PlotKind::Trajectory(args) => trajectory(args),
+        PlotKind::Trajectory {
+            setup_args,
+            drawing,
+            view,
+        } => trajectory(setup_args, drawing, *view),
         PlotKind::Contour(args) => contour(args),
         PlotKind::Chart(args) => along(args),
         PlotKind::Pareto {
@@ -47,27 +50,42 @@ pub fn run(args: &Args) -> Result<Answer> {
             drawing,
         } => pareto::draw(setup_args, asked, drawing),
         PlotKind::Tornado(args) => tornado(args),
-        PlotKind::Compare(args) => difference(args),
-        PlotKind::Vcurve(args) => vcurve(args),
+        PlotKind::Compare { pair, drawing, of } => difference(pair, drawing, of),
+        PlotKind::Vcurve {
+            setup_args,
+            drawing,
+            of,
+            wrt,
+        } => vcurve(setup_args, drawing, of, wrt),
         PlotKind::Laws(args) => laws(args),
-        PlotKind::Fairway(args) => fairway(args),
+        PlotKind::Fairway {
+            setup_args,
+            search,
+            drawing,
+            sigma,
+        } => fairway(setup_args, search, drawing, sigma),
         PlotKind::Face {
             setup_args,
             drawing,
         } => face(setup_args, drawing),
-        PlotKind::Strike(args) => strikes(args),
+        PlotKind::Strike {
+            setup_args,
+            search,
+            after,
+            drawing,
+        } => strikes(setup_args, search, after.as_deref(), drawing),
         PlotKind::Launch(args) => launches(args),
     }
 }
 
-fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
-    let request = args.setup_args.request()?;
-    let target = Target::new(&request, &args.drawing)?;
+fn trajectory(setup_args: &SetupArgs, drawing: &Drawing, view: View) -> Result<Answer> {
+    let request = setup_args.request()?;
+    let target = Target::new(&request, drawing)?;
     let setup = request.within_tolerance(request.setup()?)?;
     let flown = NamedDrive::new("", &setup)?;
     flown.drive.landed()?;
-    let figure = trajectory_figure(&[flown], args.view, system()).map_err(|error| match error {
-        Error::Plot { reason, .. } if args.view == View::Top => {
+    let figure = trajectory_figure(&[flown], view, system()).map_err(|error| match error {
+        Error::Plot { reason, .. } if view == View::Top => {
             target.refused(format!("{reason}; take `view side`"))
         }
         error => error,
@@ -259,28 +277,33 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     target.written(&request, &setup, &figure, vec![])
 }
 
-fn difference(args: &PlotCompare) -> Result<Answer> {
-    let requests = args.pair.requests()?;
-    let target = Target::beside(requests.iter().flat_map(Request::inputs), &args.drawing)?;
-    let of = Outcome::named(&args.of)?;
-    let comparison = args.pair.comparison(&requests)?;
+fn difference(pair: &Pair, drawing: &Drawing, of: &str) -> Result<Answer> {
+    let requests = pair.requests()?;
+    let target = Target::beside(requests.iter().flat_map(Request::inputs), drawing)?;
+    let of = Outcome::named(of)?;
+    let comparison = pair.comparison(&requests)?;
     if !comparison.differs() {
         return Err(target.refused("drives a and b are equal, so there is nothing to draw"));
     }
     let warnings = warnings(&comparison);
     let figure = difference_figure(&comparison.of(of)?, system());
-    target.put(args.pair.setup_args.json, &figure, warnings)
+    target.put(pair.setup_args.json, &figure, warnings)
 }
 
-fn vcurve(args: &PlotVcurve) -> Result<Answer> {
-    let request = args.setup_args.request()?;
-    let target = Target::new(&request, &args.drawing)?;
+fn vcurve(
+    setup_args: &SetupArgs,
+    drawing: &Drawing,
+    of: &[String],
+    wrt: &[String],
+) -> Result<Answer> {
+    let request = setup_args.request()?;
+    let target = Target::new(&request, drawing)?;
     let setup = request.within_tolerance(request.setup()?)?;
-    let of = outcomes(&args.of)?;
-    let wrt = if args.wrt.is_empty() {
+    let of = outcomes(of)?;
+    let wrt = if wrt.is_empty() {
         usual(&setup)?
     } else {
-        variables(&setup, &args.wrt, &of)?
+        variables(&setup, wrt, &of)?
     };
     let bar = bar("parameters");
     let certificate = certify(&setup, &of, &wrt, &|done, all| {
