@@ -1,32 +1,44 @@
 use super::pieces::Pieces;
-use super::record_batches::RecordBatches;
+use super::record_batches::{Order, RecordBatches};
+use crate::external_errors::read_error_text;
+use crate::input_file::InputFile;
 use arrow_array::cast::AsArray;
 use arrow_array::types::{Float32Type, Float64Type};
-use arrow_array::{Array, RecordBatch, downcast_integer};
+use arrow_array::{Array, downcast_integer};
 use arrow_schema::DataType;
+use std::io::Read;
 use std::path::Path;
 
-/// Reads an Arrow IPC file or stream by record batches. The batches may be compressed with ZSTD or
-/// LZ4. Feather version 2 is the same format.
-pub(super) struct ArrowPieces {
-    batches: RecordBatches,
-    /// Current record batch, and the number of its rows that have been read.
-    batch: Option<RecordBatch>,
-    passed: usize,
-}
+const MAGIC: &[u8; 6] = b"ARROW1";
+const FEATHER_1: &[u8; 4] = b"FEA1";
 
-impl Pieces for ArrowPieces {
+/// Feather version 2 is Arrow IPC too.
+impl Pieces for RecordBatches {
     fn open(path: &Path) -> Result<Self, String> {
-        Ok(Self {
-            batches: RecordBatches::open(path)?,
-            batch: None,
-            passed: 0,
-        })
+        let unreadable = |error: std::io::Error| read_error_text(&error);
+        let mut file = InputFile::open(path).map_err(unreadable)?;
+        let length = file.size().map_err(unreadable)?;
+        let mut magic = vec![];
+        file.by_ref()
+            .take(MAGIC.len() as u64)
+            .read_to_end(&mut magic)
+            .map_err(unreadable)?;
+        if magic.is_empty() {
+            return Err("it is empty".into());
+        }
+        if magic == MAGIC {
+            return Self::of_file(file, length);
+        }
+        if magic.starts_with(FEATHER_1) {
+            return Err(
+                "it is a Feather file of version 1; write version 2, which is Arrow IPC".into(),
+            );
+        }
+        Self::of_stream(file, length)
     }
 
     fn names(&self) -> Vec<String> {
-        self.batches
-            .schema
+        self.schema
             .fields()
             .iter()
             .map(|field| field.name().clone())
@@ -34,7 +46,7 @@ impl Pieces for ArrowPieces {
     }
 
     fn refusal(&self, column: usize) -> Option<String> {
-        let kind = self.batches.schema.field(column).data_type();
+        let kind = self.schema.field(column).data_type();
         let is_read = kind.is_integer() || matches!(kind, DataType::Float32 | DataType::Float64);
         (!is_read).then(|| {
             format!("its type is {kind}; a column must hold numbers (float64, float32 or integers)")
@@ -42,7 +54,10 @@ impl Pieces for ArrowPieces {
     }
 
     fn rewind(&mut self) {
-        self.batches.rewind();
+        match &mut self.order {
+            Order::Listed { next, .. } => *next = 0,
+            Order::Following { first, next } => *next = *first,
+        }
         self.batch = None;
     }
 
@@ -55,7 +70,7 @@ impl Pieces for ArrowPieces {
                 // free the old batch before reading the next
                 _ => (self.batch, self.passed) = (None, 0),
             }
-            self.batch = self.batches.next()?;
+            self.batch = self.next()?;
             if self.batch.is_none() {
                 return Ok(0);
             }
