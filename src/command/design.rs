@@ -2,7 +2,7 @@
 
 use crate::command::args::OptimizeArgs;
 use crate::command::interrupt;
-use crate::command::output::{Answer, system};
+use crate::command::output::Answer;
 use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::swings::{found, sought};
@@ -102,12 +102,12 @@ pub fn run(args: &Args) -> Result<Answer> {
         improvements: &improvements,
         notes: &notes,
     };
-    let answer = if request.is_json {
-        Answer::json(&designed.reply(found.reply(&request.origin())))
-    } else {
-        let document = designed.document(&found.over, system());
-        Answer::document_about(document, &request.origin())
-    };
+    let answer = Answer::of(
+        request.is_json,
+        &request.origin(),
+        |warnings| designed.reply(found.reply(warnings)),
+        |system| designed.document(&found.over, system),
+    );
     Ok(answer.found(found.is_found()))
 }
 

@@ -2,7 +2,7 @@ pub use crate::command::args::OptimizeArgs as Args;
 
 use crate::Result;
 use crate::command::files::{Destination, Rule};
-use crate::command::output::{Answer, system, tell, warn, warnings};
+use crate::command::output::{Answer, tell, warn};
 use crate::command::request::Request;
 use crate::command::search::write;
 use crate::optimize::Status;
@@ -45,20 +45,17 @@ pub fn run(args: &Args) -> Result<Answer> {
         windows,
         club_alone: club.as_ref(),
     });
-    let answer = if request.is_json {
-        let mut reply = OptimumReport::reply(&optima, &over, warnings());
+    let reply = |warnings| {
+        let mut reply = OptimumReport::reply(&optima, &over, warnings);
         if let Some(around) = &around {
             reply.body = reply.body.with_surroundings(best, around);
         }
         reply.body.file = written;
         reply.body.held = held.iter().map(|parameter| parameter.name).collect();
-        Answer::json(&reply.about(&origin))
-    } else {
-        Answer::document_about(
-            optimize_document(&optima, &over, around.as_ref(), system()),
-            &origin,
-        )
+        reply
     };
+    let document = |system| optimize_document(&optima, &over, around.as_ref(), system);
+    let answer = Answer::of(request.is_json, &origin, reply, document);
     Ok(answer.found(is_converged && optima.stopped() == 0))
 }
 

@@ -1,8 +1,6 @@
 use crate::command::args::{OptimizeArgs, SwingsArgs};
 use crate::command::names::variables;
-use crate::command::output::{
-    Answer, bar, show, spinner, system, tell, tell_error, warn, warnings,
-};
+use crate::command::output::{Answer, bar, show, spinner, tell, tell_error, warn};
 use crate::command::search::write;
 use crate::parameters::Parameter;
 use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_document};
@@ -80,18 +78,17 @@ pub fn run(args: &Args) -> Result<Answer> {
             found => analysis = Some(found?),
         }
     }
-    let answer = if request.is_json {
-        let mut reply =
-            SensitivityReport::reply(&optima, analysis.as_ref(), reason.as_ref(), warnings());
+    let reply = |warnings| {
+        let (analysis, reason) = (analysis.as_ref(), reason.as_ref());
+        let mut reply = SensitivityReport::reply(&optima, analysis, reason, warnings);
         reply.body.optimum.file = written;
-        Answer::json(&reply.about(&origin))
-    } else {
-        let document = match &analysis {
-            Some(analysis) => analysis.document(best, system()),
-            None => optimum_document(best, &OverSwings::default(), None, system()),
-        };
-        Answer::document_about(document, &origin)
+        reply
     };
+    let document = |system| match &analysis {
+        Some(analysis) => analysis.document(best, system),
+        None => optimum_document(best, &OverSwings::default(), None, system),
+    };
+    let answer = Answer::of(request.is_json, &origin, reply, document);
     Ok(answer.found(analysis.is_some_and(|analysis| analysis.is_answered())))
 }
 

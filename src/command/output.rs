@@ -90,12 +90,6 @@ impl Answer {
         Self::text(text_of(document))
     }
 
-    /// A document about a setup as text.
-    pub fn document_about(mut document: Document, origin: &Origin) -> Self {
-        origin.put_before(&mut document, system());
-        Self::document(&document)
-    }
-
     /// An answer without a result, as JSON.
     pub fn none(reply: Reply<Empty>) -> Self {
         let warnings = running().early().clone();
@@ -104,11 +98,27 @@ impl Answer {
 
     /// The report of a command about a setup, as JSON or as text.
     pub fn report(report: &impl Report, origin: &Origin, is_json: bool) -> Self {
+        Self::of(
+            is_json,
+            origin,
+            |warnings| Reply::of(report, warnings),
+            |system| report.document(system),
+        )
+    }
+
+    /// An answer about a setup: the reply with the warnings as JSON, or the document as text.
+    pub fn of<T: Serialize>(
+        is_json: bool,
+        origin: &Origin,
+        reply: impl FnOnce(Vec<Message>) -> Reply<T>,
+        document: impl FnOnce(System) -> Document,
+    ) -> Self {
         if is_json {
-            Self::json(&Reply::of(report, warnings()).about(origin))
-        } else {
-            Self::document_about(report.document(system()), origin)
+            return Self::json(&reply(warnings()).about(origin));
         }
+        let mut document = document(system());
+        origin.put_before(&mut document, system());
+        Self::document(&document)
     }
 
     /// Sets the exit status: 1 if the command found nothing.

@@ -3,13 +3,13 @@
 use crate::command::args::{OptimizeArgs, SearchArgs, SwingsArgs, stated};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
-use crate::command::output::{Answer, system, warn, warnings};
+use crate::command::output::{Answer, warn};
 use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::search::{options, write};
 use crate::optimize::Status;
 use crate::parameters::Vary;
-use crate::report::{OptimumReport, Origin, OverSwings, Reply, optimize_document};
+use crate::report::{OptimumReport, OverSwings, Reply, optimize_document};
 use crate::study::swings::{
     Correlation, Rule, Scenarios, Strokes, Swings, price_until, resampled as optima_of_resamples,
 };
@@ -139,10 +139,10 @@ impl SwingsOptimum {
     }
 
     /// The answer in JSON.
-    pub fn reply(&self, origin: &Origin) -> Reply<OptimumReport> {
-        let mut reply = OptimumReport::reply(&self.optima, &self.over, warnings());
+    pub fn reply(&self, warnings: Vec<Message>) -> Reply<OptimumReport> {
+        let mut reply = OptimumReport::reply(&self.optima, &self.over, warnings);
         reply.body.file.clone_from(&self.file);
-        reply.about(origin)
+        reply
     }
 }
 
@@ -159,12 +159,12 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     let found = found(args, &request, setup, swings, search)?;
     interrupt::ends();
     let origin = request.origin_of_search(&found.optima.best.search.vary);
-    let answer = if request.is_json {
-        Answer::json(&found.reply(&origin))
-    } else {
-        let document = optimize_document(&found.optima, &found.over, None, system());
-        Answer::document_about(document, &origin)
-    };
+    let answer = Answer::of(
+        request.is_json,
+        &origin,
+        |warnings| found.reply(warnings),
+        |system| optimize_document(&found.optima, &found.over, None, system),
+    );
     Ok(answer.found(found.is_found()))
 }
 

@@ -54,10 +54,10 @@ variant_names! {
     }
 }
 
-/// A status with its message.
+/// A status, of a search or of a fit, with its message.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct Verdict {
-    pub status: Status,
+pub(super) struct Verdict<S = Status> {
+    pub status: S,
     pub message: String,
 }
 

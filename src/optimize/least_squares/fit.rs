@@ -2,6 +2,7 @@
 
 use super::super::domain::{Bounds, Domain};
 use super::super::qp::QpSolver;
+use super::super::status::Verdict;
 use super::step::{ModelStep, Point};
 use super::{Options, Residuals, Rows};
 use crate::error::{Error, Result};
@@ -239,29 +240,20 @@ fn check_input(domain: &Domain, start: &[f64], options: &Options) -> Result<()> 
     Ok(())
 }
 
-/// Outcome of a fit, with its message.
-struct Verdict {
-    status: Status,
-    message: String,
+fn stalled(reason: &str, cosine: f64) -> Verdict<Status> {
+    let message =
+        format!("{reason}; {COSINE} {cosine:.1e}. Start elsewhere, or fit fewer parameters");
+    Verdict {
+        status: Status::Stalled,
+        message,
+    }
 }
 
-impl Verdict {
-    fn stalled(reason: &str, cosine: f64) -> Self {
-        let message =
-            format!("{reason}; {COSINE} {cosine:.1e}. Start elsewhere, or fit fewer parameters");
-        Self {
-            status: Status::Stalled,
-            message,
-        }
-    }
-
-    fn interrupted(cosine: f64, tolerance: f64) -> Self {
-        let message =
-            format!("stopped before the lowest sum: {COSINE} {cosine:.1e} > {tolerance:.0e}");
-        Self {
-            status: Status::Interrupted,
-            message,
-        }
+fn interrupted(cosine: f64, tolerance: f64) -> Verdict<Status> {
+    let message = format!("stopped before the lowest sum: {COSINE} {cosine:.1e} > {tolerance:.0e}");
+    Verdict {
+        status: Status::Interrupted,
+        message,
     }
 }
 
@@ -300,7 +292,7 @@ impl FitState {
         }
     }
 
-    fn stopping_verdict(&self, options: &Options, is_interrupted: bool) -> Option<Verdict> {
+    fn stopping_verdict(&self, options: &Options, is_interrupted: bool) -> Option<Verdict<Status>> {
         let (cosine, tolerance) = (self.cosine, options.tolerance);
         let largest = self
             .at
@@ -325,7 +317,7 @@ impl FitState {
             });
         }
         if is_interrupted {
-            return Some(Verdict::interrupted(cosine, tolerance));
+            return Some(interrupted(cosine, tolerance));
         }
         (self.iterations >= options.max_iterations).then(|| {
             let limit = counted(self.iterations, "iteration");
@@ -346,7 +338,7 @@ impl FitState {
         options: &Options,
         evaluate: &impl Fn(Vec<f64>) -> Result<Point, String>,
         observer: &FitObserver,
-    ) -> Option<Verdict> {
+    ) -> Option<Verdict<Status>> {
         self.iterations += 1;
         loop {
             if self.damping > MOST_DAMPING {
@@ -383,7 +375,7 @@ impl FitState {
         options: &Options,
         evaluate: &impl Fn(Vec<f64>) -> Result<Point, String>,
         observer: &FitObserver,
-    ) -> Result<bool, Verdict> {
+    ) -> Result<bool, Verdict<Status>> {
         self.evaluations += 1;
         match evaluate(step.to) {
             Ok(next) => {
@@ -403,7 +395,7 @@ impl FitState {
             Err(_) if observer.is_interrupted() => {
                 // do not count the interrupted iteration
                 self.iterations -= 1;
-                return Err(Verdict::interrupted(self.cosine, options.tolerance));
+                return Err(interrupted(self.cosine, options.tolerance));
             }
             Err(why) => {
                 self.refused += 1;
@@ -414,19 +406,19 @@ impl FitState {
     }
 
     /// Verdict if even the largest damping gives no acceptable step.
-    fn no_step_verdict(&mut self, bounds: &Bounds) -> Verdict {
+    fn no_step_verdict(&mut self, bounds: &Bounds) -> Verdict<Status> {
         self.rounding_verdict(bounds).unwrap_or_else(|| {
             let why = self
                 .why_refused
                 .as_ref()
                 .map_or(String::new(), |why| format!(" (last refused: {why})"));
-            Verdict::stalled(&format!("no step makes the sum smaller{why}"), self.cosine)
+            stalled(&format!("no step makes the sum smaller{why}"), self.cosine)
         })
     }
 
     /// Verdict if the model predicts no reduction above rounding. The predicted reduction of an
     /// undamped step distinguishes convergence from stalling.
-    fn no_gain_verdict(&mut self, bounds: &Bounds) -> Verdict {
+    fn no_gain_verdict(&mut self, bounds: &Bounds) -> Verdict<Status> {
         let undamped = self
             .step(bounds, LEAST_DAMPING)
             .map_or(0.0, |step| step.predicted_reduction);
@@ -446,7 +438,7 @@ impl FitState {
             };
         }
         self.rounding_verdict(bounds).unwrap_or_else(|| {
-            Verdict::stalled(
+            stalled(
                 "the next step of the fit is too small to show whether the sum still falls",
                 self.cosine,
             )
@@ -454,7 +446,7 @@ impl FitState {
     }
 
     /// Converged to rounding, if an undamped step would hardly move the point.
-    fn rounding_verdict(&mut self, bounds: &Bounds) -> Option<Verdict> {
+    fn rounding_verdict(&mut self, bounds: &Bounds) -> Option<Verdict<Status>> {
         let to = self.step(bounds, LEAST_DAMPING)?.to;
         let length = |of: &dyn Fn(usize) -> f64| -> f64 {
             (0..self.scale.len())
