@@ -14,29 +14,32 @@ const ALIKE: f64 = 4.0;
 /// Largest residual of consistent dependent equations, relative to the largest right-hand side.
 const INCONSISTENT: f64 = 1e-9;
 
-/// Solves a symmetric system. If its equations are linearly dependent, returns the solution of
-/// minimum norm, or `None` if they are inconsistent.
-pub(super) fn solve_symmetric(matrix: DMatrix<f64>, right: DVector<f64>) -> Option<DVector<f64>> {
-    let system = Equilibrated::new(matrix, right)?;
-    system
-        .unique_solution()
-        .or_else(|| system.minimum_norm_solution())
+/// A symmetric system of linear equations.
+pub(super) struct SymmetricSystem {
+    pub matrix: DMatrix<f64>,
+    pub right: DVector<f64>,
 }
 
-/// System whose rows and columns were multiplied by `lengths`.
-struct Equilibrated {
-    matrix: DMatrix<f64>,
-    right: DVector<f64>,
-    lengths: DVector<f64>,
-}
+impl SymmetricSystem {
+    /// Solves the system. If its equations are linearly dependent, returns the solution of minimum
+    /// norm, or `None` if they are inconsistent. `None` also if a number is not finite.
+    pub fn solve(mut self) -> Option<DVector<f64>> {
+        let lengths = self.equilibrate()?;
+        let mut x = self
+            .unique_solution()
+            .or_else(|| self.minimum_norm_solution())?;
+        x.component_mul_assign(&lengths);
+        Some(x)
+    }
 
-impl Equilibrated {
-    /// Equilibrates a system; `None` if an entry is not finite.
-    fn new(mut matrix: DMatrix<f64>, mut right: DVector<f64>) -> Option<Self> {
+    /// Equilibrates the system: multiplies its rows and columns by the returned lengths. `None` if
+    /// an entry is not finite.
+    fn equilibrate(&mut self) -> Option<DVector<f64>> {
+        let Self { matrix, right } = self;
         if !matrix.iter().chain(right.iter()).all(|x| x.is_finite()) {
             return None;
         }
-        let lengths = equilibration_factors(&matrix);
+        let lengths = equilibration_factors(matrix);
         for (column, own) in matrix
             .as_mut_slice()
             .chunks_exact_mut(lengths.len().max(1))
@@ -48,11 +51,7 @@ impl Equilibrated {
                 .for_each(|(entry, length)| *entry = *entry * length * own);
         }
         right.component_mul_assign(&lengths);
-        Some(Self {
-            matrix,
-            right,
-            lengths,
-        })
+        Some(lengths)
     }
 
     fn unique_solution(&self) -> Option<DVector<f64>> {
@@ -74,7 +73,7 @@ impl Equilibrated {
         } else {
             first
         };
-        self.unscaled(best)
+        is_finite(&best).then_some(best)
     }
 
     fn minimum_norm_solution(&self) -> Option<DVector<f64>> {
@@ -96,19 +95,16 @@ impl Equilibrated {
         let solution = eigenvectors * parts;
         let is_met = self.residual(&solution).amax()
             <= INCONSISTENT * self.right.amax().max(f64::MIN_POSITIVE);
-        self.unscaled(solution).filter(|_| is_met)
+        (is_met && is_finite(&solution)).then_some(solution)
     }
 
     fn residual(&self, x: &DVector<f64>) -> DVector<f64> {
         &self.right - &self.matrix * x
     }
+}
 
-    /// Undoes the equilibration of a solution; `None` if it is not finite.
-    fn unscaled(&self, mut x: DVector<f64>) -> Option<DVector<f64>> {
-        let is_finite = x.iter().all(|x| x.is_finite());
-        x.component_mul_assign(&self.lengths);
-        is_finite.then_some(x)
-    }
+fn is_finite(x: &DVector<f64>) -> bool {
+    x.iter().all(|x| x.is_finite())
 }
 
 /// Equilibration factors of a symmetric matrix (Ruiz 2001): they bring the largest entry of each

@@ -1,6 +1,6 @@
 //! Polishing: the exact KKT point of a working set, and corrections of the set.
 
-use super::linear::solve_symmetric;
+use super::linear::SymmetricSystem;
 use super::program::{MaxTerm, QuadraticProgram, Row, Side, Step, StepSource};
 use super::working_set::{ActiveConstraint, WorkingSet};
 use nalgebra::{DMatrix, DVector};
@@ -41,13 +41,7 @@ impl Unknowns {
     }
 }
 
-/// A symmetric system of KKT equations.
-struct KktSystem {
-    matrix: DMatrix<f64>,
-    right: DVector<f64>,
-}
-
-impl KktSystem {
+impl SymmetricSystem {
     /// Adds the equation normal · d = limit of an active term or row, and the column of its
     /// multiplier.
     fn add_equation(
@@ -180,8 +174,7 @@ impl QuadraticProgram {
             Side::Lower => self.low[i],
             Side::Upper => self.high[i],
         });
-        let system = self.kkt_system(active, &unknowns, &d);
-        let solution = solve_symmetric(system.matrix, system.right)?;
+        let solution = self.kkt_system(active, &unknowns, &d).solve()?;
         for (row, &i) in unknowns.free.iter().enumerate() {
             d[i] = solution[row];
         }
@@ -208,10 +201,15 @@ impl QuadraticProgram {
     }
 
     /// The KKT equations of a working set, for the unknowns; `d` holds the variables at bounds.
-    fn kkt_system(&self, active: &WorkingSet, unknowns: &Unknowns, d: &DVector<f64>) -> KktSystem {
+    fn kkt_system(
+        &self,
+        active: &WorkingSet,
+        unknowns: &Unknowns,
+        d: &DVector<f64>,
+    ) -> SymmetricSystem {
         let MaxTerm { offset, gradient } = &self.max_terms[unknowns.first_term];
         let size = unknowns.first_row() + unknowns.rows.len();
-        let mut system = KktSystem {
+        let mut system = SymmetricSystem {
             matrix: DMatrix::zeros(size, size),
             right: DVector::zeros(size),
         };
