@@ -2,58 +2,12 @@
 
 use super::symbols::{Dimension, symbol};
 
-/// SI size of a unit as a fraction. Decimal units (g, cm², %) have whole denominators, so that
-/// 5679 g cm² is 5679/10⁷ kg m² to the last bit.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Size {
-    numerator: f64,
-    denominator: f64,
-}
-
-impl Size {
-    const ONE: Self = Self {
-        numerator: 1.0,
-        denominator: 1.0,
-    };
-
-    fn new(size: f64) -> Self {
-        let inverse = size.recip();
-        if (inverse - inverse.round()).abs() <= 1e-12 * inverse {
-            Self {
-                numerator: 1.0,
-                denominator: inverse.round(),
-            }
-        } else {
-            Self {
-                numerator: size,
-                denominator: 1.0,
-            }
-        }
-    }
-
-    fn times(self, other: Self) -> Self {
-        Self {
-            numerator: self.numerator * other.numerator,
-            denominator: self.denominator * other.denominator,
-        }
-    }
-
-    fn inverse(self) -> Self {
-        Self {
-            numerator: self.denominator,
-            denominator: self.numerator,
-        }
-    }
-
-    pub fn of(self, number: f64) -> f64 {
-        number * self.numerator / self.denominator
-    }
-}
-
-/// A unit: size, dimension and zero.
+/// A unit: size, dimension and zero. The SI size is a fraction: decimal units (g, cm², %) have whole
+/// denominators, so that 5679 g cm² is 5679/10⁷ kg m² to the last bit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Unit {
-    size: Size,
+    numerator: f64,
+    denominator: f64,
     pub(super) dimension: Dimension,
     /// SI value of the scale's zero, for a temperature scale.
     zero: Option<f64>,
@@ -73,7 +27,7 @@ impl Unit {
 
     /// SI value of a difference in this unit: 25 degC is 25 K.
     pub fn difference(&self, number: f64) -> f64 {
-        self.size.of(number)
+        number * self.numerator / self.denominator
     }
 }
 
@@ -82,7 +36,12 @@ impl Unit {
 /// temperature scale with its own zero cannot be a factor.
 pub(super) fn read_unit(text: &str) -> Option<Unit> {
     let spaced = text.replace('/', " / ").replace(['*', '·', '⋅', '.'], " ");
-    let (mut size, mut dimension, mut zero) = (Size::ONE, Dimension::NONE, None);
+    let mut unit = Unit {
+        numerator: 1.0,
+        denominator: 1.0,
+        dimension: Dimension::NONE,
+        zero: None,
+    };
     let is_alone = spaced.split_whitespace().count() == 1;
     let mut divide = false;
     for factor in spaced.split_whitespace() {
@@ -99,23 +58,30 @@ pub(super) fn read_unit(text: &str) -> Option<Unit> {
         if known.zero.is_some() && !(is_alone && power == 1) {
             return None;
         }
-        zero = known.zero;
-        let one = if power > 0 {
-            Size::new(known.size)
-        } else {
-            Size::new(known.size).inverse()
-        };
-        for _ in 0..power.unsigned_abs() {
-            size = size.times(one);
+        unit.zero = known.zero;
+        let [mut numerator, mut denominator] = fraction(known.size);
+        if power < 0 {
+            std::mem::swap(&mut numerator, &mut denominator);
         }
-        dimension = dimension.times(known.dimension, power);
+        for _ in 0..power.unsigned_abs() {
+            unit.numerator *= numerator;
+            unit.denominator *= denominator;
+        }
+        unit.dimension = unit.dimension.times(known.dimension, power);
         divide = false;
     }
-    (!divide && !spaced.trim().is_empty()).then_some(Unit {
-        size,
-        dimension,
-        zero,
-    })
+    (!divide && !spaced.trim().is_empty()).then_some(unit)
+}
+
+/// Numerator and denominator of a size; a whole denominator, if there is one.
+fn fraction(size: f64) -> [f64; 2] {
+    let inverse = size.recip();
+    let is_decimal = (inverse - inverse.round()).abs() <= 1e-12 * inverse;
+    if is_decimal {
+        [1.0, inverse.round()]
+    } else {
+        [size, 1.0]
+    }
 }
 
 fn split_power(factor: &str) -> Option<(&str, i8)> {
