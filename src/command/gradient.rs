@@ -1,6 +1,6 @@
 use crate::command::args::SetupArgs;
 use crate::command::names::{outcomes, usual, variables};
-use crate::command::output::{Answer, bar, show, tell_error, warn};
+use crate::command::output::{Answer, tell_error, warn, with_bar};
 use crate::derivative::{Order, Taylor, evaluate_with};
 use crate::report::GradientReport;
 use crate::{Drive, Error, Result};
@@ -46,11 +46,9 @@ pub fn run(args: &Args) -> Result<Answer> {
     } else {
         Order::First
     };
-    let bar = bar("passes");
-    let evaluated = evaluate_with(&setup, &of, &wrt, order, |done, passes| {
-        show(&bar, done, passes)
+    let evaluated = with_bar("passes", |show| {
+        evaluate_with(&setup, &of, &wrt, order, show)
     });
-    bar.finish();
     let each: Vec<Result<Taylor>> = match evaluated {
         // report the other outcomes if one has no value (no landing, no direction)
         Err(error) if error.is_an_outcome() => {

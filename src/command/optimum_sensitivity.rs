@@ -1,6 +1,6 @@
 use crate::command::args::{OptimizeArgs, SwingsArgs};
 use crate::command::names::variables;
-use crate::command::output::{Answer, bar, show, spinner, tell, tell_error, warn};
+use crate::command::output::{Answer, spinner, tell, tell_error, warn, with_bar};
 use crate::command::search::write;
 use crate::parameters::Parameter;
 use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_document};
@@ -144,9 +144,9 @@ fn analyse(
         .copied()
         .filter(|p| best.search.vary.iter().all(|vary| vary.parameter != *p))
         .collect();
-    let bar = bar("parameters");
-    let sensitivities = sensitivities(best, &wrt, &mut |done, of| show(&bar, done, of));
-    bar.finish();
+    let sensitivities = with_bar("parameters", |show| {
+        sensitivities(best, &wrt, &mut |done, all| show(done, all))
+    });
     if let (None, Some((_, said))) = (asked.loss, short_drive(best)) {
         tell(said);
     }

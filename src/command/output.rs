@@ -383,8 +383,14 @@ pub fn once_a_second() -> impl Fn() -> bool + Send + Sync {
     }
 }
 
-/// Shows the number of completed parts and of all parts.
-pub fn show(bar: &SharedProgress, done: usize, all: usize) {
-    bar.set_length(all as u64);
-    bar.set_position(done as u64);
+/// Does work in countable parts and shows its progress: the work tells the number of completed parts
+/// and of all parts. `of` is the name of the parts in plural.
+pub fn with_bar<T>(of: &str, work: impl FnOnce(&(dyn Fn(usize, usize) + Sync)) -> T) -> T {
+    let bar = bar(of);
+    let done = work(&|done, all| {
+        bar.set_length(all as u64);
+        bar.set_position(done as u64);
+    });
+    bar.finish();
+    done
 }

@@ -1,6 +1,6 @@
 use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::{outcomes, sigmas};
-use crate::command::output::{Answer, bar, show, system, tell, warn};
+use crate::command::output::{Answer, system, tell, warn, with_bar};
 use crate::command::request::Request;
 use crate::optimize::{Observer, Status};
 use crate::parameters::Parameter;
@@ -59,10 +59,9 @@ pub fn run(args: &Args) -> Result<Answer> {
     };
     let drive = Drive::new(&setup)?;
     warn(drive.warnings_about(&setup, &of));
-    let bar = bar("uncertainties");
-    let found = effects(&setup, &of, &sigmas, &mut |done, all| show(&bar, done, all));
-    bar.finish();
-    let found = found?;
+    let found = with_bar("uncertainties", |show| {
+        effects(&setup, &of, &sigmas, &mut |done, all| show(done, all))
+    })?;
     // report the reasons for missing values in the table
     let unflown = found.first().map(|effects| unflown(&setup, &of, effects));
     warn(unflown.into_iter().flatten());

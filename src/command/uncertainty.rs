@@ -1,6 +1,6 @@
 use crate::command::args::{SetupArgs, whole};
 use crate::command::names::{outcomes, sigmas};
-use crate::command::output::{Answer, bar, show, system, tell_detail, warn};
+use crate::command::output::{Answer, system, tell_detail, warn, with_bar};
 use crate::command::request::Request;
 use crate::report::{UncertaintyReport, parameter_difference_text};
 use crate::study::uncertainty::{SamplePlan, Uncertain, uncertainty};
@@ -76,12 +76,9 @@ pub fn run(args: &Args) -> Result<Answer> {
         samples: args.samples as usize,
         seed: args.seed,
     };
-    let bar = bar("drives");
-    let found = uncertainty(&setup, &of, &inputs, plan, &|done, all| {
-        show(&bar, done, all)
-    });
-    bar.finish();
-    let found = found?;
+    let found = with_bar("drives", |show| {
+        uncertainty(&setup, &of, &inputs, plan, &show)
+    })?;
     warn(found.warnings());
     let is_found = found
         .outcomes

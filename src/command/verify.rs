@@ -1,7 +1,7 @@
 use crate::command::args::SetupArgs;
 use crate::command::interrupt;
 use crate::command::names::{outcomes, variables};
-use crate::command::output::{Answer, bar, show, system, tell, warn};
+use crate::command::output::{Answer, system, tell, warn, with_bar};
 use crate::report::{CertificateReport, by_reason};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{Certificate, StepError, certify};
@@ -48,14 +48,13 @@ pub fn run(args: &Args) -> Result<Answer> {
     let setup = request.within_tolerance(request.setup()?)?;
     let of = outcomes(&args.of)?;
     let wrt = variables(&setup, &args.wrt, &of)?;
-    let bar = bar("parameters");
     let stop = interrupt::stops("stopping after the parameters under way");
-    let certificate = certify(&setup, &of, &wrt, &|done, all| {
-        show(&bar, done, all);
-        !stop.load(Ordering::Relaxed)
-    });
-    bar.finish();
-    let certificate = certificate?;
+    let certificate = with_bar("parameters", |show| {
+        certify(&setup, &of, &wrt, &|done, all| {
+            show(done, all);
+            !stop.load(Ordering::Relaxed)
+        })
+    })?;
     let of_step = certificate
         .step
         .iter()

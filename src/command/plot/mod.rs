@@ -10,7 +10,7 @@ use crate::command::args::SetupArgs;
 use crate::command::compare::{Pair, warnings};
 use crate::command::host::SharedProgress;
 use crate::command::names::{outcomes, sigmas, usual, variables};
-use crate::command::output::{Answer, bar, show, spinner, system, tell};
+use crate::command::output::{Answer, bar, spinner, system, tell, with_bar};
 use crate::command::pareto;
 use crate::command::picture::{Drawing, Target};
 use crate::command::request::Request;
@@ -254,15 +254,10 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     let setup = request.within_tolerance(request.setup()?)?;
     let of = Outcome::named(&args.of)?;
     let given = sigmas(&setup, &args.sigma)?;
-    let bar = bar("uncertainties");
-    let found = effects(
-        &setup,
-        &[of],
-        &with_defaults(&setup, &given, &[of])?,
-        &mut |done, all| show(&bar, done, all),
-    );
-    bar.finish();
-    let found = found?;
+    let sigmas = with_defaults(&setup, &given, &[of])?;
+    let found = with_bar("uncertainties", |show| {
+        effects(&setup, &[of], &sigmas, &mut |done, all| show(done, all))
+    })?;
     let figure = found
         .first()
         .and_then(|effects| tornado_figure(effects, args.show, At::SetUp, system()));
@@ -305,13 +300,12 @@ fn vcurve(
     } else {
         variables(&setup, wrt, &of)?
     };
-    let bar = bar("parameters");
-    let certificate = certify(&setup, &of, &wrt, &|done, all| {
-        show(&bar, done, all);
-        true
-    });
-    bar.finish();
-    let certificate = certificate?;
+    let certificate = with_bar("parameters", |show| {
+        certify(&setup, &of, &wrt, &|done, all| {
+            show(done, all);
+            true
+        })
+    })?;
     tell_left_out(&certificate);
     // draw the requested derivatives in their order, without the other rows of the certificate
     let asked = of
