@@ -32,10 +32,10 @@ use maud::{Markup, html};
 pub fn report_documents(findings: &Findings) -> Result<Vec<TextFile>> {
     let plots = plots(findings);
     let setup = match findings.best() {
-        Some(best) => optimum_toml(best, None, None, findings.preset)?,
+        Some(best) => optimum_toml(best, None, None, &findings.file)?,
         None => setup_toml(
             &findings.setup,
-            findings.preset,
+            &findings.file,
             &[format!("{}, as set up", findings.name)],
             &[],
         )?,
