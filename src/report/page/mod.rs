@@ -95,7 +95,7 @@ fn plots(findings: &Findings) -> Plots {
             .flat_map(|effects| Causes::APART.map(|causes| tornados(effects, causes)))
             .flatten()
             .collect(),
-        // finite differences without any error, such as for a derivative of 0, have no curve
+        // without any error, as for a derivative of 0, finite differences have no curve
         curves: Some(vcurve_figure(&findings.rows, &findings.loops))
             .filter(|figure| figure_svg(figure, &Look::default()).is_ok())
             // the texts of these curves have no units
