@@ -225,7 +225,7 @@ impl Outputs {
             return Ok(false);
         }
         let data = args.data.display().to_string();
-        let toml = report.toml(request.source.preset, &data)?;
+        let toml = report.toml(&request.source.content, &data)?;
         let file = request.write_setup(output, toml)?;
         tell(&format!("wrote the fitted setup into {file}"));
         Ok(true)

@@ -114,7 +114,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 /// Refuses a file that names no preset. The default preset of the other commands exceeds the limits
 /// of the Rules of Golf, so this command has another default preset.
 fn refuse_unnamed_preset(request: &Request) -> Result<()> {
-    if request.source.names_preset {
+    if request.source.content.names_preset {
         return Ok(());
     }
     let source = "it names no preset; name the one that it starts from in its first line, as in \

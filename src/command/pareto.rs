@@ -358,7 +358,7 @@ impl Output {
             warnings.push(self.destination.not_written(&why));
             return Ok(None);
         };
-        let toml = pareto_toml(found, place, request.source.preset)?;
+        let toml = pareto_toml(found, place, &request.source.content)?;
         let file = request.write_setup(&self.destination, toml)?;
         tell(&format!(
             "wrote the setup of point {} into {file}",

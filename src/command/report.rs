@@ -84,7 +84,7 @@ pub fn run(args: &Args) -> Result<Answer> {
             inputs.stated,
             inputs.setup,
             inputs.of,
-            request.source.preset,
+            request.source.content.clone(),
         )
     };
     add_sections(&mut findings, &inputs, &bar)?;
@@ -111,7 +111,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 /// The link to the explorer with the drive as set up: the state for its page, or the command that
 /// serves the page. `None` for a setup that the explorer cannot represent.
 fn explorer_link(request: &Request, setup: &Setup<f64>) -> Option<ExplorerLink> {
-    let state = explorer_state(setup, request.source.preset, system()).ok()?;
+    let state = explorer_state(setup, request.source.content.preset, system()).ok()?;
     if compiled_in().is_some() {
         return Some(ExplorerLink::State(state));
     }

@@ -88,7 +88,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let mut written = None;
     if let Some(output) = &output {
         if is_found {
-            let toml = robust_toml(&found, within, request.source.preset)?;
+            let toml = robust_toml(&found, within, &request.source.content)?;
             let file = request.write_setup(output, toml)?;
             tell(&format!(
                 "wrote the setup with the robust design into {file}"

@@ -207,7 +207,7 @@ pub fn write(
         &optima.best,
         swings,
         optima.interrupted(),
-        request.source.preset,
+        &request.source.content,
     )?;
     let file = request.write_setup(output, toml)?;
     let place = match swings {

@@ -25,7 +25,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let request = args.request()?;
     let setup = request.setup()?;
-    let state = explorer_state(&setup, request.source.preset, system())?;
+    let state = explorer_state(&setup, request.source.content.preset, system())?;
     warn(setup.warnings());
     serve(&state)?;
     Ok(Answer::text(String::new()))

@@ -87,7 +87,7 @@ impl Request {
     fn of_drive(source: Source, settings: Vec<Setting>) -> Result<Self> {
         refuse_duplicates(&settings)?;
         let mut request = Self {
-            partial_setup: source.setup,
+            partial_setup: source.content.setup,
             source,
             settings,
             step: StepChoice::default(),
@@ -310,14 +310,13 @@ impl Request {
         self.stated().any(&is)
             || self
                 .source
-                .given_in_file
-                .iter()
+                .given_in_file()
                 .any(|parameter| is(parameter.name))
     }
 
     /// The input files of the setup: the setup file, and tables of drag and lift.
     pub fn inputs(&self) -> impl Iterator<Item = PathBuf> {
-        let of_source = self.source.setup.law.table();
+        let of_source = self.source.content.setup.law.table();
         let of_setting = self
             .settings
             .iter()
@@ -390,7 +389,7 @@ impl Request {
         why: &str,
     ) -> Result<()> {
         let has_default = |parameter: &&&'static Parameter| {
-            !parameter.is_of_launch() && self.source.setup.variable(parameter.name).is_ok()
+            !parameter.is_of_launch() && self.source.content.setup.variable(parameter.name).is_ok()
         };
         let parameters: Vec<_> = parameters.iter().filter(has_default).copied().collect();
         self.refuse_stated(&parameters, why)
@@ -412,7 +411,7 @@ impl Request {
                 .iter()
                 .any(|setting| setting.parameter == parameter.name && setting.is_unset())
         };
-        let in_file = self.source.given_in_file.iter().copied();
+        let in_file = self.source.given_in_file();
         let by_settings = self
             .settings
             .iter()
@@ -491,8 +490,7 @@ impl Request {
     fn note_unused_club(&self) {
         let names: Vec<_> = self
             .source
-            .given_in_file
-            .iter()
+            .given_in_file()
             .filter(|parameter| parameter.is_of_strike())
             .map(|parameter| parameter.name)
             .collect();

@@ -17,13 +17,8 @@ pub struct Source {
     /// The argument on the command line.
     pub argument: String,
     kind: Kind,
-    pub setup: Setup<f64>,
-    /// The preset itself, or the preset on which the file is based.
-    pub preset: &'static Preset,
-    /// True for a preset, and for a file that names its preset.
-    pub names_preset: bool,
-    /// The parameters that a setup file on disk states.
-    pub given_in_file: Vec<&'static Parameter>,
+    /// The content of the file; for a preset, only its setup.
+    pub content: SetupFile,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -52,17 +47,10 @@ impl Source {
         } else {
             (Kind::Preset, read_preset(argument)?)
         };
-        let given_in_file = match kind {
-            Kind::File => content.given,
-            Kind::Preset | Kind::StandardInput => vec![],
-        };
         Ok(Self {
             argument: argument.into(),
             kind,
-            setup: content.setup,
-            preset: content.preset,
-            names_preset: content.names_preset,
-            given_in_file,
+            content,
         })
     }
 
@@ -96,10 +84,10 @@ impl Source {
     /// The name for the title of an answer, with the preset that a file starts from without naming
     /// it: "mine.toml (tour-average)".
     pub fn title(&self) -> String {
-        if self.names_preset {
+        if self.content.names_preset {
             return self.name().into();
         }
-        format!("{} ({})", self.name(), self.preset.name)
+        format!("{} ({})", self.name(), self.content.preset.name)
     }
 
     /// True if the setup has a name on the command line: a preset or a file, not standard input.
@@ -109,7 +97,13 @@ impl Source {
 
     /// True if the setup is the preset of an average of many golfers.
     pub fn is_average(&self) -> bool {
-        self.kind == Kind::Preset && self.preset.is_average()
+        self.kind == Kind::Preset && self.content.preset.is_average()
+    }
+
+    /// The parameters that a setup file on disk states.
+    pub fn given_in_file(&self) -> impl Iterator<Item = &'static Parameter> {
+        let given = self.content.given.iter().copied();
+        given.filter(|_| self.kind == Kind::File)
     }
 
     /// The setup file, if the source is a file on disk.
@@ -125,13 +119,7 @@ fn read_preset(argument: &str) -> Result<SetupFile> {
         let advice = advice_on(argument).unwrap_or_else(usual);
         Error::unknown("setup", argument, names, advice)
     };
-    let setup = Setup::preset(argument).map_err(|_| unknown())?;
-    Ok(SetupFile {
-        setup,
-        preset: Preset::named(argument).ok_or_else(unknown)?,
-        names_preset: true,
-        given: vec![],
-    })
+    SetupFile::of_preset(argument).map_err(|_| unknown())
 }
 
 fn read_file(path: &Path) -> Result<SetupFile> {
@@ -157,5 +145,10 @@ fn read_standard_input() -> Result<SetupFile> {
         );
         return Err(Error::unreadable(STANDARD_INPUT_NAME, source));
     }
-    SetupFile::read(&text, STANDARD_INPUT_NAME)
+    let read = SetupFile::read(&text, STANDARD_INPUT_NAME)?;
+    Ok(SetupFile {
+        // standard input has no name to find it again
+        name: read.preset.name.into(),
+        ..read
+    })
 }

@@ -105,10 +105,10 @@ impl Request {
     /// The text of a setup file with the method and step that the user stated. The values for
     /// `--tolerance` are valid only for the drives of this command.
     fn with_stated_step(&self, toml: String) -> Result<String> {
-        if !self.is_within_tolerance() || !self.source.setup.states_step {
+        if !self.is_within_tolerance() || !self.source.content.setup.states_step {
             return Ok(toml);
         }
-        let stated = setup_toml(&self.source.setup, self.source.preset, &[], &[])?;
+        let stated = setup_toml(&self.source.content.setup, &self.source.content, &[], &[])?;
         Ok(with_step_of(&stated, &toml))
     }
 }
