@@ -45,11 +45,9 @@ mod validation;
 mod winfield_tan;
 
 pub use calibration::{CalibrationReport, DataReport, HeldOutReport, RefusedReport, StartsReport};
-pub use certificate::{CertificateReport, CertificateRow, Curve, LoopCheck, NegativeControl};
+pub use certificate::{CertificateReport, CertificateRow, NegativeControl};
 pub use chart::{ChartPointReport, ChartReport};
-pub use compare::{
-    CauseValue, ComparedDrive, ComparisonReport, DifferenceReport, ShareReport, SharesReport,
-};
+pub use compare::{ComparedDrive, ComparisonReport, DifferenceReport};
 pub use delivery::{
     DeliveryReport, DeliveryRow, KnownReport, bound_warnings, delivery_toml, population_warnings,
     recovered_csv, recovered_toml,
@@ -67,7 +65,7 @@ pub use lines::{by_reason, remark, wrapped};
 pub use mae494::Mae494Report;
 pub use optimum::{
     ClubAloneReport, ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers,
-    OptimumReport, Surroundings, WindowReport, iteration_line, optima_document, optimize_document,
+    OptimumReport, Surroundings, iteration_line, optima_document, optimize_document,
     optimum_document, optimum_toml,
 };
 pub use origin::Origin;
@@ -102,12 +100,7 @@ pub use sweep::SweepParquet;
 #[cfg(test)]
 pub(crate) use sweep::SweepRow;
 pub use sweep::{SweepCsv, SweepJsonLines, summary_document};
-pub use swings::{
-    NominalReport, OverSwings, SamplingReport, ScenarioRule, ScenariosReport, StudiesReport,
-};
-pub use uncertainty::{
-    DistributionName, EllipseReport, EllipseSource, IndicesReport, InputReport, LandingPoint,
-    OutcomeUncertaintyReport, UncertaintyReport,
-};
+pub use swings::{NominalReport, OverSwings, SamplingReport, ScenariosReport, StudiesReport};
+pub use uncertainty::{InputReport, UncertaintyReport};
 pub use validation::ValidationReport;
 pub use winfield_tan::WinfieldTanReport;

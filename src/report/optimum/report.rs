@@ -5,13 +5,13 @@ use super::super::drive::{LaunchReport, LawRanges, flight, launch, law_range};
 use super::super::json::{ByName, Number, Settings, settings};
 use super::super::limits::gain;
 use super::super::swings::{OverSwings, StudiesReport};
-use super::surroundings::{ClubAloneReport, Surroundings, WindowReport};
+use super::surroundings::{ClubAloneReport, Surroundings};
 use crate::drive::Outcome;
 use crate::optimize::{ConstraintValue, Effort};
 #[cfg(test)]
 use crate::study::Sense;
 use crate::study::design::Improvement;
-use crate::study::{Constraint, LocalOptimum, Optima, Optimum, Sample};
+use crate::study::{Constraint, LocalOptimum, Optima, Optimum, Sample, Window};
 use crate::units::Message;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -67,7 +67,7 @@ pub struct OptimumReport {
     pub law_range: Option<LawRanges>,
     /// For each varied parameter: the range in which it can vary alone and lose at most
     /// `window_loss`; `null` for swings, and without an optimum.
-    pub window: Option<ByName<WindowReport>>,
+    pub window: Option<ByName<Window>>,
     /// The loss allowed in each window, SI; `null` without windows.
     pub window_loss: Number,
     /// The gain of the optimum in two parts: from the club with the swing as set up, and from the
@@ -251,10 +251,9 @@ impl OptimumReport {
     #[must_use]
     pub fn with_surroundings(self, optimum: &Optimum, around: &Surroundings<'_>) -> Self {
         let vary = optimum.search.vary.iter();
-        let window = vary.zip(around.windows).map(|(vary, window)| {
-            let report = WindowReport::new(optimum, window);
-            (vary.parameter.name, report)
-        });
+        let window = vary
+            .zip(around.windows)
+            .map(|(vary, window)| (vary.parameter.name, window.clone()));
         Self {
             window: Some(window.collect()),
             window_loss: around.loss.into(),
