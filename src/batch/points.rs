@@ -1,5 +1,5 @@
 use crate::error::{Error, Result};
-use crate::parameters::{Parameter, Vary};
+use crate::parameters::{Parameter, Vary, first_repeated};
 use crate::units::Message;
 
 /// Source of a batch's points: rows of parameter values in a reproducible order.
@@ -38,14 +38,11 @@ pub trait Points {
 
 /// Refuses repeated parameters, and an empty list.
 pub(crate) fn refuse_repeated(parameters: &[&'static Parameter]) -> Result<()> {
-    for (at, parameter) in parameters.iter().enumerate() {
-        if parameters[..at].contains(parameter) {
-            let reason = "it is given twice; keep one".into();
-            return Err(Error::SearchRange {
-                name: parameter.name.into(),
-                reason,
-            });
-        }
+    if let Some(repeated) = first_repeated(parameters.iter().copied()) {
+        return Err(Error::SearchRange {
+            name: repeated.name.into(),
+            reason: "it is given twice; keep one".into(),
+        });
     }
     if parameters.is_empty() {
         return Err(Error::Nothing {

@@ -36,7 +36,7 @@ pub use law_table::{Axis, AxisVariable, LawTable, TABLE, TABLE_LAW};
 pub(crate) use law_table::{Cell, Grid, Surface, cells_of};
 pub use presets::{DEFAULT_PRESET, PRESETS, Preset, PresetEntry};
 pub use range::Range;
-pub(crate) use setup::{NO_CLUB, refuse_twice};
+pub(crate) use setup::{NO_CLUB, first_repeated, refuse_twice};
 pub(crate) use steps::is_of_step;
 pub(crate) use table::with_law;
 pub use table::{

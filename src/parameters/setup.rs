@@ -605,21 +605,29 @@ impl Setup<f64> {
     }
 }
 
+/// The first parameter that a list has a second time.
+pub(crate) fn first_repeated(
+    parameters: impl IntoIterator<Item = &'static Parameter>,
+) -> Option<&'static Parameter> {
+    let mut before: Vec<&Parameter> = vec![];
+    parameters.into_iter().find(|parameter| {
+        let is_repeated = before.contains(parameter);
+        before.push(parameter);
+        is_repeated
+    })
+}
+
 /// Refuses a parameter that is given twice.
 ///
 /// # Errors
 /// [`Error::Together`] for a repeated parameter.
 pub(crate) fn refuse_twice(wrt: &[&'static Parameter]) -> Result<()> {
-    let is_twice = |at: &usize| wrt[..*at].contains(&wrt[*at]);
-    (0..wrt.len()).find(is_twice).map_or(Ok(()), |at| {
-        let given = format!(
-            "{} is given twice among the parameters to differentiate by",
-            wrt[at]
-        );
-        Err(Error::Together {
-            given,
-            reason: "name it once".into(),
-        })
+    let Some(repeated) = first_repeated(wrt.iter().copied()) else {
+        return Ok(());
+    };
+    Err(Error::Together {
+        given: format!("{repeated} is given twice among the parameters to differentiate by"),
+        reason: "name it once".into(),
     })
 }
 

@@ -6,7 +6,7 @@ use super::swings::Scenarios;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::{Domain, Options};
-use crate::parameters::{Setup, Vary};
+use crate::parameters::{Setup, Vary, first_repeated};
 
 /// Direction of a search: the largest or the smallest value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -170,15 +170,12 @@ impl Search {
                 what: "parameter with a range wider than a single value",
             });
         }
-        for (i, vary) in self.vary.iter().enumerate() {
-            let mut before = self.vary[..i].iter();
-            if before.any(|before| before.parameter == vary.parameter) {
-                return Err(Error::SearchRange {
-                    name: vary.parameter.name.into(),
-                    reason: "it is varied twice; give it one range".into(),
-                });
-            }
+        match first_repeated(self.vary.iter().map(|vary| vary.parameter)) {
+            None => Ok(()),
+            Some(repeated) => Err(Error::SearchRange {
+                name: repeated.name.into(),
+                reason: "it is varied twice; give it one range".into(),
+            }),
         }
-        Ok(())
     }
 }

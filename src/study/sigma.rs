@@ -1,7 +1,7 @@
 use crate::atmosphere::in_effect;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::parameters::{Parameter, Setup, Wind};
+use crate::parameters::{Parameter, Setup, Wind, first_repeated};
 use crate::units::{Quantity, UnitError};
 
 /// A standard uncertainty of a parameter.
@@ -97,17 +97,13 @@ impl Sigma {
 /// # Errors
 /// [`Error::Unreadable`] for a parameter that is given twice.
 pub fn refuse_given_twice(parameters: impl IntoIterator<Item = &'static Parameter>) -> Result<()> {
-    let mut before: Vec<&Parameter> = vec![];
-    for parameter in parameters {
-        if before.contains(&parameter) {
-            return Err(Error::Unreadable {
-                name: format!("the uncertainty of {}", parameter.name),
-                source: "it is given twice; keep one".into(),
-            });
-        }
-        before.push(parameter);
+    match first_repeated(parameters) {
+        None => Ok(()),
+        Some(repeated) => Err(Error::Unreadable {
+            name: format!("the uncertainty of {}", repeated.name),
+            source: "it is given twice; keep one".into(),
+        }),
     }
-    Ok(())
 }
 
 /// Parses an amount of a parameter to SI: with a unit (`read` parses it as a value or as a

@@ -1,5 +1,5 @@
 use crate::error::{Error, Result};
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::{Parameter, Setup, first_repeated};
 use crate::study::uncertainty::Uncertain;
 
 /// Variation of a golfer's swings.
@@ -133,17 +133,11 @@ impl Swings {
                 what: "parameter",
             });
         }
-        for (i, input) in inputs.iter().enumerate() {
-            if inputs[..i]
-                .iter()
-                .any(|before| before.parameter == input.parameter)
-            {
-                let source = "it has two distributions; keep one".into();
-                return Err(Error::Unreadable {
-                    name: input.parameter.name.into(),
-                    source,
-                });
-            }
+        if let Some(repeated) = first_repeated(inputs.iter().map(|input| input.parameter)) {
+            return Err(Error::Unreadable {
+                name: repeated.name.into(),
+                source: "it has two distributions; keep one".into(),
+            });
         }
         let matrix = correlation_matrix(&inputs, correlations)?;
         let factor = factored(&matrix).map_err(|i| Error::Unreadable {
