@@ -15,7 +15,7 @@ use serde::Serialize;
 
 /// Minimum uncertainty of the total, m. It covers the differences between grounds
 /// (docs/limitations.md).
-const RUN_WITHIN: f64 = 10.0 * 0.9144;
+pub(super) const RUN_WITHIN: f64 = 10.0 * 0.9144;
 
 /// A drive: setup, launch, head after impact and flight.
 #[derive(Clone, Debug, Serialize)]

@@ -49,8 +49,8 @@ pub use certificate::{CertificateReport, CertificateRow, NegativeControl};
 pub use chart::{ChartPointReport, ChartReport};
 pub use compare::{ComparedDrive, ComparisonReport, DifferenceReport};
 pub use delivery::{
-    DeliveryReport, DeliveryRow, KnownReport, bound_warnings, delivery_toml, population_warnings,
-    recovered_csv, recovered_toml,
+    DeliveryReport, DeliveryRow, bound_warnings, delivery_toml, population_warnings, recovered_csv,
+    recovered_toml,
 };
 pub use design::Designed;
 pub use document::{Document, Line, TextOptions, document_files};
@@ -60,7 +60,7 @@ pub use explorer::explorer_state;
 pub use frame::TextFile;
 pub use gradient::{GradientReport, OutcomeReport};
 pub use json::{ByName, Matrix, Number, Range, Setting, Settings};
-pub use laws::{FittedReport, LawReport, LawsReport};
+pub use laws::{LawReport, LawsReport};
 pub use lines::{by_reason, remark, wrapped};
 pub use mae494::Mae494Report;
 pub use optimum::{
@@ -88,8 +88,8 @@ pub(crate) use shots::FlyRow;
 #[cfg(feature = "parquet")]
 pub use shots::ShotParquet;
 pub use shots::{
-    BandReport, ClubOutcome, ClubShotsReport, OutcomeResiduals, RefusedRows, ShotFormat,
-    ShotWriter, ShotsReport, SumsReport, open_connect_answer,
+    BandReport, ClubOutcome, ClubShotsReport, OutcomeResiduals, ShotFormat, ShotWriter,
+    ShotsReport, SumsReport, open_connect_answer,
 };
 pub use shown::{
     goal as goal_text, outcome as outcome_text, stated as parameter_text,
