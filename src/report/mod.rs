@@ -44,7 +44,7 @@ mod uncertainty;
 mod validation;
 mod winfield_tan;
 
-pub use calibration::{CalibrationReport, DataReport, HeldOutReport, RefusedReport, StartsReport};
+pub use calibration::{CalibrationReport, DataReport, HeldOutReport, RefusedReport};
 pub use certificate::{CertificateReport, CertificateRow, NegativeControl};
 pub use chart::{ChartPointReport, ChartReport};
 pub use compare::{ComparedDrive, ComparisonReport, DifferenceReport};
@@ -54,7 +54,7 @@ pub use delivery::{
 };
 pub use design::Designed;
 pub use document::{Document, Line, TextOptions, document_files};
-pub use drive::{ClubReport, DriveReport, LaunchReport, LawRange, LawRanges, known_within};
+pub use drive::{ClubReport, DriveReport, LaunchReport, LawRanges, known_within};
 pub use effects::{EffectReport, EffectsReport, OutcomeEffects, Totals};
 pub use explorer::explorer_state;
 pub use frame::TextFile;
