@@ -64,9 +64,9 @@ pub use laws::{LawReport, LawsReport};
 pub use lines::{by_reason, remark, wrapped};
 pub use mae494::Mae494Report;
 pub use optimum::{
-    ClubAloneReport, ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers,
-    OptimumReport, Surroundings, iteration_line, optima_document, optimize_document,
-    optimum_document, optimum_toml,
+    ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimumReport,
+    Surroundings, iteration_line, optima_document, optimize_document, optimum_document,
+    optimum_toml,
 };
 pub use origin::Origin;
 pub use parameters::{ParameterReport, ParametersReport};

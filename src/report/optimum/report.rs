@@ -5,13 +5,13 @@ use super::super::drive::{LaunchReport, LawRanges, flight, launch, law_range};
 use super::super::json::{ByName, Number, Settings, settings};
 use super::super::limits::gain;
 use super::super::swings::{OverSwings, StudiesReport};
-use super::surroundings::{ClubAloneReport, Surroundings};
+use super::surroundings::Surroundings;
 use crate::drive::Outcome;
 use crate::optimize::{ConstraintValue, Effort};
 #[cfg(test)]
 use crate::study::Sense;
 use crate::study::design::Improvement;
-use crate::study::{Constraint, LocalOptimum, Optima, Optimum, Sample, Window};
+use crate::study::{ClubAlone, Constraint, LocalOptimum, Optima, Optimum, Sample, Window};
 use crate::units::Message;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -72,7 +72,7 @@ pub struct OptimumReport {
     pub window_loss: Number,
     /// The gain of the optimum in two parts: from the club with the swing as set up, and from the
     /// swing; `null` if the search does not vary both, or if the first part is unknown.
-    pub club_alone: Option<ClubAloneReport>,
+    pub club_alone: Option<ClubAlone>,
     /// The setup file that was written; `null` without one.
     pub file: Option<String>,
     /// Parameters that the request states, so that the default search does not vary them; omitted
@@ -257,7 +257,7 @@ impl OptimumReport {
         Self {
             window: Some(window.collect()),
             window_loss: around.loss.into(),
-            club_alone: around.club_alone.map(ClubAloneReport::new),
+            club_alone: around.club_alone.cloned(),
             ..self
         }
     }

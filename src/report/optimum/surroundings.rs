@@ -1,10 +1,8 @@
 //! The flatness of an optimum of a single drive, and the gain of the club alone.
 
-use super::super::json::{ByName, Number};
 use super::super::shown;
 use crate::study::{ClubAlone, Optimum, Vary, Window, WindowLimit};
 use crate::units::{System, signed};
-use serde::Serialize;
 
 /// The surroundings of an optimum of a single drive.
 #[derive(Clone, Copy, Debug)]
@@ -68,33 +66,9 @@ fn club_text(optimum: &Optimum, club: &ClubAlone, system: System) -> String {
         format!("{} {value}", vary.parameter.name)
     });
     let values = values.collect::<Vec<_>>().join(", ");
-    let club_gain = gain(club.value - club.as_set_up);
+    let club_gain = gain(club.club_gain);
     format!(
         "the club alone, with the swing as set up: {club_gain} ({values}); the swing too: {} more",
-        gain(club.rest)
+        gain(club.swing_gain)
     )
-}
-
-/// The gain of the optimum in two parts: from the club with the swing as set up, and from the
-/// swing.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ClubAloneReport {
-    /// The gain of the best club with the swing as set up, SI.
-    pub club_gain: f64,
-    /// The additional gain if the swing changes too, SI.
-    pub swing_gain: f64,
-    /// The best club with the swing as set up, SI.
-    pub optimum: ByName<Number>,
-}
-
-impl ClubAloneReport {
-    pub(super) fn new(club: &ClubAlone) -> Self {
-        let best = &club.optimum;
-        Self {
-            club_gain: club.value - club.as_set_up,
-            swing_gain: club.rest,
-            optimum: ByName::of_varied(&best.search.vary, &best.solution.x),
-        }
-    }
 }
