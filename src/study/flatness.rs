@@ -56,7 +56,7 @@ pub enum WindowLimit {
     /// A bound of the search.
     Bound,
     /// A constraint of the search.
-    Constraint(Constraint),
+    Constraint(Box<Constraint>),
     /// The ball does not fly beyond this end.
     NoFlight,
 }
@@ -257,9 +257,10 @@ impl<'a> Top<'a> {
         }
         let is_within = |part: f64| match self.lost_at(&self.moved(i, from + part * width)) {
             None => Err(WindowLimit::NoFlight),
-            Some(Err(j)) => Err(WindowLimit::Constraint(
-                self.best.search.subject_to[j].clone(),
-            )),
+            Some(Err(j)) => {
+                let constraint = self.best.search.subject_to[j].clone();
+                Err(WindowLimit::Constraint(Box::new(constraint)))
+            }
             Some(Ok(lost)) if lost > self.loss => Err(WindowLimit::Loss),
             Some(Ok(_)) => Ok(()),
         };
