@@ -116,3 +116,25 @@ pub fn by_name<N: Serialize, V: Serialize, S: Serializer>(
 ) -> Result<S::Ok, S::Error> {
     serializer.collect_map(values.iter().map(|(name, value)| (name, value)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Number;
+
+    #[test]
+    fn exact_numbers_after_writing_and_reading() {
+        for value in [
+            Some(0.1),
+            Some(f64::INFINITY),
+            Some(f64::NEG_INFINITY),
+            None,
+        ] {
+            let text = serde_json::to_string(&Number(value)).unwrap();
+            assert_eq!(
+                serde_json::from_str::<Number>(&text).unwrap(),
+                Number(value)
+            );
+        }
+        assert!(serde_json::from_str::<Number>("\"infinite\"").is_err());
+    }
+}
