@@ -14,7 +14,8 @@ use std::path::PathBuf;
 /// The points by parameter, and each parameter's name with the ends of its range.
 type Plan<'py> = (Bound<'py, PyDict>, Vec<(&'static str, f64, f64)>);
 
-/// The points as a dict of arrays, and the range of each parameter for which the step is chosen.
+/// The points as a dict of arrays, and the range of each parameter. The step is chosen for these
+/// ranges.
 ///
 /// Parameters
 /// ----------

@@ -66,10 +66,10 @@ pub enum Ended<R> {
     Left(PyErr),
 }
 
-/// Runs work on the threads of this process, while other threads of Python run. The parallel parts
-/// of the work (rayon) use these threads too: after a fork they do not wait for threads that only
-/// the parent process has. Within 20 ms of a Ctrl-C, sets the flag that the work checks, and
-/// returns Python's exception. `watch` is called at each check for Ctrl-C.
+/// Runs work on a thread pool of this process, while other threads of Python run. The parallel
+/// parts of the work (rayon) use the same pool: after a fork, rayon's global pool would wait for
+/// threads that only the parent process has. Within 20 ms of a Ctrl-C, sets the flag that the work
+/// checks, and returns Python's exception. `watch` is called at each check for Ctrl-C.
 pub fn run<R: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send + 'static,

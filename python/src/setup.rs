@@ -6,7 +6,7 @@ use crate::pool;
 use longdrive::atmosphere::in_effect;
 use longdrive::integration::{Integration, StepChoice};
 use longdrive::parameters::{
-    DEFAULT_PRESET, GOLFER, LAW, Law, METHOD, Parameter, Preset, SPEED_OF, SetupFile, TABLE, TURF,
+    DEFAULT_PRESET, GOLFER, LAW, Law, METHOD, Parameter, SPEED_OF, SetupFile, TABLE, TURF,
 };
 use longdrive::report::{Change, changes, setup_toml};
 use longdrive::units::System;
@@ -69,8 +69,8 @@ const SHOWN: usize = 4;
 pub struct PySetup {
     /// The setup itself.
     pub setup: longdrive::Setup<f64>,
-    /// The preset on which the setup is based.
-    pub preset: &'static Preset,
+    /// The preset or file on which the setup is based.
+    pub file: Arc<SetupFile>,
     /// Method and step for an error of a micrometre, chosen when a function first needs them.
     chosen: Arc<OnceLock<Arc<Integration>>>,
 }
@@ -107,19 +107,19 @@ impl PySetup {
         // lock also holds the interpreter's lock, so no process forks meanwhile
         static KNOWN: Mutex<Vec<PySetup>> = Mutex::new(vec![]);
         let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(read) = known.iter().find(|read| read.preset.name == name) {
+        if let Some(read) = known.iter().find(|read| read.file.preset.name == name) {
             return Ok(read.clone());
         }
-        let setup = longdrive::Setup::preset(name).map_err(|error| not_a_preset(name, error))?;
-        let read = Self::based_on(setup, Preset::known(name)?);
+        let file = SetupFile::of_preset(name).map_err(|error| not_a_preset(name, error))?;
+        let read = Self::based_on(file.setup, Arc::new(file));
         known.push(read.clone());
         Ok(read)
     }
 
-    fn based_on(setup: longdrive::Setup<f64>, preset: &'static Preset) -> Self {
+    fn based_on(setup: longdrive::Setup<f64>, file: Arc<SetupFile>) -> Self {
         Self {
             setup,
-            preset,
+            file,
             chosen: Arc::default(),
         }
     }
@@ -186,7 +186,7 @@ impl PySetup {
 
     fn of_file(file: SetupFile) -> Answer<Self> {
         file.setup.validate_but_launch()?;
-        Ok(Self::based_on(file.setup, file.preset))
+        Ok(Self::based_on(file.setup, Arc::new(file)))
     }
 
     /// Changes the values of some parameters. Returns also the angles that were given as numbers.
@@ -198,7 +198,7 @@ impl PySetup {
         let mut setup = self.setup;
         let bare_angles = given::apply(&mut setup, given, angles)?;
         // refuse a stated value that other parameters would replace without a message
-        let base = longdrive::Setup::preset(self.preset.name)?;
+        let base = longdrive::Setup::preset(self.file.preset.name)?;
         let of_base = base.parameters();
         let is_given = |row: &&&'static Parameter| {
             given.iter().any(|given| given.name == row.name)
@@ -218,11 +218,11 @@ impl PySetup {
         let names: Vec<_> = set.map(|row| row.name).collect();
         setup.refuse_replaced(&names)?;
         setup.validate_but_launch()?;
-        Ok((Self::based_on(setup, self.preset), bare_angles))
+        Ok((Self::based_on(setup, Arc::clone(&self.file)), bare_angles))
     }
 
     fn changes(&self) -> Answer<Vec<Change>> {
-        Ok(changes(&self.setup, self.preset, System::default())?)
+        Ok(changes(&self.setup, self.file.preset, System::default())?)
     }
 
     /// The value of a parameter or choice.
@@ -233,7 +233,7 @@ impl PySetup {
             METHOD => Some(setup.method.name()),
             GOLFER => Some(setup.golfer.name()),
             SPEED_OF => Some(setup.speed_of.name()),
-            PRESET => Some(self.preset.name),
+            PRESET => Some(self.file.preset.name),
             TABLE if setup.law.table().is_none() => return Ok(py.None().into_bound(py)),
             TABLE => setup.law.table().map(|table| table.file.as_str()),
             _ => None,
@@ -290,9 +290,12 @@ impl PySetup {
 
     /// The preset, and the choices and values that differ from it.
     fn differences<'py>(&self, py: Python<'py>) -> Answer<Bound<'py, PyDict>> {
-        let (own, mut base) = (&self.setup, longdrive::Setup::preset(self.preset.name)?);
+        let (own, mut base) = (
+            &self.setup,
+            longdrive::Setup::preset(self.file.preset.name)?,
+        );
         let differences = PyDict::new(py);
-        differences.set_item(PRESET, self.preset.name)?;
+        differences.set_item(PRESET, self.file.preset.name)?;
         let states_step = own.states_step && !base.states_step;
         let table = own
             .law
@@ -336,7 +339,7 @@ impl PySetup {
     }
 
     fn toml(&self) -> Answer<String> {
-        Ok(setup_toml(&self.setup, self.preset, &[], &[])?)
+        Ok(setup_toml(&self.setup, &self.file, &[], &[])?)
     }
 }
 
@@ -615,22 +618,22 @@ impl PySetup {
     /// The preset on which the setup is based.
     #[getter]
     fn preset(&self) -> &'static str {
-        self.preset.name
+        self.file.preset.name
     }
 
     /// The setup for a command: the name of its preset or the text of a setup file, and true for a
     /// text. The text has method and step if they were stated.
     fn _asked(&self) -> PyResult<(String, bool)> {
         answer(|| {
-            if self.setup == longdrive::Setup::preset(self.preset.name)? {
-                return Ok((self.preset.name.to_owned(), false));
+            if self.setup == longdrive::Setup::preset(self.file.preset.name)? {
+                return Ok((self.file.preset.name.to_owned(), false));
             }
             Ok((self.toml()?, true))
         })
     }
 
-    /// The setup as the text of a setup file, every number with its source; it reads back as the
-    /// same setup to the last bit.
+    /// The setup as the text of a setup file, every number with its source or with the comment of
+    /// the file that it was read from; it reads back as the same setup to the last bit.
     fn to_toml(&self) -> PyResult<String> {
         answer(|| self.toml())
     }
@@ -677,7 +680,7 @@ impl PySetup {
     fn __repr__(&self) -> PyResult<String> {
         answer(|| {
             let changes = self.changes()?;
-            let base = longdrive::Setup::preset(self.preset.name)?;
+            let base = longdrive::Setup::preset(self.file.preset.name)?;
             let shown = changes
                 .iter()
                 .take(SHOWN)
@@ -694,7 +697,7 @@ impl PySetup {
             } else {
                 format!(" with {}", shown.join(", "))
             };
-            Ok(format!("<longdrive.Setup {}{with}>", self.preset.name))
+            Ok(format!("<longdrive.Setup {}{with}>", self.file.preset.name))
         })
     }
 
@@ -702,7 +705,7 @@ impl PySetup {
     fn _repr_html_(&self) -> PyResult<String> {
         answer(|| {
             let changes = self.changes()?;
-            let caption = format!("<caption>setup: preset {}</caption>", self.preset.name);
+            let caption = format!("<caption>setup: preset {}</caption>", self.file.preset.name);
             let row = |change: &Change| {
                 let cells = [&change.name, &change.to, &change.from]
                     .map(|text| format!("<td>{}</td>", escaped(text)));

@@ -228,7 +228,7 @@ impl Outputs {
             return Ok(false);
         }
         let data = args.data.display().to_string();
-        let toml = report.toml(request.source.preset(), &data)?;
+        let toml = report.toml(request.source.content(), &data)?;
         output.write(request.with_stated_step(toml)?.as_bytes())?;
         tell(&format!("wrote the fitted setup into {file}"));
         Ok(true)

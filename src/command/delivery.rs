@@ -315,8 +315,8 @@ impl Outputs {
         let why = match (found.explained(), found.left_out) {
             (0, _) => "no delivery was found",
             (_, 0) => {
-                let preset = request.source.preset();
-                let toml = delivery_toml(setup, &found.all, preset, &found.from)?;
+                let base = request.source.content();
+                let toml = delivery_toml(setup, &found.all, base, &found.from)?;
                 output.write(request.with_stated_step(toml)?.as_bytes())?;
                 tell(&format!(
                     "wrote the setup with this delivery into {file}; 'longdrive optimize {file} \

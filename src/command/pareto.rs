@@ -358,7 +358,7 @@ impl Output {
             warnings.push(format!("{file} is not written: {why}").into());
             return Ok(None);
         };
-        let toml = pareto_toml(found, place, request.source.preset())?;
+        let toml = pareto_toml(found, place, request.source.content())?;
         self.destination
             .write(request.with_stated_step(toml)?.as_bytes())?;
         tell(&format!(

@@ -84,7 +84,7 @@ pub fn run(args: &Args) -> Result<Answer> {
             inputs.stated,
             inputs.setup,
             inputs.of,
-            request.source.preset(),
+            request.source.content().clone(),
         )
     };
     add_sections(&mut findings, &inputs, &bar)?;

@@ -89,7 +89,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     if let Some(output) = &output {
         let file = output.path().display().to_string();
         if is_found {
-            let toml = robust_toml(&found, within, request.source.preset())?;
+            let toml = robust_toml(&found, within, request.source.content())?;
             output.write(request.with_stated_step(toml)?.as_bytes())?;
             tell(&format!(
                 "wrote the setup with the robust design into {file}"

@@ -18,7 +18,7 @@ pub struct Running {
     pub options: OutputOptions,
     /// The arguments, without the name of the program.
     pub words: Vec<OsString>,
-    /// Warnings about the automatic choices of the command, from before its work.
+    /// Warnings about the automatic choices of the command, collected before its work begins.
     early: Mutex<Vec<Message>>,
     /// The other warnings of the answer.
     warnings: Mutex<Vec<Message>>,

@@ -211,7 +211,7 @@ pub fn write(
         &optima.best,
         swings,
         optima.interrupted(),
-        request.source.preset(),
+        request.source.content(),
     )?;
     output.write(request.with_stated_step(toml)?.as_bytes())?;
     let place = match swings {

@@ -25,8 +25,8 @@ pub struct Args {
     )]
     pub of: Vec<String>,
 
-    /// The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5% of its
-    /// value. Repeatable.
+    /// The standard uncertainty of a parameter, as an amount (swing.speed=1mph) or as a percentage
+    /// of its value (air.density=0.5%). Repeatable.
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 

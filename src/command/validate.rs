@@ -17,8 +17,8 @@ pub struct Args {
     #[arg(long, conflicts_with = "json")]
     pub csv: bool,
 
-    /// Write the comparison to this folder, as a page (index.html) and Markdown with pictures and
-    /// their data; or, to a name that ends in .csv, every law on every drive.
+    /// Write the comparison to this folder: a page (index.html), and Markdown with pictures and
+    /// their data. With a name that ends in .csv, write a table with a row for every law and drive.
     #[arg(long, short, value_name = "DIR or FILE.csv")]
     pub output: Option<PathBuf>,
 

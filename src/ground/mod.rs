@@ -52,7 +52,7 @@ pub(crate) struct Landing<T> {
     pub radius: T,
     /// g, m/s².
     pub gravity: T,
-    /// ρ A/(2 m): deceleration by the air per C_D |v|², 1/m.
+    /// ρ A/(2 m) with the mass m: deceleration by the air per C_D |v|², m⁻¹.
     pub force_per_mass: T,
 }
 

@@ -15,7 +15,7 @@ pub struct Delivery<T> {
 /// V₁: head speed at which bend and droop of the shaft are stated, 100 mph, m/s.
 const REFERENCE_SPEED: f64 = 44.704;
 
-/// Deflection of the shaft at impact, rad: bend forward and droop (docs/model.md, eqs. 2a, 2b).
+/// Deflection of the shaft at impact, rad: forward bend and droop (docs/model.md, eqs. 2a, 2b).
 #[derive(Clone, Copy)]
 struct ShaftDeflection<T> {
     bend: Option<T>,

@@ -36,7 +36,7 @@ macro_rules! each {
     }};
 }
 
-/// Array of equal numbers, without a loop up to three.
+/// Array of K equal numbers; up to K = 3 without a loop.
 #[inline(always)]
 fn filled<B: Copy, const K: usize>(number: B) -> [B; K] {
     [number, number, number]

@@ -12,6 +12,7 @@ use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
 use crate::external_errors::toml_error_text;
 use crate::input_file::InputFile;
+use std::collections::BTreeMap;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
 
@@ -24,6 +25,7 @@ struct Item<'a> {
     key_at: usize,
     value: &'a DeValue<'a>,
     value_at: usize,
+    value_end: usize,
 }
 
 impl Item<'_> {
@@ -35,9 +37,11 @@ impl Item<'_> {
     }
 }
 
-/// Contents of a setup file.
+/// Contents of a setup file, or a preset.
 #[derive(Clone, Debug)]
 pub struct SetupFile {
+    /// The name of the file, or of the preset.
+    pub name: String,
     /// The setup.
     pub setup: Setup<f64>,
     /// The preset that the file starts from: [`DEFAULT_PRESET`] if the file names no preset.
@@ -46,9 +50,27 @@ pub struct SetupFile {
     pub names_preset: bool,
     /// Parameters that the file gives, in the order of the file.
     pub given: Vec<&'static Parameter>,
+    /// Comments after the values, by the dotted names of parameters and choices. A setup file with
+    /// the same value has the same comment.
+    pub remarks: BTreeMap<String, String>,
 }
 
 impl SetupFile {
+    /// A preset, as a file that names only the preset.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] if there is no preset `name`.
+    pub fn of_preset(name: &str) -> Result<Self> {
+        Ok(Self {
+            name: name.into(),
+            setup: Setup::preset(name)?,
+            preset: Preset::known(name)?,
+            names_preset: true,
+            given: vec![],
+            remarks: BTreeMap::new(),
+        })
+    }
+
     /// Reads a setup file.
     ///
     /// # Errors
@@ -95,11 +117,11 @@ impl SetupFile {
                 .map_err(|(at, source)| in_file(text, file, at, source))?;
         }
         refuse_conflicts(&setup, &items, text, file)?;
-        Self::summarised(setup, &items)
+        Self::summarised(setup, &items, text, file)
     }
 
     /// The contents of a file with these items.
-    fn summarised(setup: Setup<f64>, items: &[Item<'_>]) -> Result<Self> {
+    fn summarised(setup: Setup<f64>, items: &[Item<'_>], text: &str, file: &str) -> Result<Self> {
         let preset = items
             .iter()
             .find(|item| item.key == PRESET)
@@ -109,13 +131,26 @@ impl SetupFile {
             .filter(|item| !item.is_reset())
             .filter_map(|item| setup.parameter(&item.key).ok())
             .collect();
+        let remarks = items.iter().filter_map(|item| {
+            let remark = comment_after(text, item.value_end)?;
+            Some((item.key.clone(), remark.to_owned()))
+        });
         Ok(Self {
+            name: file.into(),
             setup,
             preset: Preset::known(preset.unwrap_or(DEFAULT_PRESET))?,
             names_preset: preset.is_some(),
             given,
+            remarks: remarks.collect(),
         })
     }
+}
+
+/// The comment between the byte offset `end` of a value and the end of its line, without `#`.
+fn comment_after(text: &str, end: usize) -> Option<&str> {
+    let line = text.get(end..)?.lines().next()?;
+    let comment = line.trim_start().strip_prefix('#')?.trim();
+    (!comment.is_empty()).then_some(comment)
 }
 
 fn refuse_duplicate_keys(items: &[Item<'_>], text: &str, file: &str) -> Result<()> {
@@ -271,6 +306,7 @@ fn flatten<'a>(table: &'a DeTable<'a>, prefix: &str, items: &mut Vec<Item<'a>>) 
                 key_at: key.span().start,
                 value: other,
                 value_at: value.span().start,
+                value_end: value.span().end,
             }),
         }
     }
@@ -299,7 +335,28 @@ pub(crate) fn place_in(text: &str, at: usize) -> (usize, usize) {
 
 #[cfg(test)]
 mod tests {
-    use super::Setup;
+    use super::{Setup, SetupFile};
+
+    #[test]
+    fn comments_after_values_are_remarks() {
+        let text = "preset = 'mae494'\r\n# of the club\r\nclub.mass = '0.2 kg'   #  weighed # twice \r\n\
+                    club.loft = '9 deg'\n# none\nswing = { speed = '50 m/s', path = '0 deg' } # of both\n\
+                    golfer = \"left\" # '#'\nball.mass = '45 g' #\nball.radius = '0.0214 m'# close";
+        let file = SetupFile::read(text, "a.toml").unwrap();
+        let remarks: Vec<_> = file
+            .remarks
+            .iter()
+            .map(|(of, text)| format!("{of}: {text}"))
+            .collect();
+        assert_eq!(
+            remarks,
+            [
+                "ball.radius: close",
+                "club.mass: weighed # twice",
+                "golfer: '#'"
+            ]
+        );
+    }
 
     #[test]
     fn nested_keys_and_units() {

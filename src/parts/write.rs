@@ -198,7 +198,7 @@ impl Dataset {
     /// The manifest of the existing file, if it is this part, or the reason why the file is not
     /// this part.
     fn found(&self, part: u64, path: &Path) -> Result<Manifest, String> {
-        let advice = "take another folder, or replace the file with `overwrite`";
+        let advice = "take another folder, or give `overwrite` to replace the file";
         let footer = Footer::read(path).map_err(|reason| format!("{reason}; {advice}"))?;
         if let Some(difference) = self.question.difference(&footer.question) {
             return Err(format!(

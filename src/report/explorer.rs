@@ -28,7 +28,7 @@ const VERSION: &str = "1";
 pub fn explorer_state(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<String> {
     if let Some(table) = setup.law.table() {
         let source =
-            "the explorer has no tables of your own; leave the table out, or use a published law";
+            "the explorer cannot have your own table; leave it out, or use a published law";
         return Err(Error::Unreadable {
             name: format!("{TABLE} {}", table.file),
             source: source.into(),

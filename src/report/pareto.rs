@@ -6,7 +6,7 @@ use super::setup_file::{remarks_on_varied, setup_toml};
 use super::shown;
 use super::swings::ScenariosReport;
 use crate::error::{Error, Result};
-use crate::parameters::Preset;
+use crate::parameters::SetupFile;
 use crate::study::swings::{Pareto, ParetoPoint};
 use crate::study::{Active, BoundSide};
 use crate::units::{System, TableUnits, counted, per, significant};
@@ -300,11 +300,12 @@ pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
     csv_text(head, rows)
 }
 
-/// The setup of one point of a front as a setup file in TOML, with full precision.
+/// The setup of one point of a front as a setup file in TOML, with full precision. `file` is the
+/// setup of the request.
 ///
 /// # Errors
 /// The errors of [`setup_toml`].
-pub fn pareto_toml(found: &Pareto, place: usize, preset: &Preset) -> Result<String> {
+pub fn pareto_toml(found: &Pareto, place: usize, file: &SetupFile) -> Result<String> {
     let search = &found.search;
     let Some(point) = found.points.get(place) else {
         return Err(Error::Nothing {
@@ -321,7 +322,7 @@ pub fn pareto_toml(found: &Pareto, place: usize, preset: &Preset) -> Result<Stri
     let mut about = vec![
         format!(
             "{}, between the {first} and the {second}: point {} of {}{what}",
-            preset.name,
+            file.name,
             place + 1,
             found.points.len()
         ),
@@ -340,5 +341,5 @@ pub fn pareto_toml(found: &Pareto, place: usize, preset: &Preset) -> Result<Stri
             .map(|limit| format!("subject to {}", limit.expression)),
     );
     let remarks = remarks_on_varied("chosen", &search.vary, &point.design);
-    setup_toml(&point.setup, preset, &about, &remarks)
+    setup_toml(&point.setup, file, &about, &remarks)
 }

@@ -4,7 +4,7 @@ use super::reply::Report;
 use super::shown;
 use crate::error::Result;
 use crate::parameters::{
-    GOLFER, LAW, METHOD, PRESETS, Parameter, Preset, SPEED_OF, Setup, TABLE, UNSET,
+    GOLFER, LAW, METHOD, PRESETS, Parameter, Preset, SPEED_OF, Setup, SetupFile, TABLE, UNSET,
 };
 use crate::units::System;
 use serde::Serialize;
@@ -91,15 +91,19 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> 
 }
 
 /// The values of a setup with their sources. The values are in the units of `system`; if `system`
-/// is `None`, they are spelled as in the input. A value that differs from the preset's has the
-/// source "as given".
+/// is `None`, they are spelled as in the input. A value of `file` has the file's comment as its
+/// source; another value that differs from the preset's has the source "as given".
 pub(super) fn sources(
     setup: &Setup<f64>,
-    preset: &Preset,
+    file: &SetupFile,
     system: Option<System>,
 ) -> Result<Vec<SourcedValue>> {
-    let base = Setup::preset(preset.name)?;
-    let known = sourced(preset, &base);
+    let base = Setup::preset(file.preset.name)?;
+    let known = sourced(file.preset, &base);
+    let comment = |name: &str, is_of_file: bool| -> Option<Cow<'static, str>> {
+        let comment = file.remarks.get(name).filter(|_| is_of_file)?;
+        Some(comment.clone().into())
+    };
     let source = |name: &str, is_kept: bool| -> Cow<'static, str> {
         let Some(known) = known.iter().find(|known| known.name == name) else {
             return "as given".into();
@@ -124,16 +128,22 @@ pub(super) fn sources(
     };
     let number = |row: &'static Parameter| {
         let value = setup.value(row);
+        let in_file = file.setup.parameter(row.name);
+        let is_of_file = in_file.is_ok_and(|known| file.setup.value(known) == value);
         // a coefficient of a law that the preset does not use has its own default and source
         let source = match base.parameter(row.name) {
             Ok(known) => source(row.name, base.value(known) == value),
             Err(_) if value == row.default_value() => row.source.into(),
             Err(_) => format!("as given, instead of {}", set(row, row.default_value())).into(),
         };
+        let source = comment(row.name, is_of_file).unwrap_or(source);
         SourcedValue::new(row.name, set(row, value), source)
     };
-    let choice = |name: &'static str, own: &str, of_preset: &str| {
-        SourcedValue::new(name, own, source(name, own == of_preset))
+    let choice = |name: &'static str, choice_of: fn(&Setup<f64>) -> &'static str| {
+        let own = choice_of(setup);
+        let comment = comment(name, own == choice_of(&file.setup));
+        let source = comment.unwrap_or_else(|| source(name, own == choice_of(&base)));
+        SourcedValue::new(name, own, source)
     };
     let mut rows: Vec<_> = setup
         .parameters()
@@ -145,10 +155,10 @@ pub(super) fn sources(
     let table = setup.law.table();
     let table = table.map(|table| SourcedValue::new(TABLE, &table.file, source(TABLE, false)));
     let choices = [
-        choice(LAW, setup.law.name(), base.law.name()),
-        choice(METHOD, setup.method.name(), base.method.name()),
-        choice(SPEED_OF, setup.speed_of.name(), base.speed_of.name()),
-        choice(GOLFER, setup.golfer.name(), base.golfer.name()),
+        choice(LAW, |setup| setup.law.name()),
+        choice(METHOD, |setup| setup.method.name()),
+        choice(SPEED_OF, |setup| setup.speed_of.name()),
+        choice(GOLFER, |setup| setup.golfer.name()),
     ];
     insert_choices(&mut rows, table.into_iter().chain(choices));
     Ok(rows)

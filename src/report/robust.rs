@@ -8,7 +8,7 @@ use super::shown;
 use super::swings::ScenariosReport;
 use crate::error::Result;
 use crate::optimize::{ConstraintValue, Status};
-use crate::parameters::Preset;
+use crate::parameters::SetupFile;
 use crate::study::Sense;
 use crate::study::swings::Robust;
 use crate::units::{System, counted};
@@ -366,15 +366,16 @@ fn of_the_bests(multipliers: [f64; 2], price: String) -> Option<String> {
     Some(price).filter(|price| multipliers == [0.0; 2] && !price.starts_with("0 "))
 }
 
-/// The setup with the robust design as a setup file in TOML, with full precision.
+/// The setup with the robust design as a setup file in TOML, with full precision. `file` is the
+/// setup of the request.
 ///
 /// # Errors
 /// The errors of [`setup_toml`].
-pub fn robust_toml(found: &Robust, within: Option<f64>, preset: &Preset) -> Result<String> {
+pub fn robust_toml(found: &Robust, within: Option<f64>, file: &SetupFile) -> Result<String> {
     let search = &found.search;
     let mut about = vec![format!(
         "{}, {} {}",
-        preset.name,
+        file.name,
         search.sense.adjective(),
         search.of.expression
     )];
@@ -392,5 +393,5 @@ pub fn robust_toml(found: &Robust, within: Option<f64>, preset: &Preset) -> Resu
             .map(|limit| format!("subject to {}", limit.expression)),
     );
     let remarks = remarks_on_varied("robust", &search.vary, &found.design);
-    setup_toml(&found.setup, preset, &about, &remarks)
+    setup_toml(&found.setup, file, &about, &remarks)
 }

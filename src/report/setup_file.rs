@@ -3,23 +3,29 @@
 use super::presets::{SourcedValue, sourced, sources};
 use super::shown;
 use crate::error::Result;
-use crate::parameters::{Parameter, Preset, Setup, TABLE, UNSET, Vary, is_given_alike, is_of_step};
+use crate::parameters::{
+    Parameter, Preset, Setup, SetupFile, TABLE, UNSET, Vary, is_given_alike, is_of_step,
+};
 use crate::units::{significant, typed};
 
 /// Significant digits that distinguish all double-precision numbers.
 const MOST_DIGITS: usize = 17;
 
-/// A setup as a setup file in TOML: its preset, then every parameter with its source. `about` are
-/// the first lines of the file. A remark in `remarks` replaces the source of its parameter. Method
+/// A setup as a setup file in TOML: the preset of `file`, then every parameter with its source.
+/// `file` is the file or preset that the setup comes from; a value of the file keeps its comment.
+/// `about` are the first lines. A remark in `remarks` replaces the source of its parameter. Method
 /// and step are in the file only if the setup states them; otherwise a program that reads the file
 /// may choose them. Values of air and wind that equal the preset's are comments, so that other
 /// weather can be given with the file.
 ///
 /// ```
-/// use longdrive::{Setup, parameters::Preset, report::setup_toml};
-/// let mut setup = Setup::preset("mae494").unwrap();
+/// use longdrive::{Setup, parameters::SetupFile, report::setup_toml};
+/// let text = "preset = 'mae494'\n[club]\nmass = '0.2 kg' # weighed";
+/// let file = SetupFile::read(text, "mine.toml").unwrap();
+/// let mut setup = file.setup;
 /// setup.set("club.loft", "10.5 deg").unwrap();
-/// let text = setup_toml(&setup, Preset::named("mae494").unwrap(), &[], &[]).unwrap();
+/// let text = setup_toml(&setup, &file, &[], &[]).unwrap();
+/// assert!(text.contains("\nmass = \"0.2 kg\" # weighed\n"));
 /// assert!(text.contains("\nloft = \"10.5 deg\" # as given, instead of 10 deg\n"));
 /// assert_eq!(Setup::from_toml(&text, "mine.toml").unwrap(), setup);
 /// ```
@@ -28,17 +34,17 @@ const MOST_DIGITS: usize = 17;
 /// No error occurs in practice: a test reads all presets.
 pub fn setup_toml(
     setup: &Setup<f64>,
-    preset: &Preset,
+    file: &SetupFile,
     about: &[String],
     remarks: &[(&'static Parameter, String)],
 ) -> Result<String> {
-    let of_preset = Setup::preset(preset.name)?;
+    let of_preset = Setup::preset(file.preset.name)?;
     let is_of_preset = |row: &SourcedValue| {
         let parameter = setup.parameter(row.name);
         parameter.is_ok_and(|parameter| is_given_alike([setup, &of_preset], parameter))
     };
-    let rows = rows(setup, preset, remarks)?;
-    Ok(toml(preset, about, &rows, is_of_preset))
+    let rows = rows(setup, file, remarks)?;
+    Ok(toml(file.preset, about, &rows, is_of_preset))
 }
 
 /// The remark of each varied parameter in a setup file, such as "optimum: 10.4 deg in 4 deg .. 20
@@ -77,7 +83,7 @@ pub(crate) fn with_step_of(other: &str, toml: &str) -> String {
 /// Every parameter and choice, with its value and its source or remark.
 fn rows(
     setup: &Setup<f64>,
-    preset: &Preset,
+    file: &SetupFile,
     remarks: &[(&'static Parameter, String)],
 ) -> Result<Vec<SourcedValue>> {
     let row = |row: SourcedValue| {
@@ -100,7 +106,7 @@ fn rows(
             source: remark.unwrap_or(row.source),
         }
     };
-    Ok(stated(sources(setup, preset, None)?, setup)
+    Ok(stated(sources(setup, file, None)?, setup)
         .map(row)
         .collect())
 }
@@ -194,7 +200,7 @@ fn quoted(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::{exact, preset_toml, setup_toml};
-    use crate::parameters::{Law, PRESETS, Setup};
+    use crate::parameters::{Law, PRESETS, Setup, SetupFile};
 
     #[test]
     fn a_preset_printed_as_a_setup_file_reads_back_as_itself() {
@@ -224,8 +230,9 @@ mod tests {
                         Some(value)
                     );
                 }
+                let file = SetupFile::of_preset(preset.name).unwrap();
                 let text =
-                    setup_toml(&setup, preset, &["a file\nwith a break".into()], &[]).unwrap();
+                    setup_toml(&setup, &file, &["a file\nwith a break".into()], &[]).unwrap();
                 assert_eq!(Setup::from_toml(&text, "f").unwrap(), setup, "{text}");
                 assert!(
                     text.starts_with("# a file with a break\npreset = "),

@@ -252,7 +252,7 @@ impl SearchProblem {
                 of_drives: flown.into_iter().map(hessians).collect(),
             }))
         };
-        // a swing may fly at `x` and not at the point of the grid
+        // a swing that does not fly at the nearest point of the grid may fly at `x`
         let found = seconds(&nearest).or_else(|_: String| seconds(x))?;
         *self.seconds.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&found));
         Ok(found)

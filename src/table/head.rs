@@ -206,7 +206,7 @@ pub(crate) fn columns_remark(what: &str, names: &[&str]) -> Option<Message> {
     (!names.is_empty()).then(|| format!("{what}: {}", names.join(", ")).into())
 }
 
-/// Errors in column heads: all unknown names, or the first other error.
+/// Errors in column heads: all unknown names; without any, the first error of another kind.
 #[derive(Debug)]
 pub(crate) struct ColumnErrors {
     /// Positions, from 0.

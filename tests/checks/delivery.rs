@@ -430,6 +430,44 @@ fn same_part_determined_in_the_answer_and_in_its_setup_file() {
 }
 
 #[test]
+fn same_comments_of_unchanged_values_in_a_file_written_from_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let (golfer, best, point) = (path("golfer.toml"), path("best.toml"), path("point.toml"));
+    let answered = |words: &[&str]| {
+        let said = longdrive(words);
+        assert_eq!(said.status, 0, "{words:?}: {}", said.err);
+    };
+    let launch = "ball_speed=150mph,launch_angle=12deg,spin=2600rpm";
+    answered(&["delivery", "--launch", launch, "-o", &golfer]);
+    let vary = ["--vary", "club.loft=6deg..14deg"];
+    answered(&[&["optimize", &golfer, "-o", &best], &vary[..]].concat());
+    let goals = ["--maximize", "carry", "--minimize", "spin", "--at", "2"];
+    answered(&[&["pareto", &golfer, "-o", &point], &vary[..], &goals[..]].concat());
+    let lines = |file: &str| -> Vec<String> {
+        let text = std::fs::read_to_string(file).unwrap();
+        text.lines().map(str::to_owned).collect()
+    };
+    let of_golfer = lines(&golfer);
+    for file in [&best, &point] {
+        let written = lines(file);
+        assert!(
+            written[0].starts_with(&format!("# {golfer}, ")),
+            "{}",
+            written[0]
+        );
+        let added: Vec<_> = written
+            .iter()
+            .filter(|line| !of_golfer.contains(line))
+            .collect();
+        let is_loft = |line: &&&String| line.starts_with("loft = ");
+        let about = added.iter().filter(|line| line.starts_with("# ")).count();
+        assert_eq!(added.iter().filter(is_loft).count(), 1, "{added:?}");
+        assert_eq!(added.len(), about + 1, "{added:?}");
+    }
+}
+
+#[test]
 fn a_launch_without_a_delivery_is_unexplained_and_not_written() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("golfer.toml");

@@ -304,7 +304,7 @@ fn bad_input_is_refused_before_anything_is_served() {
         (vec!["--json"], "unexpected argument '--json'"),
         (
             vec!["--set", &own_table],
-            "the explorer has no tables of your own",
+            "the explorer cannot have your own table",
         ),
     ] {
         let mut explore = program::command();

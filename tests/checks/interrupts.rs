@@ -6,7 +6,7 @@ use crate::command_line::{Output, WHOLE};
 use crate::program;
 use crate::schema::faults;
 use longdrive::optimize::Observers;
-use longdrive::parameters::Preset;
+use longdrive::parameters::SetupFile;
 use longdrive::report::{optima_document, optimum_toml};
 use longdrive::study::{Search, optima};
 use longdrive::units::System;
@@ -310,7 +310,8 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
         ..Observers::default()
     };
     let found = optima(&setup, &search, 400, &follow)?;
-    let (stopped, preset) = (found.stopped(), Preset::named("modern-driver").unwrap());
+    let stopped = found.stopped();
+    let file = SetupFile::of_preset("modern-driver")?;
     assert!(
         stopped > 0 && found.best.status() == "converged",
         "{stopped}"
@@ -326,7 +327,7 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
         !listed.contains("interrupted") && listed.contains("converged"),
         "{listed}"
     );
-    let text = optimum_toml(&found.best, None, found.interrupted(), preset)?;
+    let text = optimum_toml(&found.best, None, found.interrupted(), &file)?;
     let ended = 400 - stopped;
     let line = format!(
         "\n# interrupted: {ended} of 400 searches ended, and {stopped} were stopped before their \
@@ -334,7 +335,7 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
     );
     assert!(text.contains(&line), "{text}");
     let found = optima(&setup, &search, 4, &Observers::default())?;
-    let whole = optimum_toml(&found.best, None, found.interrupted(), preset)?;
+    let whole = optimum_toml(&found.best, None, found.interrupted(), &file)?;
     assert!(
         !whole.contains("interrupted") && whole.contains("\n# converged: "),
         "{whole}"

@@ -5,7 +5,7 @@ use longdrive::derivative::{Evaluator, Order, gradient, hessian};
 use longdrive::integration::StepChoice;
 use longdrive::optimize::Observer;
 use longdrive::optimize::least_squares::FitObserver;
-use longdrive::parameters::{Law, PRESETS, Parameter, Preset};
+use longdrive::parameters::{Law, PRESETS, Parameter, SetupFile};
 use longdrive::report::setup_toml;
 use longdrive::study::calibrate::{self, ShotTable, calibrate};
 use longdrive::study::uncertainty::{self, Distribution, Uncertain, uncertainty};
@@ -282,7 +282,7 @@ fn impossible_ranges_are_refused_by_the_name_of_the_parameter() {
 #[test]
 fn exact_setups_are_equal_after_a_file_and_their_steps_are_written_only_where_stated() {
     let written = |setup: &Setup<f64>, preset: &str| {
-        setup_toml(setup, Preset::named(preset).unwrap(), &[], &[]).unwrap()
+        setup_toml(setup, &SetupFile::of_preset(preset).unwrap(), &[], &[]).unwrap()
     };
     for preset in PRESETS {
         let setup = Setup::preset(preset.name).unwrap();

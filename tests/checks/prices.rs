@@ -232,6 +232,24 @@ fn a_search_without_an_optimum_does_not_call_its_end_one() {
 }
 
 #[test]
+fn the_nearest_point_names_a_bound_that_it_has_reached() {
+    let vary = |range: &str| format!("club.loft={range}");
+    let row = |range: &str| {
+        let limit = ["--subject-to", "spin <= 1000rpm", "--vary", &vary(range)];
+        let said = longdrive(&[&["optimize", "-q", "--attack=-2deg"], &limit[..]].concat());
+        assert!(said.out.contains("\ninfeasible: "), "{}", said.out);
+        let row = said
+            .out
+            .lines()
+            .find(|line| line.starts_with("  club.loft "));
+        row.unwrap().to_owned()
+    };
+    // less loft, less spin
+    assert!(row("4deg..20deg").ends_with("4.00°  4° .. 20°  at its lower bound"));
+    assert!(row("8deg..20deg").ends_with("8.00°  8° .. 20°  at its lower bound"));
+}
+
+#[test]
 fn a_range_of_several_values_does_not_print_as_one() {
     let narrow = [
         "optimize",

@@ -6,7 +6,7 @@ use crate::common::close;
 use longdrive::atmosphere::{AirState, in_effect};
 use longdrive::batch::{Grid, Run, gradient_batch};
 use longdrive::derivative::{Order, evaluate};
-use longdrive::parameters::{Parameter, Preset};
+use longdrive::parameters::{Parameter, SetupFile};
 use longdrive::report::setup_toml;
 use longdrive::study::Sigma;
 use longdrive::study::certificate::certify;
@@ -215,11 +215,11 @@ fn same_drive_by_weather_and_by_its_density_and_by_wind_components() {
 
 #[test]
 fn same_drive_in_other_weather_from_a_written_setup_and_from_its_preset() {
-    let preset = Preset::named("tour-average").unwrap();
-    let setup = Setup::preset(preset.name).unwrap();
+    let base = SetupFile::of_preset("tour-average").unwrap();
+    let setup = base.setup;
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("me.toml").display().to_string();
-    fs::write(&file, setup_toml(&setup, preset, &[], &[]).unwrap()).unwrap();
+    fs::write(&file, setup_toml(&setup, &base, &[], &[]).unwrap()).unwrap();
     let carry = |from: &str| {
         let weather = ["--temperature", "40degF", "--wind", "10mph"];
         let words = [&["simulate", from, "--set", "wind.from=0deg"], &weather[..]].concat();
@@ -227,7 +227,7 @@ fn same_drive_in_other_weather_from_a_written_setup_and_from_its_preset() {
         assert_eq!(status, 0, "{found}");
         number(&found["flight"]["carry"])
     };
-    assert_eq!(carry(&file), carry(preset.name));
+    assert_eq!(carry(&file), carry("tour-average"));
 }
 
 #[test]
@@ -408,7 +408,8 @@ fn the_effective_density_is_shown_and_setups_read_back() {
         .unwrap();
     assert_eq!(number(&row["value"]), density);
     let setup = with(&DENVER);
-    let text = setup_toml(&setup, Preset::named("modern-driver").unwrap(), &[], &[]).unwrap();
+    let base = SetupFile::of_preset("modern-driver").unwrap();
+    let text = setup_toml(&setup, &base, &[], &[]).unwrap();
     assert!(
         !text.contains("\ndensity") && text.contains("\nhumidity = \"0.4\""),
         "{text}"

@@ -1,4 +1,4 @@
-//! A problem for a solver: evaluates it, counts evaluations, and excludes them from the solver's
+//! A problem for a solver. It counts its evaluations, and excludes their time from the solver's
 //! time.
 
 use crate::problems::Case;

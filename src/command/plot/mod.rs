@@ -368,8 +368,8 @@ impl PlotLaws {
     }
 }
 
-/// The number in `text`, the value of the option `name`, or `default` without a text. A number
-/// outside of `least` to `most` is an error.
+/// Parses `text`, which is the value of the option `name`. Without a text, returns `default`. A
+/// number outside of `least` to `most` is an error.
 fn held(name: &str, text: &Option<String>, default: f64, [least, most]: [f64; 2]) -> Result<f64> {
     let Some(text) = text else { return Ok(default) };
     let unreadable = |e| Error::unreadable(name, e);

@@ -17,7 +17,6 @@ pub struct Source {
     /// The argument on the command line.
     pub argument: String,
     kind: Kind,
-    /// The content of the file; for a preset, only its setup.
     content: SetupFile,
 }
 
@@ -78,6 +77,11 @@ impl Source {
         &self.content.setup
     }
 
+    /// The content of the file; for a preset, only its setup.
+    pub fn content(&self) -> &SetupFile {
+        &self.content
+    }
+
     /// The preset itself, or the preset on which the file is based.
     pub fn preset(&self) -> &'static Preset {
         self.content.preset
@@ -136,13 +140,7 @@ fn read_preset(argument: &str) -> Result<SetupFile> {
         let advice = advice_on(argument).unwrap_or_else(usual);
         Error::unknown("setup", argument, names, advice)
     };
-    let setup = Setup::preset(argument).map_err(|_| unknown())?;
-    Ok(SetupFile {
-        setup,
-        preset: Preset::named(argument).ok_or_else(unknown)?,
-        names_preset: true,
-        given: vec![],
-    })
+    SetupFile::of_preset(argument).map_err(|_| unknown())
 }
 
 fn read_file(path: &Path) -> Result<SetupFile> {
@@ -168,5 +166,10 @@ fn read_standard_input() -> Result<SetupFile> {
         );
         return Err(Error::unreadable(STANDARD_INPUT_NAME, source));
     }
-    SetupFile::read(&text, STANDARD_INPUT_NAME)
+    let read = SetupFile::read(&text, STANDARD_INPUT_NAME)?;
+    Ok(SetupFile {
+        // standard input has no name to find it again
+        name: read.preset.name.into(),
+        ..read
+    })
 }

@@ -102,7 +102,7 @@ impl Request {
         if !self.is_within_tolerance() || !self.source.setup().states_step {
             return Ok(toml);
         }
-        let stated = setup_toml(self.source.setup(), self.source.preset(), &[], &[])?;
+        let stated = setup_toml(self.source.setup(), self.source.content(), &[], &[])?;
         Ok(with_step_of(&stated, &toml))
     }
 }

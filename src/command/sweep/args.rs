@@ -100,12 +100,12 @@ pub struct Args {
     )]
     pub histogram: Vec<String>,
 
-    /// With --part: also store the rows with the highest values of an outcome in the summary, e.g.
+    /// With --part: also store in the summary the N rows with the highest values of an outcome, e.g.
     /// carry:10. Repeatable.
     #[arg(long, value_name = "OUTCOME:N")]
     pub highest: Vec<String>,
 
-    /// With --part: also store the rows with the lowest values of an outcome in the summary.
+    /// With --part: also store in the summary the N rows with the lowest values of an outcome.
     /// Repeatable.
     #[arg(long, value_name = "OUTCOME:N")]
     pub lowest: Vec<String>,

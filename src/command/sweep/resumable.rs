@@ -167,7 +167,7 @@ impl<'a> ResumableFile<'a> {
         if let Some(part) = writer.identity.difference(&identity) {
             let reason = format!(
                 "it belongs to another command ({part} differ); repeat the command that began it, \
-                 or replace the file with `overwrite`"
+                 or give `overwrite` to replace the file"
             );
             return Err(refused(&path, reason));
         }

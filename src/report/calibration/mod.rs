@@ -10,7 +10,7 @@ use super::setup_file::setup_toml;
 use super::shown::as_declared;
 use crate::error::Result;
 use crate::optimize::least_squares::Status;
-use crate::parameters::Preset;
+use crate::parameters::SetupFile;
 use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable, Starts};
 use crate::units::{Message, System, counted, counted_of, typed};
 use serde::Serialize;
@@ -217,14 +217,15 @@ impl<'a> CalibrationReport<'a> {
     }
 
     /// The fitted setup as a setup file in TOML, with full precision. The fitted parameters have
-    /// their standard errors as remarks. `data` is the file of the shots.
+    /// their standard errors as remarks. `file` is the setup of the request, `data` the file of the
+    /// shots.
     ///
     /// # Errors
     /// The errors of [`setup_toml`].
-    pub fn toml(&self, preset: &Preset, data: &str) -> Result<String> {
+    pub fn toml(&self, file: &SetupFile, data: &str) -> Result<String> {
         let found = self.found;
         let about = [
-            format!("{}, fitted to {data}", preset.name),
+            format!("{}, fitted to {data}", file.name),
             format!("{}: {}", found.fit.status, found.fit.message),
         ];
         let remarks = found.estimates.iter().map(|estimate| {
@@ -245,7 +246,7 @@ impl<'a> CalibrationReport<'a> {
             };
             (parameter, format!("fitted to {data}: {value}"))
         });
-        setup_toml(&found.setup, preset, &about, &remarks.collect::<Vec<_>>())
+        setup_toml(&found.setup, file, &about, &remarks.collect::<Vec<_>>())
     }
 }
 

@@ -10,7 +10,7 @@ use super::reply::{Ending, Report, share};
 use super::setup_file::setup_toml;
 use super::shown;
 use crate::error::Result;
-use crate::parameters::{Preset, Setup};
+use crate::parameters::{Setup, SetupFile};
 use crate::study::delivery::{Delivery, Explained, Population, Posterior, Spread, Unidentified};
 use crate::units::{Message, System, counted, counted_of};
 use serde::Serialize;
@@ -193,13 +193,14 @@ pub fn bound_warnings(all: &[Delivery], system: System) -> Vec<Message> {
 const UNIDENTIFIED: f64 = 0.005;
 
 /// A setup file with the most probable delivery of a shot, or with the mean of several deliveries.
+/// `file` is the setup of the request.
 ///
 /// # Errors
 /// The errors of [`setup_toml`].
 pub fn delivery_toml(
     setup: &Setup<f64>,
     all: &[Delivery],
-    preset: &Preset,
+    file: &SetupFile,
     from: &str,
 ) -> Result<String> {
     let spread = Spread::of(all);
@@ -236,8 +237,8 @@ pub fn delivery_toml(
     }
     setup_toml(
         &golfer,
-        preset,
-        &[format!("{}, with the delivery of {from}", preset.name)],
+        file,
+        &[format!("{}, with the delivery of {from}", file.name)],
         &remarks,
     )
 }

@@ -3,6 +3,7 @@
 use super::super::limits::{self, Objective, gain};
 use super::super::shown;
 use crate::optimize::Status;
+use crate::parameters::Vary;
 use crate::study::{Optimum, Sense};
 use crate::units::{System, signed};
 
@@ -33,7 +34,7 @@ pub(in crate::report) fn constraint_in_words(
 }
 
 /// The state of a bound in words, such as "at its upper bound: +2.11 yd for each degree that it is
-/// raised".
+/// raised"; without the gain where the search did not converge.
 pub(in crate::report) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> String {
     let vary = optimum.search.vary[i];
     let goal = &optimum.search.of;
@@ -57,7 +58,7 @@ pub(in crate::report) fn bound_in_words(optimum: &Optimum, i: usize, system: Sys
         "fixed".into()
     } else if optimum.solution.status != Status::Converged {
         // multipliers have a meaning only at an optimum
-        String::new()
+        reached_bound(vary, optimum.solution.x[i]).into()
     } else if is_corner && upper + lower > 0.0 {
         let (bound, side) = if lower > 0.0 {
             ("lower", "above")
@@ -73,4 +74,20 @@ pub(in crate::report) fn bound_in_words(optimum: &Optimum, i: usize, system: Sys
     } else {
         limits::bound([lower, upper], [lower, upper], price)
     }
+}
+
+/// Distance from a bound that counts as reached, relative to the width of the range: the QP solver
+/// ends a little inside.
+const REACHED: f64 = 1e-6;
+
+/// The bound that a value has reached; empty between the bounds.
+fn reached_bound(vary: Vary, value: f64) -> &'static str {
+    let margin = REACHED * (vary.high - vary.low);
+    if value <= vary.low + margin {
+        return "at its lower bound";
+    }
+    if value >= vary.high - margin {
+        return "at its upper bound";
+    }
+    ""
 }

@@ -4,13 +4,13 @@ use super::super::setup_file::{remarks_on_varied, setup_toml};
 use super::super::shown;
 use super::super::uncertainty::distribution_text;
 use crate::error::Result;
-use crate::parameters::Preset;
+use crate::parameters::SetupFile;
 use crate::study::Optimum;
 use crate::study::swings::Swings;
 use crate::units::{System, counted};
 
 /// The setup at an optimum as a setup file in TOML, with full precision. `interrupted` is the
-/// message on interrupted searches.
+/// message on interrupted searches; `file` is the setup of the request.
 ///
 /// # Errors
 /// The errors of [`setup_toml`].
@@ -18,7 +18,7 @@ pub fn optimum_toml(
     optimum: &Optimum,
     swings: Option<&Swings>,
     interrupted: Option<String>,
-    preset: &Preset,
+    file: &SetupFile,
 ) -> Result<String> {
     let search = &optimum.search;
     let value = optimum
@@ -36,7 +36,7 @@ pub fn optimum_toml(
     };
     let mut about = vec![format!(
         "{}, {} {}{over}: {value}",
-        preset.name,
+        file.name,
         search.sense.adjective(),
         search.of.expression
     )];
@@ -55,5 +55,5 @@ pub fn optimum_toml(
     );
     about.push(format!("{}: {}", optimum.status(), optimum.message()));
     let remarks = remarks_on_varied("optimum", &search.vary, &optimum.solution.x);
-    setup_toml(&optimum.setup, preset, &about, &remarks)
+    setup_toml(&optimum.setup, file, &about, &remarks)
 }

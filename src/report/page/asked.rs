@@ -18,7 +18,7 @@ const NAMED: usize = 3;
 /// The title of the page: the setup or the stated launch, and the first changes of the setup.
 pub(super) fn title(findings: &Findings, system: System) -> Result<String> {
     // a setup file has its own name
-    if findings.name != findings.preset.name {
+    if findings.name != findings.file.preset.name {
         return Ok(findings.name.clone());
     }
     let changed = changed(findings, system)?;
@@ -54,7 +54,7 @@ fn launch(findings: &Findings) -> Vec<&'static str> {
 
 /// The line below the title. The description of a preset applies only to the preset's drive.
 pub(super) fn subtitle(findings: &Findings) -> Result<String> {
-    let preset = findings.preset.name;
+    let preset = findings.file.preset.name;
     let changes = changed(findings, System::default())?.len() as u64;
     Ok(match (findings.stated.launch.is_given(), changes) {
         (true, _) => {
@@ -63,7 +63,7 @@ pub(super) fn subtitle(findings: &Findings) -> Result<String> {
                  preset {preset}."
             )
         }
-        (false, 0) => findings.preset.about.into(),
+        (false, 0) => findings.file.preset.about.into(),
         (false, changes) => format!("The preset {preset} with {}.", counted(changes, "change")),
     })
 }
@@ -78,7 +78,7 @@ fn changed(findings: &Findings, system: System) -> Result<Vec<Change>> {
             .parameter
             .is_some_and(|parameter| parameter.is_of_launch() || is_of_club(parameter))
     };
-    Ok(changes(&findings.stated, findings.preset, system)?
+    Ok(changes(&findings.stated, findings.file.preset, system)?
         .into_iter()
         .filter(is_told)
         .collect())
@@ -119,12 +119,12 @@ pub(super) fn asked(findings: &Findings) -> Result<Markup> {
             @if let Some(search) = search { (wanted(search)) }
             @if launch.is_empty() {
                 dt { "Preset" } dd {
-                    (findings.preset.name)
+                    (findings.file.preset.name)
                     @if us.is_empty() { ", as it is" } @else { "; changed: " (of_preset) }
                 }
             } @else {
                 dt { "Ball, air and ground" } dd {
-                    "those of the preset " (findings.preset.name)
+                    "those of the preset " (findings.file.preset.name)
                     @if !us.is_empty() { "; changed: " (of_preset) }
                 }
             }

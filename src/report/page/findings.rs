@@ -1,7 +1,7 @@
 use crate::drive::Outcome;
 use crate::flight::Flight;
 use crate::optimize::Status;
-use crate::parameters::{Preset, Setup};
+use crate::parameters::{Setup, SetupFile};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::Row;
 use crate::study::{
@@ -35,8 +35,8 @@ pub struct Findings {
     pub setup: Setup<f64>,
     /// The outcome that the report is about.
     pub of: Outcome,
-    /// The preset of the setup.
-    pub preset: &'static Preset,
+    /// The file or preset of the setup.
+    pub file: SetupFile,
     /// The drive as set up, and the drive at the optimum.
     pub flown: Vec<NamedDrive>,
     /// The landings of the drives that fly.
@@ -92,14 +92,14 @@ impl Findings {
         stated: Setup<f64>,
         setup: Setup<f64>,
         of: Outcome,
-        preset: &'static Preset,
+        file: SetupFile,
     ) -> Self {
         Self {
             name,
             stated,
             setup,
             of,
-            preset,
+            file,
             flown: vec![],
             landings: vec![],
             launches: None,

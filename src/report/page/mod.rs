@@ -32,10 +32,10 @@ use maud::{Markup, html};
 pub fn report_documents(findings: &Findings) -> Result<Vec<TextFile>> {
     let plots = plots(findings);
     let setup = match findings.best() {
-        Some(best) => optimum_toml(best, None, None, findings.preset)?,
+        Some(best) => optimum_toml(best, None, None, &findings.file)?,
         None => setup_toml(
             &findings.setup,
-            findings.preset,
+            &findings.file,
             &[format!("{}, as set up", findings.name)],
             &[],
         )?,
@@ -95,7 +95,7 @@ fn plots(findings: &Findings) -> Plots {
             .flat_map(|effects| Causes::APART.map(|causes| tornados(effects, causes)))
             .flatten()
             .collect(),
-        // finite differences without any error, such as for a derivative of 0, have no curve
+        // without any error, as for a derivative of 0, finite differences have no curve
         curves: Some(vcurve_figure(&findings.rows, &findings.loops))
             .filter(|figure| figure_svg(figure, &Look::default()).is_ok())
             // the texts of these curves have no units

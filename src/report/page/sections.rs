@@ -224,13 +224,13 @@ pub(super) fn verdicts(rows: &[Row]) -> Markup {
 pub(super) fn setup(findings: &Findings) -> Result<Markup> {
     let is_launched = findings.setup.launch.is_given();
     let [us, metric] = [System::Us, System::Metric]
-        .map(|system| sources(&findings.setup, findings.preset, Some(system)));
+        .map(|system| sources(&findings.setup, &findings.file, Some(system)));
     let rows = us?.into_iter().zip(metric?);
     let rows = rows.filter(|(us, _)| !(is_launched && is_of_strike(findings, us.name)));
     Ok(html! {
         p.faint {
             "All numbers of the setup and their sources; it is based on the preset "
-            (findings.preset.name) "."
+            (findings.file.preset.name) "."
             @if is_launched { " Those of swing, club, strike and impact are left out: no club \
                                strikes the ball." }
         }

@@ -17,7 +17,7 @@ use std::cell::Cell;
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Landing {
-    /// End of the report's loop, below the ground.
+    /// The last step of the report's time loop, which is below the ground.
     #[serde(rename = "loop")]
     Overshot,
     /// Interpolated between the last two steps of the report's loop.

@@ -92,7 +92,7 @@ impl FitPlan {
             }
             if table.gives(parameter) {
                 return refuse(format!(
-                    "{} is a column of {}; a parameter that the rows state cannot be fitted",
+                    "{} is a column of {}; a parameter with values in the table cannot be fitted",
                     parameter.name, table.file
                 ));
             }

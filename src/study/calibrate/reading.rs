@@ -362,7 +362,7 @@ impl Reading {
                         Err(why) => row.no_air = Some(why),
                     }
                 }
-                // in a table of deliveries a row may lack a value of the club
+                // a row of a table of deliveries may lack a parameter of the club
                 Content::Input(parameter)
                     if self.club == ClubColumns::Read && column.is_of_the_strike() =>
                 {

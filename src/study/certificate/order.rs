@@ -94,8 +94,8 @@ pub(super) fn measure_largest(
     })
 }
 
-/// Logarithms of step and largest error of each level above rounding; `None` if there are too few
-/// such levels.
+/// Logarithms of step and largest error of each level whose error exceeds rounding; `None` if
+/// there are too few such levels.
 fn levels_above_rounding(samples: &[Errors], power: i32, floor: f64) -> Option<Vec<(f64, f64)>> {
     let count = samples.iter().map(|sample| sample.level).max()? + 1;
     let of_level = |level: usize| samples.iter().filter(move |sample| sample.level == level);

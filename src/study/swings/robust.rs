@@ -373,7 +373,7 @@ struct Losses<'a> {
     problems: Vec<SearchProblem>,
     /// f*ₖ of each model.
     least: Vec<f64>,
-    /// f*ₖ of each model from its own search, with smoothed kinks and jumps.
+    /// f*ₖ of each model with smoothed kinks and jumps, from the model's own search.
     smoothed_least: Vec<f64>,
 }
 

@@ -13,6 +13,7 @@ pub use sets::{Computation, SETS, Set};
 use crate::error::Result;
 use crate::json::number;
 use crate::parameters::Law;
+use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
 /// Temperature range for drives without a stated air, K: 15 and 35 °C.
@@ -156,10 +157,10 @@ fn scores(set: &'static Set, own: Option<Law<f64>>) -> Result<SetScores> {
         cases,
         laws: vec![],
     };
-    found.laws = Law::NAMES
-        .iter()
-        .filter_map(|name| Law::named(name))
-        .chain(own)
+    let published = Law::NAMES.iter().filter_map(|name| Law::named(name));
+    let laws: Vec<_> = published.chain(own).collect();
+    found.laws = laws
+        .into_par_iter()
         .map(|law| found.law_scores(base.as_ref(), law))
         .collect::<Result<_>>()?;
     Ok(found)
