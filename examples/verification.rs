@@ -139,7 +139,7 @@ fn the_loop(loops: &[LoopRow]) {
              does, gets {:.2} m/rad from a difference at a step of 1e-8. \
              No step is right: large ones reach over several of its jumps and have an error from \
              the curvature, small ones lie between two jumps.\n",
-            row.small_difference().unwrap_or(f64::NAN)
+            row.difference.unwrap_or(f64::NAN)
         );
     }
     println!("![V-curves of the smooth landing and of the loop](pictures/vcurve.svg)\n");

@@ -1,6 +1,7 @@
 //! Numbers, and values by name, in the JSON of a result.
 
-use serde::{Serialize, Serializer};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// A number or `null`. JSON has no infinity: the radius of a flat face is `"inf"`, as in setup
 /// files, and a range without a lower end has the low value `"-inf"`.
@@ -31,6 +32,21 @@ impl Serialize for Number {
     }
 }
 
+impl<'de> Deserialize<'de> for Number {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        use serde_json::Value;
+        match Value::deserialize(deserializer)? {
+            Value::Null => Ok(Self(None)),
+            Value::Number(number) => Ok(Self(number.as_f64())),
+            Value::String(text) if text == "inf" => Ok(Self(Some(f64::INFINITY))),
+            Value::String(text) if text == "-inf" => Ok(Self(Some(f64::NEG_INFINITY))),
+            other => Err(D::Error::custom(format!(
+                "{other} is not a number, \"inf\", \"-inf\" or null"
+            ))),
+        }
+    }
+}
+
 #[cfg(test)]
 impl schemars::JsonSchema for Number {
     fn schema_name() -> std::borrow::Cow<'static, str> {
@@ -43,6 +59,34 @@ impl schemars::JsonSchema for Number {
             "anyOf": [{ "type": ["number", "null"] }, { "enum": ["inf", "-inf"] }]
         })
     }
+}
+
+/// A range of values; an infinite end is `"-inf"` or `"inf"`.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct Range {
+    /// Lower end, SI.
+    pub low: Number,
+    /// Upper end, SI.
+    pub high: Number,
+}
+
+impl From<[f64; 2]> for Range {
+    fn from([low, high]: [f64; 2]) -> Self {
+        Self {
+            low: low.into(),
+            high: high.into(),
+        }
+    }
+}
+
+/// Serializes the ends of a range as a [`Range`], and `None` as `null`.
+pub fn range<T: Copy + Into<Option<[f64; 2]>>, S: Serializer>(
+    ends: &T,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let ends: Option<[f64; 2]> = (*ends).into();
+    ends.map(Range::from).serialize(serializer)
 }
 
 /// Serializes a field as a [`Number`].
@@ -71,4 +115,26 @@ pub fn by_name<N: Serialize, V: Serialize, S: Serializer>(
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
     serializer.collect_map(values.iter().map(|(name, value)| (name, value)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Number;
+
+    #[test]
+    fn exact_numbers_after_writing_and_reading() {
+        for value in [
+            Some(0.1),
+            Some(f64::INFINITY),
+            Some(f64::NEG_INFINITY),
+            None,
+        ] {
+            let text = serde_json::to_string(&Number(value)).unwrap();
+            assert_eq!(
+                serde_json::from_str::<Number>(&text).unwrap(),
+                Number(value)
+            );
+        }
+        assert!(serde_json::from_str::<Number>("\"infinite\"").is_err());
+    }
 }

@@ -1,4 +1,8 @@
+#[cfg(test)]
+use crate::json::Range;
+use crate::json::range;
 use crate::units::{Digits, Message, Quantity};
+use serde::{Serialize, Serializer};
 
 /// Name, quantity with unit, and fitted range of a variable of a law.
 pub type FittedRange = (&'static str, (Quantity, &'static str), Option<[f64; 2]>);
@@ -21,23 +25,45 @@ pub fn range_in_words(
         .quantity(quantity, unit, high, digits)
 }
 
-/// Ranges of the measurements that a law was fitted to. Outside of them the law is extrapolated or a
-/// variable is clamped ("held"), with an unknown error.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The measurements to which a law was fitted, and the range of each quantity; `null` for an
+/// unknown range.
+// outside of a range the law is extrapolated or a variable is clamped ("held"), with an unknown
+// error
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "FittedReport"))]
 pub struct Fitted {
-    /// Spin ratios s = R|ω|/|v|.
-    pub spin_ratio: Option<[f64; 2]>,
-    /// Spins |ω|, rad/s.
-    pub spin: Option<[f64; 2]>,
-    /// Reynolds numbers.
-    pub reynolds: Option<[f64; 2]>,
-    /// Speeds through the air, m/s.
-    pub speed: Option<[f64; 2]>,
-    /// Description of the data that the law was fitted to.
+    /// The measurements.
+    // empty if they are not known
+    #[serde(serialize_with = "unless_empty")]
+    #[cfg_attr(test, schemars(with = "Option<String>"))]
     pub to: &'static str,
+    /// Spin ratio r ω/v.
+    #[serde(serialize_with = "range")]
+    #[cfg_attr(test, schemars(with = "Option<Range>"))]
+    pub spin_ratio: Option<[f64; 2]>,
+    /// Spin, rad/s.
+    #[serde(serialize_with = "range")]
+    #[cfg_attr(test, schemars(with = "Option<Range>"))]
+    pub spin: Option<[f64; 2]>,
+    /// Reynolds number.
+    #[serde(serialize_with = "range")]
+    #[cfg_attr(test, schemars(with = "Option<Range>"))]
+    pub reynolds: Option<[f64; 2]>,
+    /// Speed through the air, m/s.
+    #[serde(serialize_with = "range")]
+    #[cfg_attr(test, schemars(with = "Option<Range>"))]
+    pub speed: Option<[f64; 2]>,
     /// For each of [`ranges`](Self::ranges), true for the ends (below, above) at which the law
     /// clamps the variable. Beyond an end with false, the law is extrapolated.
+    #[serde(skip)]
     pub held: [[bool; 2]; 4],
+}
+
+fn unless_empty<S: Serializer>(text: &str, serializer: S) -> Result<S::Ok, S::Error> {
+    Some(text)
+        .filter(|text| !text.is_empty())
+        .serialize(serializer)
 }
 
 impl Fitted {

@@ -253,8 +253,7 @@ fn read_unknowns(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<V
     let sigmas = sigmas(setup, &args.sigma)?;
     let measured = |unknown: Unknown| match setup.value(unknown.parameter) {
         Some(value) if request.states(unknown.parameter) => Unknown {
-            low: unknown.low,
-            high: unknown.high,
+            range: unknown.range,
             ..unknown.measured_as(value)
         },
         _ => unknown,

@@ -10,6 +10,8 @@ pub(crate) use declaration::{ComputedFrom, Plausible, Sign};
 pub use declaration::{Instrument, OutcomeGroup};
 pub use outcome_table::Outcome;
 pub(crate) use outcome_table::OutcomeInputs;
+#[cfg(feature = "studies")]
+pub(crate) use validity::exceeded_in_flight;
 pub use validity::{CheckScope, ExceededCount, ExceededLimits};
 pub(crate) use validity::{any_face, flat_landing_angle, is_outside_any_face};
 pub use warnings::FlownRange;

@@ -114,6 +114,15 @@ impl Drive<f64> {
     }
 }
 
+/// Validity limits that the drive of a setup exceeds during its flight, if the outcomes `of` are
+/// requested; `None` if the ball does not land.
+#[cfg(feature = "studies")]
+pub(crate) fn exceeded_in_flight(setup: &Setup<f64>, of: &[Outcome]) -> Option<ExceededLimits> {
+    let drive = Drive::new(setup).ok()?;
+    drive.landed().ok()?;
+    Some(drive.exceeded_limits(setup, CheckScope::Flight, of))
+}
+
 /// Number of drives that exceed each validity limit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExceededCount {

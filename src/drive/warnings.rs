@@ -10,6 +10,7 @@ use crate::atmosphere::{AirState, WindField};
 use crate::flight::{Flight, Inputs, Landed, carry_by_holding, stays_within, trajectory_until};
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity};
+use serde::Serialize;
 use std::sync::atomic::AtomicBool;
 
 /// Smallest share of the flight time outside the range that causes a warning, for a variable that
@@ -40,12 +41,22 @@ const BALL_TEMPERATURE: f64 = 298.15;
 /// Shift of the landing by halving the step, m, above which there is a warning.
 const LARGEST_SHIFT: f64 = 1e-3;
 
-/// Values of a variable along a flight, and the range that the law was fitted to.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The fitted range of a quantity of the law, and its range in the flight.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "LawRange"))]
 pub struct FlownRange {
-    /// Least and greatest value in the flight, SI.
+    /// The range of the fit.
+    #[serde(serialize_with = "crate::json::range")]
+    #[cfg_attr(test, schemars(with = "crate::json::Range"))]
+    pub fitted: [f64; 2],
+    /// The range in the flight.
+    #[serde(serialize_with = "crate::json::range")]
+    #[cfg_attr(test, schemars(with = "crate::json::Range"))]
     pub flown: [f64; 2],
-    /// Share of the flight time with values outside the law's range, 0 to 1.
+    /// The fraction of the flight time outside of the fitted range.
+    #[serde(rename = "share_outside", serialize_with = "crate::json::number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
     pub outside: f64,
 }
 
@@ -201,7 +212,8 @@ impl Drive<f64> {
             return vec![];
         }
         let one = |(variable, flown): (usize, Option<FlownRange>)| {
-            let (flown, range) = (flown?, ranges[variable]?);
+            let flown = flown?;
+            let range = flown.fitted;
             let [is_below, is_above] = [flown.flown[0] < range[0], flown.flown[1] > range[1]];
             let [held_below, held_above] = fitted.held[variable];
             if flown.outside == 0.0 {
@@ -277,14 +289,18 @@ impl Drive<f64> {
         }
         let path = self.stream(setup, stop);
         std::array::from_fn(|k| {
-            let [low, high] = ranges[k].filter(|_| !path.is_empty())?;
+            let fitted @ [low, high] = ranges[k].filter(|_| !path.is_empty())?;
             let values = path.iter().map(|(time, values)| (*time, values[k]));
             let outside = share(values.clone(), |value| !(low..=high).contains(&value));
             let flown = values.fold(
                 [f64::INFINITY, f64::NEG_INFINITY],
                 |[least, most], (_, value)| [least.min(value), most.max(value)],
             );
-            Some(FlownRange { flown, outside })
+            Some(FlownRange {
+                fitted,
+                flown,
+                outside,
+            })
         })
     }
 

@@ -54,57 +54,13 @@ pub struct DifferenceReport {
     /// The value of b minus the value of a, SI.
     pub difference: Number,
     /// The shares of the parameters that differ; `null` if the drives cannot be compared.
-    pub by_parameter: Option<SharesReport>,
+    pub by_parameter: Option<Shares>,
     /// The shares of the launch conditions and the other inputs of the flight. `null` in three
     /// cases: the drives cannot be compared; the outcome is one of the launch; or the setups state
     /// the launches, so that `by_parameter` has these shares.
-    pub by_launch: Option<SharesReport>,
+    pub by_launch: Option<Shares>,
     /// The reason why the drives cannot be compared; `null` if they can.
     pub message: Option<String>,
-}
-
-/// A difference split into its causes.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct SharesReport {
-    /// The share of each cause, in the order of the parameters; causes without intermediate values
-    /// come last.
-    pub shares: Vec<ShareReport>,
-    /// The difference minus the sum of the shares, SI. It is at most `integration_error`, unless
-    /// the model has a corner between the drives.
-    pub remainder: Number,
-    /// The error estimate of a share, SI: 1e-11 of the outcome (rounding) for a smooth law, up to
-    /// 1e-8 of the outcome for a piecewise law.
-    pub integration_error: Number,
-}
-
-/// The share of a cause.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ShareReport {
-    /// The parameter or choice that differs: `aero.law`, `golfer`, `swing.speed_of`; `launch`, if
-    /// only one of the drives has a club; `air` or `wind`, if the drives state it by different
-    /// parameters.
-    pub cause: &'static str,
-    /// The value of the cause in each drive.
-    pub values: [CauseValue; 2],
-    /// The share of the cause in the difference, SI.
-    pub share: Number,
-    /// True if the cause changes in one step halfway, because it has no intermediate values.
-    pub at_once: bool,
-}
-
-/// The value of a cause in a drive.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-#[serde(untagged)]
-pub enum CauseValue {
-    /// A number in SI, or radians.
-    Number(Number),
-    /// The name of a choice.
-    Choice(&'static str),
-    /// The stated numbers of a quantity that may be stated in several ways.
-    Numbers(ByName<Number>),
 }
 
 impl<'a> ComparisonReport<'a> {
@@ -144,8 +100,8 @@ impl DifferenceReport {
                 of,
                 values: Some(found.values.map(Number::from)),
                 difference: found.amount().into(),
-                by_parameter: Some(SharesReport::new(&found.by_parameter)),
-                by_launch: found.by_launch.as_ref().map(SharesReport::new),
+                by_parameter: Some(found.by_parameter.clone()),
+                by_launch: found.by_launch.clone(),
                 message: None,
             },
             Err(why) => Self {
@@ -156,22 +112,6 @@ impl DifferenceReport {
                 by_launch: None,
                 message: Some(why.to_string()),
             },
-        }
-    }
-}
-
-impl SharesReport {
-    fn new(split: &Shares) -> Self {
-        let share = |Share { cause, amount }: &Share| ShareReport {
-            cause: cause.name(),
-            values: split.setups.each_ref().map(|setup| value(*cause, setup)),
-            share: (*amount).into(),
-            at_once: cause.is_discrete(),
-        };
-        Self {
-            shares: split.shares.iter().map(share).collect(),
-            remainder: split.remainder.into(),
-            integration_error: split.error.into(),
         }
     }
 }
@@ -234,37 +174,6 @@ fn difference_line(difference: &Difference, system: System) -> Line {
     let amount = shown::change(of, difference.amount(), system);
     let name = shown::words(of.name());
     Line::flush(format!("{name}: {amount}, from {a} to {b}"))
-}
-
-/// The value of a cause in a setup.
-fn value(cause: Cause, setup: &Setup<f64>) -> CauseValue {
-    match cause {
-        Cause::Continuous(parameter) | Cause::Discrete(parameter) => {
-            CauseValue::Number(setup.value(parameter).into())
-        }
-        Cause::Law | Cause::Golfer | Cause::SpeedOf | Cause::Launch => {
-            CauseValue::Choice(choice(cause, setup))
-        }
-        Cause::Ways(ways) => {
-            let given = ways.given_in(setup).into_iter();
-            let numbers = given.map(|parameter| (parameter.name, setup.value(parameter)));
-            CauseValue::Numbers(numbers.collect())
-        }
-    }
-}
-
-/// The name of a cause's choice in a setup.
-fn choice(cause: Cause, setup: &Setup<f64>) -> &'static str {
-    match cause {
-        Cause::Golfer => setup.golfer.name(),
-        Cause::SpeedOf => setup.speed_of.name(),
-        Cause::Law => setup
-            .law
-            .table()
-            .map_or(setup.law.name(), |table| table.file.as_str()),
-        _ if setup.launch.is_given() => "given",
-        _ => "struck by a club",
-    }
 }
 
 /// The outcomes of two drives, and their differences.
@@ -402,7 +311,9 @@ fn cell(cause: Cause, setup: &Setup<f64>, system: System) -> String {
         Cause::Continuous(parameter) | Cause::Discrete(parameter) => {
             stated(parameter, setup, system)
         }
-        Cause::Law | Cause::Golfer | Cause::SpeedOf | Cause::Launch => choice(cause, setup).into(),
+        Cause::Law | Cause::Golfer | Cause::SpeedOf | Cause::Launch => {
+            cause.choice_in(setup).into()
+        }
         Cause::Ways(ways) => {
             let line = |parameter: &&'static Parameter| {
                 let name = parameter.name.rsplit('.').next().unwrap_or(parameter.name);

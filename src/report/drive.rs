@@ -1,10 +1,9 @@
 use super::document::{Document, Line, Table};
-use super::json::{self, ByName, Number, Range, Settings, settings};
+use super::json::{self, ByName, Number, Settings, settings};
 use super::reply::{Ending, Report};
 use super::shown;
-use crate::aerodynamics::AerodynamicLaw;
 use crate::atmosphere::AirState;
-use crate::drive::{Drive, Outcome, OutcomeGroup};
+use crate::drive::{Drive, FlownRange, Outcome, OutcomeGroup};
 use crate::flight::Flight;
 use crate::ground::Rest;
 use crate::impact::Grip;
@@ -15,7 +14,7 @@ use serde::Serialize;
 
 /// Minimum uncertainty of the total, m. It covers the differences between grounds
 /// (docs/limitations.md).
-const RUN_WITHIN: f64 = 10.0 * 0.9144;
+pub(super) const RUN_WITHIN: f64 = 10.0 * 0.9144;
 
 /// A drive: setup, launch, head after impact and flight.
 #[derive(Clone, Debug, Serialize)]
@@ -71,25 +70,13 @@ pub struct ClubReport {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LawRanges {
     /// Spin ratio r ω/v.
-    pub spin_ratio: Option<LawRange>,
+    pub spin_ratio: Option<FlownRange>,
     /// Spin, rad/s.
-    pub spin: Option<LawRange>,
+    pub spin: Option<FlownRange>,
     /// Reynolds number.
-    pub reynolds: Option<LawRange>,
+    pub reynolds: Option<FlownRange>,
     /// Speed through the air, m/s.
-    pub speed: Option<LawRange>,
-}
-
-/// The fitted range of a quantity of the law, and its range in the flight.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct LawRange {
-    /// The range of the fit.
-    pub fitted: Range,
-    /// The range in the flight.
-    pub flown: Range,
-    /// The fraction of the flight time outside of the fitted range.
-    pub share_outside: Number,
+    pub speed: Option<FlownRange>,
 }
 
 impl<'a> DriveReport<'a> {
@@ -169,16 +156,7 @@ pub(super) fn law_range(setup: &Setup<f64>, drive: &Drive<f64>) -> Option<LawRan
     if !has_air || matches!(drive.flight, Flight::None(_)) {
         return None;
     }
-    let (fitted, flown) = (setup.law.fitted().ranges(), drive.flown_ranges(setup));
-    let [spin_ratio, spin, reynolds, speed] = std::array::from_fn(|at| {
-        let (.., fitted) = fitted[at];
-        let within = flown[at].as_ref()?;
-        Some(LawRange {
-            fitted: fitted?.into(),
-            flown: within.flown.into(),
-            share_outside: within.outside.into(),
-        })
-    });
+    let [spin_ratio, spin, reynolds, speed] = drive.flown_ranges(setup);
     Some(LawRanges {
         spin_ratio,
         spin,

@@ -1,6 +1,6 @@
 //! Values in the JSON of a report: ranges, vectors, matrices, and values by name.
 
-pub use crate::json::Number;
+pub use crate::json::{Number, Range};
 
 use crate::atmosphere::in_effect;
 use crate::json::by_name;
@@ -13,25 +13,6 @@ use std::borrow::Cow;
 /// The components of a vector: up, right, downrange.
 pub(super) fn components(vector: Vector<f64>) -> [Number; 3] {
     vector.to_array().map(Number::from)
-}
-
-/// A range of values; an infinite end is `"-inf"` or `"inf"`.
-#[derive(Clone, Copy, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Range {
-    /// Lower end, SI.
-    pub low: Number,
-    /// Upper end, SI.
-    pub high: Number,
-}
-
-impl From<[f64; 2]> for Range {
-    fn from([low, high]: [f64; 2]) -> Self {
-        Self {
-            low: low.into(),
-            high: high.into(),
-        }
-    }
 }
 
 /// Values by name, in order: a JSON object.

@@ -1,5 +1,4 @@
 use super::document::{Document, Line};
-use super::json::Range;
 use super::reply::Report;
 use crate::aerodynamics::{AerodynamicLaw, Fitted, Published};
 use crate::parameters::Law;
@@ -18,8 +17,6 @@ pub struct LawsReport {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LawReport {
-    #[serde(skip)]
-    fitted_in_si: Fitted,
     /// The name of the law, as the value of `aero.law`.
     pub name: &'static str,
     /// True for the default law.
@@ -30,24 +27,7 @@ pub struct LawReport {
     /// The formulas of C_D and C_L.
     pub formula: &'static str,
     /// The fitted ranges.
-    pub fitted: FittedReport,
-}
-
-/// The measurements to which a law was fitted, and the range of each quantity; `null` for an
-/// unknown range.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct FittedReport {
-    /// The measurements.
-    pub to: Option<&'static str>,
-    /// Spin ratio r ω/v.
-    pub spin_ratio: Option<Range>,
-    /// Spin, rad/s.
-    pub spin: Option<Range>,
-    /// Reynolds number.
-    pub reynolds: Option<Range>,
-    /// Speed through the air, m/s.
-    pub speed: Option<Range>,
+    pub fitted: Fitted,
 }
 
 impl LawsReport {
@@ -73,21 +53,12 @@ impl Report for LawsReport {
 
 impl LawReport {
     fn new(law: Law<f64>) -> Self {
-        let fitted = law.fitted();
-        let range = |range: Option<[f64; 2]>| range.map(Range::from);
         Self {
-            fitted_in_si: fitted,
             name: law.name(),
             is_default: law.name() == Law::default().name(),
             published: law.published(),
             formula: law.formula(),
-            fitted: FittedReport {
-                to: Some(fitted.to).filter(|to| !to.is_empty()),
-                spin_ratio: range(fitted.spin_ratio),
-                spin: range(fitted.spin),
-                reynolds: range(fitted.reynolds),
-                speed: range(fitted.speed),
-            },
+            fitted: law.fitted(),
         }
     }
 
@@ -101,11 +72,11 @@ impl LawReport {
         } = self.published;
         let year = year.map_or(String::new(), |year| format!(" {year}"));
         let default = if self.is_default { " (default)" } else { "" };
-        let range = if self.fitted_in_si == Fitted::UNKNOWN {
+        let range = if self.fitted == Fitted::UNKNOWN {
             "fitted to: not known".into()
         } else {
-            let to = Message::from(format!("fitted to {}: ", self.fitted_in_si.to));
-            self.fitted_in_si.in_words(to).in_units(system)
+            let to = Message::from(format!("fitted to {}: ", self.fitted.to));
+            self.fitted.in_words(to).in_units(system)
         };
         [
             Line::item(format!("{}{default}: {authors}{year}", self.name)),

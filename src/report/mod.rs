@@ -44,31 +44,29 @@ mod uncertainty;
 mod validation;
 mod winfield_tan;
 
-pub use calibration::{CalibrationReport, DataReport, HeldOutReport, RefusedReport, StartsReport};
-pub use certificate::{CertificateReport, CertificateRow, Curve, LoopCheck, NegativeControl};
+pub use calibration::{CalibrationReport, DataReport, HeldOutReport, RefusedReport};
+pub use certificate::{CertificateReport, CertificateRow, NegativeControl};
 pub use chart::{ChartPointReport, ChartReport};
-pub use compare::{
-    CauseValue, ComparedDrive, ComparisonReport, DifferenceReport, ShareReport, SharesReport,
-};
+pub use compare::{ComparedDrive, ComparisonReport, DifferenceReport};
 pub use delivery::{
-    DeliveryReport, DeliveryRow, KnownReport, bound_warnings, delivery_toml, population_warnings,
-    recovered_csv, recovered_toml,
+    DeliveryReport, DeliveryRow, bound_warnings, delivery_toml, population_warnings, recovered_csv,
+    recovered_toml,
 };
 pub use design::Designed;
 pub use document::{Document, Line, TextOptions, document_files};
-pub use drive::{ClubReport, DriveReport, LaunchReport, LawRange, LawRanges, known_within};
+pub use drive::{ClubReport, DriveReport, LaunchReport, LawRanges, known_within};
 pub use effects::{EffectReport, EffectsReport, OutcomeEffects, Totals};
 pub use explorer::explorer_state;
 pub use frame::TextFile;
 pub use gradient::{GradientReport, OutcomeReport};
 pub use json::{ByName, Matrix, Number, Range, Setting, Settings};
-pub use laws::{FittedReport, LawReport, LawsReport};
+pub use laws::{LawReport, LawsReport};
 pub use lines::{by_reason, remark, wrapped};
 pub use mae494::Mae494Report;
 pub use optimum::{
-    ClubAloneReport, ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers,
-    OptimumReport, Surroundings, WindowReport, iteration_line, optima_document, optimize_document,
-    optimum_document, optimum_toml,
+    ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimumReport,
+    Surroundings, iteration_line, optima_document, optimize_document, optimum_document,
+    optimum_toml,
 };
 pub use origin::Origin;
 pub use parameters::{ParameterReport, ParametersReport};
@@ -90,8 +88,8 @@ pub(crate) use shots::FlyRow;
 #[cfg(feature = "parquet")]
 pub use shots::ShotParquet;
 pub use shots::{
-    BandReport, ClubOutcome, ClubShotsReport, OutcomeResiduals, RefusedRows, ShotFormat,
-    ShotWriter, ShotsReport, SumsReport, open_connect_answer,
+    BandReport, ClubOutcome, ClubShotsReport, OutcomeResiduals, ShotFormat, ShotWriter,
+    ShotsReport, SumsReport, open_connect_answer,
 };
 pub use shown::{
     goal as goal_text, outcome as outcome_text, stated as parameter_text,
@@ -102,12 +100,7 @@ pub use sweep::SweepParquet;
 #[cfg(test)]
 pub(crate) use sweep::SweepRow;
 pub use sweep::{SweepCsv, SweepJsonLines, summary_document};
-pub use swings::{
-    NominalReport, OverSwings, SamplingReport, ScenarioRule, ScenariosReport, StudiesReport,
-};
-pub use uncertainty::{
-    DistributionName, EllipseReport, EllipseSource, IndicesReport, InputReport, LandingPoint,
-    OutcomeUncertaintyReport, UncertaintyReport,
-};
+pub use swings::{NominalReport, OverSwings, SamplingReport, ScenariosReport, StudiesReport};
+pub use uncertainty::{InputReport, UncertaintyReport};
 pub use validation::ValidationReport;
 pub use winfield_tan::WinfieldTanReport;

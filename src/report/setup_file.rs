@@ -20,12 +20,12 @@ const MOST_DIGITS: usize = 17;
 ///
 /// ```
 /// use longdrive::{Setup, parameters::SetupFile, report::setup_toml};
-/// let text = "preset = 'mae494'\n[club]\nmass = '0.2 kg' # weighed";
+/// let text = "preset = 'mae494'\n[club]\nmass = '200 g' # weighed";
 /// let file = SetupFile::read(text, "mine.toml").unwrap();
 /// let mut setup = file.setup;
 /// setup.set("club.loft", "10.5 deg").unwrap();
 /// let text = setup_toml(&setup, &file, &[], &[]).unwrap();
-/// assert!(text.contains("\nmass = \"0.2 kg\" # weighed\n"));
+/// assert!(text.contains("\nmass = \"200 g\" # weighed\n"));
 /// assert!(text.contains("\nloft = \"10.5 deg\" # as given, instead of 10 deg\n"));
 /// assert_eq!(Setup::from_toml(&text, "mine.toml").unwrap(), setup);
 /// ```

@@ -29,37 +29,25 @@ pub struct ScenariosReport {
     pub parameters: Vec<&'static str>,
     /// The number of swings.
     pub scenarios: usize,
-    /// The rule that generates the swings.
-    pub rule: ScenarioRule,
+    /// The rule that generates the swings: `quadrature` (Gauss's rule), `sequence` (a scrambled
+    /// Sobol' sequence) or `recorded`.
+    #[cfg_attr(test, schemars(extend("enum" = ["quadrature", "sequence", "recorded"])))]
+    pub rule: &'static str,
     /// The seed of the sequence; `null` for other rules.
     pub seed: Option<u32>,
 }
 
-/// A rule that generates swings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-#[serde(rename_all = "lowercase")]
-pub enum ScenarioRule {
-    /// Gauss's rule.
-    Quadrature,
-    /// A scrambled Sobol' sequence.
-    Sequence,
-    /// Recorded swings.
-    Recorded,
-}
-
 impl ScenariosReport {
     pub(super) fn new(of: &Scenarios) -> Self {
-        let (rule, seed) = match of.rule {
-            Rule::Quadrature(_) => (ScenarioRule::Quadrature, None),
-            Rule::Sequence { seed, .. } => (ScenarioRule::Sequence, Some(seed)),
-            Rule::Recorded => (ScenarioRule::Recorded, None),
+        let seed = match of.rule {
+            Rule::Sequence { seed, .. } => Some(seed),
+            Rule::Quadrature(_) | Rule::Recorded => None,
         };
         let parameters = of.parameters.iter().map(|parameter| parameter.name);
         Self {
             parameters: parameters.collect(),
             scenarios: of.points.len(),
-            rule,
+            rule: of.rule.name(),
             seed,
         }
     }

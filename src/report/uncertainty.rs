@@ -1,11 +1,11 @@
 use super::document::{Detail, Document, Line, Table};
-use super::json::{ByName, Number};
+use super::json::ByName;
 use super::reply::{Ending, Report, share};
 use super::shown;
-use crate::drive::{Outcome, OutcomeGroup};
+use crate::drive::OutcomeGroup;
 use crate::study::uncertainty::{
-    Distribution, Interval, MeasureFirst, Moments, OutcomeUncertainty, Statistics, Uncertain,
-    Uncertainty,
+    Contribution, Distribution, EllipseSource, Interval, Moments, OutcomeUncertainty,
+    SampledEllipse, Uncertain, Uncertainty,
 };
 use crate::units::{Quantity, System, counted, counted_of};
 use serde::Serialize;
@@ -19,9 +19,9 @@ pub struct UncertaintyReport<'a> {
     /// The uncertain parameters and their distributions.
     pub inputs: Vec<InputReport>,
     /// Each outcome.
-    pub outcomes: Vec<OutcomeUncertaintyReport>,
+    pub outcomes: &'a [OutcomeUncertainty],
     /// Ellipses of the landings; empty unless carry and lateral were requested.
-    pub ellipses: Vec<EllipseReport>,
+    pub ellipses: &'a [SampledEllipse],
     /// Number of points of the base sample.
     pub samples: usize,
     /// The seed of the sample.
@@ -42,8 +42,9 @@ pub struct UncertaintyReport<'a> {
 pub struct InputReport {
     /// The parameter.
     pub parameter: &'static str,
-    /// The distribution.
-    pub distribution: DistributionName,
+    /// The distribution; `truncated` is a normal distribution between two bounds.
+    #[cfg_attr(test, schemars(extend("enum" = Distribution::NAMES)))]
+    pub distribution: &'static str,
     /// The numbers of the distribution, SI. Normal: mean and standard deviation. Uniform: lower and
     /// upper bound. Triangular: lower bound, mode and upper bound. Truncated normal: mean, standard
     /// deviation, lower and upper bound.
@@ -54,161 +55,28 @@ pub struct InputReport {
     pub standard_uncertainty: f64,
 }
 
-/// The name of a distribution.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-#[serde(rename_all = "lowercase")]
-pub enum DistributionName {
-    /// Normal: mean, standard deviation.
-    Normal,
-    /// Uniform: lower and upper bound.
-    Uniform,
-    /// Triangular: lower bound, most probable value, upper bound.
-    Triangular,
-    /// Truncated normal: mean and standard deviation before truncation, lower and upper bound.
-    Truncated,
-}
-
-/// The uncertainty of an outcome.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct OutcomeUncertaintyReport {
-    /// The outcome.
-    pub of: Outcome,
-    /// True if the outcome varies by more than rounding errors.
-    pub varies: bool,
-    /// The moments from the gradient at the means; `null` if the gradient does not exist.
-    pub delta: Option<Moments>,
-    /// The moments from gradient and Hessian at the means; `null` if these do not exist.
-    pub second_order: Option<Moments>,
-    /// The statistics of the sample; `null` if no drive of the sample has the outcome.
-    pub monte_carlo: Option<Statistics>,
-    /// The Sobol' indices of each uncertain parameter: its shares in the variance.
-    pub indices: Vec<IndicesReport>,
-    /// The parameter whose exact knowledge reduces the uncertainty most; `null` if the outcome does
-    /// not vary, or if no index is positive.
-    pub measure_first: Option<MeasureFirst>,
-}
-
-/// The contribution of an uncertain parameter to the variance of an outcome.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct IndicesReport {
-    /// The parameter.
-    pub parameter: &'static str,
-    /// The first-order Sobol' index.
-    pub first: Option<Interval>,
-    /// The total Sobol' index.
-    pub total: Option<Interval>,
-    /// The mean of the squared derivative over the sample, SI.
-    pub mean_square_slope: Number,
-    /// An estimated upper bound of the total index, from the derivatives of the sample.
-    pub bound: Option<Interval>,
-}
-
-/// An ellipse of the landings.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct EllipseReport {
-    /// The nominal fraction of the drives inside the ellipse, 0 to 1.
-    pub share: f64,
-    /// The source of the covariance.
-    pub by: EllipseSource,
-    /// The centre.
-    pub centre: LandingPoint,
-    /// The half-axes as vectors of lateral distance and carry, the longer one first, m.
-    pub half_axes: [[f64; 2]; 2],
-    /// The fraction of the sample's drives inside the ellipse, 0 to 1.
-    pub holds: f64,
-}
-
-/// The source of the covariance of an ellipse.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-#[serde(rename_all = "lowercase")]
-pub enum EllipseSource {
-    /// The gradients at the means of the parameters.
-    Gradient,
-    /// The sample.
-    Sample,
-}
-
-/// A point on the ground, m.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct LandingPoint {
-    /// The distance to the right, m.
-    pub lateral: f64,
-    /// The distance downrange, m.
-    pub carry: f64,
-}
-
 impl<'a> UncertaintyReport<'a> {
     /// The report of an uncertainty analysis.
     pub fn new(found: &'a Uncertainty) -> Self {
         let inputs = found.inputs.iter().map(|input| InputReport {
             parameter: input.parameter.name,
-            distribution: DistributionName::of(&input.distribution),
-            values: values(&input.distribution),
+            distribution: input.distribution.name(),
+            values: input.distribution.numbers(),
             mean: input.distribution.mean(),
             standard_uncertainty: input.distribution.deviation(),
-        });
-        let outcomes = found
-            .outcomes
-            .iter()
-            .map(|outcome| OutcomeUncertaintyReport::new(outcome, &found.inputs));
-        let ellipses = found.ellipses.iter().map(|sampled| EllipseReport {
-            share: sampled.ellipse.share,
-            by: if sampled.by_gradient {
-                EllipseSource::Gradient
-            } else {
-                EllipseSource::Sample
-            },
-            centre: LandingPoint {
-                lateral: sampled.ellipse.centre[0],
-                carry: sampled.ellipse.centre[1],
-            },
-            half_axes: sampled.ellipse.half_axes,
-            holds: sampled.holds,
         });
         let statuses = found.status_counts.counts();
         Self {
             found,
             inputs: inputs.collect(),
-            outcomes: outcomes.collect(),
-            ellipses: ellipses.collect(),
+            outcomes: &found.outcomes,
+            ellipses: &found.ellipses,
             samples: found.plan.samples,
             seed: found.plan.seed,
             drives: found.status_counts.counts().map(|(_, count)| count).sum(),
             statuses: statuses
                 .map(|(status, count)| (status.name(), count))
                 .collect(),
-        }
-    }
-}
-
-impl OutcomeUncertaintyReport {
-    fn new(outcome: &OutcomeUncertainty, inputs: &[Uncertain]) -> Self {
-        let sampled = outcome.sampled.as_ref();
-        let indices = inputs.iter().enumerate().map(|(k, input)| {
-            let indices = sampled.and_then(|sampled| sampled.indices[k]);
-            let slopes = outcome.slopes[k];
-            IndicesReport {
-                parameter: input.parameter.name,
-                first: indices.map(|indices| indices.first),
-                total: indices.map(|indices| indices.total),
-                mean_square_slope: slopes.map(|slopes| slopes.mean_square).into(),
-                bound: slopes.map(|slopes| slopes.bound),
-            }
-        });
-        Self {
-            of: outcome.of,
-            varies: outcome.varies(),
-            delta: outcome.delta.map(|(first, _)| first),
-            second_order: outcome.delta.and_then(|(_, second)| second),
-            monte_carlo: outcome.sampled.clone(),
-            indices: indices.collect(),
-            measure_first: outcome.measure_first(inputs),
         }
     }
 }
@@ -271,40 +139,6 @@ impl Report for UncertaintyReport<'_> {
     }
 }
 
-impl DistributionName {
-    fn of(distribution: &Distribution) -> Self {
-        match distribution {
-            Distribution::Normal { .. } => Self::Normal,
-            Distribution::Uniform { .. } => Self::Uniform,
-            Distribution::Triangular { .. } => Self::Triangular,
-            Distribution::Truncated { .. } => Self::Truncated,
-        }
-    }
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Normal => "normal",
-            Self::Uniform => "uniform",
-            Self::Triangular => "triangular",
-            Self::Truncated => "truncated",
-        }
-    }
-}
-
-fn values(distribution: &Distribution) -> Vec<f64> {
-    match *distribution {
-        Distribution::Normal { mean, deviation } => vec![mean, deviation],
-        Distribution::Uniform { low, high } => vec![low, high],
-        Distribution::Triangular { low, mode, high } => vec![low, mode, high],
-        Distribution::Truncated {
-            mean,
-            deviation,
-            low,
-            high,
-        } => vec![mean, deviation, low, high],
-    }
-}
-
 /// A distribution in words, such as "normal: 110 mph ± 0.5 mph" or "truncated normal: 110 mph ± 4
 /// mph, cut at 105 mph and 115 mph".
 pub(super) fn distribution_text(input: &Uncertain, system: System) -> String {
@@ -329,8 +163,9 @@ pub(super) fn distribution_text(input: &Uncertain, system: System) -> String {
         }
         other => format!(
             "{}: {}",
-            DistributionName::of(&other).name(),
-            values(&other)
+            other.name(),
+            other
+                .numbers()
                 .into_iter()
                 .map(show)
                 .collect::<Vec<_>>()
@@ -350,7 +185,7 @@ fn add_outcome(
     system: System,
 ) {
     let of = outcome.of;
-    if let Some(sampled) = outcome.sampled.as_ref().filter(|_| !outcome.varies()) {
+    if let Some(sampled) = outcome.sampled.as_ref().filter(|_| !outcome.varies) {
         let mean = shown::outcome(of, sampled.mean.value, system);
         let why = why_constant(outcome, found);
         document.list([Line::flush(format!(
@@ -369,9 +204,9 @@ fn add_outcome(
         ))]);
         return;
     }
-    document.list(shares_lines(outcome, sampled, found, system));
+    document.list(shares_lines(outcome, system));
     let mut table = Document::default();
-    table.add(shares(outcome, sampled, found));
+    table.add(shares(outcome, sampled.left_out, found));
     document.append_detail(table, Detail::Rest);
 }
 
@@ -393,10 +228,9 @@ fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) ->
     let spread = |value: f64| shown::spread(of, value, system);
     let row = |words: &str, m: Moments| vec![words.into(), value(m.mean), spread(m.deviation)];
     let mut rows = vec![];
-    if let Some((first, second)) = outcome.delta {
-        rows.push(row("by the gradient", first));
-        rows.extend(second.map(|second| row("by gradient and Hessian", second)));
-    }
+    rows.extend(outcome.delta.map(|first| row("by the gradient", first)));
+    let second = outcome.second_order;
+    rows.extend(second.map(|second| row("by gradient and Hessian", second)));
     let mut intervals = None;
     let remark = if let Some(sampled) = &outcome.sampled {
         rows.push(vec![
@@ -436,25 +270,19 @@ const FIRST_ELLIPSES: usize = 2;
 
 /// The uncertain parameters with the largest contributions to the variance of an outcome, and the
 /// parameter to measure first.
-fn shares_lines(
-    outcome: &OutcomeUncertainty,
-    sampled: &Statistics,
-    found: &Uncertainty,
-    system: System,
-) -> Vec<Line> {
-    let largest = by_share(sampled).into_iter().take(FIRST_SHARES);
+fn shares_lines(outcome: &OutcomeUncertainty, system: System) -> Vec<Line> {
+    let largest = by_share(outcome).into_iter().take(FIRST_SHARES);
     let shares: Vec<_> = largest
-        .filter_map(|k| {
-            let share = tenths(sampled.indices[k]?.total.value);
-            Some(format!("{} {share} %", found.inputs[k].parameter.name))
+        .filter_map(|one| {
+            let share = tenths(one.total?.value);
+            Some(format!("{} {share} %", one.parameter.name))
         })
         .collect();
     let shares = (!shares.is_empty()).then(|| {
         let of = outcome.of.name();
         format!("shares of the variance of {of}: {}", shares.join(", "))
     });
-    let first = outcome.measure_first(&found.inputs);
-    let first = first.map(|first| {
+    let first = outcome.measure_first.map(|first| {
         format!(
             "measure {} first: once it is known exactly, the standard deviation falls to {}",
             first.parameter.name,
@@ -464,12 +292,12 @@ fn shares_lines(
     shares.into_iter().chain(first).map(Line::item).collect()
 }
 
-/// The indices of the uncertain parameters, the largest share of the variance first.
-fn by_share(sampled: &Statistics) -> Vec<usize> {
-    let total = |k: usize| sampled.indices[k].map_or(0.0, |indices| indices.total.value);
-    let mut order: Vec<usize> = (0..sampled.indices.len()).collect();
-    order.sort_by(|a, b| total(*b).total_cmp(&total(*a)));
-    order
+/// The contributions of the uncertain parameters, the largest share of the variance first.
+fn by_share(outcome: &OutcomeUncertainty) -> Vec<Contribution> {
+    let total = |one: &Contribution| one.total.map_or(0.0, |total| total.value);
+    let mut sorted = outcome.indices.clone();
+    sorted.sort_by(|a, b| total(b).total_cmp(&total(a)));
+    sorted
 }
 
 /// A share in percent with one decimal.
@@ -479,23 +307,24 @@ fn tenths(share: f64) -> String {
 }
 
 /// The contributions of the uncertain parameters to the variance of an outcome, the largest first.
-fn shares(outcome: &OutcomeUncertainty, sampled: &Statistics, found: &Uncertainty) -> Table {
-    let share = |i: Interval| {
-        format!(
-            "{} % ({} to {})",
-            tenths(i.value),
-            tenths(i.low),
-            tenths(i.high)
-        )
+/// `left_out` points do not count, because a drive there does not have the outcome.
+fn shares(outcome: &OutcomeUncertainty, left_out: usize, found: &Uncertainty) -> Table {
+    let share = |share: Option<Interval>| {
+        share.map_or(shown::NONE.into(), |i| {
+            format!(
+                "{} % ({} to {})",
+                tenths(i.value),
+                tenths(i.low),
+                tenths(i.high)
+            )
+        })
     };
-    let rows = by_share(sampled).into_iter().map(|k| {
-        let input = &found.inputs[k];
-        let indices = sampled.indices[k];
+    let rows = by_share(outcome).into_iter().map(|one| {
         vec![
-            input.parameter.name.into(),
-            indices.map_or(shown::NONE.into(), |indices| share(indices.first)),
-            indices.map_or(shown::NONE.into(), |indices| share(indices.total)),
-            outcome.slopes[k].map_or(shown::NONE.into(), |slopes| share(slopes.bound)),
+            one.parameter.name.into(),
+            share(one.first),
+            share(one.total),
+            share(one.bound),
         ]
     });
     let head = [
@@ -512,9 +341,9 @@ fn shares(outcome: &OutcomeUncertainty, sampled: &Statistics, found: &Uncertaint
         "of a single uncertain parameter the share is 100 %; the upper bound is estimated from \
          the slopes, with a 95 % interval"
     });
-    if sampled.left_out > 0 {
+    if left_out > 0 {
         let points = counted_of(
-            sampled.left_out as u64,
+            left_out as u64,
             found.plan.samples as u64,
             ["point", "points"],
         );
@@ -558,10 +387,9 @@ fn ellipses(found: &Uncertainty, system: System) -> Table {
             format!(
                 "{} %, from the {}",
                 100.0 * sampled.ellipse.share,
-                if sampled.by_gradient {
-                    "gradients"
-                } else {
-                    "sample"
+                match sampled.by {
+                    EllipseSource::Gradient => "gradients",
+                    EllipseSource::Sample => "sample",
                 }
             ),
             lengths.join(" and "),

@@ -9,9 +9,10 @@ mod winfield_tan;
 
 pub use delivery::{Delivery, LoftCarry};
 pub use mae494::{
-    Average, ByLaunch, Constant, End, Energy, Landing, Landings, Launched, LongerDifference,
-    LoopLanding, LoopRow, Mae494, Method, Noise, Parametric, Peak, Regression, Row, Sawtooth,
-    Searches, ShorterStep, Slopes, Subsystems, loop_landing, mae494, while_loop,
+    Average, ByLaunch, ChangedOptimum, Constant, ConstantChange, End, Energy, Landing, Landings,
+    Launched, LongerDifference, LoopLanding, LoopRow, Mae494, Method, Noise, Parametric, Peak,
+    Regression, Row, Sawtooth, Searches, ShorterStep, Slopes, Subsystems, loop_landing, mae494,
+    while_loop,
 };
 pub use winfield_tan::{
     Best, Decay, Fitted, FittedNumber, MISPRINTS, Mean, ShotComparison, SingleShot, WinfieldTan,

@@ -125,7 +125,10 @@ impl ClubShots {
 /// Rows refused for one kind of reason.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "RefusedRows"))]
 pub struct Refused {
+    /// The kind of reason.
+    pub kind: &'static str,
     /// Number of rows.
     #[serde(rename = "rows")]
     pub count: u64,
@@ -224,6 +227,7 @@ impl ShotStatistics {
                     .refusal()
                     .map_or_else(|| flown.flight(row), |refusal: &Refusal| refusal.kind);
                 let new = || Refused {
+                    kind,
                     count: 0,
                     line: shot.line,
                     reason: reason.into(),

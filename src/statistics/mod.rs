@@ -27,7 +27,8 @@ mod moments;
 mod ranking;
 mod summary;
 
+pub use crate::json::Number;
 pub use histogram::Histogram;
 pub use moments::Moments;
-pub use ranking::{Coordinate, Infinite, RankedRow, Ranking};
+pub use ranking::{RankedRow, Ranking};
 pub use summary::{Summary, SummarySpec};

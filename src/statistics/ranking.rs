@@ -1,5 +1,6 @@
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
+use crate::json::Number;
 use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -17,43 +18,9 @@ pub struct RankedRow {
     pub row: u64,
     /// Value of the outcome.
     pub value: f64,
-    /// Values of the swept parameters, by name. A value missing in a table of points is `None`; an
+    /// Values of the swept parameters, by name. A value missing in a table of points is `null`; an
     /// infinite value (a flat face) is the text `inf`.
-    pub point: BTreeMap<String, Option<Coordinate>>,
-}
-
-/// Value of a swept parameter (JSON has no infinity).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-#[serde(untagged)]
-pub enum Coordinate {
-    /// Finite value.
-    Finite(f64),
-    /// Infinite value.
-    Infinite(Infinite),
-}
-
-/// Sign of an infinite value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub enum Infinite {
-    /// +∞.
-    #[serde(rename = "inf")]
-    Above,
-    /// −∞.
-    #[serde(rename = "-inf")]
-    Below,
-}
-
-impl Coordinate {
-    fn of(value: f64) -> Option<Self> {
-        match value {
-            value if value.is_nan() => None,
-            f64::INFINITY => Some(Self::Infinite(Infinite::Above)),
-            f64::NEG_INFINITY => Some(Self::Infinite(Infinite::Below)),
-            value => Some(Self::Finite(value)),
-        }
-    }
+    pub point: BTreeMap<String, Number>,
 }
 
 /// Rows with the highest or lowest values of an outcome, best first. Equal values are sorted by row
@@ -120,7 +87,12 @@ impl Ranking {
         if self.rows.len() < self.most || self.rows.last().is_some_and(better) {
             let point = point
                 .into_iter()
-                .map(|(name, value)| (name.to_owned(), Coordinate::of(value)))
+                .map(|(name, value)| {
+                    (
+                        name.to_owned(),
+                        Some(value).filter(|value| !value.is_nan()).into(),
+                    )
+                })
                 .collect();
             self.insert(RankedRow { row, value, point });
         }

@@ -1,5 +1,6 @@
 //! Flatness of an optimum: how far each varied parameter can move within a stated loss.
 
+use super::goal::Constraint;
 use super::optimum::Optimum;
 use crate::derivative::Evaluator;
 use crate::drive::Outcome;
@@ -12,7 +13,7 @@ use crate::units::Quantity;
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::brent::BrentRoot;
 use nalgebra::DMatrix;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// How far the varied parameters can move from an optimum within a stated loss.
 #[derive(Clone, Debug)]
@@ -30,30 +31,53 @@ pub struct Flatness {
     pub ellipses: Vec<Ellipse>,
 }
 
-/// Interval of a parameter in which drives lose at most the allowed loss.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The range in which a parameter can vary alone and lose at most the stated loss.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "WindowReport"))]
 pub struct Window {
-    /// The lower end, SI.
+    /// Lower end, SI.
     pub low: f64,
-    /// The reason for the lower end.
-    pub low_limit: WindowLimit,
-    /// The upper end, SI.
+    /// Upper end, SI.
     pub high: f64,
+    /// The reason for the lower end: `loss`, `bound`, `no flight`, or a constraint.
+    #[cfg_attr(test, schemars(with = "String"))]
+    pub low_limit: WindowLimit,
     /// The reason for the upper end.
+    #[cfg_attr(test, schemars(with = "String"))]
     pub high_limit: WindowLimit,
 }
 
 /// The reason for the end of a window.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum WindowLimit {
     /// The allowed loss.
     Loss,
     /// A bound of the search.
     Bound,
-    /// The constraint with this index.
-    Constraint(usize),
+    /// A constraint of the search.
+    Constraint(Box<Constraint>),
     /// The ball does not fly beyond this end.
     NoFlight,
+}
+
+impl WindowLimit {
+    /// The name in JSON: `loss`, `bound`, `no flight`, or the text of the constraint.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Loss => "loss",
+            Self::Bound => "bound",
+            Self::Constraint(constraint) => &constraint.expression,
+            Self::NoFlight => "no flight",
+        }
+    }
+}
+
+/// The name.
+impl Serialize for WindowLimit {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
 }
 
 /// A direction in the space of the free parameters.
@@ -218,8 +242,8 @@ impl<'a> Top<'a> {
         let (high, high_limit) = self.end(i, bounds.high[i])?;
         Ok(Window {
             low,
-            low_limit,
             high,
+            low_limit,
             high_limit,
         })
     }
@@ -233,7 +257,10 @@ impl<'a> Top<'a> {
         }
         let is_within = |part: f64| match self.lost_at(&self.moved(i, from + part * width)) {
             None => Err(WindowLimit::NoFlight),
-            Some(Err(j)) => Err(WindowLimit::Constraint(j)),
+            Some(Err(j)) => {
+                let constraint = self.best.search.subject_to[j].clone();
+                Err(WindowLimit::Constraint(Box::new(constraint)))
+            }
             Some(Ok(lost)) if lost > self.loss => Err(WindowLimit::Loss),
             Some(Ok(_)) => Ok(()),
         };

@@ -3,21 +3,36 @@
 use super::optimum::{Optimum, local_optimum};
 use super::search::Search;
 use crate::error::Result;
+use crate::json::numbers_by_name;
 use crate::optimize::{Observer, Status};
 use crate::parameters::Parameter;
+use serde::{Serialize, Serializer};
 
-/// The best value that changes of club and ball achieve with the swing as set up. The rest of the
-/// optimum's gain needs a changed swing.
-#[derive(Clone, Debug, PartialEq)]
+/// The gain of the optimum in two parts: from the club with the swing as set up, and from the
+/// swing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "ClubAloneReport"))]
 pub struct ClubAlone {
-    /// The value of the objective as set up, SI.
-    pub as_set_up: f64,
-    /// The optimum over the varied parameters of club and ball.
+    /// The gain of the best club with the swing as set up, SI.
+    pub club_gain: f64,
+    /// The additional gain if the swing changes too, SI.
+    pub swing_gain: f64,
+    /// The best club with the swing as set up, SI.
+    // the optimum over the varied parameters of club and ball
+    #[serde(serialize_with = "varied")]
+    #[cfg_attr(
+        test,
+        schemars(with = "std::collections::BTreeMap<String, crate::json::Number>")
+    )]
     pub optimum: Optimum,
-    /// The value of the objective at `optimum`, SI.
-    pub value: f64,
-    /// The change of the objective from `optimum` to the optimum over club and swing, SI.
-    pub rest: f64,
+}
+
+/// Serializes an optimum as its varied parameters with their values.
+fn varied<S: Serializer>(optimum: &Optimum, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+    let varied = optimum.search.vary.iter().map(|vary| vary.parameter);
+    let values: Vec<_> = varied.zip(optimum.solution.x.iter().copied()).collect();
+    numbers_by_name(&values, serializer)
 }
 
 /// The best value that club and ball achieve with the swing as set up. `None` in these cases:
@@ -60,9 +75,8 @@ pub fn club_alone(best: &Optimum) -> Result<Option<ClubAlone>> {
         .value()
         .filter(|_| optimum.solution.status == Status::Converged);
     Ok(value.zip(best.value()).map(|(value, best)| ClubAlone {
-        as_set_up,
+        club_gain: value - as_set_up,
+        swing_gain: best - value,
         optimum,
-        value,
-        rest: best - value,
     }))
 }

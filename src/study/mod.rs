@@ -34,7 +34,7 @@ mod verdict;
 
 pub use crate::parameters::Vary;
 pub use chart::{Chart, ChartEvent, ChartObserver, ChartPoint, chart};
-pub use compare::{Cause, Comparison, Difference, Share, Shares, causes};
+pub use compare::{Cause, CauseValue, Comparison, Difference, Share, Shares, causes};
 pub use effects::{Bar, Effect, Effects, effects, flown_off};
 pub use face::Face;
 pub use flatness::{

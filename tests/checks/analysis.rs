@@ -383,14 +383,14 @@ fn exact_loss_at_the_ends_of_windows() {
             let x = best.solution.x[i];
             assert!(window.low <= x && x <= window.high);
             for (end, limit) in [
-                (window.low, window.low_limit),
-                (window.high, window.high_limit),
+                (window.low, &window.low_limit),
+                (window.high, &window.high_limit),
             ] {
                 match limit {
                     longdrive::study::WindowLimit::Loss => {
                         close(lost(i, end), 0.9144, 1.0, 1e-9, "loss at the window's end")
                     }
-                    other => assert_eq!(other, longdrive::study::WindowLimit::Bound),
+                    other => assert_eq!(*other, longdrive::study::WindowLimit::Bound),
                 }
                 for part in 1..20 {
                     assert!(lost(i, x + f64::from(part) / 20.0 * (end - x)) <= 0.9144 + 1e-9);

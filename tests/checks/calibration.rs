@@ -1036,9 +1036,9 @@ fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
     let ended = 60 - found.stopped;
     assert_eq!(found.fit.status, Status::Interrupted);
     assert!(
-        found.at_minimum <= ended,
+        found.starts.same <= ended,
         "{:?} of {ended}",
-        found.at_minimum
+        found.starts.same
     );
     let report = CalibrationReport::new(&table, &found, &[]);
     let text = report

@@ -9,7 +9,7 @@ use longdrive::report::figures::{
     trajectory_figure,
 };
 use longdrive::report::plot::{Figure, Hue, Layer, Look, figure_csv, figure_svg};
-use longdrive::study::uncertainty::{SamplePlan, Uncertain, uncertainty};
+use longdrive::study::uncertainty::{EllipseSource, SamplePlan, Uncertain, uncertainty};
 use longdrive::study::{
     ChartObserver, Constraint, Face, Fineness, Landing, Launches, Map, NamedDrive, Optimum, Region,
     Search, Sigma, Vary, chart, flatness, map, optimum, with_defaults,
@@ -649,7 +649,7 @@ fn same_ellipses_on_the_fairway_and_in_uncertainty() {
     let by_gradient: Vec<_> = found
         .ellipses
         .iter()
-        .filter(|one| one.by_gradient)
+        .filter(|one| one.by == EllipseSource::Gradient)
         .collect();
     assert_eq!(by_gradient.len(), landing.ellipses.len());
     for (ours, theirs) in landing.ellipses.iter().zip(by_gradient) {
@@ -703,7 +703,8 @@ fn same_ellipses_on_the_fairway_and_in_uncertainty() {
     let wide = landing.ellipses[1];
     for point in line_of(&figure, &outer(&figure)) {
         let out = |part: f64| {
-            [0, 1].map(|axis| wide.centre[axis] + part * (point[axis] - wide.centre[axis]))
+            let centre = [wide.centre.lateral, wide.centre.carry];
+            [0, 1].map(|axis| centre[axis] + part * (point[axis] - centre[axis]))
         };
         assert!(
             wide.contains(out(0.999)) && !wide.contains(out(1.001)),

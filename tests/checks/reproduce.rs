@@ -256,14 +256,14 @@ fn finite_differences_on_the_loop_miss_the_optimum_and_exact_derivatives_find_it
 fn sensitivities_of_the_parametric_study_predict_the_new_optimum() {
     let study = &FOUND.parametric;
     for changed in &study.changes {
-        let moved = changed.resolved.value().unwrap();
+        let moved = changed.resolved.value.unwrap();
         let size = (moved - FOUND.optimum.exact().carry).abs();
         close(
-            changed.second_order,
+            changed.predicted.value.unwrap(),
             moved,
             size,
             0.02,
-            changed.change.parameter.name,
+            changed.parameter.name,
         );
     }
     let idle = ["club.inertia.xx", "club.inertia.zz"];

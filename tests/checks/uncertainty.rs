@@ -273,7 +273,7 @@ fn exact_share_of_a_single_uncertain_parameter_is_one() {
         &|_, _| (),
     )
     .unwrap();
-    let first = found.outcomes[0].measure_first(&inputs).unwrap();
+    let first = found.outcomes[0].measure_first.unwrap();
     assert_eq!((first.parameter.name, first.deviation), ("club.loft", 0.0));
 }
 
@@ -383,7 +383,8 @@ fn sampled_drives_agree_with_gradients_where_nearly_linear() {
     };
     let found = uncertainty(&setup, &of, &inputs, plan, &|_, _| ()).unwrap();
     for outcome in &found.outcomes {
-        let (first, second) = outcome.delta.unwrap();
+        let first = outcome.delta.unwrap();
+        let second = outcome.second_order;
         let (second, sampled) = (second.unwrap(), outcome.sampled.as_ref().unwrap());
         close(
             first.deviation,
@@ -402,9 +403,9 @@ fn sampled_drives_agree_with_gradients_where_nearly_linear() {
             "{}: {sampled:?} {second:?}",
             outcome.of.name()
         );
-        for (indices, slopes) in sampled.indices.iter().zip(&outcome.slopes) {
+        for one in &outcome.indices {
             // an upper bound, except for the sampling error of both
-            let (total, bound) = (indices.unwrap().total, slopes.unwrap().bound);
+            let (total, bound) = (one.total.unwrap(), one.bound.unwrap());
             assert!(
                 bound.high >= total.low,
                 "{}: {total:?} {bound:?}",
@@ -415,12 +416,9 @@ fn sampled_drives_agree_with_gradients_where_nearly_linear() {
     let [carry, lateral] = found.outcomes.as_slice() else {
         panic!()
     };
+    assert_eq!(carry.measure_first.unwrap().parameter.name, "swing.speed");
     assert_eq!(
-        carry.measure_first(&inputs).unwrap().parameter.name,
-        "swing.speed"
-    );
-    assert_eq!(
-        lateral.measure_first(&inputs).unwrap().parameter.name,
+        lateral.measure_first.unwrap().parameter.name,
         "swing.face_angle"
     );
     assert_eq!(found.ellipses.len(), 4);
@@ -666,14 +664,14 @@ fn an_outcome_without_uncertain_parameters_says_so() {
             ),
             (0.0, 0.0, 0.0)
         );
-        assert!(sampled.indices == [None] && outcome.slopes == [None] && !outcome.varies());
-        assert_eq!(outcome.measure_first(&found.inputs), None);
+        let [one] = outcome.indices[..] else { panic!() };
+        assert!(one.first.is_none() && one.total.is_none() && one.bound.is_none());
+        assert!(sampled.indices == [None] && !outcome.varies);
+        assert_eq!(one.mean_square_slope, None);
+        assert_eq!(outcome.measure_first, None);
     }
     let carry = &found.outcomes[2];
-    assert!(
-        carry.varies()
-            && carry.measure_first(&found.inputs).unwrap().parameter.name == "air.density"
-    );
+    assert!(carry.varies && carry.measure_first.unwrap().parameter.name == "air.density");
     let report = UncertaintyReport::new(&found);
     let text = report.document(longdrive::units::System::Us).text(&WHOLE);
     assert!(
@@ -758,7 +756,7 @@ fn independent_remaining_deviation_where_one_parameter_dominates() {
     let node = 2.0 * 3.0_f64.sqrt();
     let exact = (at(0.0) * 2.0 / 3.0 + (at(node) + at(-node)) / 6.0).sqrt();
     for seed in 0..4 {
-        let first = run(&setup, &all, seed).measure_first(&all).unwrap();
+        let first = run(&setup, &all, seed).measure_first.unwrap();
         assert_eq!(first.parameter.name, "swing.face_angle");
         close(first.deviation, exact, exact, 0.1, "what is left");
     }
@@ -783,7 +781,8 @@ fn huge_uncertainties_give_no_infinity() {
     )
     .unwrap();
     for outcome in &found.outcomes {
-        let (first, second) = outcome.delta.unwrap();
+        let first = outcome.delta.unwrap();
+        let second = outcome.second_order;
         assert!(
             first.deviation.is_finite() && second.is_none(),
             "{outcome:?}"

@@ -33,7 +33,7 @@ pub use estimate::{Estimate, Side};
 pub use ladder::{FEW_STEPS, Ladder, Rung, STEPS};
 pub(crate) use remainder::line_slope;
 pub use remainder::taylor_slopes;
-pub use verdict::{BAR, Check, Demand, NEXT_TO_NOTHING, Point, Verdict};
+pub use verdict::{BAR, Check, Curve, Demand, NEXT_TO_NOTHING, Point, Verdict};
 
 use super::Taylor;
 

@@ -80,6 +80,26 @@ pub struct Point {
     pub error: f64,
 }
 
+/// The errors of central differences at several steps.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct Curve {
+    /// The steps, SI.
+    pub steps: Vec<f64>,
+    /// The error at each step, SI.
+    pub errors: Vec<f64>,
+}
+
+impl Curve {
+    /// The errors at these points.
+    pub fn of(points: &[Point]) -> Self {
+        Self {
+            steps: points.iter().map(|point| point.step).collect(),
+            errors: points.iter().map(|point| point.error).collect(),
+        }
+    }
+}
+
 /// A derivative compared with its numerical value.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]

@@ -11,7 +11,7 @@ use super::shown::as_declared;
 use crate::error::Result;
 use crate::optimize::least_squares::Status;
 use crate::parameters::SetupFile;
-use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable};
+use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable, Starts};
 use crate::units::{Message, System, counted, counted_of, typed};
 use serde::Serialize;
 use text::{by_outcome, to_its_error};
@@ -58,7 +58,7 @@ pub struct CalibrationReport<'a> {
     /// The trial points that the fit rejected.
     pub refused: RefusedReport,
     /// The results of the searches from several starts.
-    pub starts: StartsReport,
+    pub starts: &'a Starts,
     /// The residual of each measured value.
     pub residuals: Vec<Remainder>,
     /// The prediction errors on held-out data.
@@ -107,32 +107,6 @@ pub struct RefusedReport {
     pub count: u64,
     /// The reason why the fit rejected the last of these points; `null` without such points.
     pub last: Option<String>,
-}
-
-/// The searches of a fit, each from another starting point.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct StartsReport {
-    /// Number of starts.
-    pub made: usize,
-    /// Number of starts that reached the smallest sum of squares.
-    pub same: usize,
-    /// Number of starts that did not reach the smallest sum of squares, by status; `undefined` if
-    /// the ball of a row does not fly at the starting point.
-    pub elsewhere: ByName<usize>,
-}
-
-impl StartsReport {
-    fn new(found: &Calibration) -> Self {
-        let elsewhere = found.elsewhere.iter();
-        Self {
-            made: found.starts,
-            same: found.at_minimum,
-            elsewhere: elsewhere
-                .map(|(status, count)| (status.name(), *count))
-                .collect(),
-        }
-    }
 }
 
 /// The prediction errors on held-out data.
@@ -193,7 +167,7 @@ impl<'a> CalibrationReport<'a> {
                 count: found.fit.refused,
                 last: found.fit.why_refused.clone(),
             },
-            starts: StartsReport::new(found),
+            starts: &found.starts,
             residuals: found.remainders.clone(),
             held_out: held_out
                 .iter()

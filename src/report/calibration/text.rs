@@ -2,7 +2,8 @@ use crate::optimize::least_squares::Status;
 use crate::report::document::{Document, Table};
 use crate::report::shown;
 use crate::study::calibrate::{
-    Calibration, Estimate, HeldOut, Remainder, ShotTable, Statistics, Uncertainties, Undetermined,
+    Calibration, Estimate, HeldOut, Remainder, ShotTable, Starts, Statistics, Uncertainties,
+    Undetermined,
 };
 use crate::units::{Quantity, System, counted, counted_of, fixed, signed, significant, with_unit};
 use std::path::Path;
@@ -34,19 +35,23 @@ pub(super) fn data(document: &mut Document, table: &ShotTable, system: System) {
 
 /// Adds the results of the searches to a document, if there are several searches.
 pub(super) fn starts(document: &mut Document, found: &Calibration) {
-    let (made, same) = (found.starts, found.at_minimum);
-    if made <= 1 {
+    let Starts {
+        made,
+        same,
+        elsewhere,
+    } = &found.starts;
+    if *made <= 1 {
         return;
     }
     let of = match found.stopped {
-        0 => counted(made as u64, "start"),
+        0 => counted(*made as u64, "start"),
         stopped => format!(
             "the {} that came to their end",
             counted((made - stopped) as u64, "start")
         ),
     };
     let mut text = format!("{same} of {of} ended at this sum of squares");
-    for (status, count) in &found.elsewhere {
+    for (status, count) in elsewhere {
         text += &match status {
             Status::Undefined => {
                 format!(
@@ -67,7 +72,7 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
                 | Status::Misfit
         )
     };
-    if found.elsewhere.iter().any(|(status, _)| !has_end(status)) {
+    if elsewhere.iter().any(|(status, _)| !has_end(status)) {
         document.paragraph(
             "Starts are spread over the ranges of the parameters: with narrower ranges more of the \
              starts reach a minimum.",

@@ -4,7 +4,7 @@ mod text;
 
 pub(super) use text::settled;
 
-use crate::derivative::check::{Check, Point, Verdict};
+use crate::derivative::check::{Check, Curve, Verdict};
 use crate::drive::Outcome;
 use crate::report::document::{Document, Line};
 use crate::report::json::Number;
@@ -25,8 +25,6 @@ use text::{ending, lines, rows_table, stopped};
 pub struct CertificateReport<'a> {
     #[serde(skip)]
     certificate: &'a Certificate,
-    #[serde(skip)]
-    loops: &'a [LoopRow],
     /// True if nothing failed, every planted error was detected and the command was not
     /// interrupted.
     pub passed: bool,
@@ -47,7 +45,7 @@ pub struct CertificateReport<'a> {
     pub not_examined: &'a [NotExamined],
     /// Finite differences of the carry that the while-loop of the MAE 494 report computes, for each
     /// parameter with a certified derivative of carry.
-    pub while_loop: Vec<LoopCheck<'a>>,
+    pub while_loop: &'a [LoopRow],
     /// Outcomes without derivatives at this drive, with the reasons.
     pub missing: &'a [Missing],
 }
@@ -89,16 +87,6 @@ pub struct CertificateRow<'a> {
     pub curve: Curve,
 }
 
-/// The errors of central differences at several steps.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Curve {
-    /// The steps, SI.
-    pub steps: Vec<f64>,
-    /// The error at each step, SI.
-    pub errors: Vec<f64>,
-}
-
 /// The negative control: the detection of planted errors.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -109,30 +97,12 @@ pub struct NegativeControl {
     pub planted: Vec<DetectionTest>,
 }
 
-/// A finite difference of the carry that the while-loop of the MAE 494 report computes.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct LoopCheck<'a> {
-    /// The comparison of finite differences with the exact derivative.
-    #[serde(flatten)]
-    pub check: &'a Check,
-    /// The parameter.
-    pub parameter: &'static str,
-    /// The finite difference with a step of 1e-8, SI.
-    pub difference: Number,
-    /// True if `difference` and the exact derivative have different signs.
-    pub sign_is_wrong: bool,
-    /// The errors of the finite differences at several steps.
-    pub curve: Curve,
-}
-
 impl<'a> CertificateReport<'a> {
     /// The report of a certificate. `loops` are the finite differences of the while-loop, for
     /// comparison.
     pub fn new(certificate: &'a Certificate, loops: &'a [LoopRow]) -> Self {
         Self {
             certificate,
-            loops,
             passed: certificate.passed(),
             rows: certificate.rows.iter().map(CertificateRow::new).collect(),
             negative_control: NegativeControl {
@@ -144,7 +114,7 @@ impl<'a> CertificateReport<'a> {
             convergence: &certificate.convergence,
             step_errors: &certificate.step,
             not_examined: &certificate.not_examined,
-            while_loop: loops.iter().map(LoopCheck::new).collect(),
+            while_loop: loops,
             missing: &certificate.missing,
         }
     }
@@ -196,7 +166,7 @@ impl Report for CertificateReport<'_> {
              derivative over num_dual::Dual64; both relative to the exact derivative, or absolute \
              if it is 0",
         )]);
-        let lines = lines(self.certificate, self.loops, system);
+        let lines = lines(self.certificate, self.while_loop, system);
         document.list(lines.into_iter().map(Line::item));
         document.paragraph(ending(self.certificate));
         document
@@ -221,28 +191,7 @@ impl<'a> CertificateRow<'a> {
             best_step_error: best.map(|best| best.error).into(),
             taylor_slopes: row.slopes.map(Number::from),
             second: row.second.as_ref(),
-            curve: Curve::new(&check.curve),
-        }
-    }
-}
-
-impl Curve {
-    fn new(points: &[Point]) -> Self {
-        Self {
-            steps: points.iter().map(|point| point.step).collect(),
-            errors: points.iter().map(|point| point.error).collect(),
-        }
-    }
-}
-
-impl<'a> LoopCheck<'a> {
-    fn new(row: &'a LoopRow) -> Self {
-        Self {
-            check: &row.check,
-            parameter: row.parameter.name,
-            difference: row.small_difference().into(),
-            sign_is_wrong: row.has_wrong_sign(),
-            curve: Curve::new(&row.check.curve),
+            curve: Curve::of(&check.curve),
         }
     }
 }

@@ -299,7 +299,7 @@ fn landing(certificate: &Certificate) -> Option<String> {
 /// The derivatives of the while-loop, for comparison.
 fn while_loop(loops: &[LoopRow]) -> Option<String> {
     let relative_error = |row: &&LoopRow| {
-        row.small_difference().map_or(0.0, |it| {
+        row.difference.map_or(0.0, |it| {
             (it - row.check.exact).abs() / row.check.exact.abs()
         })
     };
@@ -308,7 +308,7 @@ fn while_loop(loops: &[LoopRow]) -> Option<String> {
         |row: &LoopRow| shown::settled(row.check.exact, 0.0, carry, &[row.parameter]) == 0.0;
     let comparable = loops
         .iter()
-        .filter(|row| !is_rounding(row) && row.small_difference().is_some());
+        .filter(|row| !is_rounding(row) && row.difference.is_some());
     let worst = comparable.max_by(|a, b| relative_error(a).total_cmp(&relative_error(b)))?;
     let passed = loops
         .iter()
@@ -319,11 +319,9 @@ fn while_loop(loops: &[LoopRow]) -> Option<String> {
          report's): of the differences of its carry by {}, {passed} would pass, and {} have the \
          wrong sign; the largest error is by {}: {} at a step of 1e-8 instead of {} (SI)",
         counted(loops.len() as u64, "parameter"),
-        loops.iter().filter(|row| row.has_wrong_sign()).count(),
+        loops.iter().filter(|row| row.has_wrong_sign).count(),
         worst.parameter.name,
-        worst
-            .small_difference()
-            .map_or("–".into(), |it| significant(it, 4)),
+        worst.difference.map_or("–".into(), |it| significant(it, 4)),
         significant(worst.check.exact, 4),
     ))
 }

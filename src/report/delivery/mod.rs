@@ -6,15 +6,12 @@ mod text;
 pub use recovered::{population_warnings, recovered_csv, recovered_toml};
 
 use super::document::Document;
-use super::json::Range;
 use super::reply::{Ending, Report, share};
 use super::setup_file::setup_toml;
 use super::shown;
 use crate::error::Result;
 use crate::parameters::{Setup, SetupFile};
-use crate::study::delivery::{
-    Delivery, Explained, Population, Posterior, Spread, Unidentified, Unknown,
-};
+use crate::study::delivery::{Delivery, Explained, Population, Posterior, Spread, Unidentified};
 use crate::units::{Message, System, counted, counted_of};
 use serde::Serialize;
 use text::{amount, median_identified, of_one, of_table, verdict};
@@ -52,35 +49,12 @@ pub struct DeliveryRow {
     /// The status in a sentence.
     pub message: String,
     /// The parameters of the delivery.
-    pub known: Vec<KnownReport>,
+    pub known: Vec<Posterior>,
     /// The launch, measured and computed.
     pub explained: Vec<Explained>,
     /// Changes of the delivery that the launch does not determine, the least determined first.
     #[serde(rename = "untold")]
     pub unidentified: Vec<Unidentified>,
-}
-
-/// A parameter of a delivery.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct KnownReport {
-    /// The parameter.
-    pub parameter: &'static str,
-    /// The most probable value, SI.
-    pub value: f64,
-    /// The posterior standard uncertainty, SI; `null` at a bound.
-    pub standard_uncertainty: Option<f64>,
-    /// The fraction of the prior variance that the shot removes, 0 to 1; `null` at a bound.
-    #[serde(rename = "told")]
-    pub identified: Option<f64>,
-    /// The prior value, SI.
-    pub before: f64,
-    /// The prior standard uncertainty, SI.
-    pub standard_uncertainty_before: f64,
-    /// The source of the prior uncertainty; `null` if the user stated it.
-    pub source: Option<&'static str>,
-    /// The range of the search.
-    pub range: Range,
 }
 
 impl<'a> DeliveryReport<'a> {
@@ -149,7 +123,7 @@ impl DeliveryRow {
                     row,
                     status,
                     message: message.unwrap_or_else(|| delivered.message.clone()),
-                    known: delivered.posteriors.iter().map(KnownReport::new).collect(),
+                    known: delivered.posteriors.clone(),
                     explained: delivered.explained.clone(),
                     unidentified: delivered.unidentified.clone(),
                 }
@@ -162,22 +136,6 @@ impl DeliveryRow {
                 explained: vec![],
                 unidentified: vec![],
             },
-        }
-    }
-}
-
-impl KnownReport {
-    fn new(known: &Posterior) -> Self {
-        let unknown = &known.unknown;
-        Self {
-            parameter: unknown.parameter.name,
-            value: known.value,
-            standard_uncertainty: known.sigma,
-            identified: known.variance_removed,
-            before: unknown.prior,
-            standard_uncertainty_before: unknown.sigma,
-            source: unknown.source,
-            range: [unknown.low, unknown.high].into(),
         }
     }
 }
@@ -199,7 +157,7 @@ pub fn bound_warnings(all: &[Delivery], system: System) -> Vec<Message> {
         let parameter = unknown.parameter;
         let known = found.iter().flat_map(|delivered| &delivered.posteriors);
         let at_end = known.filter(|known| {
-            let Unknown { low, high, .. } = known.unknown;
+            let [low, high] = known.unknown.range;
             known.unknown.parameter == parameter
                 && known.sigma.is_none()
                 && (known.value - low > high - known.value) == is_upper

@@ -227,9 +227,10 @@ fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
 /// Points around an ellipse.
 fn outline(ellipse: &LandingEllipse) -> Vec<[f64; 2]> {
     let [long, short] = ellipse.half_axes;
+    let centre = [ellipse.centre.lateral, ellipse.centre.carry];
     let point = |step: u32| {
         let (sin, cos) = (std::f64::consts::TAU * f64::from(step) / f64::from(AROUND)).sin_cos();
-        [0, 1].map(|axis| ellipse.centre[axis] + cos * long[axis] + sin * short[axis])
+        [0, 1].map(|axis| centre[axis] + cos * long[axis] + sin * short[axis])
     };
     (0..=AROUND).map(point).collect()
 }

@@ -3,6 +3,7 @@ use super::style::{clear_names, style};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Vector;
+use crate::report::drive::RUN_WITHIN;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::shown;
 use crate::study::NamedDrive;
@@ -22,9 +23,6 @@ pub enum View {
 /// Maximum distance from the target line of a path that is straight in the view from above, m: a
 /// tenth of a yard.
 const STRAIGHT: f64 = 0.09144;
-
-/// Lower limit of the uncertainty of a total, m: ten yards.
-const TOTAL_WITHIN: f64 = 9.144;
 
 /// Minimum width of the view from above to each side, m.
 const CORRIDOR: f64 = 10.0;
@@ -64,7 +62,7 @@ pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Re
         View::Top => extent(y.into_iter().chain([-CORRIDOR, CORRIDOR])),
     };
     let mut figure = empty(view, [x, seen_up]);
-    let lines = [path_lines(flown, &paths), run_lines(flown, &runs)].concat();
+    let lines = lines(flown, &paths, &runs);
     let range = figure.x.reach.unwrap_or(x);
     match view {
         View::Side => add_ground(&mut figure, &paths, range),
@@ -160,43 +158,31 @@ fn empty(view: View, [x, y]: [[f64; 2]; 2]) -> Figure {
     to_scale(figure, [x, y], SHAPE, [Grows::Up, grows])
 }
 
-/// A line for the path of each drive.
-fn path_lines(flown: &[NamedDrive], paths: &[Vec<[f64; 2]>]) -> Vec<Layer> {
-    let line = |(i, (one, points)): (usize, (&NamedDrive, &Vec<[f64; 2]>))| {
-        let (hue, is_dashed) = style(&one.name, i);
-        let name = match one.name.as_str() {
-            "" => "flight",
-            name => name,
-        };
-        Layer::Line {
-            name: name.into(),
-            hue,
-            is_dashed,
-            points: points.clone(),
-        }
-    };
-    flown.iter().zip(paths).enumerate().map(line).collect()
-}
-
-/// A line for the roll-out of each drive that has one.
-fn run_lines(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>]) -> Vec<Layer> {
-    let line = |(i, (one, points)): (usize, (&NamedDrive, &Vec<[f64; 2]>))| {
-        let (hue, is_dashed) = style(&one.name, i);
+/// A line for the path of each drive, then a line for the roll-out of each drive that has one.
+fn lines(flown: &[NamedDrive], paths: &[Vec<[f64; 2]>], runs: &[Vec<[f64; 2]>]) -> Vec<Layer> {
+    let line = |i: usize, points: &Vec<[f64; 2]>, is_run: bool| {
+        let drive = flown[i].name.as_str();
+        let (hue, is_dashed) = style(drive, i);
         // a single drive has no name; of several drives, the legend shows each name once
-        let (name, is_dashed) = match one.name.as_str() {
-            "" => ("run".into(), true),
-            name => (format!("{name} (run)"), is_dashed),
+        let is_single = drive.is_empty();
+        let name = match is_run {
+            false if is_single => "flight".into(),
+            false => drive.into(),
+            true if is_single => "run".into(),
+            true => format!("{drive} (run)"),
         };
         Layer::Line {
             name,
             hue,
-            is_dashed,
+            is_dashed: is_dashed || (is_run && is_single),
             points: points.clone(),
         }
     };
-    let runs = flown.iter().zip(runs).enumerate();
-    runs.filter(|(_, (_, run))| !run.is_empty())
-        .map(line)
+    let flights = paths.iter().enumerate();
+    let flights = flights.map(|(i, path)| line(i, path, false));
+    let runs = runs.iter().enumerate().filter(|(_, run)| !run.is_empty());
+    flights
+        .chain(runs.map(|(i, run)| line(i, run, true)))
         .collect()
 }
 
@@ -255,7 +241,7 @@ fn note_of_totals(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>], system: System) 
     if totals.is_empty() {
         return String::new();
     }
-    let within = Quantity::LENGTH.read_off_difference(TOTAL_WITHIN, system.unit("yd"));
+    let within = Quantity::LENGTH.read_off_difference(RUN_WITHIN, system.unit("yd"));
     format!(
         " After the landing the ball bounces and runs to its total, {}, which is known within \
          {within} at best.",

@@ -11,7 +11,7 @@ use super::optimum::Multipliers;
 use super::published::Published;
 use super::reply::Report;
 use crate::reproduce::{
-    Average, Constant, Delivery, Energy, Mae494, Noise, Parametric, Regression, Row, Subsystems,
+    Average, Delivery, Energy, Mae494, Noise, Parametric, Regression, Row, Subsystems,
 };
 use crate::units::System;
 use serde::Serialize;
@@ -45,7 +45,7 @@ pub struct Mae494Report<'a> {
     /// Optima of impact and flight, separately.
     pub subsystems: &'a Subsystems,
     /// The sensitivity of the optimum to the constants.
-    pub parametric: ParametricReport<'a>,
+    pub parametric: &'a Parametric,
     /// The noise of the while-loop.
     pub noise: &'a Noise,
     /// The numbers that the report prints.
@@ -77,40 +77,6 @@ pub struct TableRow {
     pub carry_at_printed: Number,
     /// The carry lost at the printed optimum, m.
     pub cost: Number,
-}
-
-/// The sensitivity of the optimum to the constants.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ParametricReport<'a> {
-    /// Each constant.
-    pub sensitivity: &'a [Constant],
-    /// The optima after changes of a constant.
-    pub changes: Vec<ChangeReport>,
-}
-
-/// The optimum after a change of a constant.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ChangeReport {
-    /// The constant.
-    pub parameter: &'static str,
-    /// The change of the constant, SI.
-    pub change: f64,
-    /// The optimum that the derivatives predict.
-    pub predicted: ChangedOptimum,
-    /// The optimum from a new search with the changed constant.
-    pub resolved: ChangedOptimum,
-}
-
-/// An optimum after a change.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ChangedOptimum {
-    /// The carry, m.
-    pub value: Number,
-    /// The varied parameters, rad.
-    pub optimum: ByName<f64>,
 }
 
 /// The numbers in the printed report.
@@ -146,7 +112,7 @@ impl<'a> Mae494Report<'a> {
             regression: &found.regression,
             energy: &found.energy,
             subsystems: &found.subsystems,
-            parametric: ParametricReport::new(&found.parametric),
+            parametric: &found.parametric,
             noise: &found.noise,
             printed: PrintedReport {
                 slipped_optimum: slipped.map(|row| row.printed),
@@ -219,28 +185,6 @@ impl TableRow {
             optimum: OptimumRow::new(row),
             carry_at_printed: row.at_printed.into(),
             cost: row.cost().into(),
-        }
-    }
-}
-
-impl<'a> ParametricReport<'a> {
-    fn new(study: &'a Parametric) -> Self {
-        let loft = |loft: f64| [("club.loft", loft)].into_iter().collect();
-        let changes = study.changes.iter().map(|changed| ChangeReport {
-            parameter: changed.change.parameter.name,
-            change: changed.change.delta,
-            predicted: ChangedOptimum {
-                value: changed.second_order.into(),
-                optimum: loft(changed.predicted[0]),
-            },
-            resolved: ChangedOptimum {
-                value: changed.resolved.value().into(),
-                optimum: loft(changed.resolved.solution.x[0]),
-            },
-        });
-        Self {
-            sensitivity: &study.sensitivities,
-            changes: changes.collect(),
         }
     }
 }

@@ -163,17 +163,15 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Publish
          loft, and found by a new search:",
     );
     let rows = study.changes.iter().map(|changed| {
-        let value = found.optimum.best.setup.value(changed.change.parameter);
-        let part = changed.change.delta / value.unwrap_or(f64::NAN);
+        let value = found.optimum.best.setup.value(changed.parameter);
+        let part = changed.change / value.unwrap_or(f64::NAN);
+        let carry = |carry: Option<f64>| carry.map_or("–".into(), |carry| shown.length(carry));
         vec![
-            shown.length(changed.second_order),
-            changed
-                .resolved
-                .value()
-                .map_or("–".into(), |carry| shown.length(carry)),
-            degrees(changed.predicted[0]),
-            degrees(changed.resolved.solution.x[0]),
-            format!("{} {:+.0} %", changed.change.parameter.name, 100.0 * part),
+            carry(changed.predicted.value),
+            carry(changed.resolved.value),
+            degrees(changed.predicted.loft()),
+            degrees(changed.resolved.loft()),
+            format!("{} {:+.0} %", changed.parameter.name, 100.0 * part),
         ]
     });
     document.add(Table::new(

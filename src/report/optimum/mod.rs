@@ -14,6 +14,6 @@ pub use report::{
     ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimumReport,
 };
 pub use setup_file::optimum_toml;
-pub use surroundings::{ClubAloneReport, Surroundings, WindowReport};
+pub use surroundings::Surroundings;
 pub(super) use text::{add_convergence, add_place, ended_line, place};
 pub use text::{iteration_line, optima_document, optimize_document, optimum_document};

@@ -5,13 +5,13 @@ use super::super::drive::{LaunchReport, LawRanges, flight, launch, law_range};
 use super::super::json::{ByName, Number, Settings, settings};
 use super::super::limits::gain;
 use super::super::swings::{OverSwings, StudiesReport};
-use super::surroundings::{ClubAloneReport, Surroundings, WindowReport};
+use super::surroundings::Surroundings;
 use crate::drive::Outcome;
 use crate::optimize::{ConstraintValue, Effort};
 #[cfg(test)]
 use crate::study::Sense;
 use crate::study::design::Improvement;
-use crate::study::{Constraint, LocalOptimum, Optima, Optimum, Sample};
+use crate::study::{ClubAlone, Constraint, LocalOptimum, Optima, Optimum, Sample, Window};
 use crate::units::Message;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -67,12 +67,12 @@ pub struct OptimumReport {
     pub law_range: Option<LawRanges>,
     /// For each varied parameter: the range in which it can vary alone and lose at most
     /// `window_loss`; `null` for swings, and without an optimum.
-    pub window: Option<ByName<WindowReport>>,
+    pub window: Option<ByName<Window>>,
     /// The loss allowed in each window, SI; `null` without windows.
     pub window_loss: Number,
     /// The gain of the optimum in two parts: from the club with the swing as set up, and from the
     /// swing; `null` if the search does not vary both, or if the first part is unknown.
-    pub club_alone: Option<ClubAloneReport>,
+    pub club_alone: Option<ClubAlone>,
     /// The setup file that was written; `null` without one.
     pub file: Option<String>,
     /// Parameters that the request states, so that the default search does not vary them; omitted
@@ -251,14 +251,13 @@ impl OptimumReport {
     #[must_use]
     pub fn with_surroundings(self, optimum: &Optimum, around: &Surroundings<'_>) -> Self {
         let vary = optimum.search.vary.iter();
-        let window = vary.zip(around.windows).map(|(vary, window)| {
-            let report = WindowReport::new(optimum, window);
-            (vary.parameter.name, report)
-        });
+        let window = vary
+            .zip(around.windows)
+            .map(|(vary, window)| (vary.parameter.name, window.clone()));
         Self {
             window: Some(window.collect()),
             window_loss: around.loss.into(),
-            club_alone: around.club_alone.map(ClubAloneReport::new),
+            club_alone: around.club_alone.cloned(),
             ..self
         }
     }

@@ -1,10 +1,8 @@
 //! The flatness of an optimum of a single drive, and the gain of the club alone.
 
-use super::super::json::{ByName, Number};
 use super::super::shown;
 use crate::study::{ClubAlone, Optimum, Vary, Window, WindowLimit};
 use crate::units::{System, signed};
-use serde::Serialize;
 
 /// The surroundings of an optimum of a single drive.
 #[derive(Clone, Copy, Debug)]
@@ -25,7 +23,7 @@ impl Surroundings<'_> {
         let vary = optimum.search.vary.iter().zip(self.windows);
         let windows: Vec<_> = vary
             .filter(|(vary, _)| vary.low < vary.high)
-            .map(|(vary, window)| window_text(optimum, vary, window, system))
+            .map(|(vary, window)| window_text(vary, window, system))
             .collect();
         let windows = format!(
             "within {loss} of the best if one parameter alone changes: {}",
@@ -38,23 +36,22 @@ impl Surroundings<'_> {
 
 /// A window in words, such as "club.loft 5.36° to 6.94°". If something other than the loss limits
 /// an end, the text has the reason.
-fn window_text(optimum: &Optimum, vary: &Vary, window: &Window, system: System) -> String {
-    let end = |value: f64, limit: WindowLimit| {
+fn window_text(vary: &Vary, window: &Window, system: System) -> String {
+    let end = |value: f64, limit: &WindowLimit| {
         let value = shown::parameter(vary.parameter, value, system);
         match limit {
             WindowLimit::Loss => value,
-            WindowLimit::Constraint(j) => {
-                let constraint = shown::constraint(&optimum.search.subject_to[j], system);
-                format!("{value} ({constraint})")
+            WindowLimit::Constraint(constraint) => {
+                format!("{value} ({})", shown::constraint(constraint, system))
             }
-            other => format!("{value} ({})", limit_name(optimum, other)),
+            other => format!("{value} ({})", other.name()),
         }
     };
     format!(
         "{} {} to {}",
         vary.parameter.name,
-        end(window.low, window.low_limit),
-        end(window.high, window.high_limit)
+        end(window.low, &window.low_limit),
+        end(window.high, &window.high_limit)
     )
 }
 
@@ -69,68 +66,9 @@ fn club_text(optimum: &Optimum, club: &ClubAlone, system: System) -> String {
         format!("{} {value}", vary.parameter.name)
     });
     let values = values.collect::<Vec<_>>().join(", ");
-    let club_gain = gain(club.value - club.as_set_up);
+    let club_gain = gain(club.club_gain);
     format!(
         "the club alone, with the swing as set up: {club_gain} ({values}); the swing too: {} more",
-        gain(club.rest)
+        gain(club.swing_gain)
     )
-}
-
-/// The range in which a parameter can vary alone and lose at most the stated loss.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct WindowReport {
-    /// Lower end, SI.
-    pub low: f64,
-    /// Upper end, SI.
-    pub high: f64,
-    /// The reason for the lower end: `loss`, `bound`, `no flight`, or a constraint.
-    pub low_limit: String,
-    /// The reason for the upper end.
-    pub high_limit: String,
-}
-
-impl WindowReport {
-    pub(super) fn new(optimum: &Optimum, window: &Window) -> Self {
-        Self {
-            low: window.low,
-            high: window.high,
-            low_limit: limit_name(optimum, window.low_limit),
-            high_limit: limit_name(optimum, window.high_limit),
-        }
-    }
-}
-
-/// The reason for an end of a window.
-fn limit_name(optimum: &Optimum, limit: WindowLimit) -> String {
-    match limit {
-        WindowLimit::Loss => "loss".into(),
-        WindowLimit::Bound => "bound".into(),
-        WindowLimit::Constraint(j) => optimum.search.subject_to[j].expression.clone(),
-        WindowLimit::NoFlight => "no flight".into(),
-    }
-}
-
-/// The gain of the optimum in two parts: from the club with the swing as set up, and from the
-/// swing.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ClubAloneReport {
-    /// The gain of the best club with the swing as set up, SI.
-    pub club_gain: f64,
-    /// The additional gain if the swing changes too, SI.
-    pub swing_gain: f64,
-    /// The best club with the swing as set up, SI.
-    pub optimum: ByName<Number>,
-}
-
-impl ClubAloneReport {
-    pub(super) fn new(club: &ClubAlone) -> Self {
-        let best = &club.optimum;
-        Self {
-            club_gain: club.value - club.as_set_up,
-            swing_gain: club.rest,
-            optimum: ByName::of_varied(&best.search.vary, &best.solution.x),
-        }
-    }
 }

@@ -102,7 +102,7 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
                         td.number { (label("to")) (both(|system| shown::ends(vary, system)[1].clone())) }
                         td.words { (label("bound")) (both(|system| bound_in_words(best, i, system))) }
                         @if let Some(flatness) = flatness {
-                            td.words { (label(alone(of, flatness))) (window(best, vary, &flatness.windows[i])) }
+                            td.words { (label(alone(of, flatness))) (window(vary, &flatness.windows[i])) }
                         }
                     }
                 }
@@ -124,23 +124,23 @@ fn alone(of: Outcome, flatness: &Flatness) -> Markup {
 }
 
 /// The window of a parameter, with the reason for each end that is not due to the loss.
-fn window(best: &Optimum, vary: &Vary, window: &Window) -> Markup {
+fn window(vary: &Vary, window: &Window) -> Markup {
     let end = |value: f64| both(|system| shown::parameter(vary.parameter, value, system));
     html! {
         span {
-            (end(window.low)) (limit(best, window.low_limit)) " … "
-            (end(window.high)) (limit(best, window.high_limit))
+            (end(window.low)) (limit(&window.low_limit)) " … "
+            (end(window.high)) (limit(&window.high_limit))
         }
     }
 }
 
 /// The reason for an end of a window; empty if the end is due to the loss.
-fn limit(best: &Optimum, limit: WindowLimit) -> Markup {
+fn limit(limit: &WindowLimit) -> Markup {
     html! {
         @match limit {
             WindowLimit::Loss => {}
             WindowLimit::Bound => " (bound)",
-            WindowLimit::Constraint(j) => { " (" (both(|system| shown::constraint(&best.search.subject_to[j], system))) ")" }
+            WindowLimit::Constraint(constraint) => { " (" (both(|system| shown::constraint(constraint, system))) ")" }
             WindowLimit::NoFlight => " (no flight)",
         }
     }

@@ -17,8 +17,7 @@ pub use open_connect::open_connect_answer;
 pub use parquet::ShotParquet;
 pub(super) use summary::instrument_deviation;
 pub use summary::{
-    BandReport, ClubOutcome, ClubShotsReport, OutcomeResiduals, RefusedRows, ShotsReport,
-    SumsReport,
+    BandReport, ClubOutcome, ClubShotsReport, OutcomeResiduals, ShotsReport, SumsReport,
 };
 
 use crate::drive::Outcome;

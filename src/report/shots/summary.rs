@@ -25,7 +25,7 @@ pub struct ShotsReport<'a> {
     /// Number of rows whose ball landed.
     pub flown: u64,
     /// The rows whose ball did not land, by kind of reason.
-    pub refused: Vec<RefusedRows>,
+    pub refused: Vec<Refused>,
     /// Number of rows with assumed values, or with values that are not compared.
     pub noted: u64,
     /// Number of rows whose export states an estimated or modelled spin.
@@ -38,17 +38,6 @@ pub struct ShotsReport<'a> {
     pub clubs: Vec<ClubShotsReport>,
     /// Remarks about the columns.
     pub remarks: Vec<Message>,
-}
-
-/// Rows refused for one kind of reason.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct RefusedRows {
-    /// The kind of reason.
-    pub kind: &'static str,
-    /// The number of these rows, and the first row of them.
-    #[serde(flatten)]
-    pub refused: Refused,
 }
 
 /// The residuals of an outcome, SI.
@@ -170,10 +159,6 @@ impl<'a> ShotsReport<'a> {
         file: Option<String>,
         remarks: &[Message],
     ) -> Self {
-        let refused = tally.refused.iter().map(|(kind, refused)| RefusedRows {
-            kind,
-            refused: refused.clone(),
-        });
         let residual = |(at, of): (usize, &Outcome)| OutcomeResiduals {
             of: *of,
             all: SumsReport::new(&tally.all[at]),
@@ -196,7 +181,7 @@ impl<'a> ShotsReport<'a> {
             source,
             rows: tally.rows,
             flown: tally.flown,
-            refused: refused.collect(),
+            refused: tally.refused.values().cloned().collect(),
             noted: tally.noted,
             spin_not_measured: tally.spin_not_measured,
             normalized: tally.normalized,

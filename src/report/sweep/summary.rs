@@ -2,7 +2,7 @@ use crate::drive::Outcome;
 use crate::parameters::Setup;
 use crate::report::document::{Document, Line, Table};
 use crate::report::shown;
-use crate::statistics::{Coordinate, Histogram, Infinite, Ranking, Summary};
+use crate::statistics::{Histogram, Number, Ranking, Summary};
 use crate::units::{System, counted, significant};
 
 /// A summary of a sweep's rows: counts by status, moments of each column, histograms and best rows.
@@ -82,12 +82,9 @@ fn histogram(histogram: &Histogram, system: System) -> Table {
 /// The best rows by a column, with the swept parameters of each row.
 fn ranking(ranking: &Ranking, system: System) -> Table {
     let setup = Setup::default();
-    let coordinate = |name: &str, value: &Option<Coordinate>| {
-        let value = match value {
-            Some(Coordinate::Finite(value)) => *value,
-            Some(Coordinate::Infinite(Infinite::Above)) => f64::INFINITY,
-            Some(Coordinate::Infinite(Infinite::Below)) => f64::NEG_INFINITY,
-            None => return format!("{name} {}", shown::NONE),
+    let coordinate = |name: &str, value: Number| {
+        let Some(value) = value.0 else {
+            return format!("{name} {}", shown::NONE);
         };
         match setup.parameter(name) {
             Ok(parameter) => format!("{name} {}", shown::stated(parameter, value, system)),
@@ -98,7 +95,7 @@ fn ranking(ranking: &Ranking, system: System) -> Table {
         let point: Vec<_> = row
             .point
             .iter()
-            .map(|(name, value)| coordinate(name, value))
+            .map(|(name, value)| coordinate(name, *value))
             .collect();
         vec![
             quantity(&ranking.of, row.value, system),

@@ -22,7 +22,7 @@ pub use average::Average;
 pub use launches::{ByLaunch, Energy, Launched, Subsystems};
 pub use noise::{Landings, LongerDifference, Noise, Sawtooth, ShorterStep, Slopes};
 pub use objective::{Landing, Method};
-pub use parametric::{Constant, Parametric};
+pub use parametric::{ChangedOptimum, Constant, ConstantChange, Parametric};
 pub use regression::{Peak, Regression};
 pub use searches::{End, Searches};
 pub use tables::Row;

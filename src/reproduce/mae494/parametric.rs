@@ -1,18 +1,60 @@
 use super::Row;
 use crate::error::Result;
-use crate::json::by_name;
+use crate::json::{by_name, number};
 use crate::parameters::Parameter;
 use crate::reproduce::delivery::{ATTACK_ANGLE, LOFT};
-use crate::study::{Change, Changed, change, sensitivity};
+use crate::study::{Change, change, sensitivity};
 use serde::Serialize;
 
 /// Parametric study that the report proposes: influence of its constants on the optimum.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "ParametricReport"))]
 pub struct Parametric {
-    /// Sensitivities of the optimum, in descending order of relative influence.
+    /// Each constant.
+    // in descending order of relative influence
+    #[serde(rename = "sensitivity")]
     pub sensitivities: Vec<Constant>,
-    /// Effects of the proposed changes, predicted and recomputed.
-    pub changes: Vec<Changed>,
+    /// The optima after changes of a constant.
+    pub changes: Vec<ConstantChange>,
+}
+
+/// The optimum after a change of a constant.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "ChangeReport"))]
+pub struct ConstantChange {
+    /// The constant.
+    pub parameter: &'static Parameter,
+    /// The change of the constant, SI.
+    pub change: f64,
+    /// The optimum that the derivatives predict.
+    pub predicted: ChangedOptimum,
+    /// The optimum from a new search with the changed constant.
+    pub resolved: ChangedOptimum,
+}
+
+/// An optimum after a change.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct ChangedOptimum {
+    /// The carry, m.
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    pub value: Option<f64>,
+    /// The varied parameters, rad.
+    // the best attack angle stays at its bound
+    #[serde(serialize_with = "by_name")]
+    #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, f64>"))]
+    pub optimum: [(&'static str, f64); 1],
+}
+
+impl ChangedOptimum {
+    /// The best loft, rad.
+    pub fn loft(&self) -> f64 {
+        let [(_, loft)] = self.optimum;
+        loft
+    }
 }
 
 /// The sensitivity of the optimum to a constant.
@@ -100,7 +142,19 @@ impl Parametric {
         let changed = |(name, part): &(&str, f64)| {
             let parameter = best.setup.variable(name)?;
             let delta = part * best.setup.value(parameter).unwrap_or_default();
-            change(best, Change { parameter, delta }, &Ok)
+            let changed = change(best, Change { parameter, delta }, &Ok)?;
+            Ok(ConstantChange {
+                parameter,
+                change: delta,
+                predicted: ChangedOptimum {
+                    value: Some(changed.second_order),
+                    optimum: [(LOFT, changed.predicted[0])],
+                },
+                resolved: ChangedOptimum {
+                    value: changed.resolved.value(),
+                    optimum: [(LOFT, changed.resolved.solution.x[0])],
+                },
+            })
         };
         Ok(Self {
             sensitivities,

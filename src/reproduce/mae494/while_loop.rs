@@ -3,13 +3,15 @@
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::atmosphere::{AirState, in_effect};
-use crate::derivative::check::{Check, Demand, Ladder, STEPS};
+use crate::derivative::check::{Check, Curve, Demand, Ladder, STEPS};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::impact::strike;
+use crate::json::number;
 use crate::number::Vector;
 use crate::parameters::{Parameter, Setup};
 use crate::study::certificate::Row;
+use serde::Serialize;
 use std::f64::consts::PI;
 
 /// Landing point of the report's flight loop.
@@ -68,34 +70,45 @@ pub(super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Result<LoopL
     })
 }
 
-/// Finite differences of the MAE 494 report's flight loop, for a parameter of a certificate.
-#[derive(Clone, Debug)]
+/// A finite difference of the carry that the while-loop of the MAE 494 report computes.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "LoopCheck"))]
 pub struct LoopRow {
+    /// The comparison of finite differences with the exact derivative.
+    #[serde(flatten)]
+    pub check: Check,
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// Characteristic size of the parameter, the unit of the increments of the differences.
-    pub scale: f64,
-    /// Differences of the loop's carry compared with the exact derivative.
-    pub check: Check,
+    /// The finite difference with a step of 1e-8, SI.
+    // the nearest step to 1e-8 of the parameter's characteristic size; optimizers use such steps
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    pub difference: Option<f64>,
+    /// True if `difference` and the exact derivative have different signs.
+    #[serde(rename = "sign_is_wrong")]
+    pub has_wrong_sign: bool,
+    /// The errors of the finite differences at several steps.
+    pub curve: Curve,
 }
 
 impl LoopRow {
-    /// Finite difference of the loop's carry for the increment nearest to 1e-8 of `scale`.
-    /// Optimizers use such increments.
-    pub fn small_difference(&self) -> Option<f64> {
-        let distance = |step: f64| (step / self.scale / 1e-8).ln().abs();
-        let nearest = self
-            .check
+    /// The row of a check whose steps are multiples of `scale`, the characteristic size of the
+    /// parameter.
+    fn new(parameter: &'static Parameter, scale: f64, check: Check) -> Self {
+        let distance = |step: f64| (step / scale / 1e-8).ln().abs();
+        let nearest = check
             .curve
             .iter()
             .min_by(|a, b| distance(a.step).total_cmp(&distance(b.step)));
-        nearest.map(|point| point.difference)
-    }
-
-    /// True if [`small_difference`](Self::small_difference) has the wrong sign.
-    pub fn has_wrong_sign(&self) -> bool {
-        self.small_difference()
-            .is_some_and(|difference| difference * self.check.exact < 0.0)
+        let difference = nearest.map(|point| point.difference);
+        Self {
+            parameter,
+            difference,
+            has_wrong_sign: difference.is_some_and(|difference| difference * check.exact < 0.0),
+            curve: Curve::of(&check.curve),
+            check,
+        }
     }
 }
 
@@ -172,11 +185,8 @@ pub fn while_loop(setup: &Setup<f64>, rows: &[Row]) -> Vec<LoopRow> {
                 vec![flown.map_or(f64::NAN, |stop| stop.overshot)]
             };
             let ladder = Ladder::sample(setup.value(parameter)?, scale, STEPS, &mut carry).pop()?;
-            Some(LoopRow {
-                parameter,
-                scale,
-                check: ladder.judge(row.first.exact, Demand::FIRST),
-            })
+            let check = ladder.judge(row.first.exact, Demand::FIRST);
+            Some(LoopRow::new(parameter, scale, check))
         })
         .collect()
 }

@@ -2,7 +2,7 @@
 
 use super::statistics::Statistics;
 use crate::drive::Outcome;
-use crate::json::number;
+use crate::json::{by_name, number};
 use crate::optimize::least_squares::{Fit, Status};
 use crate::parameters::{Parameter, Setup};
 use serde::Serialize;
@@ -57,6 +57,24 @@ pub struct Remainder {
     pub residual: f64,
 }
 
+/// The searches of a fit, each from another starting point.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "StartsReport"))]
+pub struct Starts {
+    /// Number of starts.
+    pub made: usize,
+    /// Number of starts that reached the smallest sum of squares.
+    // within a relative 1e-6
+    pub same: usize,
+    /// Number of starts that did not reach the smallest sum of squares, by status; `undefined` if
+    /// the ball of a row does not fly at the starting point.
+    // empty if `Calibration::renewals` exceeds 1, because only the best search is then repeated
+    #[serde(serialize_with = "by_name")]
+    #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, usize>"))]
+    pub elsewhere: Vec<(Status, usize)>,
+}
+
 /// Parameters fitted to shots.
 #[derive(Clone, Debug)]
 pub struct Calibration {
@@ -64,13 +82,8 @@ pub struct Calibration {
     pub setup: Setup<f64>,
     /// Result of the best search.
     pub fit: Fit,
-    /// Number of searches.
-    pub starts: usize,
-    /// Number of searches that ended at the smallest sum of squares (within a relative 1e-6).
-    pub at_minimum: usize,
-    /// Statuses of the other searches with their counts. Empty if [`renewals`](Self::renewals)
-    /// exceeds 1, because only the best search is then repeated.
-    pub elsewhere: Vec<(Status, usize)>,
+    /// The searches, by their ends.
+    pub starts: Starts,
     /// Number of searches that were interrupted.
     pub stopped: usize,
     /// True if the best search converged to a minimum, even if other searches were interrupted.

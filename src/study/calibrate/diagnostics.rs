@@ -4,7 +4,7 @@ use super::calibration::{Calibration, Estimate};
 use super::residuals::at_shot;
 use super::shot_table::{Shot, ShotTable};
 use super::statistics::Uncertainties;
-use crate::drive::{CheckScope, Drive, ExceededCount};
+use crate::drive::{CheckScope, ExceededCount, exceeded_in_flight};
 use crate::optimize::least_squares::Status;
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
@@ -161,16 +161,12 @@ impl ShotTable {
 pub fn validity_warnings(setup: &Setup<f64>, shots: &[Shot], stop: &AtomicBool) -> Vec<Message> {
     let looked_at = |shot: &Shot| {
         let setup = at_shot(setup, shot).ok()?;
-        let drive = Drive::new(&setup).ok()?;
         let of: Vec<_> = shot
             .measured
             .iter()
             .map(|measurement| measurement.outcome)
             .collect();
-        drive
-            .landed()
-            .is_ok()
-            .then(|| drive.exceeded_limits(&setup, CheckScope::Flight, &of))
+        exceeded_in_flight(&setup, &of)
     };
     let mut count = ExceededCount::default();
     let Some(drives) = each_until(shots, stop, looked_at) else {

@@ -1,4 +1,4 @@
-use super::calibration::{Calibration, Estimate, Remainder};
+use super::calibration::{Calibration, Estimate, Remainder, Starts};
 use super::refusal::no_answer;
 use super::residuals::ShotResiduals;
 use super::shot_table::{Shot, ShotTable};
@@ -211,7 +211,7 @@ pub fn calibrate(
     };
     let from = starting_points(&mut problem, &domain, &own, plan.starts, observer)?;
     let mut searches = Searches::run(&mut problem, &domain, &own, from, &options, observer)?;
-    let (at_minimum, elsewhere) = searches.by_status();
+    let starts = searches.by_end(plan.starts);
     let (stopped, is_minimum) = verdict::of_searches(
         &mut searches.fits,
         searches.is_settled,
@@ -220,9 +220,7 @@ pub fn calibrate(
     let mut found = finished(&problem, &domain, table, &own, searches.fits, &options)?;
     verdict::of_data(&mut found, options.loss, table.uncertainties);
     Ok(Calibration {
-        starts: plan.starts,
-        at_minimum,
-        elsewhere,
+        starts,
         stopped,
         is_minimum,
         renewals: searches.renewals,
@@ -333,9 +331,8 @@ impl Searches {
         }
     }
 
-    /// Number of completed searches at the smallest sum of squares, and the statuses of the others
-    /// with their counts.
-    fn by_status(&self) -> (usize, Vec<(Status, usize)>) {
+    /// The completed searches by their ends; `made` starts were requested.
+    fn by_end(&self, made: usize) -> Starts {
         let best = self.fits[0].cost;
         let is_same = |fit: &&Fit| (fit.cost - best).abs() <= 1e-6 * best.abs().max(1e-12);
         let (same, others): (Vec<&Fit>, Vec<_>) = self
@@ -350,7 +347,11 @@ impl Searches {
                 None => elsewhere.push((*status, 1)),
             }
         }
-        (same.len(), elsewhere)
+        Starts {
+            made,
+            same: same.len(),
+            elsewhere,
+        }
     }
 }
 
@@ -415,9 +416,11 @@ fn finished(
     Ok(Calibration {
         setup,
         fit,
-        starts: 1,
-        at_minimum: 1,
-        elsewhere: vec![],
+        starts: Starts {
+            made: 1,
+            same: 1,
+            elsewhere: vec![],
+        },
         stopped: 0,
         is_minimum: false,
         estimates,

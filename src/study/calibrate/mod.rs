@@ -14,7 +14,7 @@ mod shot_table;
 mod statistics;
 mod verdict;
 
-pub use calibration::{Calibration, Estimate, Remainder};
+pub use calibration::{Calibration, Estimate, Remainder, Starts};
 pub use diagnostics::validity_warnings;
 pub use estimate::{FitPlan, calibrate};
 pub use folds::{HeldOut, check_folds, held_out};

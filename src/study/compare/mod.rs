@@ -4,7 +4,7 @@ mod path;
 mod quadrature;
 mod split;
 
-pub use path::{Cause, Share, Shares};
+pub use path::{Cause, CauseValue, Share, Shares};
 
 use crate::drive::{Drive, Outcome, OutcomeGroup};
 use crate::error::Result;

@@ -1,7 +1,9 @@
 use crate::derivative::{Order, evaluate};
 use crate::drive::Outcome;
 use crate::error::Result;
+use crate::json::{Number, by_name, number};
 use crate::parameters::{GOLFER, Kind, LAW, Parameter, SPEED_OF, Setup, Ways, given_otherwise};
+use serde::{Serialize, Serializer};
 
 /// A difference between two setups.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,29 +41,104 @@ impl Cause {
     pub fn is_discrete(self) -> bool {
         !matches!(self, Self::Continuous(_))
     }
+
+    /// The name of this choice in a setup: of a law, a golfer, a point of the head, or a launch.
+    pub fn choice_in(self, setup: &Setup<f64>) -> &'static str {
+        match self {
+            Self::Golfer => setup.golfer.name(),
+            Self::SpeedOf => setup.speed_of.name(),
+            Self::Law => setup
+                .law
+                .table()
+                .map_or(setup.law.name(), |table| table.file.as_str()),
+            _ if setup.launch.is_given() => "given",
+            _ => "struck by a club",
+        }
+    }
+
+    /// The value of the cause in a setup.
+    fn value_in(self, setup: &Setup<f64>) -> CauseValue {
+        match self {
+            Self::Continuous(parameter) | Self::Discrete(parameter) => {
+                CauseValue::Number(setup.value(parameter).into())
+            }
+            Self::Law | Self::Golfer | Self::SpeedOf | Self::Launch => {
+                CauseValue::Choice(self.choice_in(setup))
+            }
+            Self::Ways(ways) => {
+                let given = ways.given_in(setup).into_iter();
+                let numbers =
+                    given.map(|parameter| (parameter.name, setup.value(parameter).into()));
+                CauseValue::Numbers(numbers.collect())
+            }
+        }
+    }
 }
 
-/// A cause with its share of a difference.
-#[derive(Clone, Copy, Debug)]
+/// The name.
+impl Serialize for Cause {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+/// The share of a cause.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "ShareReport"))]
 pub struct Share {
-    /// The cause.
+    /// The parameter or choice that differs: `aero.law`, `golfer`, `swing.speed_of`; `launch`, if
+    /// only one of the drives has a club; `air` or `wind`, if the drives state it by different
+    /// parameters.
+    #[cfg_attr(test, schemars(with = "String"))]
     pub cause: Cause,
-    /// Share of the cause, SI.
+    /// The value of the cause in each drive.
+    pub values: [CauseValue; 2],
+    /// The share of the cause in the difference, SI.
+    #[serde(rename = "share", serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "Number"))]
     pub amount: f64,
+    /// True if the cause changes in one step halfway, because it has no intermediate values.
+    pub at_once: bool,
 }
 
-/// Shares of a difference by cause.
-#[derive(Clone, Debug)]
+/// The value of a cause in a drive.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(untagged)]
+pub enum CauseValue {
+    /// A number in SI, or radians.
+    Number(Number),
+    /// The name of a choice.
+    Choice(&'static str),
+    /// The stated numbers of a quantity that may be stated in several ways.
+    #[serde(serialize_with = "by_name")]
+    Numbers(
+        #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, Number>"))]
+        Vec<(&'static str, Number)>,
+    ),
+}
+
+/// A difference split into its causes.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "SharesReport"))]
 pub struct Shares {
     /// The setups at the ends of the path.
+    #[serde(skip)]
     pub setups: [Setup<f64>; 2],
-    /// Each cause with its share, in the order of the parameter table; discrete changes come last.
+    /// The share of each cause, in the order of the parameters; causes without intermediate values
+    /// come last.
     pub shares: Vec<Share>,
-    /// Difference minus the sum of the shares, SI. Its magnitude is at most `error`, unless a
-    /// derivative is discontinuous on the path.
+    /// The difference minus the sum of the shares, SI. It is at most `integration_error`, unless
+    /// the model has a corner between the drives.
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "Number"))]
     pub remainder: f64,
-    /// Error estimate of a share, SI. For a smooth aerodynamic law it is rounding (1e-11 of the
-    /// outcome), for a piecewise law at most 1e-8.
+    /// The error estimate of a share, SI: 1e-11 of the outcome (rounding) for a smooth law, up to
+    /// 1e-8 of the outcome for a piecewise law.
+    #[serde(rename = "integration_error", serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "Number"))]
     pub error: f64,
 }
 
@@ -127,6 +204,16 @@ impl Path {
         }
     }
 
+    /// The share of a cause in the difference between the ends.
+    pub fn share(&self, cause: Cause, amount: f64) -> Share {
+        Share {
+            cause,
+            values: self.ends.each_ref().map(|setup| cause.value_in(setup)),
+            amount,
+            at_once: cause.is_discrete(),
+        }
+    }
+
     /// All differences.
     pub fn causes(&self) -> Vec<Cause> {
         self.continuous
@@ -144,10 +231,7 @@ impl Path {
         let mut shares: Vec<Share> = self
             .discrete
             .iter()
-            .map(|cause| Share {
-                cause: *cause,
-                amount: 0.0,
-            })
+            .map(|cause| self.share(*cause, 0.0))
             .collect();
         if last == 0 {
             return Ok(shares);

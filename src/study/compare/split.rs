@@ -59,10 +59,7 @@ impl<'a> Split<'a> {
         }
         let continuous = self.path.continuous.iter().zip(amounts);
         let mut shares: Vec<Share> = continuous
-            .map(|(parameter, amount)| Share {
-                cause: Cause::Continuous(parameter),
-                amount,
-            })
+            .map(|(parameter, amount)| self.path.share(Cause::Continuous(parameter), amount))
             .collect();
         shares.extend(self.path.halfway(of)?);
         let sum: f64 = shares.iter().map(|share| share.amount).sum();

@@ -8,17 +8,22 @@ use crate::study::calibrate::Measurement;
 use nalgebra::{DMatrix, SymmetricEigen};
 use serde::Serialize;
 
-/// Posterior of one parameter, SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A parameter of a delivery.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "KnownReport"))]
 pub struct Posterior {
     /// The parameter with its prior.
+    #[serde(flatten)]
     pub unknown: Unknown,
-    /// The most probable value.
+    /// The most probable value, SI.
     pub value: f64,
-    /// Standard uncertainty of the value; `None` if the value lies on a bound.
+    /// The posterior standard uncertainty, SI; `null` at a bound.
+    #[serde(rename = "standard_uncertainty")]
     pub sigma: Option<f64>,
-    /// Fraction of the prior variance that the shot removes: 1 if the launch determines the
-    /// parameter, 0 if it carries no information. `None` if the value lies on a bound.
+    /// The fraction of the prior variance that the shot removes, 0 to 1; `null` at a bound.
+    // 1 if the launch determines the parameter, 0 if it carries no information
+    #[serde(rename = "told")]
     pub variance_removed: Option<f64>,
 }
 

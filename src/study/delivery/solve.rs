@@ -35,8 +35,8 @@ pub fn delivery(
         Err(error) => Err(error.to_string()),
     };
     let domain = Domain::new(
-        unknowns.iter().map(|unknown| unknown.low).collect(),
-        unknowns.iter().map(|unknown| unknown.high).collect(),
+        unknowns.iter().map(|unknown| unknown.range[0]).collect(),
+        unknowns.iter().map(|unknown| unknown.range[1]).collect(),
     )?;
     let found = fit(&rows, &domain, &priors, &Options::default())?;
     if found.rows.residuals.is_empty() {
@@ -52,7 +52,10 @@ pub fn delivery(
     let explained = measured.iter().zip(&computed);
     let explained = explained.map(|(measured, taylor)| Explained::new(*measured, taylor.value));
     let free: Vec<usize> = (0..unknowns.len())
-        .filter(|&i| (unknowns[i].low < found.x[i]) && (found.x[i] < unknowns[i].high))
+        .filter(|&i| {
+            let [low, high] = unknowns[i].range;
+            low < found.x[i] && found.x[i] < high
+        })
         .collect();
     // derivatives by parameters in units of the prior standard uncertainty
     let jacobian = DMatrix::from_fn(measured.len(), free.len(), |row, column| {

@@ -1,22 +1,30 @@
 use crate::error::{Error, Result};
+#[cfg(test)]
+use crate::json::Range;
+use crate::json::range;
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::{Sigma, refuse_given_twice};
+use serde::Serialize;
 
 /// An unknown parameter of the delivery with its prior, SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Unknown {
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// Prior mean.
+    /// The prior value, SI.
+    #[serde(rename = "before")]
     pub prior: f64,
-    /// Prior standard uncertainty.
+    /// The prior standard uncertainty, SI.
+    #[serde(rename = "standard_uncertainty_before")]
     pub sigma: f64,
-    /// Source of the uncertainty; `None` if the user gave it.
+    /// The source of the prior uncertainty; `null` if the user stated it.
     pub source: Option<&'static str>,
-    /// Lower bound.
-    pub low: f64,
-    /// Upper bound.
-    pub high: f64,
+    /// The range of the search.
+    // the lower and the upper bound, SI
+    #[serde(serialize_with = "range")]
+    #[cfg_attr(test, schemars(with = "Range"))]
+    pub range: [f64; 2],
 }
 
 const GOLFERS: &str = "assumed: how golfers differ from each other";
@@ -59,8 +67,7 @@ impl Unknown {
             parameter,
             sigma,
             source,
-            low,
-            high,
+            range: [low, high],
             ..
         } = self;
         let monitor = CLUB_UNCERTAINTIES
@@ -83,8 +90,7 @@ impl Unknown {
             prior: value,
             sigma,
             source,
-            low: low.min(least),
-            high: high.max(most),
+            range: [low.min(least), high.max(most)],
             parameter,
         }
     }
@@ -169,7 +175,7 @@ fn default_unknowns(setup: &Setup<f64>, sigmas: &[Sigma]) -> Result<Vec<Unknown>
         let Some((sigma, source)) = prior_sigma(parameter, sigmas) else {
             continue;
         };
-        let [low, high] = search_range(parameter, prior, sigma).ok_or_else(|| {
+        let range = search_range(parameter, prior, sigma).ok_or_else(|| {
             let (name, value) = (parameter.name, parameter.show(Some(prior)));
             refuse(format!(
                 "the search range around {name} = {value} is empty; set it to another value"
@@ -180,8 +186,7 @@ fn default_unknowns(setup: &Setup<f64>, sigmas: &[Sigma]) -> Result<Vec<Unknown>
             prior,
             sigma,
             source,
-            low,
-            high,
+            range,
         });
     }
     Ok(all)
@@ -232,8 +237,7 @@ fn varied_unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Resul
             prior,
             sigma,
             source,
-            low,
-            high,
+            range: [low, high],
         });
     }
     Ok(all)

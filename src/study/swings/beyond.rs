@@ -4,7 +4,7 @@
 use super::pareto::Pareto;
 use super::robust::Robust;
 use super::scenarios::Scenarios;
-use crate::drive::{CheckScope, Drive, ExceededCount, ExceededLimits, Outcome};
+use crate::drive::{CheckScope, Drive, ExceededCount, ExceededLimits, Outcome, exceeded_in_flight};
 use crate::parameters::Setup;
 use crate::study::Optimum;
 use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
@@ -21,11 +21,7 @@ pub fn beyond_share(
 ) -> Option<ExceededLimits<f64>> {
     let looked_at = |point: &Vec<f64>| {
         let setup = setup.with_values(&scenarios.parameters, point).ok()?;
-        let drive = Drive::new(&setup).ok()?;
-        drive
-            .landed()
-            .is_ok()
-            .then(|| drive.exceeded_limits(&setup, CheckScope::Flight, of))
+        exceeded_in_flight(&setup, of)
     };
     let drives: Vec<Option<ExceededLimits>> = each_until(&scenarios.points, stop, looked_at)?;
     let mut share = ExceededLimits::<f64>::default();

@@ -53,6 +53,15 @@ const SEQUENCES: u32 = 8;
 const POINTS: usize = 2048;
 
 impl Rule {
+    /// The name in JSON: `quadrature`, `sequence` or `recorded`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Quadrature(_) => "quadrature",
+            Self::Sequence { .. } => "sequence",
+            Self::Recorded => "recorded",
+        }
+    }
+
     /// Default rule for swings, by their number of parameters; with `count`, a sequence of `count`
     /// scenarios.
     ///

@@ -48,6 +48,34 @@ pub enum Distribution {
 const FIRST_ZERO_OF_J0: f64 = 2.404_825_557_695_773;
 
 impl Distribution {
+    /// The names of the distributions.
+    pub const NAMES: [&'static str; 4] = ["normal", "uniform", "triangular", "truncated"];
+
+    /// The name, one of [`NAMES`](Self::NAMES).
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Normal { .. } => "normal",
+            Self::Uniform { .. } => "uniform",
+            Self::Triangular { .. } => "triangular",
+            Self::Truncated { .. } => "truncated",
+        }
+    }
+
+    /// The numbers that define the distribution, in the order of its fields.
+    pub fn numbers(&self) -> Vec<f64> {
+        match *self {
+            Self::Normal { mean, deviation } => vec![mean, deviation],
+            Self::Uniform { low, high } => vec![low, high],
+            Self::Triangular { low, mode, high } => vec![low, mode, high],
+            Self::Truncated {
+                mean,
+                deviation,
+                low,
+                high,
+            } => vec![mean, deviation, low, high],
+        }
+    }
+
     /// The distribution with this name and these numbers. `None` if the name is unknown, or if the
     /// distribution needs another count of numbers.
     fn named(name: &str, numbers: &[f64]) -> Option<Self> {
@@ -82,16 +110,10 @@ impl Distribution {
 
     /// Reason why the distribution is invalid; `None` if it is valid.
     fn why_none(&self) -> Option<&'static str> {
-        let (numbers, deviation) = match *self {
-            Self::Normal { mean, deviation } => (vec![mean], Some(deviation)),
-            Self::Uniform { low, high } => (vec![low, high], None),
-            Self::Triangular { low, mode, high } => (vec![low, mode, high], None),
-            Self::Truncated {
-                mean,
-                deviation,
-                low,
-                high,
-            } => (vec![mean, low, high], Some(deviation)),
+        let numbers = self.numbers();
+        let deviation = match *self {
+            Self::Normal { deviation, .. } | Self::Truncated { deviation, .. } => Some(deviation),
+            Self::Uniform { .. } | Self::Triangular { .. } => None,
         };
         let [low, high] = self.ends();
         let rises = low < high && (!matches!(self, Self::Triangular { .. }) || numbers.is_sorted());
@@ -343,10 +365,7 @@ impl Uncertain {
             .trim()
             .strip_suffix(')')
             .ok_or_else(|| unreadable("the closing ) is missing".into()))?;
-        if !matches!(
-            kind.trim(),
-            "normal" | "uniform" | "triangular" | "truncated"
-        ) {
+        if !Distribution::NAMES.contains(&kind.trim()) {
             return Err(unreadable(
                 format!("there is no distribution \"{}\"; {how}", kind.trim()).into(),
             ));

@@ -1,3 +1,4 @@
+use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, Normal};
 
 /// Smallest ratio of the variances of an ellipse. With a smaller ratio the ellipse is a line, up to
@@ -5,21 +6,58 @@ use statrs::distribution::{ContinuousCDF, Normal};
 const FLAT: f64 = 1e-14;
 
 /// An ellipse that contains a given share of the landings.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LandingEllipse {
-    /// Share for normally distributed landings.
+    /// The nominal fraction of the drives inside the ellipse, 0 to 1.
+    // of normally distributed landings
     pub share: f64,
-    /// Centre: lateral and carry, m.
-    pub centre: [f64; 2],
-    /// Half-axes as vectors of lateral and carry, m, the longer first.
+    /// The centre.
+    pub centre: LandingPoint,
+    /// The half-axes as vectors of lateral distance and carry, the longer one first, m.
     pub half_axes: [[f64; 2]; 2],
+}
+
+/// A point on the ground, m.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct LandingPoint {
+    /// The distance to the right, m.
+    pub lateral: f64,
+    /// The distance downrange, m.
+    pub carry: f64,
+}
+
+/// An ellipse of the landings.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "EllipseReport"))]
+pub struct SampledEllipse {
+    /// The ellipse.
+    #[serde(flatten)]
+    pub ellipse: LandingEllipse,
+    /// The source of the covariance.
+    pub by: EllipseSource,
+    /// The fraction of the sample's drives inside the ellipse, 0 to 1.
+    pub holds: f64,
+}
+
+/// The source of the covariance of an ellipse.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum EllipseSource {
+    /// The gradients at the means of the parameters.
+    Gradient,
+    /// The sample.
+    Sample,
 }
 
 impl LandingEllipse {
     /// Ellipse for mean and covariance of lateral and carry. Share p of a bivariate normal
     /// distribution has a squared Mahalanobis distance up to −2 ln(1 − p). Landings on a line are
     /// univariate: quantiles (1 ± p)/2.
-    pub fn new(share: f64, centre: [f64; 2], covariance: [[f64; 2]; 2]) -> Self {
+    pub fn new(share: f64, [lateral, carry]: [f64; 2], covariance: [[f64; 2]; 2]) -> Self {
         let [[xx, xy], [_, yy]] = covariance;
         let eigen = nalgebra::Matrix2::new(xx, xy, xy, yy).symmetric_eigen();
         let is_flat = eigen.eigenvalues.min() <= FLAT * eigen.eigenvalues.max();
@@ -41,14 +79,15 @@ impl LandingEllipse {
         };
         Self {
             share,
-            centre,
+            centre: LandingPoint { lateral, carry },
             half_axes: [axis(long), axis(short)],
         }
     }
 
     /// Reports whether the ellipse contains a landing.
     pub fn contains(&self, landing: [f64; 2]) -> bool {
-        let off = [landing[0] - self.centre[0], landing[1] - self.centre[1]];
+        let LandingPoint { lateral, carry } = self.centre;
+        let off = [landing[0] - lateral, landing[1] - carry];
         let (mut squares, mut left) = (0.0, off);
         for axis in self.half_axes {
             let square = axis[0] * axis[0] + axis[1] * axis[1];
@@ -59,7 +98,7 @@ impl LandingEllipse {
             }
         }
         // a degenerate ellipse contains only points of its line, up to rounding
-        let rounding = 1e-12 * (off[0].hypot(off[1]) + self.centre[0].hypot(self.centre[1]));
+        let rounding = 1e-12 * (off[0].hypot(off[1]) + lateral.hypot(carry));
         squares <= 1.0 && left[0].hypot(left[1]) <= rounding
     }
 }

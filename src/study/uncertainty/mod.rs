@@ -14,13 +14,14 @@ mod model;
 
 pub use delta::{Moments, delta_method};
 pub use distribution::{Distribution, Uncertain};
-pub use ellipse::LandingEllipse;
+pub use ellipse::{EllipseSource, LandingEllipse, LandingPoint, SampledEllipse};
 pub use model::{Design, Indices, Interval, SamplePlan, Statistics};
 
 use crate::batch::{Batch, Block, CHUNK, Status, StatusCounts};
 use crate::derivative::{Order, Taylor, evaluate};
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
+use crate::json::number;
 use crate::parameters::{Parameter, Setup};
 use crate::units::{Message, counted, significant};
 use rayon::prelude::*;
@@ -99,45 +100,55 @@ impl Uncertainty {
     }
 }
 
-/// Uncertainty of an outcome.
-#[derive(Clone, Debug)]
+/// The uncertainty of an outcome.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "OutcomeUncertaintyReport"))]
 pub struct OutcomeUncertainty {
     /// The outcome.
     pub of: Outcome,
+    /// True if the outcome varies by more than rounding errors.
+    pub varies: bool,
     /// Value, gradient and Hessian by the uncertain parameters at their means; `None` if they do
     /// not exist.
+    #[serde(skip)]
     pub at_means: Option<Taylor>,
-    /// Delta method, first and second order; `None` if the derivatives do not exist.
-    pub delta: Option<(Moments, Option<Moments>)>,
-    /// Statistics of the sample; `None` if fewer than two drives have the outcome.
+    /// The moments from the gradient at the means; `null` if the gradient does not exist.
+    pub delta: Option<Moments>,
+    /// The moments from gradient and Hessian at the means; `null` if these do not exist.
+    pub second_order: Option<Moments>,
+    /// The statistics of the sample; `null` if no drive of the sample has the outcome.
+    // at least two drives must have the outcome
+    #[serde(rename = "monte_carlo")]
     pub sampled: Option<Statistics>,
-    /// Estimated upper bound of each parameter's total Sobol' index, from exact gradients (Sobol' &
-    /// Kucherenko 2009; Lamboni et al. 2013). `None` if the outcome does not vary, or if no drive
-    /// has the derivative.
-    pub slopes: Vec<Option<Slopes>>,
+    /// The Sobol' indices of each uncertain parameter: its shares in the variance.
+    pub indices: Vec<Contribution>,
+    /// The parameter whose exact knowledge reduces the uncertainty most; `null` if the outcome does
+    /// not vary, or if no index is positive.
+    pub measure_first: Option<MeasureFirst>,
 }
 
-/// Derivative-based global sensitivity measure.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slopes {
-    /// Mean of (∂f/∂p)², SI.
-    pub mean_square: f64,
-    /// C · mean((∂f/∂p)²) / variance, C the Poincaré constant of the distribution. With the true
-    /// mean and variance it is an upper bound of the total index; the sample gives an estimate with
-    /// an interval.
-    pub bound: Interval,
-}
-
-/// A landing ellipse, with the share of the sampled landings inside it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SampledEllipse {
-    /// The ellipse.
-    pub ellipse: LandingEllipse,
-    /// True if the ellipse comes from the gradients at the means, false if it comes from the
-    /// sample.
-    pub by_gradient: bool,
-    /// Share of the sampled landings inside the ellipse.
-    pub holds: f64,
+/// The contribution of an uncertain parameter to the variance of an outcome.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "IndicesReport"))]
+pub struct Contribution {
+    /// The parameter.
+    pub parameter: &'static Parameter,
+    /// The first-order Sobol' index.
+    pub first: Option<Interval>,
+    /// The total Sobol' index.
+    pub total: Option<Interval>,
+    /// The mean of the squared derivative over the sample, SI.
+    // None if the outcome does not vary, or if no drive has the derivative
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    pub mean_square_slope: Option<f64>,
+    /// An estimated upper bound of the total index, from the derivatives of the sample.
+    // C · mean((∂f/∂p)²) / variance, C the Poincaré constant of the distribution (Sobol' &
+    // Kucherenko 2009; Lamboni et al. 2013). With the true mean and variance it is an upper bound;
+    // the sample gives an estimate with an interval.
+    pub bound: Option<Interval>,
 }
 
 /// The parameter whose exact knowledge reduces the uncertainty of an outcome most.
@@ -151,45 +162,35 @@ pub struct MeasureFirst {
     pub deviation: f64,
 }
 
-impl OutcomeUncertainty {
-    /// True if the outcome varies by more than rounding.
-    pub fn varies(&self) -> bool {
-        self.sampled
-            .as_ref()
-            .is_none_or(|sampled| sampled.deviation.value > 0.0)
-    }
-
-    /// The parameter to measure first: the parameter with the largest first-order index, and the
-    /// root of the mean variance that remains once this parameter is known. `None` if the outcome
-    /// does not vary, or no index is positive.
-    pub fn measure_first(&self, inputs: &[Uncertain]) -> Option<MeasureFirst> {
-        let sampled = self.sampled.as_ref()?;
-        let share = |(at, indices): (usize, &Option<Indices>)| Some((at, indices.as_ref()?.first));
-        let (first, share) = sampled
-            .indices
-            .iter()
-            .enumerate()
-            .filter_map(share)
-            .max_by(|a, b| a.1.value.total_cmp(&b.1.value))
-            .filter(|best| best.1.value > 0.0)?;
-        let others = sampled
-            .indices
-            .iter()
-            .enumerate()
-            .filter(|(at, _)| *at != first);
-        let totals: Option<f64> = others
-            .map(|(_, indices)| Some(indices.as_ref()?.total.value))
-            .sum();
-        // the share of the variance that remains is 1 − `share`; its upper bound, the sum of the
-        // other total indices, is more accurate if one index is close to 1
-        let left = totals
-            .filter(|most| *most < 1.0 - share.low)
-            .unwrap_or(1.0 - share.value);
-        Some(MeasureFirst {
-            parameter: inputs[first].parameter,
-            deviation: sampled.deviation.value * left.max(0.0).sqrt(),
-        })
-    }
+/// The parameter to measure first: the parameter with the largest first-order index, and the root
+/// of the mean variance that remains once this parameter is known. `None` if the outcome does not
+/// vary, or no index is positive.
+fn measure_first(sampled: &Statistics, inputs: &[Uncertain]) -> Option<MeasureFirst> {
+    let share = |(at, indices): (usize, &Option<Indices>)| Some((at, indices.as_ref()?.first));
+    let (first, share) = sampled
+        .indices
+        .iter()
+        .enumerate()
+        .filter_map(share)
+        .max_by(|a, b| a.1.value.total_cmp(&b.1.value))
+        .filter(|best| best.1.value > 0.0)?;
+    let others = sampled
+        .indices
+        .iter()
+        .enumerate()
+        .filter(|(at, _)| *at != first);
+    let totals: Option<f64> = others
+        .map(|(_, indices)| Some(indices.as_ref()?.total.value))
+        .sum();
+    // the share of the variance that remains is 1 − `share`; its upper bound, the sum of the other
+    // total indices, is more accurate if one index is close to 1
+    let left = totals
+        .filter(|most| *most < 1.0 - share.low)
+        .unwrap_or(1.0 - share.value);
+    Some(MeasureFirst {
+        parameter: inputs[first].parameter,
+        deviation: sampled.deviation.value * left.max(0.0).sqrt(),
+    })
 }
 
 /// Uncertainty of outcomes for independent uncertain parameters. `progress` receives the number of
@@ -314,16 +315,66 @@ impl SampledDrives<'_> {
             .map(|k| self.column(0, self.of.len() + i * inputs + k))
             .map(|slopes| slopes.into_iter().map(squared).collect())
             .collect();
+        let sampled = self.design.statistics(&values);
+        let exists = |moments: &Moments| moments.mean.is_finite() && moments.deviation.is_finite();
+        let at_means = self.at_means[i].clone();
+        let moments = at_means
+            .as_ref()
+            .map(|taylor| delta_method(taylor, &self.distributions))
+            .filter(|(first, _)| exists(first));
         OutcomeUncertainty {
             of: self.of[i],
-            at_means: self.at_means[i].clone(),
-            delta: self.at_means[i]
+            varies: sampled
                 .as_ref()
-                .map(|taylor| delta_method(taylor, &self.distributions))
-                .and_then(existing),
-            slopes: slopes(&self.design, &values, &squares, &self.distributions),
-            sampled: self.design.statistics(&values),
+                .is_none_or(|sampled| sampled.deviation.value > 0.0),
+            at_means,
+            delta: moments.map(|(first, _)| first),
+            second_order: moments.and_then(|(_, second)| second).filter(exists),
+            indices: self.contributions(&values, &squares, sampled.as_ref()),
+            measure_first: sampled
+                .as_ref()
+                .and_then(|sampled| measure_first(sampled, self.inputs)),
+            sampled,
         }
+    }
+
+    /// The contribution of each parameter to the variance of an outcome: its indices in `sampled`,
+    /// and their bound from the squared derivatives at the first set of points.
+    fn contributions(
+        &self,
+        values: &[Vec<Option<f64>>],
+        squares: &[Vec<Option<f64>>],
+        sampled: Option<&Statistics>,
+    ) -> Vec<Contribution> {
+        let mean = |squares: &[Option<f64>]| {
+            let (sum, count) = squares
+                .iter()
+                .flatten()
+                .fold((0.0, 0.0), |(sum, count), square| {
+                    (sum + square, count + 1.0)
+                });
+            sum / count
+        };
+        let ratios = self.design.means_by_variance(values, squares);
+        let contribution = |(k, ratio): (usize, Option<Interval>)| {
+            let Uncertain {
+                parameter,
+                distribution,
+            } = self.inputs[k];
+            let indices = sampled.and_then(|sampled| sampled.indices[k]);
+            let mean_square = mean(&squares[k]);
+            let bound = ratio
+                .map(|ratio| ratio.scaled(distribution.poincare()))
+                .filter(|bound| mean_square.is_finite() && bound.high.is_finite());
+            Contribution {
+                parameter,
+                first: indices.map(|indices| indices.first),
+                total: indices.map(|indices| indices.total),
+                mean_square_slope: bound.map(|_| mean_square),
+                bound,
+            }
+        };
+        ratios.into_iter().enumerate().map(contribution).collect()
     }
 
     /// Landing ellipses, if lateral and carry are among the outcomes.
@@ -342,12 +393,6 @@ impl SampledDrives<'_> {
             .zip(self.at_means[carry].as_ref());
         ellipses(&landings, by_gradient, &self.distributions)
     }
-}
-
-/// Discards moments that overflow.
-fn existing((first, second): (Moments, Option<Moments>)) -> Option<(Moments, Option<Moments>)> {
-    let exists = |moments: &Moments| moments.mean.is_finite() && moments.deviation.is_finite();
-    exists(&first).then(|| (first, second.filter(exists)))
 }
 
 /// Each outcome with its gradient and Hessian at the means of all uncertain parameters; `None` if
@@ -369,43 +414,6 @@ fn at_means(setup: &Setup<f64>, of: &[Outcome], inputs: &[Uncertain]) -> Vec<Opt
         of_order(Order::Second).or_else(|| of_order(Order::First))
     };
     of.iter().map(taylor).collect()
-}
-
-/// Sensitivity measure of each parameter from the squared derivatives at the first set of points.
-fn slopes(
-    design: &Design,
-    values: &[Vec<Option<f64>>],
-    squares: &[Vec<Option<f64>>],
-    distributions: &[Distribution],
-) -> Vec<Option<Slopes>> {
-    let mean = |squares: &Vec<Option<f64>>| {
-        let (sum, count) = squares
-            .iter()
-            .flatten()
-            .fold((0.0, 0.0), |(sum, count), square| {
-                (sum + square, count + 1.0)
-            });
-        sum / count
-    };
-    let one = |((bound, squares), distribution): (
-        (Option<Interval>, &Vec<Option<f64>>),
-        &Distribution,
-    )| {
-        let Interval { value, low, high } = bound?;
-        let [value, low, high] = [value, low, high].map(|end| distribution.poincare() * end);
-        let slopes = Slopes {
-            mean_square: mean(squares),
-            bound: Interval { value, low, high },
-        };
-        (slopes.mean_square.is_finite() && high.is_finite()).then_some(slopes)
-    };
-    design
-        .means_by_variance(values, squares)
-        .into_iter()
-        .zip(squares)
-        .zip(distributions)
-        .map(one)
-        .collect()
 }
 
 /// Covariance JΣJᵀ of two outcomes of independent parameters.
@@ -454,7 +462,7 @@ fn ellipses(
             covariance([lateral, carry], &variances),
         )
     });
-    let ellipse = |by_gradient: bool, centre: [f64; 2], covariance: [[f64; 2]; 2], share: f64| {
+    let ellipse = |by: EllipseSource, centre: [f64; 2], covariance: [[f64; 2]; 2], share: f64| {
         let ellipse = LandingEllipse::new(share, centre, covariance);
         let within = landings
             .iter()
@@ -462,16 +470,17 @@ fn ellipses(
             .count();
         SampledEllipse {
             ellipse,
-            by_gradient,
+            by,
             holds: within as f64 / n,
         }
     };
-    let sampled = SHARES.map(|share| ellipse(false, mean, sampled, share));
+    let sampled = SHARES.map(|share| ellipse(EllipseSource::Sample, mean, sampled, share));
     let exists =
         |covariance: &[[f64; 2]; 2]| covariance.iter().flatten().all(|entry| entry.is_finite());
     let linear = linear.filter(|(_, covariance)| exists(covariance));
-    let linear = linear
-        .map(|(centre, covariance)| SHARES.map(|share| ellipse(true, centre, covariance, share)));
+    let linear = linear.map(|(centre, covariance)| {
+        SHARES.map(|share| ellipse(EllipseSource::Gradient, centre, covariance, share))
+    });
     sampled
         .into_iter()
         .chain(linear.into_iter().flatten())

@@ -38,6 +38,12 @@ impl Interval {
     pub fn contains(&self, value: f64) -> bool {
         (self.low..=self.high).contains(&value)
     }
+
+    /// The interval of the number times a positive factor.
+    pub(super) fn scaled(self, factor: f64) -> Self {
+        let [value, low, high] = [self.value, self.low, self.high].map(|end| factor * end);
+        Self { value, low, high }
+    }
 }
 
 /// Sobol' indices of a variable: shares of the output's variance (Sobol' 1993; Homma & Saltelli
