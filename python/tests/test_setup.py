@@ -302,3 +302,11 @@ def test_a_dict_keeps_the_point_of_the_club_speed() -> None:
     setup = Setup({"swing.speed_of": "face-centre", "swing.closure.z": "2000 deg/s"})
     assert setup["swing.speed_of"] == "face-centre" and "swing.speed_of" in setup
     assert Setup(setup.to_dict()) == setup != setup.replace({"swing.speed_of": "centre-of-mass"})
+
+
+def test_same_comment_of_a_value_that_did_not_change(tmp_path: Path) -> None:
+    file = tmp_path / "mine.toml"
+    file.write_text("[club]\nloft = '9 deg' # new shaft\nmass = '199 g' # weighed\n")
+    text = Setup.read(file).replace({"club.loft": "10 deg"}).to_toml()
+    assert 'mass = "199 g" # weighed\n' in text
+    assert 'loft = "10 deg" # as given, instead of 8.8 deg\n' in text

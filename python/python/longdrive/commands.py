@@ -1256,8 +1256,8 @@ def validate(
     Parameters
     ----------
     output : PathLike
-        Write the comparison to this folder, as a page (index.html) and Markdown with pictures and
-        their data; or, to a name that ends in .csv, every law on every drive.
+        Write the comparison to this folder: a page (index.html), and Markdown with pictures and
+        their data. With a name that ends in .csv, write a table with a row for every law and drive.
     overwrite : bool
         Replace files that exist.
     progress : bool or callable
@@ -1389,8 +1389,8 @@ def sensitivity(
     of : Names
         The outcomes, one or several; "all" for every one [default: carry].
     sigma : Given
-        The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5% of its
-        value.
+        The standard uncertainty of a parameter, as an amount (swing.speed=1mph) or as a percentage
+        of its value (air.density=0.5%).
     no_defaults : bool
         Use no default uncertainties: only parameters with a sigma are uncertain.
     at_optimum : bool
