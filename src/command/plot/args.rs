@@ -16,17 +16,7 @@ pub struct Args {
 #[derive(Subcommand)]
 pub enum PlotKind {
     /// The path of the ball.
-    Trajectory {
-        #[command(flatten)]
-        setup_args: SetupArgs,
-
-        #[command(flatten)]
-        drawing: Drawing,
-
-        /// The side from which the trajectory is shown.
-        #[arg(long, value_enum, default_value_t = View::Side)]
-        view: View,
-    },
+    Trajectory(PlotTrajectory),
     /// An outcome over two parameters, with its gradients and the optimum.
     Contour(PlotSearch),
     /// The optimum as a function of a parameter.
@@ -46,59 +36,14 @@ pub enum PlotKind {
     Tornado(PlotTornado),
     /// The difference between two drives, split into the parameters and launch conditions that
     /// differ.
-    Compare {
-        #[command(flatten)]
-        pair: Pair,
-
-        #[command(flatten)]
-        drawing: Drawing,
-
-        /// The outcome.
-        #[arg(long, value_name = "OUTCOME", default_value = "carry")]
-        of: String,
-    },
+    Compare(PlotCompare),
     /// The error of central differences against exact derivatives, by step.
-    Vcurve {
-        #[command(flatten)]
-        setup_args: SetupArgs,
-
-        #[command(flatten)]
-        drawing: Drawing,
-
-        /// The outcomes, separated by commas.
-        #[arg(
-            long,
-            value_name = "OUTCOME,…",
-            value_delimiter = ',',
-            default_value = "carry"
-        )]
-        of: Vec<String>,
-
-        /// The parameters, separated by commas. Without: loft and attack angle, or the launch
-        /// conditions if they are given.
-        #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
-        wrt: Vec<String>,
-    },
+    Vcurve(PlotVcurve),
     /// Laws of drag and lift over the spin ratio or the Reynolds number, with measured points.
     Laws(PlotLaws),
     /// The landings of the drive and of the optimum from above, at true scale, with the ellipses of
     /// half and of 95 % of the landings.
-    Fairway {
-        #[command(flatten)]
-        setup_args: SetupArgs,
-
-        #[command(flatten)]
-        search: SearchArgs,
-
-        #[command(flatten)]
-        drawing: Drawing,
-
-        /// The standard deviation of a parameter of the golfer from drive to drive, e.g.
-        /// swing.face_angle=2deg. Repeatable; other parameters of swing, strike and club have the
-        /// default uncertainties of "longdrive sensitivity".
-        #[arg(long, value_name = "NAME=AMOUNT")]
-        sigma: Vec<String>,
-    },
+    Fairway(PlotFairway),
     /// The club face from the front: the strike, the sweet spot, rings of carry lost, and the side
     /// to which the spin axis tilts.
     Face {
@@ -110,21 +55,7 @@ pub enum PlotKind {
     },
     /// Carry, lateral, ball speed and spin axis over the club face, for the drive as set up and for
     /// the optimum, or for two designs.
-    Strike {
-        #[command(flatten)]
-        setup_args: SetupArgs,
-
-        #[command(flatten)]
-        search: SearchArgs,
-
-        /// A preset or setup file of another design to draw in place of the optimum, e.g. best.toml of
-        /// "longdrive optimize -o".
-        #[arg(long, value_name = "SETUP")]
-        after: Option<String>,
-
-        #[command(flatten)]
-        drawing: Drawing,
-    },
+    Strike(PlotStrike),
     /// Carry over launch angle and backspin at the drive's ball speed, with the launches of the
     /// drive and of the optimum.
     Launch(PlotSearch),
@@ -158,6 +89,54 @@ pub struct PlotLaws {
     /// The constant spin ratio of a plot over the Reynolds number [default: 0.1].
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
     pub spin_ratio: Option<String>,
+}
+
+#[derive(clap::Args)]
+pub struct PlotTrajectory {
+    #[command(flatten)]
+    pub setup_args: SetupArgs,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+
+    /// The side from which the trajectory is shown.
+    #[arg(long, value_enum, default_value_t = View::Side)]
+    pub view: View,
+}
+
+#[derive(clap::Args)]
+pub struct PlotFairway {
+    #[command(flatten)]
+    pub setup_args: SetupArgs,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+
+    /// The standard deviation of a parameter of the golfer from drive to drive, e.g.
+    /// swing.face_angle=2deg. Repeatable; other parameters of swing, strike and club have the
+    /// default uncertainties of "longdrive sensitivity".
+    #[arg(long, value_name = "NAME=AMOUNT")]
+    pub sigma: Vec<String>,
+}
+
+#[derive(clap::Args)]
+pub struct PlotStrike {
+    #[command(flatten)]
+    pub setup_args: SetupArgs,
+
+    #[command(flatten)]
+    pub search: SearchArgs,
+
+    /// A preset or setup file of another design to draw in place of the optimum, e.g. best.toml of
+    /// "longdrive optimize -o".
+    #[arg(long, value_name = "SETUP")]
+    pub after: Option<String>,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
 }
 
 /// A plot with the optimum of a search.
@@ -213,4 +192,40 @@ pub struct PlotTornado {
     /// The uncertainties to draw.
     #[arg(long, value_enum, default_value_t = Causes::Control)]
     pub show: Causes,
+}
+
+#[derive(clap::Args)]
+pub struct PlotCompare {
+    #[command(flatten)]
+    pub pair: Pair,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+
+    /// The outcome.
+    #[arg(long, value_name = "OUTCOME", default_value = "carry")]
+    pub of: String,
+}
+
+#[derive(clap::Args)]
+pub struct PlotVcurve {
+    #[command(flatten)]
+    pub setup_args: SetupArgs,
+
+    #[command(flatten)]
+    pub drawing: Drawing,
+
+    /// The outcomes, separated by commas.
+    #[arg(
+        long,
+        value_name = "OUTCOME,…",
+        value_delimiter = ',',
+        default_value = "carry"
+    )]
+    pub of: Vec<String>,
+
+    /// The parameters, separated by commas. Without: loft and attack angle, or the launch
+    /// conditions if they are given.
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    pub wrt: Vec<String>,
 }

@@ -1,6 +1,6 @@
 //! Plots of a drive and its optimum: landings, launches, and strikes on the face.
 
-use super::args::PlotSearch;
+use super::args::{PlotFairway, PlotSearch, PlotStrike};
 use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, spinner, system, tell};
@@ -14,16 +14,11 @@ use crate::study::{
 use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
 
-pub fn fairway(
-    setup_args: &SetupArgs,
-    search: &SearchArgs,
-    drawing: &Drawing,
-    sigma: &[String],
-) -> Result<Answer> {
-    let request = setup_args.request()?;
-    let target = Target::new(&request, drawing)?;
-    let (setup, best) = searched(&request, search)?;
-    let given = sigmas(&setup, sigma)?;
+pub fn fairway(args: &PlotFairway) -> Result<Answer> {
+    let request = args.setup_args.request()?;
+    let target = Target::new(&request, &args.drawing)?;
+    let (setup, best) = searched(&request, &args.search)?;
+    let given = sigmas(&setup, &args.sigma)?;
     let of = [Outcome::Carry, Outcome::Lateral];
     let mut landings = vec![Landing::of(
         "as set up",
@@ -77,22 +72,16 @@ pub fn face(setup_args: &SetupArgs, drawing: &Drawing) -> Result<Answer> {
     target.written(&request, &setup, &face_figure(&face, system()), vec![])
 }
 
-/// Draws strikes of the setup, and of its optimum or of the design `after`.
-pub fn strikes(
-    setup_args: &SetupArgs,
-    search: &SearchArgs,
-    after: Option<&str>,
-    drawing: &Drawing,
-) -> Result<Answer> {
-    let request = setup_args.request()?;
+pub fn strikes(args: &PlotStrike) -> Result<Answer> {
+    let request = args.setup_args.request()?;
     // the settings of the command line apply only to the first design
-    let other = |after| Request::new(Source::read(after)?, vec![], setup_args);
-    let after = after.map(other).transpose()?;
+    let other = |after: &String| Request::new(Source::read(after)?, vec![], &args.setup_args);
+    let after = args.after.as_ref().map(other).transpose()?;
     let inputs = request
         .inputs()
         .chain(after.iter().flat_map(Request::inputs));
-    let target = Target::beside(inputs, drawing)?;
-    if let (Some(_), Some(option)) = (&after, search.given().next()) {
+    let target = Target::beside(inputs, &args.drawing)?;
+    if let (Some(_), Some(option)) = (&after, args.search.given().next()) {
         let source = "`after` gives the other design, so no optimum is searched for; leave one of the two \
              out";
         return Err(Error::unreadable(option, source));
@@ -108,7 +97,7 @@ pub fn strikes(
             (setup, Some((["before", "after"], other)), differs)
         }
         None => {
-            let (setup, best) = searched(&request, search)?;
+            let (setup, best) = searched(&request, &args.search)?;
             let warnings = best.as_ref().map_or(vec![], at_optimum);
             (
                 setup,

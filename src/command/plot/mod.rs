@@ -6,13 +6,12 @@ mod drive;
 pub use args::Args;
 
 use crate::atmosphere::AirState;
-use crate::command::args::SetupArgs;
-use crate::command::compare::{Pair, warnings};
+use crate::command::compare::warnings;
 use crate::command::host::SharedProgress;
 use crate::command::names::{outcomes, sigmas, usual, variables};
 use crate::command::output::{Answer, bar, spinner, system, tell, with_bar};
 use crate::command::pareto;
-use crate::command::picture::{Drawing, Target};
+use crate::command::picture::Target;
 use crate::command::request::Request;
 use crate::command::verify::tell_left_out;
 use crate::optimize::{Observer, Status};
@@ -31,17 +30,15 @@ use crate::study::{
 };
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
-use args::{PlotChart, PlotKind, PlotLaws, PlotSearch, PlotTornado};
+use args::{
+    PlotChart, PlotCompare, PlotKind, PlotLaws, PlotSearch, PlotTornado, PlotTrajectory, PlotVcurve,
+};
 use drive::{at_optimum, drawn_optimum, face, fairway, launches, strikes};
 use std::rc::Rc;
 
 pub fn run(args: &Args) -> Result<Answer> {
     match &args.kind {
-        PlotKind::Trajectory {
-            setup_args,
-            drawing,
-            view,
-        } => trajectory(setup_args, drawing, *view),
+        PlotKind::Trajectory(args) => trajectory(args),
         PlotKind::Contour(args) => contour(args),
         PlotKind::Chart(args) => along(args),
         PlotKind::Pareto {
@@ -50,42 +47,27 @@ pub fn run(args: &Args) -> Result<Answer> {
             drawing,
         } => pareto::draw(setup_args, asked, drawing),
         PlotKind::Tornado(args) => tornado(args),
-        PlotKind::Compare { pair, drawing, of } => difference(pair, drawing, of),
-        PlotKind::Vcurve {
-            setup_args,
-            drawing,
-            of,
-            wrt,
-        } => vcurve(setup_args, drawing, of, wrt),
+        PlotKind::Compare(args) => difference(args),
+        PlotKind::Vcurve(args) => vcurve(args),
         PlotKind::Laws(args) => laws(args),
-        PlotKind::Fairway {
-            setup_args,
-            search,
-            drawing,
-            sigma,
-        } => fairway(setup_args, search, drawing, sigma),
+        PlotKind::Fairway(args) => fairway(args),
         PlotKind::Face {
             setup_args,
             drawing,
         } => face(setup_args, drawing),
-        PlotKind::Strike {
-            setup_args,
-            search,
-            after,
-            drawing,
-        } => strikes(setup_args, search, after.as_deref(), drawing),
+        PlotKind::Strike(args) => strikes(args),
         PlotKind::Launch(args) => launches(args),
     }
 }
 
-fn trajectory(setup_args: &SetupArgs, drawing: &Drawing, view: View) -> Result<Answer> {
-    let request = setup_args.request()?;
-    let target = Target::new(&request, drawing)?;
+fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
+    let request = args.setup_args.request()?;
+    let target = Target::new(&request, &args.drawing)?;
     let setup = request.within_tolerance(request.setup()?)?;
     let flown = NamedDrive::new("", &setup)?;
     flown.drive.landed()?;
-    let figure = trajectory_figure(&[flown], view, system()).map_err(|error| match error {
-        Error::Plot { reason, .. } if view == View::Top => {
+    let figure = trajectory_figure(&[flown], args.view, system()).map_err(|error| match error {
+        Error::Plot { reason, .. } if args.view == View::Top => {
             target.refused(format!("{reason}; take `view side`"))
         }
         error => error,
@@ -272,33 +254,28 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     target.written(&request, &setup, &figure, vec![])
 }
 
-fn difference(pair: &Pair, drawing: &Drawing, of: &str) -> Result<Answer> {
-    let requests = pair.requests()?;
-    let target = Target::beside(requests.iter().flat_map(Request::inputs), drawing)?;
-    let of = Outcome::named(of)?;
-    let comparison = pair.comparison(&requests)?;
+fn difference(args: &PlotCompare) -> Result<Answer> {
+    let requests = args.pair.requests()?;
+    let target = Target::beside(requests.iter().flat_map(Request::inputs), &args.drawing)?;
+    let of = Outcome::named(&args.of)?;
+    let comparison = args.pair.comparison(&requests)?;
     if !comparison.differs() {
         return Err(target.refused("drives a and b are equal, so there is nothing to draw"));
     }
     let warnings = warnings(&comparison);
     let figure = difference_figure(&comparison.of(of)?, system());
-    target.put(pair.setup_args.json, &figure, warnings)
+    target.put(args.pair.setup_args.json, &figure, warnings)
 }
 
-fn vcurve(
-    setup_args: &SetupArgs,
-    drawing: &Drawing,
-    of: &[String],
-    wrt: &[String],
-) -> Result<Answer> {
-    let request = setup_args.request()?;
-    let target = Target::new(&request, drawing)?;
+fn vcurve(args: &PlotVcurve) -> Result<Answer> {
+    let request = args.setup_args.request()?;
+    let target = Target::new(&request, &args.drawing)?;
     let setup = request.within_tolerance(request.setup()?)?;
-    let of = outcomes(of)?;
-    let wrt = if wrt.is_empty() {
+    let of = outcomes(&args.of)?;
+    let wrt = if args.wrt.is_empty() {
         usual(&setup)?
     } else {
-        variables(&setup, wrt, &of)?
+        variables(&setup, &args.wrt, &of)?
     };
     let certificate = with_bar("parameters", |show| {
         certify(&setup, &of, &wrt, &|done, all| {
