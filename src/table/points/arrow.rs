@@ -1,44 +1,32 @@
 use super::pieces::Pieces;
-use super::record_batches::{Order, RecordBatches};
-use crate::external_errors::read_error_text;
-use crate::input_file::InputFile;
+use super::record_batches::RecordBatches;
 use arrow_array::cast::AsArray;
 use arrow_array::types::{Float32Type, Float64Type};
-use arrow_array::{Array, downcast_integer};
+use arrow_array::{Array, RecordBatch, downcast_integer};
 use arrow_schema::DataType;
-use std::io::Read;
 use std::path::Path;
 
-const MAGIC: &[u8; 6] = b"ARROW1";
-const FEATHER_1: &[u8; 4] = b"FEA1";
+/// Reads an Arrow IPC file or stream by record batches. The batches may be compressed with ZSTD or
+/// LZ4. Feather version 2 is the same format.
+pub(super) struct ArrowPieces {
+    batches: RecordBatches,
+    /// Current record batch, and the number of its rows that have been read.
+    batch: Option<RecordBatch>,
+    passed: usize,
+}
 
-/// Feather version 2 is Arrow IPC too.
-impl Pieces for RecordBatches {
+impl Pieces for ArrowPieces {
     fn open(path: &Path) -> Result<Self, String> {
-        let unreadable = |error: std::io::Error| read_error_text(&error);
-        let mut file = InputFile::open(path).map_err(unreadable)?;
-        let length = file.size().map_err(unreadable)?;
-        let mut magic = vec![];
-        file.by_ref()
-            .take(MAGIC.len() as u64)
-            .read_to_end(&mut magic)
-            .map_err(unreadable)?;
-        if magic.is_empty() {
-            return Err("it is empty".into());
-        }
-        if magic == MAGIC {
-            return Self::of_file(file, length);
-        }
-        if magic.starts_with(FEATHER_1) {
-            return Err(
-                "it is a Feather file of version 1; write version 2, which is Arrow IPC".into(),
-            );
-        }
-        Self::of_stream(file, length)
+        Ok(Self {
+            batches: RecordBatches::open(path)?,
+            batch: None,
+            passed: 0,
+        })
     }
 
     fn names(&self) -> Vec<String> {
-        self.schema
+        self.batches
+            .schema
             .fields()
             .iter()
             .map(|field| field.name().clone())
@@ -46,7 +34,7 @@ impl Pieces for RecordBatches {
     }
 
     fn refusal(&self, column: usize) -> Option<String> {
-        let kind = self.schema.field(column).data_type();
+        let kind = self.batches.schema.field(column).data_type();
         let is_read = kind.is_integer() || matches!(kind, DataType::Float32 | DataType::Float64);
         (!is_read).then(|| {
             format!("its type is {kind}; a column must hold numbers (float64, float32 or integers)")
@@ -54,10 +42,7 @@ impl Pieces for RecordBatches {
     }
 
     fn rewind(&mut self) {
-        match &mut self.order {
-            Order::Listed { next, .. } => *next = 0,
-            Order::Following { first, next } => *next = *first,
-        }
+        self.batches.rewind();
         self.batch = None;
     }
 
@@ -70,7 +55,7 @@ impl Pieces for RecordBatches {
                 // free the old batch before reading the next
                 _ => (self.batch, self.passed) = (None, 0),
             }
-            self.batch = self.next()?;
+            self.batch = self.batches.next()?;
             if self.batch.is_none() {
                 return Ok(0);
             }

@@ -45,9 +45,9 @@ pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points + Se
             PieceRows::<parquet::ParquetPieces>::open(setup, path)?,
         )?)),
         #[cfg(feature = "arrow")]
-        "arrow" | "arrows" | "feather" => Ok(Box::new(Table::new(PieceRows::<
-            record_batches::RecordBatches,
-        >::open(setup, path)?)?)),
+        "arrow" | "arrows" | "feather" => Ok(Box::new(Table::new(
+            PieceRows::<arrow::ArrowPieces>::open(setup, path)?,
+        )?)),
         #[cfg(not(feature = "parquet"))]
         "parquet" => refused(&how_to_get("parquet")),
         #[cfg(not(feature = "arrow"))]

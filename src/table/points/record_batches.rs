@@ -10,29 +10,28 @@ use arrow_schema::Schema;
 use std::collections::HashMap;
 use std::io::{Read, Seek, SeekFrom};
 use std::ops::Range;
+use std::path::Path;
 use std::sync::Arc;
 
+const MAGIC: &[u8; 6] = b"ARROW1";
+const FEATHER_1: &[u8; 4] = b"FEA1";
 /// Marker before the length of a message, since Arrow 0.15.
 const CONTINUATION: [u8; 4] = [0xff; 4];
 /// Bytes after the footer: its length, and the magic number.
 const TAIL: usize = 10;
 
-/// An Arrow IPC file or stream, read by record batches. The batches may be compressed with ZSTD or
-/// LZ4. Lengths and offsets are checked against the file size first, because arrow-ipc panics if
-/// they are wrong.
+/// Reads the record batches of an Arrow IPC file or stream. Lengths and offsets are checked against
+/// the file size first, because arrow-ipc panics if they are wrong.
 pub(super) struct RecordBatches {
     file: InputFile,
     pub(super) schema: Arc<Schema>,
     /// Offset of the end of the messages: the end of a stream, or the footer of a file.
     end: u64,
-    pub(super) order: Order,
-    /// Current record batch, and the number of its rows that have been read.
-    pub(super) batch: Option<RecordBatch>,
-    pub(super) passed: usize,
+    order: Order,
 }
 
 /// Order of the record batches.
-pub(super) enum Order {
+enum Order {
     /// A file lists the offsets of its record batches in the footer.
     Listed { starts: Vec<u64>, next: usize },
     /// In a stream the record batches follow one another, up to the end marker.
@@ -46,7 +45,31 @@ struct Head {
 }
 
 impl RecordBatches {
-    pub(super) fn of_file(mut file: InputFile, length: u64) -> Result<Self, String> {
+    /// Opens a file or stream; the error is a sentence.
+    pub(super) fn open(path: &Path) -> Result<Self, String> {
+        let unreadable = |error: std::io::Error| read_error_text(&error);
+        let mut file = InputFile::open(path).map_err(unreadable)?;
+        let length = file.size().map_err(unreadable)?;
+        let mut magic = vec![];
+        file.by_ref()
+            .take(MAGIC.len() as u64)
+            .read_to_end(&mut magic)
+            .map_err(unreadable)?;
+        if magic.is_empty() {
+            return Err("it is empty".into());
+        }
+        if magic == MAGIC {
+            return Self::of_file(file, length);
+        }
+        if magic.starts_with(FEATHER_1) {
+            return Err(
+                "it is a Feather file of version 1; write version 2, which is Arrow IPC".into(),
+            );
+        }
+        Self::of_stream(file, length)
+    }
+
+    fn of_file(mut file: InputFile, length: u64) -> Result<Self, String> {
         let cut_short = || {
             "it has no footer: it was cut short, or the program that wrote it did not close it"
                 .to_owned()
@@ -75,20 +98,16 @@ impl RecordBatches {
             schema,
             end,
             order: Order::Listed { starts, next: 0 },
-            batch: None,
-            passed: 0,
         })
     }
 
-    pub(super) fn of_stream(file: InputFile, length: u64) -> Result<Self, String> {
+    fn of_stream(file: InputFile, length: u64) -> Result<Self, String> {
         let schema = Arc::new(Schema::empty());
         let mut stream = Self {
             file,
             schema,
             end: length,
             order: Order::Following { first: 0, next: 0 },
-            batch: None,
-            passed: 0,
         };
         // an Arrow file or stream must begin with a valid message
         let neither =
@@ -101,6 +120,14 @@ impl RecordBatches {
             next: head.body.end,
         };
         Ok(stream)
+    }
+
+    /// Goes back to the first record batch.
+    pub(super) fn rewind(&mut self) {
+        match &mut self.order {
+            Order::Listed { next, .. } => *next = 0,
+            Order::Following { first, next } => *next = *first,
+        }
     }
 
     /// The next record batch; `None` after the last.

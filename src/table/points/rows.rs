@@ -48,8 +48,7 @@ impl<R: Rows> Table<R> {
         };
         let mut ranges: Vec<Vary> = rows.columns().parameters.iter().map(none).collect();
         let (mut count, mut fingerprint, mut values) = (0, Fingerprint::new(), vec![]);
-        let mut invalid = vec![];
-        let mut unlisted = 0;
+        let mut invalid = InvalidRows::default();
         let mut row_number = 0_u64;
         rows.rewind()?;
         loop {
@@ -63,12 +62,8 @@ impl<R: Rows> Table<R> {
                     .iter()
                     .zip(row)
                     .find_map(|(range, value)| wrong(range.parameter, *value));
-                match wrong {
-                    Some(wrong) if invalid.len() < LISTED => {
-                        invalid.push(format!("row {row_number}: {wrong}"));
-                    }
-                    Some(_) => unlisted += 1,
-                    None => {}
+                if let Some(wrong) = wrong {
+                    invalid.add(row_number, &wrong);
                 }
                 for (range, value) in ranges.iter_mut().zip(row) {
                     fingerprint.add(*value);
@@ -81,7 +76,7 @@ impl<R: Rows> Table<R> {
         }
         ranges.retain(|range| range.low <= range.high);
         let mut notes = rows.notes();
-        notes.extend(invalid_rows_note(invalid, unlisted));
+        notes.extend(invalid.note());
         rows.rewind()?;
         Ok(Self {
             rows,
@@ -94,16 +89,34 @@ impl<R: Rows> Table<R> {
     }
 }
 
-/// Note on the invalid rows of a table: those with their reasons, and the number of others.
-fn invalid_rows_note(mut listed: Vec<String>, others: u64) -> Option<Message> {
-    if others > 0 {
-        listed.push(format!("and {others} more"));
+/// The invalid rows of a table.
+#[derive(Default)]
+struct InvalidRows {
+    /// The first invalid rows, each with the reason.
+    listed: Vec<String>,
+    /// Number of invalid rows that are not listed.
+    others: u64,
+}
+
+impl InvalidRows {
+    fn add(&mut self, row_number: u64, reason: &str) {
+        if self.listed.len() < LISTED {
+            self.listed.push(format!("row {row_number}: {reason}"));
+        } else {
+            self.others += 1;
+        }
     }
-    if listed.is_empty() {
-        return None;
+
+    fn note(mut self) -> Option<Message> {
+        if self.others > 0 {
+            self.listed.push(format!("and {} more", self.others));
+        }
+        if self.listed.is_empty() {
+            return None;
+        }
+        let (status, rows) = (Status::OutOfRange, self.listed.join("; "));
+        Some(format!("rows with invalid values, which get the status {status}: {rows}").into())
     }
-    let (status, rows) = (Status::OutOfRange, listed.join("; "));
-    Some(format!("rows with invalid values, which get the status {status}: {rows}").into())
 }
 
 /// Message for values outside their range.
