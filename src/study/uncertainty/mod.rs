@@ -117,8 +117,7 @@ pub struct OutcomeUncertainty {
     pub delta: Option<Moments>,
     /// The moments from gradient and Hessian at the means; `null` if these do not exist.
     pub second_order: Option<Moments>,
-    /// The statistics of the sample; `null` if no drive of the sample has the outcome.
-    // at least two drives must have the outcome
+    /// The statistics of the sample; `null` if fewer than two drives of the sample have the outcome.
     #[serde(rename = "monte_carlo")]
     pub sampled: Option<Statistics>,
     /// The Sobol' indices of each uncertain parameter: its shares in the variance.
