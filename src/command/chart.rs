@@ -4,6 +4,7 @@ use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{
     Answer, once_a_second, spinner, stated_system, system, tell, tell_detail, tell_error, warn,
 };
+use crate::command::ranges::origin;
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
 use crate::study::{Chart, ChartObserver, ChartPoint, Search, Vary, chart};
@@ -62,10 +63,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     if !at.is_sorted_by(|a, b| a < b) {
         tell("the values of `at` are used in ascending order, each once");
     }
-    let held = args.search.held(&request, &setup)?;
-    let origin = request
-        .origin_of_search(&search.vary)
-        .with_held(&held, &setup);
+    let origin = origin(&request, &args.search.vary, &setup, &search.vary)?;
     let chart = follow(&setup, &search, along, &at, &stop);
     interrupt::ends();
     let chart = match chart {

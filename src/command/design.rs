@@ -95,6 +95,11 @@ pub fn run(args: &Args) -> Result<Answer> {
         vec![]
     };
     interrupt::ends();
+    let held = match search.search.vary.as_slice() {
+        [] => DefaultRanges::new(usual_vary(&found.setup)?, &request).held,
+        _ => vec![],
+    };
+    let origin = request.origin().with_held(&held, &found.setup);
     let designed = Designed {
         design: &design,
         setup: &found.setup,
@@ -104,7 +109,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     };
     let answer = Answer::of(
         request.is_json,
-        &request.origin(),
+        &origin,
         |warnings| designed.reply(found.reply(warnings)),
         |system| designed.document(&found.over, system),
     );

@@ -3,6 +3,7 @@ pub use crate::command::args::OptimizeArgs as Args;
 use crate::Result;
 use crate::command::files::{Destination, Rule};
 use crate::command::output::{Answer, tell, warn};
+use crate::command::ranges::origin;
 use crate::command::request::Request;
 use crate::command::search::write;
 use crate::optimize::Status;
@@ -29,10 +30,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(best.warnings(&AtomicBool::new(false)));
     let written = write(output.as_ref(), &request, &optima, None)?;
     let over = OverSwings::default();
-    let held = args.search.held(&request, &setup)?;
-    let origin = request
-        .origin_of_search(&best.search.vary)
-        .with_held(&held, &setup);
+    let origin = origin(&request, &args.search.vary, &setup, &best.search.vary)?;
     let is_converged = best.solution.status == Status::Converged;
     let loss = usual_loss(best);
     let windows = is_converged.then(|| windows(best, loss)).transpose()?;
@@ -51,7 +49,6 @@ pub fn run(args: &Args) -> Result<Answer> {
             reply.body = reply.body.with_surroundings(best, around);
         }
         reply.body.file = written;
-        reply.body.held = held.iter().map(|parameter| parameter.name).collect();
         reply
     };
     let document = |system| optimize_document(&optima, &over, around.as_ref(), system);

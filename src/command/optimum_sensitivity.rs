@@ -1,6 +1,7 @@
 use crate::command::args::{OptimizeArgs, SwingsArgs};
 use crate::command::names::variables;
 use crate::command::output::{Answer, spinner, tell, tell_error, warn, with_bar};
+use crate::command::ranges::origin;
 use crate::command::search::write;
 use crate::parameters::Parameter;
 use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_document};
@@ -52,10 +53,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     let setup = request.for_many(own, &search.vary)?;
     let asked = AnalysisRequest::new(args, &setup, &search)?;
     let output = args.optimize.destination(&request)?;
-    let held = args.optimize.search.held(&request, &setup)?;
-    let origin = request
-        .origin_of_search(&search.vary)
-        .with_held(&held, &setup);
+    let given = &args.optimize.search.vary;
+    let origin = origin(&request, given, &setup, &search.vary)?;
     let optima = args.optimize.optima(&setup, &search)?;
     let best = &optima.best;
     let written = write(output.as_ref(), &request, &optima, None)?;

@@ -6,7 +6,7 @@ use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, once_a_second, spinner, stated_system, system, tell, warn};
 use crate::command::picture::{Drawing, Target};
-use crate::command::ranges::{DefaultRanges, varied};
+use crate::command::ranges::{DefaultRanges, origin, varied};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::search::{of_a_drive, options};
@@ -98,6 +98,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let output = Output::new(args, &request)?;
     let Followed {
+        setup,
         found,
         mut warnings,
     } = followed(&request, &args.asked)?;
@@ -110,11 +111,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     report.lacks_file = output.is_some() && written.is_none();
     report.file = written;
     let is_whole = report.ending().status == "done";
-    let answer = Answer::report(
-        &report,
-        &request.origin_of_search(&found.search.vary),
-        request.is_json,
-    );
+    let origin = origin(&request, &args.asked.vary, &setup, &found.search.vary)?;
+    let answer = Answer::report(&report, &origin, request.is_json);
     Ok(answer.found(is_whole))
 }
 
@@ -122,7 +120,9 @@ pub fn run(args: &Args) -> Result<Answer> {
 pub fn draw(setup_args: &SetupArgs, asked: &GoalArgs, drawing: &Drawing) -> Result<Answer> {
     let request = setup_args.request()?;
     let target = Target::new(&request, drawing)?;
-    let Followed { found, warnings } = followed(&request, asked)?;
+    let Followed {
+        found, warnings, ..
+    } = followed(&request, asked)?;
     if found.interrupted {
         let message = "stopped before the whole front was found".into();
         return Err(Error::NotConverged {
@@ -135,6 +135,7 @@ pub fn draw(setup_args: &SetupArgs, asked: &GoalArgs, drawing: &Drawing) -> Resu
 
 /// The front, with warnings about the setup and its drives.
 struct Followed {
+    setup: Setup<f64>,
     found: Pareto,
     warnings: Vec<Message>,
 }
@@ -180,7 +181,11 @@ fn followed(request: &Request, asked: &GoalArgs) -> Result<Followed> {
         .chain(found.warnings(&interrupt))
         .collect();
     interrupt::ends();
-    Ok(Followed { found, warnings })
+    Ok(Followed {
+        setup,
+        found,
+        warnings,
+    })
 }
 
 /// Objectives over many swings.

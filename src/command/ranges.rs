@@ -2,6 +2,7 @@
 
 use crate::command::request::Request;
 use crate::parameters::{Parameter, Vary};
+use crate::report::Origin;
 use crate::study::Search;
 use crate::{Error, Result, Setup};
 
@@ -18,6 +19,25 @@ pub fn varied(
         [] => usual(),
         given => given.iter().map(|text| Vary::read(setup, text)).collect(),
     }
+}
+
+/// The setup that the answer of a search is about. Without `--vary`, it names the parameters that
+/// the search would vary but keeps at the values that the command line states.
+///
+/// # Errors
+/// The errors of [`Search::longest_drive`].
+pub fn origin(
+    request: &Request,
+    given: &[String],
+    setup: &Setup<f64>,
+    vary: &[Vary],
+) -> Result<Origin> {
+    let origin = request.origin_of_search(vary);
+    if !given.is_empty() {
+        return Ok(origin);
+    }
+    let held = DefaultRanges::longest_drive(request, setup)?.held;
+    Ok(origin.with_held(&held, setup))
 }
 
 /// The default ranges of a command. A parameter that the command line states is not varied.

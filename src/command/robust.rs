@@ -5,6 +5,7 @@ use crate::command::files::Rule;
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, tell, tell_detail, warn};
+use crate::command::ranges::origin;
 use crate::command::request::Request;
 use crate::command::swings::{searched, swing_ranges};
 use crate::optimize::Observers;
@@ -101,11 +102,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(warnings);
     let mut report = RobustReport::new(&found, within);
     report.file = written;
-    let answer = Answer::report(
-        &report,
-        &request.origin_of_search(&found.search.vary),
-        request.is_json,
-    );
+    let origin = origin(&request, &args.search.vary, &setup, &found.search.vary)?;
+    let answer = Answer::report(&report, &origin, request.is_json);
     Ok(answer.found(is_found))
 }
 

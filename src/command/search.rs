@@ -56,19 +56,6 @@ impl SearchArgs {
         Ok(search)
     }
 
-    /// The parameters of the default search that are not varied, because the command line states
-    /// them.
-    ///
-    /// # Errors
-    /// The errors of [`DefaultRanges::longest_drive`].
-    pub fn held(&self, request: &Request, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
-        if !self.vary.is_empty() {
-            return Ok(vec![]);
-        }
-        let ranges = DefaultRanges::longest_drive(request, setup)?;
-        Ok(ranges.held)
-    }
-
     /// The reason why there is nothing to vary without `--vary`; `None` otherwise.
     ///
     /// # Errors

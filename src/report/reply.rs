@@ -21,6 +21,10 @@ pub struct Reply<T> {
     /// Omitted if it has no name in the request.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub from: Option<String>,
+    /// Parameters that the request states, so that the search does not vary them; omitted if there
+    /// are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub held: Vec<&'static str>,
     /// The result.
     #[serde(flatten)]
     pub body: T,
@@ -120,6 +124,7 @@ impl<T: Report> Reply<T> {
             message,
             warnings,
             from: None,
+            held: vec![],
             body: report,
         }
     }
@@ -134,15 +139,18 @@ impl<T> Reply<T> {
             message: None,
             warnings,
             from: None,
+            held: vec![],
             body,
         }
     }
 
-    /// Names the setup that the answer is about.
+    /// Names the setup that the answer is about, and its held parameters.
     #[must_use]
     pub fn about(self, origin: &Origin) -> Self {
+        let held = origin.held.iter();
         Self {
             from: origin.name().map(ToOwned::to_owned),
+            held: held.map(|(parameter, _)| parameter.name).collect(),
             ..self
         }
     }
@@ -181,6 +189,7 @@ impl Reply<Empty> {
             message: Some(message),
             warnings: vec![],
             from: None,
+            held: vec![],
             body: Empty {},
         }
     }

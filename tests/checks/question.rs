@@ -61,9 +61,24 @@ fn a_stated_value_is_held_in_every_search() {
     for point in chart["points"].as_array().unwrap() {
         assert_eq!(names(&point["optimum"]), ["club.loft"]);
     }
+    let is_held = Value::from(vec!["swing.attack_angle"]);
+    assert_eq!(chart["held"], is_held);
+    let goals = ["--maximize", "carry", "--minimize", "apex_height"];
+    let pareto = [&["pareto", "--points", "2"], &goals[..], &attack].concat();
+    let (_, front) = json(&pareto);
+    assert_eq!(names(&front["points"][0]["design"]), ["club.loft"]);
+    assert_eq!(front["held"], is_held);
+    let said = longdrive(&pareto).out;
+    let line = "\nheld, as stated: swing.attack_angle -2°\n";
+    assert!(said.contains(line), "{said}");
+    let robust = ["robust", "--model", "impact.friction=0.3"];
+    let (_, robust) = json(&[&robust, &attack[..]].concat());
+    assert_eq!(names(&robust["optimum"]), ["club.loft"]);
+    assert_eq!(robust["held"], is_held);
     let (_, sensitivity) =
         json(&[&["optimum-sensitivity", "--wrt", "swing.speed"], &loft[..]].concat());
     assert_eq!(names(&sensitivity["optimum"]), ["swing.attack_angle"]);
+    assert_eq!(sensitivity["held"], Value::from(vec!["club.loft"]));
     // the parameter of a chart is not varied by default
     let (status, chart) = json(&["chart", "--along", "swing.attack_angle", "--at=-2deg,0deg"]);
     assert_eq!(status, 0);
@@ -79,6 +94,7 @@ fn a_design_holds_a_stated_loft() {
         names(&found["optimum"]),
         ["club.bulge_radius", "club.roll_radius"]
     );
+    assert_eq!(found["held"], Value::from(vec!["club.loft"]));
     let loft = number(&found["setup"]["club.loft"]);
     assert!((loft.to_degrees() - 12.0).abs() < 1e-12, "{loft}");
 }

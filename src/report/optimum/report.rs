@@ -75,10 +75,6 @@ pub struct OptimumReport {
     pub club_alone: Option<ClubAlone>,
     /// The setup file that was written; `null` without one.
     pub file: Option<String>,
-    /// Parameters that the request states, so that the default search does not vary them; omitted
-    /// if there are none.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub held: Vec<&'static str>,
     /// Results over swings; omitted for a single drive.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub swings: Option<StudiesReport>,
@@ -239,7 +235,6 @@ impl OptimumReport {
             window_loss: Number(None),
             club_alone: None,
             file: None,
-            held: vec![],
             swings: None,
             design: None,
         }
