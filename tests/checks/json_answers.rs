@@ -389,6 +389,7 @@ fn open_ranges_are_marked_in_the_list_of_parameters() {
     );
 }
 
+#[cfg(feature = "full")]
 #[test]
 fn a_schema_refuses_an_answer_with_another_key_word_or_type() {
     let (_, answer) = json(&["simulate"]);
