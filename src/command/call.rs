@@ -54,12 +54,12 @@ pub enum Value {
     },
     /// A distribution: its kind, and its numbers.
     Distribution(String, Vec<Value>),
-    /// The value of a parameter or an outcome. If the name is a list with commas, the value has no
-    /// unit.
+    /// A value with the name of its parameter or outcome. The name may be a list with commas; the
+    /// value then has no unit.
     Named(String, Box<Value>),
     /// Several values of one argument.
     Several(Vec<Value>),
-    /// Several texts of one value, with commas between them, such as the changes that make a model.
+    /// Texts that are joined by commas into one value, such as the changes that define a model.
     Joined(Vec<Value>),
 }
 
@@ -281,8 +281,8 @@ impl CommandLine {
     }
 }
 
-/// The error of a value out of range. For an angle without a unit, the advice of the error is the
-/// same number in degrees, which was probably meant.
+/// Changes the advice of the error for a value out of range, if the value is an angle that was
+/// given without a unit. The advice is then the same number in degrees, which was probably meant.
 pub fn with_degrees(error: Error, bare_angles: &[f64]) -> Error {
     let Error::OutOfRange {
         name,
@@ -295,7 +295,7 @@ pub fn with_degrees(error: Error, bare_angles: &[f64]) -> Error {
     };
     let parameter = parameter(&name).or_else(|| parameter(&format!("launch.{name}")));
     let is_angle = parameter.is_some_and(|parameter| parameter.quantity == Quantity::ANGLE);
-    // find the angle with a tolerance: the error has a rounded value
+    // compare with a tolerance: the value in the error is rounded
     let told: Option<f64> = value.split(' ').next().and_then(|text| text.parse().ok());
     let is_told = |number: &&f64| {
         told.is_some_and(|told| is_angle && (told - **number).abs() <= 1e-5 * number.abs())

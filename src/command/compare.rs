@@ -78,7 +78,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer.found(is_complete))
 }
 
-/// The warnings of each drive, with its name.
+/// The warnings of both drives. Each warning begins with the name of its drive.
 pub fn warnings(comparison: &Comparison) -> Vec<Message> {
     let of = |(name, side): (&str, usize)| {
         let warnings =

@@ -152,8 +152,8 @@ fn notes_on_defaults(args: &Args, asked: &Search) -> Vec<String> {
     notes
 }
 
-/// The parameters whose distributions the user stated. A setting may override the parameters of the
-/// default golfer.
+/// The parameters whose distributions the user stated; empty for the default golfer, whose
+/// parameters a setting may override.
 fn distributed(args: &Args, swings: &Swings) -> Vec<&'static Parameter> {
     if args.optimize.swings.is_given() {
         swings.parameters()

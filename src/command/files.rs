@@ -39,7 +39,7 @@ impl Rule {
         }
     }
 
-    /// Adds another output of the command to the files that must not be replaced.
+    /// Also protects another output of the command from being replaced.
     #[must_use]
     pub fn and_not(mut self, output: Option<&Path>) -> Self {
         self.inputs.extend(output.and_then(located));
@@ -157,8 +157,9 @@ impl Rule {
         Ok(())
     }
 
-    /// The destination of several files, some with known names. A missing folder is created with
-    /// its files. A missing parent is an error, because the path is probably misspelt.
+    /// The folder for several output files. `names` are the file names that are known in advance. A
+    /// missing folder is created when its files are written. A missing parent is an error, because
+    /// the path is probably misspelt.
     ///
     /// # Errors
     /// [`Error::Results`] if `path` is a file, if the folder cannot be created or written, or if
@@ -224,7 +225,8 @@ pub struct Destination {
     /// The path of the file itself, with links resolved.
     pub path: PathBuf,
     kind: Kind,
-    /// True if a file that was created since the check may be replaced.
+    /// True if the file may be replaced. False for a new file without `--overwrite`: another
+    /// program may create the file before it is written.
     may_replace: bool,
 }
 

@@ -1,5 +1,5 @@
-//! The help of the program: its commands in groups, and two examples; and the outcomes in the help
-//! of commands.
+//! Texts of the help: the commands of the program in groups, with two examples, and the list of
+//! outcomes in the help of a command.
 
 use crate::Outcome;
 use crate::report::wrapped;
@@ -13,7 +13,7 @@ Examples:
 const EXPLAINED: &str = "'longdrive COMMAND --help' explains a command. Exit status: 0 done, 1 no \
                          answer, 2 bad input.";
 
-/// Number of columns before the purpose of a command.
+/// Column, from 0, in which the purpose of a command begins.
 const PURPOSE: usize = 23;
 
 /// The template of the program's help, of at most `width` columns. Each group has a heading and the
@@ -38,8 +38,8 @@ pub fn template(program: &clap::Command, groups: &[(&str, &[&str])], width: usiz
     text + "\n" + EXAMPLES + "\n" + &explained + "\nOptions:\n{options}"
 }
 
-/// The command with the names of all outcomes at the end of its help, if an argument takes one.
-/// This also applies to its subcommands.
+/// Appends the names of all outcomes to the help of a command, and of each of its subcommands, that
+/// has an argument for an outcome.
 pub fn with_outcomes(command: clap::Command) -> clap::Command {
     let takes_outcomes = command.get_arguments().any(|argument| {
         let mut names = argument.get_value_names().into_iter().flatten();

@@ -98,9 +98,9 @@ pub trait Host: Send + Sync {
     /// Announces that the following work cannot be interrupted.
     fn cannot_stop(&self) {}
 
-    /// Called before a file, or several files of one folder, are written: the process must not end
-    /// until the returned function is called or dropped. A call also reports that the file or
-    /// folder is complete.
+    /// Called before a file, or several files of one folder, are written. The process must not end
+    /// until the returned function is called or dropped. The command calls the function with the
+    /// path once the file or folder is complete.
     fn hold(&self) -> Box<dyn FnOnce(&Path) + '_> {
         Box::new(|_| ())
     }
@@ -148,8 +148,8 @@ pub trait Progress: Send + Sync {
     /// Sets the message.
     fn set_message(&self, _message: String) {}
 
-    /// Restarts the estimate of the remaining time, because an earlier run completed the parts so
-    /// far.
+    /// Restarts the estimate of the remaining time. An earlier run completed the parts that are
+    /// counted so far.
     fn reset_eta(&self) {}
 
     /// Runs `work`, which reports to the host, while the progress is hidden from the screen.

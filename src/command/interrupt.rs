@@ -20,7 +20,8 @@ pub fn ends() {
     running().host.cannot_stop();
 }
 
-/// Writes a file, or several files that belong together, without an interruption between them.
+/// Calls `write`, which writes one file or several files that belong together. An interruption does
+/// not end the process before `write` returns.
 pub fn undisturbed<T, E>(path: &Path, write: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
     let running = running();
     let hold = running.host.hold();

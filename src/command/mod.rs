@@ -323,7 +323,7 @@ fn asks_for_json(matches: &ArgMatches) -> bool {
     json == Some(&true) || below.is_some_and(|(_, matches)| asks_for_json(matches))
 }
 
-/// The command with answers in JSON that `words`, an invalid command line, name first.
+/// The first command named in `words` that can answer in JSON. `words` is an invalid command line.
 fn named_in(words: &[OsString]) -> Option<&'static str> {
     let with_json = mention::commands_with(program(), "json");
     let has_json = |name| {

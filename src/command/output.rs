@@ -24,8 +24,8 @@ pub fn system() -> System {
     running().system()
 }
 
-/// Reports a warning before the work of the command. It comes first in the answer, and an answer
-/// without a result has it too.
+/// Reports a warning before the work of the command. The warning comes first in the answer, also in
+/// an answer without a result.
 pub fn warn_early(warning: Message) {
     say_warning(&warning);
     running().early().push(warning);
@@ -121,7 +121,7 @@ impl Answer {
         Self::document(&document)
     }
 
-    /// Sets the exit status: 1 if the command found nothing.
+    /// Sets the exit status: 0 if `found` is true, otherwise 1.
     pub fn found(self, found: bool) -> Self {
         Self { found, ..self }
     }
@@ -383,8 +383,8 @@ pub fn once_a_second() -> impl Fn() -> bool + Send + Sync {
     }
 }
 
-/// Does work in countable parts and shows its progress: the work tells the number of completed parts
-/// and of all parts. `of` is the name of the parts in plural.
+/// Runs `work` with a progress bar. `work` reports the number of completed parts and the number of
+/// all parts. `of` is the name of the parts in plural.
 pub fn with_bar<T>(of: &str, work: impl FnOnce(&(dyn Fn(usize, usize) + Sync)) -> T) -> T {
     let bar = bar(of);
     let done = work(&|done, all| {

@@ -280,7 +280,7 @@ struct Output {
     destination: Destination,
     /// True for the setup at one point; false for the table of all points.
     is_setup: bool,
-    /// The point of the setup; `None` for the knee.
+    /// The number of the point in the table, from 1; `None` for the knee.
     at: Option<usize>,
 }
 
@@ -346,7 +346,7 @@ impl Output {
         }
         let place = match self.at {
             Some(number) => Some(number - 1).filter(|place| *place < found.points.len()),
-            // the best design for both goals needs no choice
+            // a single point is best for both goals: no choice is needed
             None if found.points.len() == 1 => Some(0),
             None => found.knee,
         };

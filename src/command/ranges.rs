@@ -21,8 +21,9 @@ pub fn varied(
     }
 }
 
-/// The setup that the answer of a search is about. Without `--vary`, it names the parameters that
-/// the search would vary but keeps at the values that the command line states.
+/// The setup that the answer of a search is about. Without `--vary`, the origin also names the
+/// parameters that have a default range but a value on the command line: the search does not vary
+/// them.
 ///
 /// # Errors
 /// The errors of [`Search::longest_drive`].

@@ -62,7 +62,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let found = with_bar("uncertainties", |show| {
         effects(&setup, &of, &sigmas, &mut |done, all| show(done, all))
     })?;
-    // report the reasons for missing values in the table
+    // warn about the values that the table lacks, with the reasons
     let unflown = found.first().map(|effects| unflown(&setup, &of, effects));
     warn(unflown.into_iter().flatten());
     let slopes = best.as_ref().map(total_slopes).transpose()?;
@@ -124,7 +124,7 @@ fn missing_slopes(slopes: &[(&'static Parameter, Result<Sensitivity>)]) -> Vec<M
         .collect()
 }
 
-/// The reasons why there is no drive at some ends of the uncertainty ranges, one for each such end.
+/// A warning for each end of an uncertainty range at which there is no drive, with the reason.
 fn unflown(setup: &Setup<f64>, of: &[Outcome], effects: &Effects) -> Vec<Message> {
     let why = |bar: &Bar, sign: f64| flown_off(setup, of, &bar.sigma, sign).err();
     let ends = effects

@@ -21,7 +21,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// Resamples of recorded swings.
+/// Number of resamples of recorded swings.
 const RESAMPLES: usize = 200;
 
 impl SwingsArgs {

@@ -46,7 +46,7 @@ struct Interruptible {
     stop: Arc<AtomicBool>,
     /// The message to show when the work is interrupted.
     stopping: &'static str,
-    /// The time of the interruption.
+    /// The time of the first Ctrl-C; `None` before it.
     told: Option<Instant>,
 }
 

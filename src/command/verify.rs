@@ -72,7 +72,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     } else {
         vec![]
     };
-    // after an interruption before this line, the command still prints its answer
+    // a Ctrl-C before this line stops the work, and the command still prints its answer
     interrupt::ends();
     let report = CertificateReport::new(&certificate, &loops);
     let answer = Answer::report(&report, &request.origin(), request.is_json);

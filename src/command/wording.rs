@@ -54,7 +54,8 @@ pub fn with_argument(error: Error) -> Error {
     }
 }
 
-/// The missing argument of a command that has nothing to do.
+/// The argument that a command lacks, with an example; `doing` is the operation that has nothing to
+/// do.
 fn missing_argument(doing: &str) -> Option<&'static str> {
     match doing {
         "vary" => Some(

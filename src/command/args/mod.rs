@@ -13,7 +13,7 @@ pub use output::OutputOptions;
 pub use search::{OptimizeArgs, SearchArgs, SwingsArgs};
 pub use setup::{DriveArgs, OwnLaw, SETUP, SetupArgs};
 
-/// The names of the stated options, in this order.
+/// The names of the options that are stated (true), in the order of `options`.
 pub fn stated<const N: usize>(
     options: [(&'static str, bool); N],
 ) -> impl Iterator<Item = &'static str> {

@@ -114,7 +114,7 @@ impl Site<'_> {
             self.policy
         );
         Response {
-            // the encoding of the page's file: each byte of the packed core is one character
+            // the file of the page has this encoding: each byte of the packed core is one character
             head: head(
                 "200 OK",
                 "text/html; charset=windows-1252",

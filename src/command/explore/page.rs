@@ -14,7 +14,7 @@ pub fn compiled_in() -> Option<&'static [u8]> {
     None
 }
 
-/// The text in the page before its content security policy.
+/// The text in the page that precedes the content security policy.
 #[cfg(feature = "explore")]
 const POLICY: &[u8] = b"http-equiv=\"Content-Security-Policy\" content=\"";
 

@@ -189,7 +189,7 @@ fn searched(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, Optio
     }
     let search = search.search(request, &setup)?;
     let setup = request.for_many(setup, &search.vary)?;
-    // the plot needs a drive that lands
+    // before the search, refuse a drive that does not land: the plot needs its landing
     Drive::new(&setup)?.landed()?;
     let best = drawn_optimum(&setup, search)?;
     Ok((setup, best))

@@ -114,7 +114,8 @@ impl Request {
             setup.replace_spin(setup.parameter(&setting.parameter)?);
             self.note_replaced(&setup, &before, setting);
         }
-        // apply a value `none` later: columns may give the parameters that determine the value
+        // reset parameters with the value `none`, without the check of `set`: columns of a table
+        // may give the parameters that determine them
         let (taken_back, settings): (Vec<_>, Vec<_>) =
             settings.into_iter().partition(|setting| setting.is_reset());
         setup.set_all(
@@ -196,7 +197,7 @@ impl Request {
             if setup.value(parameter).is_some() {
                 continue;
             }
-            // refuse a lone launch condition: the conditions of a launch are given together
+            // refuse a launch condition: the conditions of a launch must be given together
             if parameter.is_of_launch() {
                 setup.variable(parameter.name)?;
             }
@@ -243,7 +244,8 @@ impl Request {
     }
 
     /// The setup that the answer of a search is about. The best loft depends on shaft and strike,
-    /// by degrees. If they are averages of many golfers, a search for the loft gets advice on this.
+    /// by some degrees. If shaft and strike are averages of many golfers, the answer of a search
+    /// for the loft contains advice on this.
     pub fn origin_of_search(&self, vary: &[Vary]) -> Origin {
         let varies_loft = vary.iter().any(|vary| vary.parameter.name == "club.loft");
         let advice = if varies_loft && self.source.is_average() {

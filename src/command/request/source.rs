@@ -81,8 +81,8 @@ impl Source {
         }
     }
 
-    /// The name for the title of an answer, with the preset that a file starts from without naming
-    /// it: "mine.toml (tour-average)".
+    /// The name for the title of an answer. If a file names no preset, the preset that it starts
+    /// from follows in parentheses: "mine.toml (tour-average)".
     pub fn title(&self) -> String {
         if self.content.names_preset {
             return self.name().into();
@@ -147,7 +147,7 @@ fn read_standard_input() -> Result<SetupFile> {
     }
     let read = SetupFile::read(&text, STANDARD_INPUT_NAME)?;
     Ok(SetupFile {
-        // standard input has no name to find it again
+        // this name is written to setup files: standard input cannot be read again, the preset can
         name: read.preset.name.into(),
         ..read
     })
