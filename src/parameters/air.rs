@@ -77,8 +77,8 @@ pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Ways> {
         .collect()
 }
 
-/// True if one of the [`Ways`] contains the parameter, and both setups describe this quantity by
-/// the same parameters with the same values.
+/// True if the parameter belongs to one of the [`Ways`], and both setups give the quantity of these
+/// ways by the same parameters with the same values.
 pub(crate) fn is_given_alike([a, b]: [&Setup<f64>; 2], parameter: &Parameter) -> bool {
     let Some(ways) = WAYS.iter().find(|ways| ways.has(parameter)) else {
         return false;
@@ -229,7 +229,7 @@ impl Setup<f64> {
     }
 
     /// Warning about an altitude without a temperature: the default of 25 °C is warmer than the
-    /// standard atmosphere there, so that the air is thinner.
+    /// standard atmosphere at that altitude, so that the density is lower.
     fn altitude_warning(&self) -> Option<Message> {
         let altitude = self.air.altitude?;
         if self.air.temperature.is_some() || altitude <= 0.0 {
@@ -264,8 +264,8 @@ impl Setup<f64> {
         ))
     }
 
-    /// Refuses weather or wind that is given twice or incompletely, by the set parameters and
-    /// `names` together.
+    /// Refuses weather or wind that the set parameters and `names` together give twice or
+    /// incompletely.
     ///
     /// # Errors
     /// [`Error::Together`] for such weather or wind.
@@ -306,8 +306,9 @@ impl Setup<f64> {
     }
 
     /// Warning about a roughness or reference height without effect, and about a wind stated below
-    /// the roughness. Valid for a single drive only, so not part of [`warnings`](Self::warnings):
-    /// if wind or roughness varies from drive to drive, they have an effect.
+    /// the roughness. The warning is valid for a single drive only, so it is not part of
+    /// [`warnings`](Self::warnings): if wind or roughness varies from drive to drive, roughness and
+    /// reference height have an effect.
     pub fn wind_profile_warning(&self) -> Option<Message> {
         let wind = &self.wind;
         let stated = self.parameter("wind.reference_height").ok()?;

@@ -13,7 +13,7 @@ pub enum Golfer {
     Left,
 }
 
-/// The choice of this name; `what` and `advice` are for the error if there is none.
+/// The choice with this name. `what` and `advice` are for the error if no choice has the name.
 fn named<T: Copy>(
     all: &[T],
     name_of: fn(T) -> &'static str,

@@ -92,7 +92,8 @@ pub struct Parameter {
     pub doc: &'static str,
     /// Required, optional or a setting.
     pub kind: Kind,
-    /// Value, SI, of the unset parameter; `None` if unset does not mean a number.
+    /// Value, SI, that counts while the parameter is unset; `None` if the unset parameter has no
+    /// number.
     pub unset: Option<f64>,
     /// Aerodynamic law of a coefficient; `None` for other parameters.
     pub law: Option<&'static str>,
@@ -182,7 +183,7 @@ pub(super) enum Slot<'a, T> {
     Setting(&'a mut f64),
 }
 
-/// Code for the type of a field: `T`, `Option<T>` or `f64`.
+/// Selects the code for a field by its type: `T`, `Option<T>` or `f64`.
 macro_rules! slot {
     (kind T) => {
         Kind::Required
@@ -312,7 +313,8 @@ macro_rules! parameter_struct {
     };
 }
 
-/// The groups of a setup, a struct each, and `Setup` with one field per group and the law.
+/// Declares a struct for each group of a setup, and `Setup` with a field for each group and for the
+/// law.
 macro_rules! parameter_groups {
     ($( $(#[doc = $doc:literal])* $group:ident : $Group:ident $rows:tt )+) => {
         $( parameter_struct! { $(#[doc = $doc])* $Group, None, $rows } )+
@@ -412,7 +414,7 @@ macro_rules! parameter_groups {
     };
 }
 
-/// The aerodynamic laws: a struct of coefficients each, and the enum `Law`.
+/// Declares a struct of coefficients for each aerodynamic law, and the enum `Law`.
 macro_rules! law_coefficients {
     ($d:tt $( $(#[doc = $doc:literal])* $name:literal : $Law:ident $rows:tt )+) => {
         $( parameter_struct! { $(#[doc = $doc])* $Law, Some($name), $rows } )+
@@ -422,8 +424,9 @@ macro_rules! law_coefficients {
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub enum Law<T> {
             $( $(#[doc = $doc])* $Law($Law<T>), )+
-            /// Splines through your own table (`aero.table`): C_D = cd_factor D and C_L = cl_factor
-            /// L, constant beyond its edges, no lift without spin.
+            /// Splines D and L through your own table (`aero.table`): C_D = cd_factor D and C_L =
+            /// cl_factor L. Beyond the edges of the table they are constant, and without spin there
+            /// is no lift.
             Table(Table<T>),
         }
 

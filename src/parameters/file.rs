@@ -51,8 +51,8 @@ pub struct SetupFile {
     pub names_preset: bool,
     /// Parameters that the file gives, in the order of the file.
     pub given: Vec<&'static Parameter>,
-    /// Comments after the values, by the dotted names of parameters and choices. A setup file with
-    /// the same value has the same comment.
+    /// Comments after the values, by the dotted names of parameters and choices. A setup file that
+    /// is written with an unchanged value repeats its comment.
     pub remarks: BTreeMap<String, String>,
 }
 
@@ -100,7 +100,8 @@ impl SetupFile {
         })?;
         let mut items = Vec::new();
         flatten(table.get_ref(), "", &mut items);
-        // in the order of the file, but the preset, the table, the turf and the law first
+        // sort the items: preset, table, turf and law come first, then the others in the order of
+        // the file, the resets (`none`) last
         let rank = |key: &str| match key {
             PRESET => 0,
             TABLE | TURF => 1,
@@ -164,7 +165,7 @@ fn refuse_duplicate_keys(items: &[Item<'_>], text: &str, file: &str) -> Result<(
     Err(in_file(text, file, items[again].key_at, source))
 }
 
-/// Refuses a turf without effect, and parameters that others in the file replace.
+/// Refuses a turf without effect, and parameters that other parameters of the file replace.
 fn refuse_conflicts(setup: &Setup<f64>, items: &[Item<'_>], text: &str, file: &str) -> Result<()> {
     if let Some(turf) = items.iter().find(|item| item.key == TURF) {
         refuse_idle_turf(|name| items.iter().any(|item| item.key == name))
@@ -380,7 +381,7 @@ mod tests {
         assert_eq!(setup.law.name(), "linear");
     }
 
-    /// Checks the start of the message about each text, and words that it contains.
+    /// Checks that the error message for each text has this start and contains these words.
     fn assert_refused(texts: &[(&str, &str, &str)]) {
         for (text, start, says) in texts {
             let message = Setup::from_toml(text, "f").unwrap_err().to_string();

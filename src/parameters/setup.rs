@@ -136,8 +136,8 @@ impl Parameter {
         }
     }
 
-    /// The value as `shown`, with the user's `text` appended if the unit of `text` is neither the
-    /// SI unit nor the display unit.
+    /// Appends the user's `text` to `shown`, the value as text, if the unit of `text` is neither
+    /// the SI unit nor the display unit.
     fn with_given_text(&self, shown: String, text: &str) -> String {
         let is_another = |unit: &str| {
             ![self.quantity.si, self.unit]
@@ -170,8 +170,8 @@ impl Parameter {
         }
     }
 
-    /// Suggestion for a number that is out of range and has no unit, so that it is read as SI: "10"
-    /// for a loft is 10 rad, and most likely means 10 deg; "50" for a share means 50 %.
+    /// Suggestion for a number without a unit that is out of range, because it is read as SI. A
+    /// loft of "10" is 10 rad, and most likely means 10 deg; "50" for a fraction means 50 %.
     fn unit_suggestion(&self, text: &str) -> Option<String> {
         let (number, unit) = self.quantity.split(text).ok()?;
         if self.range == Range::from_to(0.0, 1.0)
@@ -404,8 +404,8 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Sets a parameter to an SI value. `None` unsets an optional parameter. It resets to its
-    /// default a parameter that other parameters replace.
+    /// Sets a parameter to an SI value. `None` unsets an optional parameter; a parameter that other
+    /// parameters replace gets its default.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if the value is outside the range, [`Error::NotANumber`] if it is NaN,
@@ -501,7 +501,7 @@ impl Setup<f64> {
         of_club.chain(self.weather_warnings()).collect()
     }
 
-    /// The parameter of this name, if it can be varied and outcomes differentiated by it.
+    /// The parameter of this name, if it can be varied and outcomes can be differentiated by it.
     ///
     /// # Errors
     /// The errors of [`parameter`](Self::parameter); [`Error::NotVariable`] for a setting, the law,

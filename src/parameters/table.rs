@@ -2,9 +2,9 @@
 //!
 //! A row is its documentation and `field: type = name, symbol, quantity in unit, range, default,
 //! source of the default`. The type is `T`, `Option<T>` for a parameter that may be unset (`or 0.0`
-//! if it is then 0), or `f64` for a setting of the computation. The defaults are the preset
-//! `modern-driver`; the ranges are physically possible values. `declare.rs` shows the struct that a
-//! row expands to.
+//! if it counts as 0 while unset), or `f64` for a setting of the computation. The defaults are the
+//! preset `modern-driver`; the ranges are physically possible values. `declare.rs` shows the struct
+//! that a row expands to.
 
 use super::choices::{Golfer, Method, SpeedOf};
 use super::declare::{Kind, Parameter, Slot};
@@ -341,7 +341,8 @@ parameter_groups! {
         /// Acceleration of gravity.
         gravity: T = "gravity", "g", ACCELERATION in "m/s^2", Range::above_to(0.0, 1000.0),
             "9.80665 m/s^2", "standard gravity";
-        // the lower end is 1e-8 of the default time limit: more than 1e8 steps are refused
+        // the lower end of the range is 1e-8 of the default time limit: more than 1e8 steps are
+        // refused
         /// Time step of the integration.
         step: f64 = "flight.step", "h", TIME in "s", Range::from_to(6e-6, 5.0),
             "0.01 s",
@@ -692,14 +693,14 @@ impl<T> Law<T> {
 }
 
 impl Law<f64> {
-    /// True if two laws are the same, apart from their coefficients.
+    /// True if both are the same law with the same table; their coefficients may differ.
     pub fn is_same(&self, other: &Self) -> bool {
         self.name() == other.name() && self.table() == other.table()
     }
 }
 
 impl Default for Law<f64> {
-    /// `launch-monitor`.
+    /// The law `launch-monitor`.
     fn default() -> Self {
         Self::LaunchMonitor(LaunchMonitor::defaults())
     }

@@ -123,7 +123,8 @@ impl Setup<f64> {
                 .read(entry.value, false)
                 .is_ok_and(|value| value == self.value(parameter))
         };
-        // without a restitution the other numbers have no effect
+        // without a restitution the ball embeds, as on the turf "wet", and the other numbers have
+        // no effect
         let embeds = |turf: &Preset| self.ground.restitution.is_none() && turf.name == "wet";
         TURFS
             .iter()

@@ -17,7 +17,7 @@ pub(crate) struct Weight<T> {
 }
 
 impl<T: Numbers> Club<T> {
-    /// Movable weights with a mass.
+    /// The two movable weights; `None` for a weight without a mass.
     #[inline(always)]
     pub(crate) fn weights(&self) -> [Option<Weight<T>>; 2] {
         let one = [

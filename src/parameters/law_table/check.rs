@@ -142,7 +142,7 @@ fn full_grid<'a>(nodes: &'a Nodes, speeds: &[f64], spins: &[f64]) -> Result<Vec<
 /// An axis with its ends and the widths of its clamps.
 fn axis(variable: AxisVariable, lines: &[f64]) -> Axis {
     let last = lines.len() - 1;
-    // a single line gives a constant surface, so any width will do
+    // a single line gives a constant surface: the width has no effect
     let over = if last == 0 {
         [1.0; 2]
     } else {

@@ -40,7 +40,8 @@ impl Fault {
     }
 }
 
-/// Largest number of nodes, because the splines are kept in memory. Nobody measures as many.
+/// Largest number of nodes. The limit bounds the memory of the splines; no measurement has as many
+/// nodes.
 const MOST_NODES: usize = 200_000;
 
 /// A row of the table.

@@ -93,8 +93,8 @@ impl Knots {
         }
     }
 
-    /// Index of the interval that contains a value, or of the nearest interval for a value outside
-    /// of all.
+    /// Index of the interval that contains a value; for a value outside of the grid, the nearest
+    /// interval.
     #[inline]
     fn step(&self, value: f64) -> usize {
         if let Some(per_unit) = self.per_unit {
@@ -154,7 +154,7 @@ fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells:
                     0.0
                 }
             };
-            // cubics along x on both rows: of the values, and of their slopes by y
+            // on both rows, cubics along x through the values and through their slopes by y
             let along = |values: &[f64], slopes: &[f64], row: usize| {
                 let places = ends(column, columns).map(|column| row * columns + column);
                 cubic(
