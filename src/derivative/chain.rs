@@ -37,8 +37,9 @@ impl Split {
         }
     }
 
-    /// True if the chain rule needs fewer or smaller flights than direct differentiation. For
-    /// gradients it is also true if the parameters need more than one pass.
+    /// True if the chain rule needs fewer passes of the flight than direct differentiation, or
+    /// passes with fewer directions per lane. For gradients it is also true if the parameters need
+    /// more than one pass.
     pub fn is_cheaper(&self, parameters: usize, to_second: bool, level: Level) -> bool {
         let most_variables = COMPONENTS + self.of_flight.len();
         if to_second {
@@ -138,8 +139,8 @@ fn flight_variables(point: &Point<'_>, split: &Split, launch: &[Taylor]) -> Vec<
         .collect()
 }
 
-/// Chain rule: adds the derivatives by the parameters, computed from the derivatives by the
-/// variables of the flight and from the launch's derivatives.
+/// Chain rule: adds the derivatives by the parameters to `taylor`. They follow from the derivatives
+/// by the variables of the flight (`by_variables`) and from the derivatives of the launch.
 fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[usize], launch: &[Taylor]) {
     let parameters = taylor.gradient.len();
     let component = |variable: usize| {

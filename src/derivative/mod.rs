@@ -58,7 +58,7 @@ pub fn jacobian(
 /// Values and gradients of several outcomes of one drive, and the diagonals of their Hessians: the
 /// second derivatives by each parameter alone. The other entries of the Hessians are 0.
 ///
-/// For 8 parameters it computes 8 second derivatives instead of 36.
+/// For 8 parameters, 8 second derivatives are computed instead of 36.
 ///
 /// # Errors
 /// The errors of [`evaluate`].

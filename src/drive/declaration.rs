@@ -16,9 +16,10 @@ pub(super) struct Declaration {
     pub unit: &'static str,
     /// Part of the drive that the formula reads.
     pub computed_from: ComputedFrom,
-    /// Sign of its values.
+    /// Sign of the values of the outcome.
     pub sign: Sign,
-    /// The outcome as launch monitors measure it; `None` for an outcome of the head.
+    /// Data on the measurement of the outcome by launch monitors; `None` for an outcome of the
+    /// head.
     pub instrument: Option<Instrument>,
 }
 

@@ -111,9 +111,8 @@ impl<T: Number> Drive<T> {
     }
 }
 
-/// Result of `compute` with the setup's step, which is halved in `setup` until the defect of the
-/// integration is accepted, or the step is the shortest. An infinite `largest_defect` keeps the
-/// step.
+/// Calls `compute`, and halves the step in `setup` until `compute` accepts the defect of the
+/// integration, or the step is the shortest. An infinite `largest_defect` keeps the step.
 ///
 /// # Errors
 /// The errors of `compute`.
@@ -138,8 +137,8 @@ pub(crate) fn with_accepted_step<R>(
     }
 }
 
-/// Checks the defect of the flight with this landing and step, s; `value` extracts the value of a
-/// number.
+/// Checks the defect of a flight; `step`, s, is only for the message. `value` extracts the value of
+/// a number.
 ///
 /// # Errors
 /// [`Error::Diverged`] for a defect larger than `largest_defect`, m.
@@ -177,8 +176,8 @@ impl Drive<f64> {
         Self::without_step_check(setup, Some(stop))
     }
 
-    /// The drive with the setup's step, which is halved in `setup` until the defect of the
-    /// integration (docs/model.md, eq. 16a) is at most `largest_defect`, m. Infinity keeps the step.
+    /// Computes the drive, and halves the step in `setup` until the defect of the integration
+    /// (docs/model.md, eq. 16a) is at most `largest_defect`, m. Infinity keeps the step.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new), except the error for the step; [`Error::Diverged`] for a

@@ -57,12 +57,13 @@ impl Outcome {
         self.declaration().computed_from
     }
 
-    /// Sign of its values.
+    /// Sign of the values of the outcome.
     pub(crate) fn sign(self) -> Sign {
         self.declaration().sign
     }
 
-    /// The outcome as launch monitors measure it; `None` for an outcome of the head.
+    /// Data on the measurement of the outcome by launch monitors; `None` for an outcome of the
+    /// head.
     pub fn instrument(self) -> Option<&'static Instrument> {
         self.declaration().instrument.as_ref()
     }

@@ -63,8 +63,8 @@ pub(super) fn with_flat_landing_warning(before: Message) -> Message {
         )
 }
 
-/// Validity limits of the model: true for each limit that a drive exceeds, or the share of drives,
-/// from 0 to 1, that exceed it.
+/// A field for each validity limit of the model: true if a drive exceeds the limit, or the share of
+/// drives, from 0 to 1, that exceed it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExceededLimits<T = bool> {
     /// Spin ratio, spin, Reynolds number or airspeed outside the ranges that the law was fitted to.
@@ -167,7 +167,7 @@ impl ExceededCount {
 }
 
 impl ExceededLimits<f64> {
-    /// Smallest share for which there is a warning.
+    /// Smallest share of drives that causes a warning.
     const LEAST_WARNED: f64 = 0.01;
 
     /// Adds a drive with this share of all drives.

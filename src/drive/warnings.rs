@@ -13,8 +13,8 @@ use crate::units::{Digits, Message, Quantity};
 use serde::Serialize;
 use std::sync::atomic::AtomicBool;
 
-/// Smallest share of the flight time outside the range that causes a warning, for a variable that
-/// the law itself holds at the end of the range.
+/// Smallest share of the flight time outside the range that causes a warning. It applies to a
+/// variable that the law itself clamps to the range.
 const LEAST_WARNED_SHARE: f64 = 0.01;
 
 /// A variable of a flight outside the range that the law was fitted to.
@@ -23,8 +23,8 @@ struct Extrapolated {
     /// Index of the variable in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
     variable: usize,
     flown: FlownRange,
-    /// Change of the carry, m, if the variable is held at the ends of the range; `None` if the law
-    /// itself holds the variable, or if the ball does not land with the variable free or held.
+    /// Change of the carry, m, by holding the variable within the range. `None` if the law itself
+    /// holds the variable, or if the ball does not land in one of the two flights.
     change: Option<f64>,
 }
 
@@ -38,7 +38,7 @@ const TEN_DEGREES: f64 = 10.0 / 1.8;
 /// Temperature of the balls whose restitution was measured, K: 25 °C.
 const BALL_TEMPERATURE: f64 = 298.15;
 
-/// Shift of the landing by halving the step, m, above which there is a warning.
+/// Largest shift of the landing, m, from a halving of the step that causes no warning.
 const LARGEST_SHIFT: f64 = 1e-3;
 
 /// The fitted range of a quantity of the law, and its range in the flight.
@@ -275,9 +275,9 @@ impl Drive<f64> {
         extrapolated.filter_map(warning).collect()
     }
 
-    /// Values along the flight of each variable with a known range of the law, in the order of
-    /// [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges); `None` for a variable without a
-    /// known range, and for all variables if there is no air or no flight.
+    /// The fitted range of each variable of the law, and its range in the flight, in the order of
+    /// [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges). `None` for a variable without a
+    /// known fitted range, and for all variables if there is no air or no flight.
     pub fn flown_ranges(&self, setup: &Setup<f64>) -> [Option<FlownRange>; 4] {
         self.flown_ranges_until(setup, &AtomicBool::new(false))
     }
@@ -304,7 +304,8 @@ impl Drive<f64> {
         })
     }
 
-    /// Time, and spin ratio, spin, Reynolds number and airspeed at the points of the trajectory.
+    /// For each point of the trajectory, the time, and [spin ratio, spin, Reynolds number,
+    /// airspeed].
     fn stream(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<(f64, [f64; 4])> {
         let Ok(path) = trajectory_until(setup, &self.launch, stop) else {
             return vec![];
@@ -336,8 +337,8 @@ impl Drive<f64> {
     }
 }
 
-/// Share of the time in which a condition holds, from values with their times. The value at the
-/// start of each interval represents the interval.
+/// Share of the time in which `condition` holds for a value. `values` are pairs of time and value;
+/// the value at the start of each interval represents the interval.
 fn share(values: impl Iterator<Item = (f64, f64)>, condition: impl Fn(f64) -> bool) -> f64 {
     let (mut total, mut held, mut before) = (0.0, 0.0, None);
     for (time, value) in values {

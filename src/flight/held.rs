@@ -76,8 +76,8 @@ pub(crate) fn stays_within(
             inputs.reynolds_per_speed * speed,
             speed,
         ];
-        // v″ ≤ a²/v: within half a step from its minimum, v rises by at most (h a)²/(8 v); the
-        // margin is twice this
+        // with the acceleration a, v″ ≤ a²/v for the airspeed v: within half a step h from its
+        // minimum, v rises by at most (h a)²/(8 v); the margin is twice this
         let margin = (h * node.rate.acceleration.norm() / speed).powi(2) * 0.25;
         let is_within = |(value, range): (f64, Option<[f64; 2]>)| {
             range.is_none_or(|[low, high]| {

@@ -198,8 +198,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         lanes
     }
 
-    /// Records the apex at s of a step. Ends the flights whose apex does not clear the ground, and
-    /// which have never been above it.
+    /// Records the apex at s of a step. Ends a flight that has never been above the ground if its
+    /// apex does not clear the ground.
     #[inline(always)]
     fn record_apex(
         &self,
@@ -287,8 +287,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         }
     }
 
-    /// Lanes whose step resolves the forces: drag and lift change the airspeed within it by less
-    /// than the fraction `largest_relative_change`.
+    /// Lanes in which a step `h` resolves the forces: within the step, drag and lift change the
+    /// airspeed by less than the fraction `largest_relative_change`.
     #[inline(always)]
     fn is_resolved(&self, node: &Node<T>, h: f64, largest_relative_change: f64) -> T::Mask {
         let a = node.rate.acceleration;

@@ -106,8 +106,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
 
     /// Derivative of the rate in time, d²v/dt² and d|v_r|/dt: the central difference of the
     /// equation of motion along the path. It is a smooth function of the node only, so the
-    /// interpolants of neighbouring steps join C³. Dual numbers in time would double the code size
-    /// of a flight.
+    /// interpolants of neighbouring steps join C³. A derivative by dual numbers would double the
+    /// code size of a flight.
     #[inline(always)]
     pub(super) fn rate_per_time(&self, node: &Node<T>) -> Rate<T> {
         let Rate {
@@ -139,7 +139,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     }
 
     /// |ω| within a step at s = (t − t₀)/h (eq. 13). Exact without damping. With damping, the
-    /// Hermite polynomial of degree 5 in the spin and its first two derivatives at both ends;
+    /// Hermite polynomial of degree 5 through the spin and its first two derivatives at both ends;
     /// neighbouring polynomials join C².
     #[inline(always)]
     pub(super) fn spin_within(&self, [from, to]: [&Node<T>; 2], s: T) -> T {

@@ -6,8 +6,8 @@ use super::step::Step;
 use crate::aerodynamics::AerodynamicLaw;
 use crate::number::{Mask, Numbers, Vector, inlined};
 
-/// Hermite polynomial of degree 7 of one coordinate within a step, in s = (t − t₀)/h: it has the
-/// position, velocity, acceleration and jerk of both ends. Neighbouring polynomials join C³, so the
+/// Hermite polynomial of degree 7 of one coordinate within a step, in s = (t − t₀)/h, through
+/// position, velocity, acceleration and jerk at both ends. Neighbouring polynomials join C³, so the
 /// velocity at landing is C² in the parameters even where the number of steps changes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Septic<T>([T; 8]);
@@ -111,11 +111,11 @@ impl<T: Numbers> Septic<T> {
     }
 }
 
-/// Root in [low, 1] of a function that is positive at `low` and not at 1; `f` returns its value and
-/// derivative. Safeguarded Newton iteration (bisection outside of the bracket), in values only
-/// until it converges. Two more Newton steps carry derivatives: the first makes first derivatives
-/// exact, the second also second derivatives (implicit function theorem). A root that does not
-/// converge has no derivatives.
+/// Root in [low, 1] of a function that is positive at `low` and not positive at 1; `f` returns its
+/// value and derivative. Safeguarded Newton iteration (bisection outside of the bracket), in values
+/// only until it converges. Two more Newton steps carry derivatives: the first makes first
+/// derivatives exact, the second also second derivatives (implicit function theorem). A root that
+/// does not converge has no derivatives.
 #[inline(always)]
 fn falling_root<T: Numbers>(low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> T {
     // bisection alone needs 53 steps

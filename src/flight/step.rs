@@ -149,7 +149,7 @@ impl<'a, T: Numbers, L: AerodynamicLaw<T>> Stepper<'a, T, L> {
         T::not_inlined(inlined!(|| decayed * (-(damping * distance)).exp()))
     }
 
-    /// `sum` + k Σ wⱼ aⱼ, over the accelerations aⱼ of the stages.
+    /// `sum` + k Σ wⱼ aⱼ, with the weights wⱼ and the accelerations aⱼ of the stages.
     #[inline(always)]
     fn add_accelerations(
         &self,

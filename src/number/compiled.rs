@@ -1,9 +1,9 @@
 //! The number types that impact and flight are compiled for.
 //!
-//! This file is the only place that names them, and a test compares it with docs/architecture.md.
-//! Each number type below is compiled once at each [`Level`](super::Level) of the processor: on
-//! x86-64 five number types for the baseline level and for AVX2, and the four number types of
-//! sweeps for AVX-512. Two more number types reach this code through public generics: `f64`
+//! Only this file names these types, and a test compares it with docs/architecture.md. Each number
+//! type below is compiled once at each [`Level`](super::Level) of the processor: on x86-64 five
+//! number types for the baseline level and for AVX2, and the four number types of sweeps for
+//! AVX-512. Two more number types reach this code through public generics: `f64`
 //! ([`Drive::new`](crate::Drive::new)), which the baseline level uses too, and `num_dual::Dual64`
 //! (`study::certificate`), which adds one copy.
 

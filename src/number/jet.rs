@@ -46,8 +46,8 @@ fn filled<B: Copy, const K: usize>(number: B) -> [B; K] {
 }
 
 /// Dual number: a value of type `B` with its first derivatives in `K` directions. `Jet<2>` contains
-/// plain numbers. If `B` has lanes, each lane is one drive, or one set of directions. A nested jet
-/// has second derivatives: [`Jet<1, Jet<1>>`](Mixed) has one second derivative.
+/// numbers of type `f64`. If `B` has lanes, each lane is one drive, or one set of directions. A
+/// nested jet has second derivatives: [`Jet<1, Jet<1>>`](Mixed) has one second derivative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet<const K: usize, B = f64> {
     /// Value.

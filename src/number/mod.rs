@@ -26,7 +26,7 @@
 //! A flight is a chain of dependent operations: each stage needs the acceleration of the stage
 //! before. The equation of motion (`flight/motion.rs`, `flight/step.rs`) is ordered for latency:
 //!
-//! - The operand that is ready last enters last. |v_r|² is summed in pairs; the wind is subtracted
+//! - The operand that is ready last is used last. |v_r|² is summed in pairs; the wind is subtracted
 //!   before the accelerations of the stages are added; lift is computed before drag, whose
 //!   coefficient is ready later; the airspeed multiplies their sum, so that laws that depend on the
 //!   spin only do not wait for it.

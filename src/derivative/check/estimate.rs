@@ -20,7 +20,7 @@ impl Side {
     }
 }
 
-/// A step h, and the difference quotient over it with its rounding error.
+/// A step h, and the difference quotient over this step with its rounding error.
 pub(super) type Difference = (f64, Estimate);
 
 /// Highest order of the remaining error term; it limits the number of differences combined.

@@ -1,7 +1,7 @@
 use super::estimate::{Estimate, Side, estimate};
 
-/// Values of k for the steps 10^(-k/2) of a ladder, in units of the scale: from 1e-1 down to 1e-13,
-/// two per decade.
+/// Values of k for the steps 10^(-k/2) of a ladder: from 1e-1 down to 1e-13 of the scale, two steps
+/// per decade.
 pub const STEPS: std::ops::RangeInclusive<i32> = 2..=26;
 
 /// Values of k for expensive functions: steps from 1e-1 to 1e-5, and three steps that show the
@@ -87,7 +87,7 @@ impl Ladder {
     }
 
     /// Raises the assumed size of the function, and the size that determines its rounding, to at
-    /// least this size.
+    /// least `size`.
     #[must_use]
     pub fn made_of(self, size: f64) -> Self {
         Self {
@@ -97,9 +97,9 @@ impl Ladder {
         .rounded_as(size)
     }
 
-    /// Raises the size that determines the rounding, for a function that is a small difference of
-    /// numbers of this size (for example spins that cancel). Function values below 1e-5 of this
-    /// size count as zero.
+    /// Raises the size that determines the rounding to at least `size`, for a function that is a
+    /// small difference of numbers of this size (for example spins that cancel). Function values
+    /// below 1e-5 `size` count as zero.
     #[must_use]
     pub fn rounded_as(self, size: f64) -> Self {
         Self {
@@ -156,8 +156,8 @@ impl Ladder {
                 .into_iter()
                 .flatten()
                 .fold(0.0_f64, |most, value| most.max(value.abs()));
-            // a central difference has the rounding of two values over two steps, a one-sided
-            // difference over one step
+            // both differences have the rounding of two values: the central difference divides it
+            // by two steps, a one-sided difference by one step
             let share = 2.0 / f64::from(side.power());
             Some((
                 rung.step,

@@ -4,7 +4,7 @@ use super::{Ladder, Rung};
 /// Smallest ratio of a usable remainder to the rounding of the function.
 const ABOVE_ROUNDING: f64 = 100.0;
 
-/// Number of smallest usable steps in a fit: two decades.
+/// A fit uses this number of the smallest usable steps, which span two decades.
 const FITTED: usize = 5;
 
 /// Orders of the Taylor remainders |f(x+h) − f|, |f(x+h) − f − h f′| and |f(x+h) − f − h f′ − ½ h²

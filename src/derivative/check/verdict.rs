@@ -221,9 +221,10 @@ impl Ladder {
         NEXT_TO_NOTHING * self.size / self.scale
     }
 
-    /// One-sided derivatives at a corner; `None` without a corner. At a corner the two derivatives
-    /// differ by more than ten times their error estimates, by more than 1e-4 of their size, and by
-    /// more than the rounding of the function's terms over the smallest step.
+    /// One-sided derivatives (below, above) at a corner; `None` without a corner. At a corner their
+    /// difference exceeds each of three limits: ten times the sum of their error estimates, 1e-4
+    /// times the larger derivative, and the rounding of the function's terms divided by the
+    /// smallest step.
     fn corner(&self) -> Option<[Option<f64>; 2]> {
         let (below, above) = (self.slope(Side::Below, 0.0)?, self.slope(Side::Above, 0.0)?);
         let distance = (above.value - below.value).abs();

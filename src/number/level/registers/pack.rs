@@ -1,8 +1,8 @@
-/// Declares a lane type for a register. `not_inlined`: module of `number/inlined.rs` for its
-/// instructions, `plain` for baseline instructions. `fused`: a b + c, rounded once if a fused
-/// operation is as fast. `least`: minimum and maximum of two numbers, NaN if the second is NaN.
-/// `power`: 2ᵏ, from `k + ROUNDER`. `below`: comparison as a bit mask, lane 0 lowest. `select`:
-/// `yes` where the bit is set.
+/// Declares a lane type for a register. `not_inlined`: module of `number/inlined.rs` for the
+/// instructions of the register, `plain` for baseline instructions. `fused`: a b + c, rounded once
+/// if a fused operation is as fast. `least`: minimum and maximum of two numbers, NaN if the second
+/// is NaN. `power`: 2ᵏ, from `k + ROUNDER`. `below`: comparison as a bit mask, lane 0 lowest.
+/// `select`: `yes` where the bit is set.
 macro_rules! pack {
     (
         $(#[doc = $doc:literal])+
