@@ -24,7 +24,7 @@ pub(super) struct LaneBatch<'a> {
     pub first: usize,
     /// Interrupt flag of long flights.
     pub stop: &'a AtomicBool,
-    /// Rows whose ball flies, found by the launches of all rows.
+    /// Rows whose ball flies. The launches of all rows are computed first to find them.
     pub flying: Vec<FlyingRow>,
     /// Rows that need scalar evaluation.
     pub scalar_rows: Vec<usize>,
@@ -122,8 +122,8 @@ impl OverNumbers for LaneBatch<'_> {
 
 impl LaneBatch<'_> {
     /// Partitions the rows into rows whose ball flies, with the upward speed at launch, and rows
-    /// that need scalar evaluation. Sets the status of a ball launched into the ground, unless an
-    /// outcome of the launch is requested.
+    /// that need scalar evaluation. Sets the status of a row whose ball is launched into the
+    /// ground; if an outcome of the launch is requested, the row needs scalar evaluation instead.
     #[inline(always)]
     fn partition<V: Lanes<Lane = f64>>(&mut self) {
         let batch = self.batch;
@@ -263,7 +263,7 @@ impl<J: Lanes<Lane: Derivatives>> FlownLanes<'_, J> {
     }
 }
 
-/// Seeds all lanes in one direction.
+/// Seeds all lanes in `direction`; `None` leaves all derivatives 0.
 #[inline(always)]
 fn seeded_in<J: Lanes>(values: J, direction: Option<usize>) -> J {
     let changes_in = inlined!(|k: usize| if direction == Some(k) {

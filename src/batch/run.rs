@@ -29,8 +29,8 @@ pub struct Run<'a> {
 impl Batch {
     /// Computes the drives of all points. The thread that computed a block also calls `work` on the
     /// block. `sink` receives the results in the order of the points. Returns the number of the row
-    /// after the last delivered row: the number of points or `run.end_row`, unless the run was
-    /// interrupted; `run.first_row` if no row was delivered.
+    /// after the last delivered row, or `run.first_row` if no row was delivered. Without an
+    /// interruption this is `run.end_row`, but at most the number of points.
     ///
     /// # Errors
     /// [`Error::Together`] if `points` does not have the swept parameters in their order, or if
@@ -129,8 +129,8 @@ impl Batch {
 
 /// Outcomes of the drives at all points, passed to `sink` in order, in blocks of at most [`CHUNK`]
 /// rows. Returns the number of the row after the last delivered row, or `run.first_row` if no row
-/// was delivered. The setup determines the integration: method and step for a given error are the
-/// result of [`accuracy`](crate::integration::accuracy()).
+/// was delivered. The setup determines method and step of the integration;
+/// [`accuracy`](crate::integration::accuracy()) finds both for a tolerance.
 ///
 /// # Errors
 /// Errors of [`Batch::new`] and [`Batch::run`]. A drive without a flight is not an error; its

@@ -317,8 +317,8 @@ impl<T: Number> Collision<T> {
     /// Two perpendicular unit tangents of the face at the contact point.
     fn tangents(&self) -> [Vector<T>; 2] {
         let n = self.normal;
-        // a direction perpendicular to the normal, and to Y or, if the normal is nearly along Y, to
-        // X
+        // a direction perpendicular to the normal and to Y, or to the normal and to X if the normal
+        // is nearly along Y
         let across = if n.y.re().abs() < 0.9 {
             Vector::new(n.z, T::zero(), -n.x)
         } else {

@@ -35,7 +35,7 @@ impl Amount {
         })
     }
 
-    /// This number times one SI unit of the quantity `by`.
+    /// The product of this number and one SI unit of the quantity `by`.
     pub fn times(self, by: Quantity) -> Self {
         Self {
             dimension: self.dimension.times(by.dimension, 1),
@@ -43,7 +43,7 @@ impl Amount {
         }
     }
 
-    /// The quantity, if it has a name.
+    /// The named quantity of this dimension; `None` if no named quantity has it.
     pub fn quantity(self) -> Option<Quantity> {
         Quantity::ALL
             .iter()
@@ -53,7 +53,7 @@ impl Amount {
 }
 
 impl Quantity {
-    /// The first usual unit of the quantity.
+    /// The first of the usual units; empty for a plain number.
     pub(crate) fn usual_unit(self) -> &'static str {
         if self.si.is_empty() {
             ""

@@ -53,8 +53,8 @@ impl Message {
         self
     }
 
-    /// Appends a quantity with its SI value. The text shows it in `unit`, or in the unit of a
-    /// system that [`System::unit`] gives for `unit`.
+    /// Appends a quantity with its SI value. The text shows the quantity in `unit`, or in the unit
+    /// that [`System::unit`] gives for `unit` in a system.
     #[must_use]
     pub fn quantity(
         mut self,

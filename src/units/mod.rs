@@ -398,8 +398,8 @@ impl Quantity {
         }
     }
 
-    /// Hint for an unknown unit: the unit in the right case or with the missing `deg`, or the
-    /// advice to write a decimal point instead of a comma. Empty if none applies.
+    /// Hint for an unknown unit: the known unit in the right case or with the missing `deg`, or the
+    /// advice to write a decimal point instead of a comma. Empty without a hint.
     fn hint(self, unit: &str) -> String {
         if unit
             .strip_prefix(',')
