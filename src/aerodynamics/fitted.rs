@@ -107,8 +107,8 @@ impl Fitted {
             })
     }
 
-    /// The law's continuation beyond the exceeded ends (below, above) of its ranges:
-    /// "extrapolated", "held", or "extrapolated or held".
+    /// The word for the law beyond the exceeded ends (below, above) of its ranges: "extrapolated",
+    /// "held", or "extrapolated or held".
     pub(crate) fn continuation(&self, exceeded_ends: [[bool; 2]; 4]) -> &'static str {
         let exceeded = exceeded_ends
             .as_flattened()

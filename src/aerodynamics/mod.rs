@@ -130,8 +130,8 @@ pub trait AerodynamicLaw<T: Numbers> {
 impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        // copies the fields: a law that is not inlined returns its `Coefficients` in memory;
-        // without the copy, the coefficients of the inlined laws would be in memory too
+        // a law that is not inlined returns its `Coefficients` in memory; copying the fields keeps
+        // the coefficients of the inlined laws out of memory
         let (drag, lift) = with_law!(self, |law| {
             let found = law.coefficients(stream);
             (found.drag, found.lift)

@@ -27,8 +27,8 @@ const SPEED: f64 = 18.6;
 /// Angle of incidence of the impact whose crater has the tilt θ_g, rad.
 const INCIDENCE: f64 = 44.4 / 180.0 * PI;
 /// Start and width of the smooth clamp of the ratio of the tilt to the angle of incidence (H in eq.
-/// 19). The clamped ratio ends at 1, where the ball meets the crater head-on; above 1, Penner's φ −
-/// θ_c is negative.
+/// 19). The clamped ratio is at most 1, where the ball meets the crater head-on; above 1, Penner's
+/// φ − θ_c would be negative.
 const TILT_CLAMP: [f64; 2] = [0.7, 0.6];
 /// Angle to the ground below which the ball digs less than in Penner's formula (S in eq. 19). A
 /// ball that moves along the ground does not dig at all, although Penner's angle is largest for it.

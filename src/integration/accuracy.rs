@@ -50,8 +50,8 @@ const FIRST: usize = 16;
 /// Largest number of parameters whose range ends are combined. Any further parameter keeps the
 /// value of the setup.
 const COMBINED: usize = 4;
-/// Number of slightly shorter steps tested per drive, because the error depends on the position of
-/// the landing within the last step.
+/// Number of steps tested per drive: the step itself and slightly shorter steps. The error depends
+/// on the position of the landing within the last step.
 const PHASES: u32 = 8;
 /// Threshold for errors, m. Smaller errors are rounding (for example in a flight almost without
 /// air).
@@ -133,7 +133,7 @@ struct Sample<'s> {
     points: Vec<f64>,
     /// Points not tested yet.
     further: Vec<f64>,
-    /// Step of the reference flights, s, and the results of these flights.
+    /// Step of the reference flights, s; `exact` has the results of these flights.
     reference: f64,
     exact: Block,
     /// Interrupt flag.
@@ -206,7 +206,7 @@ impl<'s> Sample<'s> {
         Ok(())
     }
 
-    /// Adds the drives not tested yet; false if there are none.
+    /// Adds the drives that were not tested yet to the sample. Returns false if there are none.
     fn test_all(&mut self) -> Result<bool> {
         if self.further.is_empty() {
             return Ok(false);

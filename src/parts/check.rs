@@ -275,8 +275,8 @@ fn question(
         .values()
         .filter(|(_, of)| like_wanted(of))
         .max_by_key(|(count, _)| *count);
-    // no file agrees with `wanted`: take its number of parts, instructions and functions from the
-    // first file
+    // no file agrees with `wanted`: complete `wanted` by the number of parts, the instructions and
+    // the functions of the first file
     let of_none = || {
         found
             .first()
