@@ -16,7 +16,7 @@ pub(crate) fn detect_separator(text: &str) -> (u8, &str) {
         .find(|line| !line.starts_with('#') && !line.trim().is_empty())
         .unwrap_or_default();
     let count = |separator: &u8| head.bytes().filter(|byte| byte == separator).count();
-    // comma for a single column head: max_by_key returns the last of equal counts
+    // a single column head has no separator: `max_by_key` then returns the last one, the comma
     let separator = [b'\t', b';', b',']
         .into_iter()
         .max_by_key(count)

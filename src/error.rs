@@ -464,10 +464,10 @@ pub(crate) fn nearest<'a>(
         .max_by(|a, b| by_glyphs(a.1).total_cmp(&by_glyphs(b.1)))
 }
 
-/// Jaro–Winkler similarity of two names, 0 to 1. For names with equally many parts, the product of
-/// the similarities of the groups and of the last parts, so that a long group does not outweigh the
-/// last part. A name without its group ("loft") is also compared with the last part of `known`.
-/// Names that differ only in case have similarity 1.
+/// Jaro–Winkler similarity of two names, 0 to 1. If both names have the same number of parts
+/// separated by points, the result is the similarity of the groups times the similarity of the last
+/// parts: a long group then does not outweigh the last part. A name without its group ("loft") is
+/// also compared with the last part of `known`. Names that differ only in case have similarity 1.
 fn similarity(given: &str, known: &str) -> f64 {
     if given.eq_ignore_ascii_case(known) {
         return 1.0;

@@ -10,7 +10,7 @@ use std::io::{self, Cursor, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Contents of files in memory by name. They hide files of the same names on disk.
+/// Contents of files in memory by name. A file in memory hides a file of the same name on disk.
 pub type MemoryFiles = HashMap<PathBuf, Arc<[u8]>>;
 
 thread_local! {

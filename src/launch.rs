@@ -113,8 +113,8 @@ impl<T: Number> Launch<T> {
         (self.spin.y * v.z - self.spin.z * v.y) / self.horizontal_speed()
     }
 
-    /// Spin about the axis perpendicular to the velocity in its vertical plane, rad/s; + curves
-    /// right.
+    /// Spin about the axis that is perpendicular to the velocity and in the vertical plane of the
+    /// velocity, rad/s; + curves right.
     pub fn sidespin(&self) -> T {
         let (v, horizontal) = (self.velocity, self.horizontal_speed());
         let along = (self.spin.y * v.y + self.spin.z * v.z) / horizontal;

@@ -1,6 +1,7 @@
 //! Repeated items in a list of the user.
 
-/// The places of the first item that an earlier item equals, and of that earlier item, first.
+/// Finds the first item that equals an earlier item. Returns the indices of the earlier item and of
+/// the found item; `None` if no item is repeated.
 pub(crate) fn first_repeated<T>(all: &[T], is_same: impl Fn(&T, &T) -> bool) -> Option<[usize; 2]> {
     (1..all.len()).find_map(|again| {
         let first = all[..again]

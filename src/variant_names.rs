@@ -1,8 +1,8 @@
 //! Enums whose variants have names in files, in JSON and on the command line.
 
-/// Names the variants of an enum. It gets `ALL`, `name()`, and the name as its text. With
-/// `as "Schema"` it also gets a JSON schema of this name, in which the names are the allowed
-/// strings.
+/// Names the variants of an enum. The enum gets `ALL`, `name()`, and a `Display` that writes the
+/// name. With `as "Schema"` it also gets a JSON schema of this name, in which the names of the
+/// variants are the allowed strings.
 macro_rules! variant_names {
     ($(#[doc = $doc:literal])* $Enum:ident as $schema:literal { $($names:tt)* }) => {
         variant_names! { $(#[doc = $doc])* $Enum { $($names)* } }
