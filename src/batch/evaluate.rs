@@ -84,7 +84,7 @@ impl Batch {
             return (0..block.rows()).collect();
         }
         let mut scalar_rows = vec![];
-        // at least one iteration: without derivatives it computes the values
+        // at least one iteration, which computes the values if there are no derivatives
         for first in (0..self.wrt.len().max(1)).step_by(MOST_PER_LANE) {
             let wrt = &self.wrt[first..self.wrt.len().min(first + MOST_PER_LANE)];
             scalar_rows.extend(self.level.run_sweep(LaneBatch {

@@ -225,8 +225,8 @@ fn of_shots(
 /// The club parameter that a golfer can read on the club.
 const LOFT: &str = "club.loft";
 
-/// The warning that the loft of the setup is an average golfer's loft. A later search finds the
-/// best loft relative to this loft.
+/// The warning that the loft of the setup is an average golfer's loft: the delivery is computed
+/// with this loft, and a later search finds the best loft relative to it.
 fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec<Message> {
     let is_varied = unknowns
         .iter()

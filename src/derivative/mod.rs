@@ -102,8 +102,9 @@ pub fn evaluate_with(
     Evaluator::new(setup, of, wrt, order)?.at_setup(None, &mut progress)
 }
 
-/// Like [`evaluate`] to second order, but only the second derivatives with the last parameter are
-/// computed, for the sensitivity of an optimum. The other entries of the Hessians are 0.
+/// Like [`evaluate`] to second order, but only the second derivatives that involve the last
+/// parameter are computed. The sensitivity of an optimum needs no others. The other entries of the
+/// Hessians are 0.
 ///
 /// # Errors
 /// The errors of [`evaluate`].

@@ -33,7 +33,8 @@ pub(crate) enum ComputedFrom {
     Landing,
     /// Velocity at landing.
     LandingVelocity,
-    /// Height of the apex. It is a maximum: an error of the time of the apex does not change it.
+    /// Height of the apex. The height is a maximum: an error of the time of the apex does not
+    /// change the height to first order.
     ApexHeight,
     /// Time of the apex, or its position along the ground.
     ApexTime,

@@ -153,7 +153,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
             *end = self.spin_and_derivatives(node, damping);
         }
         let [[p0, m0, c0], [p1, m1, c1]] = ends;
-        // residuals at s = 1 of the parabola p0 + m0 s + c0 s²/2: value, first and second derivative
+        // differences at s = 1 between the end of the step and the parabola p0 + m0 s + c0 s²/2
+        // from its start: value, first and second derivative
         let x = p1 - p0 - m0 - c0 * 0.5;
         let v = m1 - m0 - c0;
         let a = c1 - c0;

@@ -37,7 +37,8 @@ impl<T: Numbers> Septic<T> {
             coordinate(&step.to.rate.acceleration) * h2,
         ];
         let [j0, j1] = [coordinate(&jerks[0]) * h3, coordinate(&jerks[1]) * h3];
-        // residuals at s = 1 of the cubic from the start: position and its first three derivatives
+        // differences at s = 1 between the end of the step and the cubic continued from its start:
+        // position and its first three derivatives
         let (half, sixth) = (a0 * 0.5, j0 * (1.0 / 6.0));
         let x = coordinate(&step.position_increment) - half - sixth;
         let v = coordinate(&step.velocity_increment) * h - a0 - j0 * 0.5;

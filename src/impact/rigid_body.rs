@@ -95,7 +95,7 @@ impl<T: Numbers> Collision<T> {
         collision
     }
 
-    /// Lanes in which the coefficient of restitution at this speed is between 0 and 1.
+    /// Lanes in which the coefficient of restitution at the closing speed is between 0 and 1.
     #[inline(always)]
     pub(super) fn has_restitution(&self) -> T::Mask {
         !self.restitution.below(0.0) & !(-self.restitution).below(-1.0)
@@ -184,8 +184,8 @@ impl<T: Numbers> Collision<T> {
         columns
     }
 
-    /// w = K n − (n·K n) n (eq. 9a): decrease of the velocity along the face by a unit impulse along
-    /// its normal, as the head turns. It causes the gear effect.
+    /// w = K n − (n·K n) n (eq. 9a). A unit impulse along the face normal turns the head, and
+    /// decreases the velocity along the face by w. This causes the gear effect.
     #[inline(always)]
     fn gear_velocity(&self, [x, y, z]: &[Vector<T>; 3]) -> Vector<T> {
         let n = self.normal;

@@ -196,7 +196,8 @@ impl<'s> Sample<'s> {
         flown(&self.batch.with_step(step)?, self.points.clone(), self.stop)
     }
 
-    /// Repeats the reference flights with a shorter step, if their step is too long for `step`.
+    /// Repeats the reference flights with a shorter step, if their own step is too long to test
+    /// `step`.
     fn refine(&mut self, step: f64) -> Result<()> {
         if self.reference > (REFERENCE * step).max(SHORTEST_REFERENCE) {
             // the following steps use the finer reference too

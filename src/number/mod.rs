@@ -8,13 +8,13 @@
 //!
 //! # Inlining
 //!
-//! A function is compiled for a vector unit (`target_feature`) only if it is inlined into a
-//! function that is. Everything from a `Task` down to the instructions is therefore
+//! A function is compiled for a vector unit only if it is inlined into a function that has the
+//! `target_feature` of the unit. Everything from a `Task` down to the instructions is therefore
 //! `#[inline(always)]`, and so are closures (macro `inlined!`: the attribute is allowed on an
 //! argument, but not on the right side of a `let`). Code too large to inline at each use goes
-//! through [`Numbers::not_inlined`], which calls a function compiled for the same instructions.
-//! Code that is not inlined elsewhere silently falls back to baseline instructions, which is
-//! several times slower.
+//! through [`Numbers::not_inlined`], which calls a function compiled for the same instructions. Any
+//! other code that is not inlined silently falls back to baseline instructions, which is several
+//! times slower.
 //!
 //! # Pipelines
 //!
@@ -30,8 +30,9 @@
 //!   before the accelerations of the stages are added; lift is computed before drag, whose
 //!   coefficient is ready later; the airspeed multiplies their sum, so that laws that depend on the
 //!   spin only do not wait for it.
-//! - The nodes at both ends of a step swap places by reference. A copy would load what was just
-//!   stored in smaller pieces, which the processor cannot forward: 16 to 24 % of a drive with rk4.
+//! - The nodes at both ends of a step swap places by reference. A copy would load data that was
+//!   just stored in smaller pieces. The processor cannot forward such stores to the load: copies
+//!   take 16 to 24 % of a drive with rk4.
 //! - Long functions that are called rarely, or at several places, are compiled once for each number
 //!   type ([`Numbers::not_inlined`]). A loop over two evaluations has one call site instead of two.
 

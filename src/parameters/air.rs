@@ -5,8 +5,8 @@ use super::table::{Air, Setup};
 use crate::error::{Error, Result};
 use crate::units::{Digits, Message, Quantity};
 
-/// Temperature, K, if pressure, altitude or humidity is given without it: 25 °C, TrackMan's
-/// normalised air.
+/// Temperature, K, that is used if pressure, altitude or humidity is given without a temperature:
+/// 25 °C, TrackMan's normalised air.
 pub(crate) const DEFAULT_TEMPERATURE: f64 = 273.15 + 25.0;
 
 /// Temperature of the standard atmosphere at sea level, K (ISO 2533:1975).
@@ -190,9 +190,10 @@ impl Setup<f64> {
             .is_some_and(|parameter| self.value(parameter).is_some())
     }
 
-    /// Warnings about weather outside the validated range of the equation of the density
-    /// (docs/sources.md), where this equation is extrapolated. The range begins at 15 °C, but
-    /// colder air causes no warning: it holds little vapour, and the density of dry air is known.
+    /// Warnings about weather for which the equation of the density is extrapolated: it is outside
+    /// the range in which the equation is validated (docs/sources.md). The range begins at 15 °C,
+    /// but colder air causes no warning: cold air holds little vapour, and the density of dry air
+    /// is known.
     pub(super) fn weather_warnings(&self) -> Vec<Message> {
         const PRESSURE: [f64; 2] = [60_000.0, 110_000.0];
         // altitudes with about these pressures in the standard atmosphere, m

@@ -73,8 +73,8 @@ pub(super) fn read_unit(text: &str) -> Option<Unit> {
     (!divide && !spaced.trim().is_empty()).then_some(unit)
 }
 
-/// A size as numerator and denominator. If 1/size is a whole number, it is the denominator, so that
-/// decimal units have no rounding error; otherwise the denominator is 1.
+/// A size as numerator and denominator. If 1/size is a whole number, this number is the
+/// denominator, so that decimal units have no rounding error; otherwise the denominator is 1.
 fn fraction(size: f64) -> [f64; 2] {
     let inverse = size.recip();
     let is_decimal = (inverse - inverse.round()).abs() <= 1e-12 * inverse;

@@ -24,8 +24,9 @@ pub struct Request {
     pub source: Source,
     /// The settings of the command line, in the order of its options: each parameter once.
     pub settings: Vec<Setting>,
-    /// The source with the settings applied, without a check of its launch: the columns of a table
-    /// or the points of a sweep may complete it. Parameters without a default may be missing.
+    /// The source with the settings applied, without a check of the launch: the columns of a table
+    /// or the points of a sweep may complete the launch. Parameters without a default may be
+    /// missing.
     pub partial_setup: Setup<f64>,
     /// The choice of method and step.
     step: StepChoice,

@@ -187,8 +187,8 @@ fn check_between_nodes(
     Ok(())
 }
 
-/// Coordinates of the samples along one direction of a cell: from 0 to 1 within the cell, and a
-/// sample beyond each end at which the cell is outermost. `at` is the index of the cell's first
+/// Coordinates of the samples along one direction of a cell: from 0 to 1 within the cell, and one
+/// sample beyond each end of the grid at which the cell lies. `at` is the index of the cell's first
 /// line among `count` lines. `zero` is the coordinate of zero speed or spin, the smallest possible
 /// coordinate.
 fn samples(at: usize, count: usize, zero: f64) -> impl Iterator<Item = f64> {
