@@ -304,8 +304,8 @@ impl Drive<f64> {
         })
     }
 
-    /// For each point of the trajectory, the time, and [spin ratio, spin, Reynolds number,
-    /// airspeed].
+    /// The time, and spin ratio, spin, Reynolds number and airspeed in this order, for each point
+    /// of the trajectory.
     fn stream(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<(f64, [f64; 4])> {
         let Ok(path) = trajectory_until(setup, &self.launch, stop) else {
             return vec![];
