@@ -31,8 +31,9 @@
 //! X up, Y right of the target line, Z downrange; right-handed. SI units and radians inside;
 //! degrees, mph and yards only in texts ([`units`]) and reports.
 //!
-//! # Modules A module imports only from modules below it in this table, without cycles;
-//! docs/architecture.md lists all modules.
+//! # Modules
+//! A module imports only from modules below it in this table, without cycles; docs/architecture.md
+//! lists all modules.
 //!
 //! | | |
 //! |---|---|
