@@ -210,8 +210,8 @@ pub enum Error {
     },
     /// A flight whose integration diverged.
     #[error(
-        "the flight diverged at t = {} s: drag and lift change the velocity too much within a step \
-         (flight.step = {} s) to be followed; {advice}", significant(*time, 5), significant(*step, 5)
+        "the flight diverged at t = {} s: drag and lift change the velocity too much within one \
+         step (flight.step = {} s); {advice}", significant(*time, 5), significant(*step, 5)
     )]
     Diverged {
         /// Time of the divergence, s.

@@ -304,8 +304,8 @@ impl Output {
         let at = match args.at.as_deref().map(str::trim) {
             Some(_) if !is_setup => {
                 return Err(refuse(
-                    "it chooses the point of a setup file; write one, as in `output best.toml`, or leave \
-                     it out",
+                    "it chooses the point whose setup is written, and only a .toml file holds a \
+                     setup; name one, as in `output best.toml`, or leave `at` out",
                 ));
             }
             None | Some("knee") => None,

@@ -248,7 +248,7 @@ impl Setup<f64> {
             Digits::Significant(2),
         );
         Some(message.words(format!(
-            " there, where its air is {denser:.0} % denser; give air.temperature too"
+            " there, and so air that is {denser:.0} % denser; give air.temperature too"
         )))
     }
 

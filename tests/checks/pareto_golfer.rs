@@ -404,7 +404,7 @@ fn bad_goals_of_a_front_say_what_is_wrong() {
         ),
         (
             [&both[..], &["-o", &csv, "--at", "2"]].concat(),
-            "it chooses the point of a setup file",
+            "it chooses the point whose setup is written",
         ),
         (
             [&both[..], &["--scenarios", "9"]].concat(),

@@ -58,7 +58,7 @@ fn exact_uncertainties_of_temperatures_are_differences() {
 #[test]
 fn an_altitude_without_a_temperature_is_told_with_the_standard_one() {
     let says = "air.altitude is given without air.temperature, which is then 77 °F; the standard \
-                atmosphere has 41 °F there, where its air is 7 % denser";
+                atmosphere has 41 °F there, and so air that is 7 % denser";
     let said = longdrive(&["simulate", "-q", "--altitude", "5000ft"]);
     assert!(joined(&said.err).contains(says), "{}", said.err);
     let (_, found) = json(&["simulate", "--altitude", "5000ft"]);
