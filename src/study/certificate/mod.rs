@@ -320,8 +320,9 @@ fn rows_by_parameter(
     Ok(by_parameter.collect::<Result<Vec<_>>>()?.concat())
 }
 
-/// The checks of the flight without a result, with the reason. `empty` is in the order landing,
-/// continuity, convergence; `prevented` is the common reason, if any: an interruption or a corner.
+/// The checks of the flight that have no result, each with the reason. `empty` is in the order
+/// landing, continuity, convergence; `prevented` is the common reason, if any: an interruption or a
+/// corner.
 fn not_examined(
     empty: [bool; 3],
     prevented: Option<&'static str>,
