@@ -222,8 +222,9 @@ impl SearchProblem {
     }
 
     /// Second derivatives of the drives in `part` near `x`, each times the number of scenarios that
-    /// the drive represents. They are computed at the nearest point of a grid over the ranges: only
-    /// once near an optimum, and independently of the points evaluated before.
+    /// the drive represents. They are computed at the nearest point of a grid over the ranges. Near
+    /// an optimum they are therefore computed only once, and do not depend on the points evaluated
+    /// before.
     fn second_derivatives(&self, x: &[f64]) -> std::result::Result<Arc<Seconds>, String> {
         let nearest: Vec<f64> = (0..x.len()).map(|i| self.on_the_grid(i, x[i])).collect();
         let cached = |seconds: &Option<Arc<Seconds>>| {

@@ -304,7 +304,7 @@ impl Solution {
         }
     }
 
-    /// Variance of each parameter from shot to shot along the identified directions, with the
+    /// Variance of each parameter from shot to shot along the identified directions, including the
     /// launch monitor's errors.
     fn sampling_variances(&self) -> DVector<f64> {
         let along = &self.directions.identified;

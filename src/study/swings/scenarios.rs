@@ -31,7 +31,7 @@ pub struct Scenarios {
     pub parameters: Vec<&'static Parameter>,
     /// Values of the parameters, SI, a row for each scenario.
     pub points: Vec<Vec<f64>>,
-    /// The weight of each scenario; they sum to 1.
+    /// The weight of each scenario. The weights sum to 1.
     pub weights: Vec<f64>,
     /// Rule that generated the scenarios.
     pub rule: Rule,
