@@ -39,7 +39,7 @@ pub(crate) struct Column {
     pub format: Format,
     /// True if the column is an angle of an export and has no unit. It is read in degrees.
     pub is_in_assumed_degrees: bool,
-    /// True for a launch condition whose column head is its dotted name.
+    /// True for a launch condition whose column head is its dotted name: `launch.ball_speed`.
     pub is_dotted_condition: bool,
     /// True for an air column that the weather of the setup overrides.
     pub is_of_given_air: bool,
