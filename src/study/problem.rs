@@ -173,8 +173,9 @@ impl SearchProblem {
         self.exact(x, &columns, &[1.0])
     }
 
-    /// The functions at `x` with derivatives by the varied parameters and by one more parameter,
-    /// for a search over one drive.
+    /// The objective and the constraint functions at `x`, with derivatives by the varied parameters
+    /// and by one more parameter, for a search over one drive. Second derivatives are computed only
+    /// with this additional parameter.
     pub fn evaluate_with(&self, x: &[f64], parameter: &'static Parameter) -> Result<Evaluation> {
         let wrt: Vec<_> = self.vary.iter().copied().chain([parameter]).collect();
         let goals = derivative::towards_last(&self.moved(x)?, &self.of, &wrt)?;
@@ -509,7 +510,8 @@ impl SearchProblem {
         ))
     }
 
-    /// Goals over the scenarios with these weights, with exact values and gradients. The Hessians
+    /// The objective and the constraint functions from the goals over the scenarios with these
+    /// weights, with smoothed kinks and jumps. Values and gradients are of all drives. The Hessians
     /// contain all products of outcome gradients, but second derivatives only of the drives in
     /// `part`.
     pub fn weighted(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {

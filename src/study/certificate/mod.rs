@@ -201,8 +201,8 @@ fn failed_check(check: &str, failed: &[String]) -> String {
 }
 
 /// Certifies the derivatives of outcomes by parameters. `progress` receives the number of finished
-/// parameters and the number of all parameters. Once it returns false, the work stops between two
-/// drives, and the results so far are returned.
+/// parameters and the number of all parameters. Once `progress` returns false, the work stops
+/// between two drives, and the results so far are returned.
 ///
 /// # Errors
 /// The errors of [`evaluate`]. Outcomes that the drive does not have are listed as missing. If the

@@ -5,9 +5,9 @@
 //! ```
 //!
 //! The slope of log |e| is not sufficient. If a and b h have opposite signs, e passes through 0 at
-//! some step and decreases more slowly than h^p below it. For an outcome that is interpolated
-//! within one step (the apex), a varies with the position of the outcome in the step. Therefore the
-//! lower-order term d is fitted to the signed errors, and must be negligible.
+//! some step, and decreases more slowly than h^p at smaller steps. For an outcome that is
+//! interpolated within one step (the apex), a varies with the position of the outcome in the step.
+//! Therefore the lower-order term d is fitted to the signed errors, and must be negligible.
 
 use crate::derivative::check::line_slope;
 use nalgebra::{DMatrix, DVector};

@@ -170,7 +170,7 @@ impl Scenarios {
     ///
     /// # Errors
     /// The errors of [`Uncertain::check`]; [`Error::Unreadable`] for a value outside the allowed
-    /// range. A `truncated` distribution with bounds avoids such values.
+    /// range. A `truncated` distribution with bounds inside this range avoids such values.
     pub fn new(swings: &Swings, rule: Rule) -> Result<Self> {
         if let Swings::Distributed { inputs, .. } = swings {
             inputs.iter().try_for_each(Uncertain::check)?;

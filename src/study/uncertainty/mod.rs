@@ -182,8 +182,8 @@ fn measure_first(sampled: &Statistics, inputs: &[Uncertain]) -> Option<MeasureFi
     let totals: Option<f64> = others
         .map(|(_, indices)| Some(indices.as_ref()?.total.value))
         .sum();
-    // the share of the variance that remains is 1 − `share`; its upper bound, the sum of the other
-    // total indices, is more accurate if one index is close to 1
+    // the share of the variance that remains is 1 − `share`. The sum of the other total indices is
+    // an upper bound of 1 − `share`, and is more accurate if one index is close to 1
     let left = totals
         .filter(|most| *most < 1.0 - share.low)
         .unwrap_or(1.0 - share.value);

@@ -215,8 +215,9 @@ impl Design {
             .collect()
     }
 
-    /// Means over the points of A divided by the variance of an output, with bootstrap intervals
-    /// from joint resamples. `None` if the output does not vary, or if no point of A has a value.
+    /// Mean of each column of `at_a` over the points of A, divided by the variance of an output,
+    /// with bootstrap intervals from joint resamples. `None` if the output does not vary, or if no
+    /// point of A has a value in the column.
     pub fn means_by_variance(
         &self,
         values: &[Vec<Option<f64>>],
