@@ -220,8 +220,9 @@ impl<'a> Comparison<'a> {
         let rounding = errors_of(&self.beside).map(|errors| ROUNDING_FACTOR * largest(&errors));
         let of_smooth_law = orders_of_smooth_law(self.setup, of);
         let law_derivatives = self.setup.law.continuous_derivatives();
-        // a join of a law with k continuous derivatives: error h^(k+2) times a function of the
-        // join's position in the step, which moves at a rate 1/h; error h^(k+1) of the derivative
+        // a join of a law with k continuous derivatives gives an error h^(k+2) times a function of
+        // the join's position in the step; this position moves at a rate 1/h, so the derivative has
+        // an error h^(k+1)
         let expected = match law_derivatives {
             Some(k) => [of_smooth_law[0].min(k + 2), of_smooth_law[1].min(k + 1)],
             None => of_smooth_law,

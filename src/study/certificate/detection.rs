@@ -85,7 +85,7 @@ impl LandingTerms {
     }
 }
 
-/// Plants each error in every passing row and repeats the verdict.
+/// Plants each error in every passing row whose derivative it changes, and repeats the verdict.
 pub(super) fn detection_tests(
     setup: &Setup<f64>,
     rows: &[Row],

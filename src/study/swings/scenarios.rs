@@ -247,8 +247,8 @@ impl Scenarios {
         }
     }
 
-    /// The scenarios, then scenarios with the parameters `of` at all combinations of the bounds of
-    /// their distributions. The other parameters keep their values in each scenario.
+    /// The scenarios, then scenarios with the parameters `of` at all combinations of the finite
+    /// bounds of their distributions. The other parameters keep their values in a scenario.
     pub(crate) fn and_ends<'a>(&'a self, of: &[usize]) -> impl Iterator<Item = Vec<f64>> + 'a {
         let ends = |k: &usize| Some((*k, self.ends(*k)?));
         let (bounded, endless): (Vec<_>, Vec<_>) = of
@@ -260,8 +260,8 @@ impl Scenarios {
         } else {
             1_usize << bounded.len()
         };
-        // if all distributions are bounded, the combinations of the bounds are the same for every
-        // scenario
+        // if all distributions of `of` are bounded, every scenario gives the same combinations: the
+        // first scenario is enough
         let others = if endless.is_empty() {
             1
         } else {
