@@ -38,7 +38,7 @@ pub struct Face {
 /// Half-width and half-height of a typical driver face, m.
 const HALF: [f64; 2] = [0.055, 0.025];
 
-/// Largest half-width and half-height of the face, as fractions of the semi-axes of the ellipsoid
+/// Largest half-width and half-height of the face, as a fraction of the semi-axes of the ellipsoid
 /// that models the face.
 const WITHIN: f64 = 0.95;
 
