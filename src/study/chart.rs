@@ -369,7 +369,8 @@ impl Follower<'_> {
         Ok(Some(next))
     }
 
-    /// Marks a jump, or locates a change of the active set.
+    /// Adds to `next` the event after `here`: a jump if the optimum is far from its prediction, or
+    /// a change of the active set, which is located.
     fn with_event(&self, here: &ChartPoint, next: ChartPoint, apart: f64) -> ChartPoint {
         if apart > TOO_FAR {
             ChartPoint {

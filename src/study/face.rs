@@ -38,8 +38,8 @@ pub struct Face {
 /// Half-width and half-height of a typical driver face, m.
 const HALF: [f64; 2] = [0.055, 0.025];
 
-/// Largest half-width or half-height of the face, as a fraction of the semi-axis in that direction
-/// of the ellipsoid that models the face.
+/// Largest half-width and half-height of the face, as a fraction of the semi-axes of the ellipsoid
+/// that models the face.
 const WITHIN: f64 = 0.95;
 
 /// Numbers of points of [`Face::plane`], across and up the face.

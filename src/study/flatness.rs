@@ -110,7 +110,7 @@ pub struct Ellipse {
     /// The parameters.
     pub parameters: [&'static Parameter; 2],
     /// The half-axes, each as changes of the two parameters, SI; the longer half-axis comes first.
-    // longer if parameters are in units of their ranges
+    // lengths are compared in units of the parameters' ranges
     pub half_axes: [[f64; 2]; 2],
     /// The smallest and the largest loss of drives computed on the ellipse, SI.
     // only drives that meet the ranges and constraints count

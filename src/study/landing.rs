@@ -21,8 +21,8 @@ pub struct Landing {
     /// the scatter is too large.
     pub ellipses: Vec<LandingEllipse>,
     /// True if the ellipses are omitted because the scatter is too large for the derivatives of the
-    /// drive: the standard deviation of the speed exceeds a third of the speed, or an ellipse is
-    /// longer than the carry.
+    /// drive: the standard deviation of the speed exceeds a third of the speed, or a half-axis of
+    /// an ellipse is longer than the distance to the landing point.
     pub is_too_wide: bool,
 }
 

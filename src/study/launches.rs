@@ -50,8 +50,8 @@ impl Launched {
     }
 }
 
-/// Margin of [`Launches::plane`] around the launches, rad and rad/s. The ends of its ranges are
-/// rounded to multiples of `ENDS`.
+/// Margin of [`Launches::plane`] around the launches, rad and rad/s. The ends of the plane's ranges
+/// are rounded to multiples of `ENDS`.
 const BEYOND: [f64; 2] = [7.0 * DEGREE, 1250.0 * RPM];
 const ENDS: [f64; 2] = [DEGREE, 250.0 * RPM];
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
@@ -97,7 +97,8 @@ impl Launches {
                 values().fold(f64::NEG_INFINITY, f64::max),
             );
             let end = ENDS[axis];
-            // launch angle and backspin of a good drive are positive
+            // a range begins below 0 only if a launch does: launch angle and backspin of a good
+            // drive are positive
             let low = (((low - BEYOND[axis]) / end).round() * end).max(low.min(0.0));
             Vary::new(
                 setup.column(name)?,

@@ -173,8 +173,9 @@ impl SearchProblem {
         self.exact(x, &columns, &[1.0])
     }
 
-    /// The functions at `x` with derivatives by the varied parameters and by one more parameter,
-    /// for a search over one drive.
+    /// The objective and the constraint functions at `x`, with derivatives by the varied parameters
+    /// and by one more parameter, for a search over one drive. Second derivatives are computed only
+    /// with this additional parameter.
     pub fn evaluate_with(&self, x: &[f64], parameter: &'static Parameter) -> Result<Evaluation> {
         let wrt: Vec<_> = self.vary.iter().copied().chain([parameter]).collect();
         let goals = derivative::towards_last(&self.moved(x)?, &self.of, &wrt)?;
@@ -222,8 +223,9 @@ impl SearchProblem {
     }
 
     /// Second derivatives of the drives in `part` near `x`, each times the number of scenarios that
-    /// the drive represents. They are computed at the nearest point of a grid over the ranges: only
-    /// once near an optimum, and independently of the points evaluated before.
+    /// the drive represents. They are computed at the nearest point of a grid over the ranges. Near
+    /// an optimum they are therefore computed only once, and do not depend on the points evaluated
+    /// before.
     fn second_derivatives(&self, x: &[f64]) -> std::result::Result<Arc<Seconds>, String> {
         let nearest: Vec<f64> = (0..x.len()).map(|i| self.on_the_grid(i, x[i])).collect();
         let cached = |seconds: &Option<Arc<Seconds>>| {
@@ -508,7 +510,8 @@ impl SearchProblem {
         ))
     }
 
-    /// Goals over the scenarios with these weights, with exact values and gradients. The Hessians
+    /// The objective and the constraint functions from the goals over the scenarios with these
+    /// weights, with smoothed kinks and jumps. Values and gradients are of all drives. The Hessians
     /// contain all products of outcome gradients, but second derivatives only of the drives in
     /// `part`.
     pub fn weighted(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {

@@ -39,7 +39,7 @@ pub(crate) struct Column {
     pub format: Format,
     /// True if the column is an angle of an export and has no unit. It is read in degrees.
     pub is_in_assumed_degrees: bool,
-    /// True for a launch condition whose column head is its dotted name.
+    /// True for a launch condition whose column head is its dotted name: `launch.ball_speed`.
     pub is_dotted_condition: bool,
     /// True for an air column that the weather of the setup overrides.
     pub is_of_given_air: bool,
@@ -389,8 +389,9 @@ impl Column {
     }
 
     /// The sign that converts a number to this program's convention. Launch monitors count path and
-    /// face, and cells with a side, as positive to the right for every golfer; this program counts
-    /// them as positive outwards. In a turned column, positive values are to the left.
+    /// face angle as positive to the right for every golfer, also in cells with a side such as `R`;
+    /// this program counts them as positive outwards. In a turned column, positive values are to
+    /// the left.
     fn sign(&self, side: Option<Side>) -> f64 {
         if self.is_turned && side.is_none() {
             return -1.0;

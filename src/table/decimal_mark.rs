@@ -74,7 +74,7 @@ impl DecimalMark {
     }
 
     /// True if the mark in a cell may separate either decimals or thousands, in a table with the
-    /// mark `of_table`.
+    /// mark `of_table`; `None` if the mark of the table is not known.
     pub fn is_ambiguous(of_table: Option<Self>, cell: &str) -> bool {
         if of_table == Some(Self::Point) {
             return false;
@@ -91,7 +91,8 @@ impl DecimalMark {
 pub(crate) struct DecimalMarkCheck {
     /// The first cell with a comma, and the first cell with a point.
     first: [Option<MarkedCell>; 2],
-    /// The first cell whose mark may separate thousands.
+    /// The first cell with a comma that may separate thousands, and the first cell with such a
+    /// point.
     first_ambiguous: [Option<MarkedCell>; 2],
 }
 

@@ -88,7 +88,7 @@ pub(crate) struct Decoded<R> {
 /// Errors of the source, and [`io::ErrorKind::Other`] if the text is invalid UTF-16. Later reads
 /// can return the same errors.
 pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
-    // at most two byte-order marks and one byte
+    // the first 7 bytes: room for two byte-order marks and one more byte
     let mut raw = vec![];
     (&mut source)
         .take(2 * MARK.len() as u64 + 1)

@@ -175,9 +175,10 @@ fn all(read: impl Iterator<Item = (usize, Result<Column>)>) -> Result<Vec<Column
     ColumnErrors::of(faults).map_or(Ok(columns), Err)
 }
 
-/// Resolves ambiguous names in a sweep written by this program, which has a status column. If
-/// launch conditions with dotted names are present, names without a dot are outcomes, and `carry`
-/// is the distance along the target line.
+/// Resolves ambiguous names in a sweep written by this program, which has a status column. In such
+/// a table, `carry` is the distance along the target line. If launch conditions with dotted names
+/// are present, the names of launch conditions without `launch.` are computed outcomes, which are
+/// ignored.
 fn resolve_sweep_names(columns: &mut [Column]) {
     if !columns.iter().any(Column::is_status) {
         return;

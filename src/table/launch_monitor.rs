@@ -140,9 +140,9 @@ fn is_simulated(word: &str) -> bool {
 }
 
 /// Parses a line of units below the column heads, each `[mph]` or empty; `None` if the line is not
-/// a line of units. At least one cell below a known column head must be a unit, and no cell may be
-/// a number. An unknown word below a known column head is also returned as a unit, so that it is
-/// reported as an error.
+/// a line of units. At least one cell below a known column head must be a unit, and none of the
+/// cells below known column heads may be a number. An unknown word below a known column head is
+/// also returned as a unit, so that it is reported as an error.
 pub(super) fn units_row(heads: &[String], cells: &[String]) -> Option<Vec<Option<String>>> {
     let is_known = |head: &str| {
         let name = split_unit(head).0;

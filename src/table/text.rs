@@ -300,7 +300,8 @@ impl HeadPlace {
     }
 }
 
-/// Refusal of a row whose number of cells differs from `heads`, the number of column heads.
+/// Refusal of a row that has fewer cells than `heads`, the number of column heads, or a filled cell
+/// beyond them.
 pub(crate) fn miscounted<S: AsRef<str>>(row: &[S], heads: usize) -> Option<Refusal> {
     let filled = row
         .iter()

@@ -9,7 +9,7 @@ use std::path::Path;
 pub struct Target {
     destination: Option<Destination>,
     pub format: FlyFormat,
-    /// True if no rows are written: JSON without a file is the summary only.
+    /// True if no rows are written: JSON without a file has the summary only.
     pub is_silent: bool,
 }
 

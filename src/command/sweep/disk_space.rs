@@ -47,7 +47,7 @@ pub fn check(
         Rows::Text { bytes, .. } => bytes.len() as f64 / tried as f64,
         #[cfg(feature = "parquet")]
         Rows::Block(_) => {
-            // a grid stores a swept value once for many rows
+            // a grid stores each swept value once for many rows, so its size is neglected
             let is_grid = args.sample.is_none() && args.points.is_none();
             let swept = if is_grid {
                 0
@@ -55,7 +55,7 @@ pub fn check(
                 points.parameters().len()
             };
             let computed = batch.outcomes().len() * (1 + batch.wrt().len());
-            // and a status
+            // 8.5 bytes for each number, and 1 byte for the status
             8.5 * (swept + computed) as f64 + 1.0
         }
     };

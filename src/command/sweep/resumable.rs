@@ -151,7 +151,8 @@ impl<'a> ResumableFile<'a> {
     fn go_on(path: PathBuf, writer: &'a Writer) -> Result<Self> {
         let unusable =
             |error: io::Error| refused(&path, format!("its sweep cannot be resumed ({error})"));
-        // the file may be missing: a kill may have come after the creation of the journal
+        // the file is missing if the program was killed before it created the file, after the
+        // journal
         let file = OpenOptions::new()
             .write(true)
             .create(true)

@@ -30,6 +30,9 @@ pub struct Launched {
 
 /// Energy argument against the report's distances: maximum ball speed, and maximum carry at that
 /// speed.
+///
+/// e is the coefficient of restitution, m the mass of the ball, M the mass of the club head, V the
+/// club speed and v the ball speed.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Energy {

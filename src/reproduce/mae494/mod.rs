@@ -1,10 +1,10 @@
 //! The MAE 494 student report "Optimization of a Golf Driver", which repeated Winfield & Tan
 //! (1994).
 //!
-//! The report's flight loop overshoots the ground, which makes carry discontinuous; its optimizer
-//! failed on these discontinuities, and a regression replaced the optimizer. Here the report's
-//! constants are used in Winfield & Tan's equations (preset `mae494`), and every printed optimum is
-//! compared with the exact optimum.
+//! The report's flight loop overshoots the ground, which makes carry discontinuous. The report's
+//! optimizer failed on these discontinuities, and a regression replaced the optimizer. Here the
+//! report's constants are used in Winfield & Tan's equations (preset `mae494`), and every printed
+//! optimum is compared with the exact optimum.
 
 mod average;
 mod launches;

@@ -111,7 +111,7 @@ const CONSTANTS: [&str; 17] = [
     "aero.cl_rate",
 ];
 
-/// Proposed relative changes.
+/// Relative changes of constants that the report proposes.
 const CHANGES: [(&str, f64); 4] = [
     ("ball.mass", -0.1),
     ("ball.mass", 0.1),

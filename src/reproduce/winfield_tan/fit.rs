@@ -10,8 +10,8 @@ use serde::Serialize;
 const PRINTED: &str = include_str!("printed.csv");
 /// Spin decay rates of [`Fitted::profile`], 1/s.
 const PROFILE: [f64; 6] = [0.0, 0.045, 0.1, 0.2, 0.3, 0.65];
-/// Method of the fits. It needs a sixth of the evaluations of the preset's own method, and its
-/// carries differ by at most 4e-9 m.
+/// Method of the fits. It needs a sixth of the evaluations of the preset's own method, and the
+/// carries by both methods differ by at most 4e-9 m.
 const METHOD: Method = Method::DormandPrince8;
 /// Time step, s.
 const STEP: f64 = 0.2;

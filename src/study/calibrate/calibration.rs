@@ -82,7 +82,7 @@ pub struct Calibration {
     pub setup: Setup<f64>,
     /// Result of the best search.
     pub fit: Fit,
-    /// The searches, by their ends.
+    /// Number of searches by their result.
     pub starts: Starts,
     /// Number of searches that were interrupted.
     pub stopped: usize,

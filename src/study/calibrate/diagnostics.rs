@@ -17,7 +17,7 @@ const MUCH: f64 = 3.0;
 
 impl Calibration {
     /// Warnings about the fit: rows that are read as deliveries, residuals too large for noise,
-    /// values on a bound, and confidence intervals wider than the allowed range.
+    /// values on a bound, and confidence intervals that reach beyond the allowed range.
     pub fn warnings(&self, table: &ShotTable) -> Vec<Message> {
         let of_values = self.estimates.iter().filter_map(value_warning);
         self.club_warning(table)
@@ -76,7 +76,7 @@ impl Calibration {
     }
 }
 
-/// Warning for a value on a bound, or a confidence interval wider than the allowed range.
+/// Warning for a value on a bound, or a confidence interval that reaches beyond the allowed range.
 fn value_warning(estimate: &Estimate) -> Option<Message> {
     let (parameter, name) = (estimate.parameter, estimate.parameter.name);
     let show = |value: f64| parameter.show(Some(value));

@@ -331,7 +331,7 @@ impl Searches {
         }
     }
 
-    /// The completed searches by their ends; `made` starts were requested.
+    /// Number of completed searches by their result; `made` starts were requested.
     fn by_end(&self, made: usize) -> Starts {
         let best = self.fits[0].cost;
         let is_same = |fit: &&Fit| (fit.cost - best).abs() <= 1e-6 * best.abs().max(1e-12);

@@ -69,7 +69,7 @@ impl HeldOut {
 ///
 /// # Errors
 /// [`Error::Calibration`] if there are fewer than 2 folds or more folds than rows, or if the rows
-/// without a fold have fewer measured values than there are parameters to fit; the errors of
+/// outside a fold have fewer measured values than there are parameters to fit; the errors of
 /// [`calibrate`] about the plan.
 pub fn check_folds(table: &ShotTable, plan: &FitPlan, folds: usize) -> Result<()> {
     let refuse = |reason: String| Err(Error::Calibration { reason });

@@ -42,7 +42,7 @@ pub struct Statistics {
     pub covariance: Vec<Vec<Option<f64>>>,
     /// Directions that the data do not determine.
     pub undetermined: Vec<Undetermined>,
-    /// Σ rᵢ², with Huber's loss Σ wᵢ rᵢ².
+    /// Σ rᵢ² over the residuals rᵢ; with Huber's loss Σ wᵢ rᵢ² with the weights wᵢ of the loss.
     pub chi_square: f64,
     /// Number of residuals minus the rank of the free parameters' Jacobian.
     pub degrees_of_freedom: usize,
@@ -51,9 +51,10 @@ pub struct Statistics {
     pub probability: Option<f64>,
     /// True if all residuals are rounding errors.
     pub is_exact: bool,
-    /// Factor applied to standard errors: √(χ²/ν) if the table does not state every uncertainty,
-    /// unless ν = 0 or all residuals are rounding errors. Otherwise `None` if an uncertainty is
-    /// unknown ([`Uncertainties::Weights`]), and 1 if all are known.
+    /// Factor applied to standard errors. If the table does not state every uncertainty, it is
+    /// √(χ²/ν) with ν degrees of freedom, unless ν = 0 or all residuals are rounding errors.
+    /// Otherwise it is 1 if all uncertainties are known, and `None` if one is unknown
+    /// ([`Uncertainties::Weights`]).
     pub scale: Option<f64>,
     /// True if the scale is √(χ²/ν).
     pub is_scaled: bool,

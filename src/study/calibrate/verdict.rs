@@ -105,8 +105,9 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
 }
 
 /// The row that dominates the fit: the squared gradient of all other rows together is less than
-/// 1e-6 of the row's, and the row's residual exceeds 1000 standard uncertainties. Huber's loss
-/// limits the gradient of each row.
+/// 1e-6 of the row's, and the row's residual exceeds 1000 standard uncertainties. With Huber's
+/// loss, which limits the gradient of each row, a row dominates only if its loss hides the other
+/// rows by rounding.
 fn outweighing(remainders: &[Remainder], loss: Loss) -> Option<&Remainder> {
     /// Threshold for the squared gradient of all other rows, as a fraction of the largest row's
     /// squared gradient.

@@ -10,23 +10,24 @@ use serde::Serialize;
 /// Search range for a change of the number of time steps, in units of the parameter's scale.
 const FARTHEST: f64 = 0.1;
 
-/// Number of doublings that lead to the end of the search range.
+/// Number of times that the search distance doubles until it is `FARTHEST`.
 const DOUBLED: i32 = 9;
 
-/// Number of samples on each side of the change of the number of time steps. They give the scatter
-/// by rounding.
+/// Number of samples on each side of the change of the number of time steps. The scatter of the
+/// samples is a measure of the rounding.
 const NEIGHBOURS: usize = 8;
 
-/// Distance between neighbouring samples in units of the parameter's scale. Adjacent floating-point
-/// numbers can give identical results (a decay e^(−δ h) is rounded to 1e-16, so outcomes are step
-/// functions of δ). The outcome's own change over this distance is subtracted.
+/// Distance between neighbouring samples in units of the parameter's scale. At adjacent
+/// floating-point numbers the outcome may have the same value: the spin decay e^(−δ h) in a time
+/// step h is rounded to 1e-16, so outcomes are step functions of δ. The outcome's own change over
+/// the distance is subtracted.
 const SPACING: f64 = 1e-12;
 
 /// Tolerance of a jump, in multiples of the scatter of the samples.
 const BAR: f64 = 4.0;
 
-/// Relative tolerances of jumps of value, gradient and Hessian, for rounding that a few samples may
-/// miss.
+/// Smallest relative tolerances of jumps of value, gradient and Hessian: the few samples may
+/// scatter by less than the rounding.
 const PROMISED: [f64; 3] = [1e-13, 1e-12, 1e-10];
 
 /// An outcome at a parameter value where the number of time steps changes.

@@ -18,9 +18,9 @@ const LEVELS: Levels = Levels {
 };
 
 /// Step sizes for a piecewise law with k continuous derivatives at its joins. A step across a join
-/// has an error of h^(k+2) times a function of the join's position in the step. The sum varies
-/// irregularly between flights, so only the largest error of many flights decreases with a power of
-/// h, and only once a step rarely crosses two joins.
+/// has an error of h^(k+2) times a function of the join's position in the step. The sum of these
+/// errors varies irregularly between flights. Only the largest error of many flights decreases with
+/// a power of h, and only for steps so short that a step rarely crosses two joins.
 pub(super) const LEVELS_ACROSS_JOINS: Levels = Levels {
     coarsest: 64,
     count: 4,
@@ -41,8 +41,8 @@ const ROUNDING_FACTOR: f64 = 10.0;
 const ROUNDING: [f64; 2] = [1e-12, 1e-11];
 
 /// If the slope of the errors is below the expected order by more than this, a lower-order term is
-/// fitted. The next term of the error, which still matters at these steps, can lower the slope by
-/// less; a mistake in a method lowers it by a whole order.
+/// fitted. The next term of the error still matters at these steps, but lowers the slope by less
+/// than this; a mistake in a method lowers the slope by 1.
 const ALLOWED_DEFICIT: f64 = 0.75;
 
 /// Numbers of time steps of the flights. The numbers double from level to level.
@@ -96,10 +96,10 @@ pub struct Convergence {
     pub would_show: [bool; 2],
 }
 
-/// Convergence of outcomes and of their derivatives by `wrt` with decreasing time step. A
-/// logarithmic wind is omitted, because it varies within half a metre of height, which these steps
-/// cross at once. Steps longer than the spin decay time are omitted too. Empty if too few steps
-/// remain, or if `goes_on` returns false.
+/// Convergence of outcomes and of their derivatives by `wrt` with decreasing time step. Empty in a
+/// logarithmic wind: the wind changes within half a metre above the ground, and these steps cross
+/// this layer in one step. Steps longer than 1 s or than the spin decay time are skipped. Also
+/// empty if too few steps remain, or if `goes_on` returns false.
 ///
 /// # Errors
 /// The errors of [`jacobian`].
@@ -220,8 +220,9 @@ impl<'a> Comparison<'a> {
         let rounding = errors_of(&self.beside).map(|errors| ROUNDING_FACTOR * largest(&errors));
         let of_smooth_law = orders_of_smooth_law(self.setup, of);
         let law_derivatives = self.setup.law.continuous_derivatives();
-        // a join of a law with k continuous derivatives: error h^(k+2) times a function of the
-        // join's position in the step, which moves at a rate 1/h; error h^(k+1) of the derivative
+        // a join of a law with k continuous derivatives gives an error h^(k+2) times a function of
+        // the join's position in the step; this position moves at a rate 1/h, so the derivative has
+        // an error h^(k+1)
         let expected = match law_derivatives {
             Some(k) => [of_smooth_law[0].min(k + 2), of_smooth_law[1].min(k + 1)],
             None => of_smooth_law,

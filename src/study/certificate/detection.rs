@@ -63,7 +63,7 @@ pub(super) struct LandingTerms {
 }
 
 impl LandingTerms {
-    /// Landing terms of a drive by parameters; `None` without a landing.
+    /// Computes the landing terms by each parameter; `None` if the ball does not land.
     pub fn new(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Option<Self> {
         let velocity = Drive::new(setup).ok()?.landed().ok()?.velocity;
         let time = gradient(setup, Outcome::FlightTime, wrt).ok()?;
@@ -85,7 +85,7 @@ impl LandingTerms {
     }
 }
 
-/// Injects each error into every passing row and repeats the verdict.
+/// Plants each error in every passing row whose derivative it changes, and repeats the verdict.
 pub(super) fn detection_tests(
     setup: &Setup<f64>,
     rows: &[Row],

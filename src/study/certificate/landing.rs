@@ -1,6 +1,6 @@
 //! Implicit function test of the landing: the state at the fixed time T of the landing,
 //! extrapolated to the ground along its velocity, has the same derivatives as the landing itself.
-//!
+//! In the equations x is the height, z the downrange distance, and p a parameter.
 //! ```text
 //!   height(T + dt, p + dp) = ground   ⇒   dt = −(∂height/∂p − ∂ground/∂p) dp / ẋ,
 //!                                         d carry = ∂z/∂p dp + ż dt
@@ -97,7 +97,8 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
 
 /// Adjusts the time step so that a step ends at the landing; returns the setup with this landing.
 /// The truncation error of the step shifts the landing, so the adjustment is iterated until the
-/// change is rounding. It converges fast, because the landing shifts only by a fraction of h^p.
+/// change is rounding. It converges fast, because a changed step h shifts the landing only by a
+/// fraction of h^p.
 fn ending_with_a_step(setup: &Setup<f64>) -> Result<(Setup<f64>, Landed<f64>)> {
     /// Maximum number of iterations.
     const TRIALS: usize = 16;
@@ -129,7 +130,7 @@ fn extrapolated_landing(
     moved.set_value(parameter, Some(value)).ok()?;
     let ground = moved.ground.height;
     moved.ground.height -= LOWERED_BY;
-    // stop at T
+    // the flight ends with the first step that passes this limit, which ends at T
     moved.flight.time_limit = time - 0.5 * setup.flight.step;
     let launch = match Launch::given(&moved) {
         Some(launch) => launch,

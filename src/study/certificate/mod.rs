@@ -201,8 +201,8 @@ fn failed_check(check: &str, failed: &[String]) -> String {
 }
 
 /// Certifies the derivatives of outcomes by parameters. `progress` receives the number of finished
-/// parameters and the number of all parameters. Once it returns false, the work stops between two
-/// drives, and the results so far are returned.
+/// parameters and the number of all parameters. Once `progress` returns false, the work stops
+/// between two drives, and the results so far are returned.
 ///
 /// # Errors
 /// The errors of [`evaluate`]. Outcomes that the drive does not have are listed as missing. If the
@@ -320,8 +320,9 @@ fn rows_by_parameter(
     Ok(by_parameter.collect::<Result<Vec<_>>>()?.concat())
 }
 
-/// The checks of the flight without a result, with the reason. `empty` is in the order landing,
-/// continuity, convergence; `prevented` is the common reason, if any: an interruption or a corner.
+/// The checks of the flight that have no result, each with the reason. `empty` is in the order
+/// landing, continuity, convergence; `prevented` is the common reason, if any: an interruption or a
+/// corner.
 fn not_examined(
     empty: [bool; 3],
     prevented: Option<&'static str>,

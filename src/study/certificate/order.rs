@@ -5,9 +5,9 @@
 //! ```
 //!
 //! The slope of log |e| is not sufficient. If a and b h have opposite signs, e passes through 0 at
-//! some step and decreases more slowly than h^p below it. For an outcome that is interpolated
-//! within one step (the apex), a varies with the position of the outcome in the step. Therefore the
-//! lower-order term d is fitted to the signed errors, and must be negligible.
+//! some step, and decreases more slowly than h^p at smaller steps. For an outcome that is
+//! interpolated within one step (the apex), a varies with the position of the outcome in the step.
+//! Therefore the lower-order term d is fitted to the signed errors, and must be negligible.
 
 use crate::derivative::check::line_slope;
 use nalgebra::{DMatrix, DVector};
@@ -18,12 +18,12 @@ pub(super) const MEASURED: usize = 3;
 /// Number of finest levels used to fit the lower-order term. Coarser levels would need more terms.
 const FITTED: usize = 4;
 
-/// Largest negligible share of the lower-order term in the error at the finest level. A method of
-/// lower order has a share near 1.
+/// Largest share of the lower-order term in the error at the finest level that counts as
+/// negligible. A method of lower order has a share near 1.
 const SHARE: f64 = 0.25;
 
-/// Largest negligible lower-order term if the errors scatter, in units of the term's standard
-/// error.
+/// Largest lower-order term that counts as negligible if the errors scatter, in units of the term's
+/// standard error.
 const DEVIATIONS: f64 = 4.0;
 
 /// Signed errors at one step: of a value, or of each entry of a gradient.
@@ -99,7 +99,7 @@ pub(super) fn measure_largest(
 fn levels_above_rounding(samples: &[Errors], power: i32, floor: f64) -> Option<Vec<(f64, f64)>> {
     let count = samples.iter().map(|sample| sample.level).max()? + 1;
     let of_level = |level: usize| samples.iter().filter(move |sample| sample.level == level);
-    // scale to the first step of the level, because single errors can vanish
+    // the largest error of the level, scaled to its first step: single errors can vanish
     let level = |level: usize| {
         let first = of_level(level).next()?.step;
         let largest = of_level(level)

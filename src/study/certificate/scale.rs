@@ -3,8 +3,9 @@ use crate::flight::Flight;
 use crate::parameters::{Parameter, Setup};
 use crate::units::Quantity;
 
-/// Characteristic size of a parameter, which scales the steps of differences: its value. If the
-/// value is 0, or if the parameter may be negative: the larger of the value and a typical value.
+/// Characteristic size of a parameter, which scales the steps of differences: the magnitude of the
+/// parameter's value. If the value is 0, or if the parameter may be negative: the larger of this
+/// magnitude and a typical value.
 pub(super) fn scale(setup: &Setup<f64>, parameter: &Parameter) -> f64 {
     let value = setup.value(parameter).unwrap_or_default().abs();
     let default = parameter

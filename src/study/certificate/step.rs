@@ -10,7 +10,8 @@ use crate::parameters::{Parameter, Setup};
 use crate::units::Message;
 use serde::Serialize;
 
-/// Step ratio of the comparison flight; order 4 leaves 1/4096 of the error.
+/// Ratio of the time step to the step of the comparison flight. With order 4 the comparison flight
+/// has 1/4096 of the error.
 const SHORTER: f64 = 8.0;
 
 /// Lower bound of the divisor of a derivative's relative error. The divisor is the derivative times

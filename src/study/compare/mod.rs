@@ -27,8 +27,7 @@ pub struct Comparison {
     pub setups: [Setup<f64>; 2],
     /// The drives.
     pub drives: [Drive<f64>; 2],
-    /// True if the integration settings of one setup were changed to the settings of the other
-    /// setup.
+    /// True if integration settings were changed, because the two setups have different ones.
     pub is_refined: bool,
     path: Path,
     /// Path between the launches; `None` if `path` already connects the launches.

@@ -152,7 +152,7 @@ impl SwingInformation {
     }
 
     /// Mean and covariance of the swings along the directions `along`, iterated from the covariance
-    /// `begin`. In the other directions the covariance is `assumed` and the mean is `moved`.
+    /// `begin`. In the other directions the covariance stays `assumed` and the mean stays `moved`.
     pub(super) fn maximize_likelihood(
         &self,
         along: &DMatrix<f64>,
@@ -172,7 +172,7 @@ impl SwingInformation {
                 scores,
             } in &self.groups
             {
-                // (Λ + S⁻¹)⁻¹ for a singular S
+                // (Λ + S⁻¹)⁻¹ with the covariance S, computed without S⁻¹: S may be singular
                 let Some(inverse) =
                     (DMatrix::identity(n, n) + &covariance * information).try_inverse()
                 else {

@@ -111,8 +111,8 @@ impl Population {
     ///
     /// Unidentified directions keep their prior distribution. Because an impact is nonlinear, this
     /// can make the predicted launches scatter more than the shots; a smaller prior deviation is
-    /// then used. For parameters that the rows of `table` do not give, the prior describes the
-    /// swings.
+    /// then used. A parameter's value in a row of `table` is a measurement of the swing in this
+    /// row. For parameters without such values, the prior is the distribution of the swings.
     ///
     /// # Errors
     /// [`Error::Delivery`] for fewer than [`LEAST_SHOTS`] shots, and if most swings of the
@@ -304,7 +304,7 @@ impl Solution {
         }
     }
 
-    /// Variance of each parameter from shot to shot along the identified directions, with the
+    /// Variance of each parameter from shot to shot along the identified directions, including the
     /// launch monitor's errors.
     fn sampling_variances(&self) -> DVector<f64> {
         let along = &self.directions.identified;

@@ -4,7 +4,7 @@ use super::rules::GolfRule;
 use crate::study::Optimum;
 use crate::units::Quantity;
 
-/// Tolerance of a constraint, as a fraction of its `step`.
+/// A constraint counts as met if it is violated by at most this fraction of its `step`.
 const MET: f64 = 1e-6;
 
 /// A constraint on a design: a rule of golf, a physical condition or a user's limit.

@@ -18,8 +18,8 @@ const SCATTER: [(&str, &str); 6] = [
 /// Correlation of path and face angle, which gives the measured scatter of face to path, 4.07°.
 const PATH_WITH_FACE: f64 = 0.317;
 
-/// Truncation in standard deviations. Swings beyond it hit the ground, or send the ball far off the
-/// fairway.
+/// Truncation in standard deviations. Swings beyond this limit hit the ground, or send the ball far
+/// off the fairway.
 const WITHIN: f64 = 2.0;
 
 /// Source of the scatter.

@@ -118,7 +118,8 @@ impl Design {
             .any(|vary| vary.low < vary.high && is_so(vary.parameter))
     }
 
-    /// Adds a rule.
+    /// Adds the constraint of a rule, and enforces the rule in the search if the design can break
+    /// it.
     fn add(
         &mut self,
         setup: &Setup<f64>,
@@ -152,7 +153,7 @@ impl Design {
         Ok(())
     }
 
-    /// Adds the constraint of a rule.
+    /// Appends the constraint of a rule to the list.
     fn push(
         &mut self,
         rule: &'static GolfRule,

@@ -109,8 +109,8 @@ impl Robust {
 }
 
 impl Pareto {
-    /// Warnings about the drives at the points of the front, with the number of points. Once `stop`
-    /// is true, a warning says that the drives were not checked.
+    /// Warnings about the drives at the points of the front, each with the number of points that it
+    /// is about. Once `stop` is true, a warning says that the drives were not checked.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let Some(first) = self.points.first() else {
             return vec![];

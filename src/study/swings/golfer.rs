@@ -22,8 +22,8 @@ pub enum Swings {
     },
 }
 
-/// Correlation of the normal scores of two parameters. For normal distributions it is the
-/// correlation of the parameters themselves.
+/// Correlation of the normal scores of two parameters (a Gaussian copula). For normal distributions
+/// it is the correlation of the parameters themselves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correlation {
     /// The two parameters.

@@ -14,10 +14,11 @@ pub enum Measure {
     Deviation(Outcome),
     /// Root mean square of an outcome.
     RootMeanSquare(Outcome),
-    /// Mean of the lowest share of an outcome: the conditional value at risk, smoothed (after Chen
-    /// & Harker 1993; Kanzow 1996; Smale 1987).
+    /// Mean of an outcome over this share of the drives, those with the lowest values: the
+    /// conditional value at risk. The search smooths it (after Chen & Harker 1993; Kanzow 1996;
+    /// Smale 1987).
     Lowest(Outcome, f64),
-    /// Mean of the highest share of an outcome.
+    /// Mean of an outcome over this share of the drives, those with the highest values.
     Highest(Outcome, f64),
     /// Share of drives whose outcome is within this distance of 0. The search smooths the jump at
     /// either limit over one display unit.
@@ -350,7 +351,7 @@ mod tests {
         Numbers::sin(x * (1.0 + 0.1 * k)) * 20.0 + y * x * (k - 4.0) + y * y * 3.0 + k * k * 0.3
     }
 
-    /// A value that changes in the first, the second, or both of two directions.
+    /// A number with derivative 1 in the first direction if `first`, and in the second if `second`.
     fn mixed(value: f64, first: bool, second: bool) -> Mixed {
         let change = |is: bool| f64::from(u8::from(is));
         Jet {

@@ -90,8 +90,8 @@ fn rule_of(parts: &[[f64; 2]], density: &dyn Fn(f64) -> f64, nodes: usize) -> No
         .collect()
 }
 
-/// Gauss rule of a distribution: values with weights that sum to 1, exact for polynomials of degree
-/// 2 n − 1.
+/// Gauss rule of a distribution: values with weights that sum to 1, exact for polynomials up to
+/// degree 2 n − 1 with n nodes.
 pub(super) fn rule(distribution: &Distribution, nodes: usize) -> Nodes {
     let bell =
         |mean: f64, deviation: f64| move |x: f64| (-0.5 * ((x - mean) / deviation).powi(2)).exp();

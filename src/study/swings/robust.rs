@@ -256,10 +256,10 @@ impl Robust {
 }
 
 /// The minimax design: its greatest loss, relative to the best design of each model, is smallest.
-/// The search solves min t subject to f*ₖ − fₖ(x) ≤ t for every model k, a smooth problem with
-/// exact derivatives. The constraints hold for all models. Each search has `count` starts: the
-/// setup's own design and others spread evenly over the ranges; the search for t also starts at the
-/// best design of each model and at their mean.
+/// The search solves min t subject to f*ₖ − fₖ(x) ≤ t for every model k, where f*ₖ is the best
+/// value of the goal fₖ: a smooth problem with exact derivatives. The constraints hold for all
+/// models. Each search has `count` starts: the setup's own design and others spread evenly over the
+/// ranges; the search for t also starts at the best design of each model and at their mean.
 ///
 /// # Errors
 /// [`Error::Unreadable`] for fewer than two models; [`Error::NotConverged`] if the best design of a
@@ -363,7 +363,8 @@ fn shares(solution: &Solution, limits: usize) -> Vec<f64> {
     losses.map(|at| at.multiplier.max(0.0)).collect()
 }
 
-/// The losses of the models as functions of the design: fₖ(x) − f*ₖ, minimized.
+/// The losses of the models as functions of the design x: fₖ(x) − f*ₖ with the goal fₖ, which is
+/// minimized, and its smallest value f*ₖ.
 ///
 /// As a [`Problem`], they have the variables (x, t) and these functions: t, and for each model its
 /// loss minus t and its limited goals.
@@ -431,7 +432,7 @@ impl<'a> Losses<'a> {
 
     /// The starts (x, t) of the search: the designs, their mean, the setup's own design and points
     /// spread over the ranges, each with t above the greatest loss of x by at least a tenth of a
-    /// unit.
+    /// unit. Designs for which a goal has no value are omitted.
     fn starts(&self, designs: &[&[f64]], count: usize) -> Result<Vec<Vec<f64>>> {
         let of = &self.search.of;
         let margin = 0.1 * of.quantity.size_of(of.unit).unwrap_or(1.0);

@@ -31,7 +31,7 @@ pub struct Scenarios {
     pub parameters: Vec<&'static Parameter>,
     /// Values of the parameters, SI, a row for each scenario.
     pub points: Vec<Vec<f64>>,
-    /// The weight of each scenario; they sum to 1.
+    /// The weight of each scenario. The weights sum to 1.
     pub weights: Vec<f64>,
     /// Rule that generated the scenarios.
     pub rule: Rule,
@@ -170,7 +170,7 @@ impl Scenarios {
     ///
     /// # Errors
     /// The errors of [`Uncertain::check`]; [`Error::Unreadable`] for a value outside the allowed
-    /// range. A `truncated` distribution with bounds avoids such values.
+    /// range. A `truncated` distribution with bounds inside this range avoids such values.
     pub fn new(swings: &Swings, rule: Rule) -> Result<Self> {
         if let Swings::Distributed { inputs, .. } = swings {
             inputs.iter().try_for_each(Uncertain::check)?;
@@ -247,8 +247,8 @@ impl Scenarios {
         }
     }
 
-    /// The scenarios, then scenarios with the parameters `of` at all combinations of the bounds of
-    /// their distributions. The other parameters keep their values in each scenario.
+    /// The scenarios, then scenarios with the parameters `of` at all combinations of the finite
+    /// bounds of their distributions. The other parameters keep their values in a scenario.
     pub(crate) fn and_ends<'a>(&'a self, of: &[usize]) -> impl Iterator<Item = Vec<f64>> + 'a {
         let ends = |k: &usize| Some((*k, self.ends(*k)?));
         let (bounded, endless): (Vec<_>, Vec<_>) = of
@@ -260,8 +260,8 @@ impl Scenarios {
         } else {
             1_usize << bounded.len()
         };
-        // if all distributions are bounded, the combinations of the bounds are the same for every
-        // scenario
+        // if all distributions of `of` are bounded, every scenario gives the same combinations: the
+        // first scenario is enough
         let others = if endless.is_empty() {
             1
         } else {

@@ -15,7 +15,8 @@ pub struct Moments {
 
 /// Mean and standard deviation of a function of independent random variables by the delta method,
 /// from derivatives at their means: first order (exact for linear functions) and second order
-/// (exact for quadratic functions). The second-order result is `None` without a Hessian.
+/// (exact for quadratic functions). The second-order result is `None` without a Hessian. Value,
+/// gradient and Hessian at the means are f, g and H; μₖᵢ is the central moment k of variable i.
 ///
 /// ```text
 ///   mean = f + ½ Σ H_ii μ₂ᵢ
@@ -133,8 +134,8 @@ mod tests {
         };
         let second = delta_method(&product, &[normal, normal]).1.unwrap();
         assert_eq!((second.mean, second.deviation), (0.0, 1.0));
-        // (x + 1)² = 1 + 2 (x + ½) … of x uniform on [0, 1], about ½: mean 7/3, variance ∫(x+1)⁴ −
-        // (7/3)² = 31/5 − 49/9
+        // (x + 1)² for x uniform on [0, 1], expanded about ½: mean 7/3, variance ∫(x+1)⁴ − (7/3)² =
+        // 31/5 − 49/9
         let uniform = Uniform {
             low: 0.0,
             high: 1.0,

@@ -268,9 +268,9 @@ impl Distribution {
     }
 }
 
-/// Mirrors the bounds of a truncated standard normal distribution to below the mean, with the sign
-/// of the mirror: lower-tail probabilities keep full relative precision; upper-tail probabilities
-/// suffer cancellation.
+/// The bounds of a truncated standard normal distribution, and the sign 1. If both bounds are above
+/// the mean, they are mirrored to below it, and the sign is −1: lower-tail probabilities keep full
+/// relative precision, upper-tail probabilities suffer cancellation.
 fn below_the_mean([low, high]: [f64; 2]) -> ([f64; 2], f64) {
     if low > 0.0 {
         ([-high, -low], -1.0)

@@ -10,7 +10,7 @@ const FLAT: f64 = 1e-14;
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LandingEllipse {
     /// The nominal fraction of the drives inside the ellipse, 0 to 1.
-    // of normally distributed landings
+    // the fraction if the landings are normally distributed
     pub share: f64,
     /// The centre.
     pub centre: LandingPoint,

@@ -47,7 +47,7 @@ pub struct Uncertainty {
 }
 
 impl Uncertainty {
-    /// Fraction of all drives that have allowed values but do not land.
+    /// The drives with allowed values that do not land, as a fraction of all drives.
     pub fn part_without_landing(&self) -> f64 {
         self.part_of(|status| !matches!(status, Status::Landed | Status::OutOfRange))
     }
@@ -117,7 +117,8 @@ pub struct OutcomeUncertainty {
     pub delta: Option<Moments>,
     /// The moments from gradient and Hessian at the means; `null` if these do not exist.
     pub second_order: Option<Moments>,
-    /// The statistics of the sample; `null` if fewer than two drives of the sample have the outcome.
+    /// The statistics of the sample; `null` if fewer than two drives of the sample have the
+    /// outcome.
     #[serde(rename = "monte_carlo")]
     pub sampled: Option<Statistics>,
     /// The Sobol' indices of each uncertain parameter: its shares in the variance.
@@ -181,8 +182,8 @@ fn measure_first(sampled: &Statistics, inputs: &[Uncertain]) -> Option<MeasureFi
     let totals: Option<f64> = others
         .map(|(_, indices)| Some(indices.as_ref()?.total.value))
         .sum();
-    // the share of the variance that remains is 1 − `share`; its upper bound, the sum of the other
-    // total indices, is more accurate if one index is close to 1
+    // the share of the variance that remains is 1 − `share`. The sum of the other total indices is
+    // an upper bound of 1 − `share`, and is more accurate if one index is close to 1
     let left = totals
         .filter(|most| *most < 1.0 - share.low)
         .unwrap_or(1.0 - share.value);
@@ -216,7 +217,7 @@ pub fn uncertainty(
     let total = design.points.len() * plan.samples;
     let done = AtomicUsize::new(0);
     let fly = |(set, points): (usize, &Vec<Vec<f64>>)| {
-        // exact gradients at the first set of points
+        // only the drives at the first set of points have gradients
         let batch = if set == 0 { &gradients } else { &values };
         let blocks = points.par_chunks(CHUNK).map(|chunk| {
             let block = batch.evaluate(0, chunk.concat());

@@ -73,7 +73,7 @@ pub struct Statistics {
     #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, f64>"))]
     pub quantiles: [f64; 3],
     /// Indices of each variable, in order; `None` if the outcome does not vary, or if fewer than
-    /// two points have it in all their drives.
+    /// two points have the outcome in all their drives.
     #[serde(skip)]
     pub indices: Vec<Option<Indices>>,
     /// Number of points that are omitted because one of their drives does not have the outcome.
@@ -215,8 +215,9 @@ impl Design {
             .collect()
     }
 
-    /// Means over the points of A divided by the variance of an output, with bootstrap intervals
-    /// from joint resamples. `None` if the output does not vary, or if no point of A has a value.
+    /// Mean of each column of `at_a` over the points of A, divided by the variance of an output,
+    /// with bootstrap intervals from joint resamples. `None` if the output does not vary, or if no
+    /// point of A has a value in the column.
     pub fn means_by_variance(
         &self,
         values: &[Vec<Option<f64>>],
@@ -253,7 +254,7 @@ impl Design {
 
     fn indices(&self, rows: &[Vec<f64>], inputs: usize) -> Vec<Option<Indices>> {
         if inputs == 1 {
-            // a single variable has all the variance
+            // a single variable causes the whole variance
             let whole = Interval {
                 value: 1.0,
                 low: 1.0,
@@ -281,8 +282,8 @@ impl Design {
     }
 }
 
-/// Rows f_A, f_B, f_AB1 … with a finite value at each point, less the mean: an offset would add
-/// noise to the products.
+/// Rows of values f_A, f_B, f_AB1 …, one for each point at which all values are finite. The mean is
+/// subtracted: an offset would add noise to the products.
 fn complete_rows(values: &[Vec<Option<f64>>], mean: f64) -> Vec<Vec<f64>> {
     let centred = |value: f64| value.is_finite().then_some(value - mean);
     (0..values[0].len())
@@ -295,8 +296,8 @@ fn complete_rows(values: &[Vec<Option<f64>>], mean: f64) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// First-order and total index of each variable from rows f_A, f_B, f_AB1 …: estimators of Saltelli
-/// et al. (2010), table 2 (b), and Jansen (1999), (f).
+/// First-order and total index of each variable from rows f_A, f_B, f_AB1 …: estimators (b) and (f)
+/// of table 2 in Saltelli et al. (2010), the latter from Jansen (1999).
 fn shares(rows: &[Vec<f64>], drawn: &[usize], inputs: usize) -> Vec<[f64; 2]> {
     let n = drawn.len() as f64;
     let (mut sum, mut squares) = (0.0, 0.0);

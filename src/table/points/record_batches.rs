@@ -109,7 +109,7 @@ impl RecordBatches {
             end: length,
             order: Order::Following { first: 0, next: 0 },
         };
-        // an Arrow file or stream must begin with a valid message
+        // without the magic number of a file it must be a stream, which begins with a message
         let neither =
             "it is neither an Arrow IPC file nor a stream, or it was cut short in its first bytes";
         let head = stream.head(0).ok().flatten().ok_or(neither)?;
