@@ -155,7 +155,7 @@ impl Report for EffectsReport<'_> {
     }
 }
 
-/// The sensitivities in `totals`; `None` unless the optimum is of this outcome.
+/// The sensitivities in `totals`; `None` unless the search optimized this outcome.
 fn totals_of(of: Outcome, totals: Option<(Outcome, &Totals)>) -> Option<&Totals> {
     let (optimized, totals) = totals?;
     (optimized == of).then_some(totals)

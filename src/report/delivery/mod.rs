@@ -188,8 +188,8 @@ pub fn bound_warnings(all: &[Delivery], system: System) -> Vec<Message> {
     .collect()
 }
 
-/// Fraction of a parameter's prior variance that a launch removes, below which the prior alone
-/// determines the value. Texts show it as 0 %.
+/// If a launch removes less than this fraction of a parameter's prior variance, the prior alone
+/// determines the value. Texts show such a fraction as 0 %.
 const UNIDENTIFIED: f64 = 0.005;
 
 /// A setup file with the most probable delivery of a shot, or with the mean of several deliveries.

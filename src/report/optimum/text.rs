@@ -175,8 +175,8 @@ pub(in crate::report) fn add_convergence(
     }
 }
 
-/// The status of a search with its message, which has the numbers of the solver or says what the
-/// status means for the drive.
+/// The status of a search with its message: the numbers of the solver, or the meaning of the status
+/// for the drive.
 pub(in crate::report) fn ended_line(optimum: &Optimum, system: System) -> Line {
     Line::flush(format!(
         "{}: {} ({})",

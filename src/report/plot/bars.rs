@@ -113,7 +113,7 @@ impl Rows {
                     canvas.text(line, [left - 8.0, middle + below], Anchor::Right, font);
                     continue;
                 }
-                // the last line is next to the bars
+                // the last line of the name is directly above the bars
                 let up = 0.5 * ROW + NAME_LINE * (lines.len() as f64 - i as f64 - 0.5) - 2.0;
                 let y = middle - up;
                 let right = left + 8.0 + text_width(line, NAME, false);
