@@ -243,8 +243,8 @@ fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> Table {
         .with_first_rows(FIRST_ROWS)
 }
 
-/// True if a parameter with an uncertainty has no effect on an outcome: neither in the derivatives
-/// nor in the computed drives.
+/// True if an uncertain parameter has no effect on an outcome: derivatives and changes of the
+/// computed drives are only rounding errors.
 fn is_without(effects: &Effects, effect: &Effect) -> bool {
     let Some(Bar {
         sigma,

@@ -76,7 +76,8 @@ pub(super) fn ending(certificate: &Certificate) -> String {
     }
 }
 
-/// The jumps of an outcome at a parameter value where the number of time steps changes.
+/// The text about the jumps of an outcome, its gradient and its Hessian at a parameter value where
+/// the number of time steps changes.
 fn continuity(found: &Continuity, system: System) -> String {
     let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
     let unit = system.unit(found.parameter.unit);
@@ -94,7 +95,7 @@ fn continuity(found: &Continuity, system: System) -> String {
     )
 }
 
-/// The detection of a planted error.
+/// The number of rows in which a planted error is detected, as text.
 fn planted(planted: &DetectionTest) -> String {
     let name = planted.error.name();
     if planted.rows == 0 {

@@ -58,8 +58,9 @@ pub struct DeliveryRow {
 }
 
 impl<'a> DeliveryReport<'a> {
-    /// The report of these deliveries, from a table or of a single launch, and of their population.
-    /// `left_out` is the number of rows that were not computed because of an interruption.
+    /// The report of deliveries and of their population. `is_table` is true for launches from a
+    /// table, false for a single launch. `left_out` is the number of rows that were not computed
+    /// because of an interruption.
     pub fn new(
         deliveries: &'a [Delivery],
         population: Option<&'a Population>,
