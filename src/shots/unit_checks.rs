@@ -143,8 +143,8 @@ impl Comparison {
         warnings.into_iter().map(Message::from).collect()
     }
 
-    /// Reason to suspect another unit of the ball speed, from the carries; `None` if they fit the
-    /// unit, or if they are too few.
+    /// Reason to suspect another unit of the ball speed, from the carries; `None` if the carries
+    /// fit the unit or are too few.
     fn speed(&self, of: &[Outcome]) -> Option<&'static str> {
         if self.carries.len() < LEAST {
             return None;
