@@ -18,7 +18,7 @@ pub(super) struct Objective {
 /// The gain of the objective for each unit by which a limit is relaxed; for an equation, for each
 /// unit by which its right side is raised.
 pub(super) fn gain(constraint: &Constraint, at: &ConstraintValue) -> f64 {
-    // the multiplier is a decrease of the minimized function, which is a gain of the objective
+    // the multiplier is the gain for each unit by which the limit is raised, < 0 at a lower limit
     if constraint.is_equation() {
         at.multiplier
     } else {

@@ -332,8 +332,8 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
                 values: [Some(drag), Some(lift)],
             })
             .collect(),
-        // lift is a function of the spin ratio (mean of several balls); drag is a function of the
-        // Reynolds number (one ball) and applies to any spin ratio
+        // this source has lift over the spin ratio (mean of several balls), and drag over the
+        // Reynolds number (one ball), which applies to any spin ratio
         Law::Lyu(_) => cells(include_str!("../../../tests/data/lyu_2018.csv"))
             .map(|[reynolds, spin_ratio, drag, lift]| Measured {
                 spin_ratio,

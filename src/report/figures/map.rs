@@ -188,7 +188,7 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
             layers.push(hatched(field.above(constraint.high)));
         }
         layers.retain(|layer| !matches!(layer, Layer::Region { rings, .. } if rings.is_empty()));
-        // the legend names the line, not the region
+        // the picture has the name on the line, and does not show the name of the region
     }
     let mut ends: Vec<f64> = [constraint.low, constraint.high]
         .into_iter()
