@@ -8,7 +8,7 @@ use crate::units::{System, counted};
 /// Bars shorter than this fraction of the longest bar are combined in one row.
 const SMALL: f64 = 0.02;
 
-/// Maximum number of rows. Smaller effects are combined in the last row.
+/// Maximum number of parameters with a row of their own. One more row combines smaller effects.
 const MOST: usize = 15;
 
 /// The uncertainties in a tornado plot.
