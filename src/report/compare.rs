@@ -305,7 +305,7 @@ fn names(causes: impl Iterator<Item = Cause>) -> String {
     causes.map(Cause::name).collect::<Vec<_>>().join(", ")
 }
 
-/// The cell of a cause in one of the drives.
+/// The text for the value of a cause in the setup of one of the drives.
 fn cell(cause: Cause, setup: &Setup<f64>, system: System) -> String {
     match cause {
         Cause::Continuous(parameter) | Cause::Discrete(parameter) => {

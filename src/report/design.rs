@@ -103,7 +103,7 @@ impl Designed<'_> {
         document
     }
 
-    /// The design and the goals, as set up and at the best design.
+    /// The varied parameters and the goals, before the search and with the best design.
     fn changes(&self, system: System) -> Table {
         let solution = &self.best.solution;
         let own = self.best.search.vary.iter().zip(&solution.x).enumerate();
@@ -214,7 +214,7 @@ impl Designed<'_> {
     }
 }
 
-/// The cells of a goal, as set up and at the best design.
+/// The cells of a goal: its value before the search, with the best design, and the change.
 fn goal_row(part: &Improvement, system: System) -> Vec<String> {
     let show = |value: Option<f64>| {
         value.map_or(shown::NONE.into(), |value| {

@@ -155,7 +155,7 @@ impl Report for EffectsReport<'_> {
     }
 }
 
-/// The sensitivities in `totals`; `None` unless the optimum is of this outcome.
+/// The sensitivities in `totals`; `None` unless the search optimized this outcome.
 fn totals_of(of: Outcome, totals: Option<(Outcome, &Totals)>) -> Option<&Totals> {
     let (optimized, totals) = totals?;
     (optimized == of).then_some(totals)
@@ -243,8 +243,8 @@ fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> Table {
         .with_first_rows(FIRST_ROWS)
 }
 
-/// True if a parameter with an uncertainty has no effect on an outcome: neither in the derivatives
-/// nor in the computed drives.
+/// True if an uncertain parameter has no effect on an outcome: derivatives and changes of the
+/// computed drives are only rounding errors.
 fn is_without(effects: &Effects, effect: &Effect) -> bool {
     let Some(Bar {
         sigma,

@@ -18,7 +18,7 @@ pub(super) struct Objective {
 /// The gain of the objective for each unit by which a limit is relaxed; for an equation, for each
 /// unit by which its right side is raised.
 pub(super) fn gain(constraint: &Constraint, at: &ConstraintValue) -> f64 {
-    // a decrease of the minimized function is a gain of the objective
+    // the multiplier is the gain for each unit by which the limit is raised, < 0 at a lower limit
     if constraint.is_equation() {
         at.multiplier
     } else {
@@ -93,8 +93,8 @@ impl Objective {
 }
 
 /// The state of a bound in words, such as "at its upper bound: +2.11 yd for each degree that it is
-/// raised". The signs of the multipliers determine which bound of the parameter is active; `shown`
-/// formats the gain.
+/// raised". The bound with a positive multiplier (`lower`, `upper`) is active. `prices` are the
+/// gains of both bounds; `shown` formats a gain.
 pub(super) fn bound(
     [lower, upper]: [f64; 2],
     prices: [f64; 2],

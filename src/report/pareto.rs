@@ -12,7 +12,7 @@ use crate::study::{Active, BoundSide};
 use crate::units::{System, TableUnits, counted, per, significant};
 use serde::Serialize;
 
-/// The role of a point of a front: an end, or the knee.
+/// The role of a point of a front: an end, or the knee; `None` for all other points.
 pub(super) fn role(found: &Pareto, place: usize) -> Option<String> {
     let [first, second] = found.search.goals.each_ref().map(|(goal, sense)| {
         let (adjective, goal) = (sense.adjective(), &goal.expression);

@@ -139,7 +139,7 @@ impl ParquetTable {
         })
     }
 
-    /// A file with one row group, or with none.
+    /// A file with one row group of these cells; without `cells`, a file without row groups.
     fn write(&self, cells: Option<impl FnMut(usize) -> Cells>) -> Result<Vec<u8>, ParquetError> {
         let mut file =
             SerializedFileWriter::new(Vec::new(), self.schema.clone(), self.properties.clone())?;
@@ -177,8 +177,8 @@ impl ParquetTable {
         file.into_inner()
     }
 
-    /// Gives the row group with this metadata its place: offset `at` in the file, bytes, and group
-    /// number `ordinal`.
+    /// The row group with this metadata, placed at offset `at` in the file, bytes, as row group
+    /// number `ordinal`, from 0.
     ///
     /// # Errors
     /// [`Error::Output`] if `metadata` is not the metadata of a row group.

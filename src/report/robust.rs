@@ -18,7 +18,7 @@ use std::collections::BTreeMap;
 /// Column head for the multipliers in words.
 const CHANGE: &str = "change of the greatest loss";
 
-/// Minimum multiplier of a model whose loss determines the design.
+/// The loss of a model determines the design if the multiplier of this loss is larger.
 const IDLE: f64 = 1e-6;
 
 /// A robust design for several models, SI and radians.

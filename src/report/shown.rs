@@ -337,8 +337,8 @@ pub(super) fn depends(of: Outcome, value: f64, by: &Parameter, slope: f64, curva
         || settled(curvature, value, outcome, &[by, by]) != 0.0
 }
 
-/// A derivative of an outcome with this value by a parameter, in the units of a system: "2.11 yd
-/// per deg".
+/// The derivative `slope` of an outcome by a parameter, in the units of a system: "2.11 yd per
+/// deg". It is 0 if it is only a rounding error of the outcome's `value`.
 pub(super) fn slope(
     of: Outcome,
     value: f64,

@@ -307,7 +307,7 @@ fn tenths(share: f64) -> String {
 }
 
 /// The contributions of the uncertain parameters to the variance of an outcome, the largest first.
-/// `left_out` points do not count, because a drive there does not have the outcome.
+/// They omit the `left_out` points of the sample at which a drive does not have the outcome.
 fn shares(outcome: &OutcomeUncertainty, left_out: usize, found: &Uncertainty) -> Table {
     let share = |share: Option<Interval>| {
         share.map_or(shown::NONE.into(), |i| {

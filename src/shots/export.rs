@@ -9,8 +9,8 @@ use crate::table::{
 };
 use std::borrow::Cow;
 
-/// Launch conditions of the spin. A column such as `Spin Rate Type` states for all of
-/// them together if they are measured or estimated.
+/// Launch conditions of the spin. They share one origin (measured or estimated), which a column
+/// such as `Spin Rate Type` states.
 pub(super) const OF_SPIN: [Outcome; 4] = [
     Outcome::Spin,
     Outcome::Backspin,
@@ -47,8 +47,8 @@ impl Export {
         shot
     }
 
-    /// The refusal that an earlier run of `fly` wrote into the row. `None` if the row still
-    /// contains the faulty value, because the new refusal `now` then names this value.
+    /// The refusal that an earlier run of `fly` wrote into the row, to replace the refusal `now`.
+    /// `None` without one, or if the row still contains the faulty value, which `now` names.
     fn refused_before(&self, row: &[Cow<'_, str>], now: &Refusal) -> Option<Refusal> {
         let [_, flight, reason, _] = row.get(self.added.clone())?.first_chunk()?;
         // for a row without valid cells, `fly` writes the whole row into the first cell

@@ -33,7 +33,7 @@ const USUAL: [(&str, f64, f64, &str); 5] = [
 ];
 
 impl Flying {
-    /// Prepares the outcomes of these shots with the setup's ball, air and law.
+    /// Prepares to compute these outcomes of the shots with the setup's ball, air and law.
     ///
     /// # Errors
     /// The errors of [`Batch::new`], [`Error::Nothing`] if there is no outcome, and
@@ -42,7 +42,7 @@ impl Flying {
         Self::with(setup, shots.parameters(), of)
     }
 
-    /// Prepares the outcomes for single messages of GSPro Open Connect.
+    /// Prepares to compute these outcomes for single messages of GSPro Open Connect.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new).
@@ -104,8 +104,8 @@ impl Flying {
         self.batch.outcomes()
     }
 
-    /// Flies all shots. `work` runs on the thread that computed a chunk; `sink` receives its
-    /// results in the order of the rows.
+    /// Flies all shots. `work` processes a chunk on the thread that computed the chunk; `sink`
+    /// receives the results of `work` in the order of the rows.
     ///
     /// # Errors
     /// Errors of the source and of `sink`. `sink` first receives the rows before an unreadable

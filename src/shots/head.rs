@@ -49,7 +49,7 @@ pub struct Export {
     pub(super) decimal_mark: Option<DecimalMark>,
     /// Columns that an earlier run of `fly` added.
     pub(crate) added: Range<usize>,
-    /// Air density of the setup, for rows that do not state the air.
+    /// Air density of the setup, for rows that do not state the air, kg/m³.
     pub(super) air: f64,
     pub(super) remarks: Vec<Message>,
 }
@@ -330,7 +330,7 @@ impl Export {
         })
     }
 
-    /// Parameters that every row has.
+    /// Parameters of every row: the launch parameters, then the parameters of other columns.
     pub(super) fn parameters(&self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
         let mut parameters = launch_parameters(setup)?;
         parameters.extend(self.further.iter().map(|further| further.parameter));
@@ -360,8 +360,8 @@ impl Export {
         further.find(|further| further.column.is_stated_air())
     }
 
-    /// Ignores the air of the export if the setup gives the air explicitly. Returns true if the
-    /// export states the air.
+    /// Ignores the air of the export, because the setup gives the air. Returns true if the export
+    /// states the air.
     pub(super) fn ignore_air(&mut self) -> bool {
         let mut further = self.further.iter();
         let Some(at) = further.position(|further| further.column.is_stated_air()) else {
@@ -403,7 +403,7 @@ fn add_totals(setup: &Setup<f64>, head: &mut Head) -> Result<()> {
     Ok(())
 }
 
-/// Columns that `fly` added: four with text, then outcomes.
+/// Columns that `fly` added: four with text, then outcomes; empty without such columns.
 fn added(columns: &[Column]) -> Range<usize> {
     let heads: Vec<&str> = columns.iter().map(|column| column.head.as_str()).collect();
     let Some(from) = heads

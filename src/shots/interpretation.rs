@@ -48,7 +48,7 @@ pub(crate) struct Interpretation {
 
 impl Interpretation {
     /// Interprets the columns of an export, and changes them accordingly. A table that is not an
-    /// export stays unchanged. If `setup` is given, each row's own air is used.
+    /// export stays unchanged. With a `setup`, a column of weather is read as the air of each row.
     pub fn of(setup: Option<&Setup<f64>>, head: &mut Head, table: &TextTable) -> Self {
         if !head.format.is_export {
             return Self::default();

@@ -284,7 +284,7 @@ fn club_data(club: &Map<String, Json>, speed_unit: &str, notes: &mut Vec<String>
     Club::measured(stated, notes)
 }
 
-/// Removes zeros that mean "not sent", because another form of the spin is present.
+/// Removes spin values of 0 that mean "not sent": another form of the spin is not 0.
 fn remove_unsent(values: &mut Vec<Value>) {
     let has = |of| {
         values

@@ -82,7 +82,7 @@ impl Club {
 
     /// Club data from stated values, in the order of [`NAMES`](Self::NAMES). An implausible value
     /// counts as not measured, with a note in `notes`. A club speed of 0 counts as not measured. If
-    /// all values are 0, no value counts as measured.
+    /// all other stated values are 0 too, none of them counts as measured.
     pub(super) fn measured(stated: [Option<StatedOfClub<'_>>; 4], notes: &mut Vec<String>) -> Self {
         let is_still = stated[0].is_some_and(|speed| speed.value == 0.0);
         if is_still && stated.iter().flatten().all(|stated| stated.value == 0.0) {

@@ -13,13 +13,13 @@ pub(super) struct SignConventions {
 /// Minimum fraction of the rows that agree on a sign convention.
 const SHARE: f64 = 0.8;
 
-/// Minimum lateral curve, relative to the carry, from which the side of a curve is clear.
+/// The side of a lateral curve counts if the curve exceeds this fraction of the carry.
 const STRAIGHT: f64 = 0.01;
 
 impl SignConventions {
-    /// Garmin: positive values of `Sidespin` are to the left if the table has no spin axis, or if
-    /// the signs of the two columns are opposite. If the signs agree and the balls curve to the
-    /// other side, positive values of both columns are to the left.
+    /// Detects such columns in exports of Garmin. Positive values of `Sidespin` are to the left if
+    /// the table has no spin axis, or if sidespin and spin axis have opposite signs. If these signs
+    /// agree and the balls curve to the other side, positive values of both are to the left.
     pub fn detect(maker: Option<&str>, columns: &[Column], rows: &[Vec<String>]) -> Self {
         let has = |of: Outcome| {
             columns
@@ -76,7 +76,8 @@ impl SignConventions {
     }
 }
 
-/// Signs of the values of a row; `None` for missing values and for values near 0.
+/// Signs of the values of a row, true for +; `None` for a missing value, for 0, and for a curve
+/// that is too small.
 struct Signs {
     sidespin: Option<bool>,
     axis: Option<bool>,

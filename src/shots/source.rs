@@ -261,7 +261,8 @@ impl TableRows {
         Ok(Some(Chunk { section, records }))
     }
 
-    /// Begins a section.
+    /// Begins a section at a line of column heads. A repetition of the current column heads is
+    /// skipped.
     fn begin(&mut self, record: &Record) -> Result<()> {
         let head = self
             .table

@@ -165,7 +165,7 @@ pub struct ShotStatistics {
     pub noted: u64,
     /// Landed drives outside the validity limits of the model.
     pub beyond: ExceededCount,
-    /// Number of landed drives with a spin ratio above the spin ratio of drivers.
+    /// Number of landed drives whose spin ratio at launch is too large for a driver.
     pub lofted: u64,
     /// Predicted and measured values, for checks of units and signs.
     comparison: Comparison,

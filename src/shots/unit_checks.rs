@@ -10,16 +10,16 @@ const MOST: usize = 4096;
 
 /// Minimum number of rows for a warning.
 const LEAST: usize = 2;
-/// Minimum number of rows for a warning from ratios near 1.
+/// Minimum number of rows for a warning about a unit that gives a ratio near 1, or about sides.
 const LEAST_NEAR_ONE: usize = 5;
 
-/// Relative tolerance between a median ratio and the ratio that a wrong unit gives.
+/// Maximum relative difference between the median of predicted/measured and the ratio that a wrong
+/// unit gives.
 const NEAR: f64 = 0.06;
-/// Relative tolerance between a median ratio and the ratio that a wrong unit gives, if this ratio
-/// is near 1.
+/// `NEAR` for a wrong unit that gives a ratio near 1.
 const NEAR_ONE: f64 = 0.025;
 
-/// Minimum lateral distance from which the side of a ball is clear, m.
+/// The side of a landing counts if it is farther than this from the target line, m.
 const STRAIGHT: f64 = 3.0;
 
 /// Minimum fraction of rows with opposite sides for a warning.
@@ -143,8 +143,8 @@ impl Comparison {
         warnings.into_iter().map(Message::from).collect()
     }
 
-    /// Reason to suspect another unit of the ball speed, from the carries; `None` if they fit the
-    /// unit, or if they are too few.
+    /// Reason to suspect another unit of the ball speed, from the carries; `None` if the carries
+    /// fit the unit or are too few.
     fn speed(&self, of: &[Outcome]) -> Option<&'static str> {
         if self.carries.len() < LEAST {
             return None;

@@ -107,7 +107,7 @@ fn agreement(of: Outcome, points: &[Point]) -> Figure {
     figure
 }
 
-/// The residuals of an outcome.
+/// Plot of the residuals of an outcome against its measured values.
 fn residuals(of: Outcome, points: &[Point]) -> Figure {
     let x = Measure::outcome(of);
     let y = Measure {

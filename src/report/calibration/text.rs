@@ -146,7 +146,8 @@ pub(super) fn held_out(document: &mut Document, held_out: &[(String, HeldOut)], 
     document.add(Table::new(head, rows));
 }
 
-/// A value in a unit, rounded to the second significant digit of its standard error.
+/// A value in a unit, rounded to the second significant digit of its standard error. Without an
+/// error, it has seven significant digits.
 pub(super) fn to_its_error(
     quantity: Quantity,
     unit: &str,
@@ -160,7 +161,7 @@ pub(super) fn to_its_error(
         .map(|error| 1.0 - (error / size).log10().floor());
     match decimals {
         Some(decimals @ 0.0..=9.0) => fixed(number, decimals as usize),
-        // for a large error, or for more than 9 decimals, round to this place by significant digits
+        // outside of 0 to 9 decimals, convert the decimals to significant digits
         Some(decimals) if value != 0.0 => {
             let digits = number.abs().log10().floor() + decimals + 1.0;
             significant(number, digits.clamp(4.0, 17.0) as usize)
@@ -235,7 +236,8 @@ fn chi_square(statistics: &Statistics, stated: Uncertainties) -> String {
     format!("χ² = {chi} with {freedom}{exact}.{probability} {errors}.")
 }
 
-/// A direction in the units of the parameters, scaled so that one component is 1.
+/// A change of parameters that the data do not determine, in words. The changes are in the units of
+/// the parameters, scaled so that the first is 1.
 fn direction(found: &Calibration, undetermined: &Undetermined) -> String {
     let parameter = |at: usize| found.estimates[at].parameter;
     let size = |at: usize| {
@@ -349,7 +351,7 @@ fn short(difference: f64, quantity: Quantity, unit: &str) -> String {
     signed(difference, quantity.read_off_difference(difference, unit))
 }
 
-/// The root mean square of the held-out differences of an outcome.
+/// The root mean square of the prediction errors of an outcome on held-out data.
 pub(super) struct OutcomeError {
     pub name: String,
     pub rms: f64,
@@ -357,8 +359,8 @@ pub(super) struct OutcomeError {
     quantity: Quantity,
 }
 
-/// The root mean square of the held-out differences of each outcome, and of each parameter whose
-/// optimum a row states.
+/// The root mean square of the prediction errors on held-out data: of each outcome, and of each
+/// parameter whose optimum a row states.
 pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
     // before the loop ends, `rms` is the sum of squares
     let mut all: Vec<(OutcomeError, usize)> = vec![];
@@ -393,7 +395,7 @@ pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
     all.into_iter().map(mean).collect()
 }
 
-/// The cells of a held-out error.
+/// The cells for the prediction errors of a fit on held-out data.
 fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
     let one = |error: OutcomeError| {
         let unit = system.unit(error.unit);

@@ -76,7 +76,8 @@ pub(super) fn ending(certificate: &Certificate) -> String {
     }
 }
 
-/// The jumps of an outcome at a parameter value where the number of time steps changes.
+/// The text about the jumps of an outcome, its gradient and its Hessian at a parameter value where
+/// the number of time steps changes.
 fn continuity(found: &Continuity, system: System) -> String {
     let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
     let unit = system.unit(found.parameter.unit);
@@ -94,7 +95,7 @@ fn continuity(found: &Continuity, system: System) -> String {
     )
 }
 
-/// The detection of a planted error.
+/// The number of rows in which a planted error is detected, as text.
 fn planted(planted: &DetectionTest) -> String {
     let name = planted.error.name();
     if planted.rows == 0 {
@@ -140,8 +141,8 @@ fn corner(row: &Row) -> String {
     format!("{of} has a corner in {parameter}: {slopes}")
 }
 
-/// A second derivative that fails although the first derivative passes; otherwise `None`. The table
-/// has only the first derivative.
+/// The text about a second derivative that fails, if the first derivative passes; otherwise `None`.
+/// The table shows only the first derivative.
 fn failure_of_second(row: &Row) -> Option<String> {
     let second = row
         .second
@@ -158,8 +159,8 @@ fn failure_of_second(row: &Row) -> Option<String> {
     ))
 }
 
-/// The disagreement of a first derivative with the same derivative from num-dual; `None` if both
-/// agree.
+/// The text about a first derivative whose values from jets and from num-dual disagree; `None` if
+/// they agree.
 fn disagreement(row: &Row) -> Option<String> {
     let found = &row.num_dual;
     if found.verdict == Verdict::Pass {
@@ -177,8 +178,8 @@ fn disagreement(row: &Row) -> Option<String> {
     ))
 }
 
-/// The agreement of first derivatives from jets and from num-dual, with the largest difference
-/// relative to its tolerance.
+/// The number of first derivatives that agree with num-dual, and the largest difference relative to
+/// its tolerance.
 fn agreement(rows: &[Row]) -> Option<String> {
     let part = |row: &&Row| row.num_dual.difference / row.num_dual.tolerance.max(f64::MIN_POSITIVE);
     let worst = rows.iter().max_by(|a, b| part(a).total_cmp(&part(b)))?;

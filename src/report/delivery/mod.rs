@@ -58,8 +58,9 @@ pub struct DeliveryRow {
 }
 
 impl<'a> DeliveryReport<'a> {
-    /// The report of these deliveries, from a table or of a single launch, and of their population.
-    /// `left_out` is the number of rows that were not computed because of an interruption.
+    /// The report of deliveries and of their population. `is_table` is true for launches from a
+    /// table, false for a single launch. `left_out` is the number of rows that were not computed
+    /// because of an interruption.
     pub fn new(
         deliveries: &'a [Delivery],
         population: Option<&'a Population>,
@@ -188,8 +189,8 @@ pub fn bound_warnings(all: &[Delivery], system: System) -> Vec<Message> {
     .collect()
 }
 
-/// Fraction of a parameter's prior variance that a launch removes, below which the prior alone
-/// determines the value. Texts show it as 0 %.
+/// If a launch removes less than this fraction of a parameter's prior variance, the prior alone
+/// determines the value. Texts show such a fraction as 0 %.
 const UNIDENTIFIED: f64 = 0.005;
 
 /// A setup file with the most probable delivery of a shot, or with the mean of several deliveries.

@@ -9,8 +9,8 @@ use crate::study::delivery::{
 };
 use crate::units::{Message, System, counted, significant, typed};
 
-/// Minimum fraction of a parameter's prior variance that a shot must remove, so that the
-/// distribution of the parameter does not depend mainly on the prior.
+/// If a shot removes less than this fraction of a parameter's prior variance, the distribution of
+/// the parameter depends mainly on the prior.
 const HALF: f64 = 0.5;
 
 /// The most probable swing behind each shot with a delivery, as CSV in SI: a column for each
@@ -33,7 +33,7 @@ pub fn recovered_csv(all: &[Delivery]) -> Result<String> {
 }
 
 /// The distribution of the swings behind shots as a file of swings in TOML. Remarks state the
-/// identified fraction of each parameter's variance.
+/// fraction of each parameter's prior variance that a shot removes.
 pub fn recovered_toml(population: &Population, from: &str, system: System) -> String {
     let shots = population.shots;
     let mut text = format!(
@@ -84,8 +84,8 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
     text
 }
 
-/// Warnings about a distribution that has less spread than the prior in the directions that the
-/// shots do not identify, or that does not reproduce the measured launches.
+/// Two warnings about a distribution of swings: its spread is smaller than the prior's in the
+/// directions that the shots do not identify; it does not reproduce the measured launches.
 pub fn population_warnings(population: &Population, system: System) -> Vec<Message> {
     let mut all = vec![];
     if population.prior_factor < 1.0 {

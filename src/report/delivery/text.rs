@@ -233,8 +233,8 @@ fn swings(population: &Population, system: System) -> Table {
     Table::new(head, rows).right(1..=5)
 }
 
-/// The fraction of a parameter's prior variance that a shot removes: the median of all shots.
-/// `None` if no shot has it.
+/// The fraction of a parameter's prior variance that a shot removes, as the median over the shots.
+/// `None` if the fraction is unknown for every shot.
 pub(super) fn median_identified(all: &[Delivery], parameter: &Parameter) -> Option<f64> {
     let known = all
         .iter()

@@ -29,14 +29,14 @@ struct Part {
     detail: Detail,
 }
 
-/// The detail of a block. It determines the texts that show the block.
+/// The plain texts that show a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Detail {
-    /// All texts.
+    /// Every text.
     Answer,
-    /// Texts that show every table, which a text for a screen does not.
+    /// Texts with the option `all`. A text for a screen omits the block.
     Rest,
-    /// Texts about the computation.
+    /// Texts with the option `verbose`, which have details of the computation.
     Computation,
 }
 

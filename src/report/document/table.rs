@@ -83,7 +83,7 @@ impl Table {
         self.remarks.push(line);
     }
 
-    /// All texts.
+    /// The heads, cells, caption, notes and remarks, to be changed.
     pub(super) fn texts(&mut self) -> impl Iterator<Item = &mut String> {
         let remarks = self.remarks.iter_mut().map(|line| &mut line.text);
         self.head

@@ -101,7 +101,7 @@ impl Table {
             .unwrap_or(0)
     }
 
-    /// Some columns. With the width `narrowed`, the last column is wrapped.
+    /// The cells of some columns. The last column is wrapped if a width `narrowed` is given.
     fn part(&self, rows: &[Vec<String>], columns: &[usize], narrowed: Option<usize>) -> String {
         let mut table = comfy_table::Table::new();
         table.load_style(presets::NOTHING);

@@ -74,8 +74,9 @@ pub(super) fn marks(face: &Face, hue: Hue) -> impl Iterator<Item = Layer> {
         .chain((!face.is_struck_sweetly()).then(|| mark("strike", hue, face.strike)))
 }
 
-/// Arrows for the spin axis tilt relative to a strike on the sweet spot, scaled by the largest
-/// tilt. In the view from the front, right of the target line is on the left.
+/// Arrows for the tilts of the spin axis relative to the strike that [`reference()`] names. The
+/// tilt `largest` has the longest arrow. In the view from the front, right of the target line is on
+/// the left.
 pub(super) fn tilt_arrows(face: &Face, name: String, largest: f64) -> Layer {
     let arrow = |(at, tilt): &([f64; 2], f64)| {
         let [x, y] = seen(face, *at);
@@ -145,7 +146,8 @@ pub(super) fn outline(face: &Face) -> Layer {
     }
 }
 
-/// Contours of the carry lost. A part outside of the face is not drawn.
+/// Contours of the carry lost relative to the longest carry. A part outside of the face is not
+/// drawn.
 fn rings(face: &Face, system: System) -> Vec<Layer> {
     let (_, most) = face.longest;
     let carries = field(&face.plane, 0, Measure::outcome(Outcome::Carry));

@@ -261,7 +261,7 @@ fn beside_target(lateral: f64, system: System) -> String {
     })
 }
 
-/// The note about the ellipses.
+/// The note about the ellipses; `None` if there are none because they would be too wide.
 fn spread(landings: &[Landing], system: System) -> Option<String> {
     let Some(landing) = landings.iter().find(|landing| !landing.ellipses.is_empty()) else {
         let is_known = landings.iter().all(|landing| !landing.is_too_wide);

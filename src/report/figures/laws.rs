@@ -35,8 +35,8 @@ const REYNOLDS: [f64; 2] = [4e4, 2.4e5];
 /// Number of segments of a curve.
 const STEPS: usize = 240;
 
-/// Measured points are drawn if their Reynolds number or spin ratio differs from the constant value
-/// of the plot by at most this fraction.
+/// A measured point is drawn if its value of the variable that is not on the axis differs from the
+/// constant value of the plot by at most this fraction.
 const NEAR: f64 = 0.1;
 
 /// A measured point. Spin ratio or Reynolds number is missing if the source averages over this
@@ -213,8 +213,8 @@ impl LawPlot {
         layers
     }
 
-    /// The measured points of the law's source at which the other variable is near its constant
-    /// value.
+    /// The measured points of the law's source at which the variable that is not on the axis is
+    /// near its constant value.
     fn measured_points(&self, law: &Law<f64>) -> Vec<[f64; 2]> {
         let [low, high] = self.range;
         let which = self.of as usize;
@@ -332,8 +332,8 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
                 values: [Some(drag), Some(lift)],
             })
             .collect(),
-        // lift is a function of the spin ratio (mean of several balls); drag is a function of the
-        // Reynolds number (one ball) and applies to any spin ratio
+        // this source has lift over the spin ratio (mean of several balls), and drag over the
+        // Reynolds number (one ball), which applies to any spin ratio
         Law::Lyu(_) => cells(include_str!("../../../tests/data/lyu_2018.csv"))
             .map(|[reynolds, spin_ratio, drag, lift]| Measured {
                 spin_ratio,

@@ -188,7 +188,7 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
             layers.push(hatched(field.above(constraint.high)));
         }
         layers.retain(|layer| !matches!(layer, Layer::Region { rings, .. } if rings.is_empty()));
-        // the legend names the line, not the region
+        // the picture has the name on the line, and does not show the name of the region
     }
     let mut ends: Vec<f64> = [constraint.low, constraint.high]
         .into_iter()
@@ -203,8 +203,8 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
     layers
 }
 
-/// The region of drives that lose little. If the search has an equation as a constraint, the region
-/// is a segment of the equation's line.
+/// The region of drives that lose little. With an equality constraint, the region is a part of the
+/// line on which the constraint holds.
 fn nearly_as_good(region: &Region, name: &str) -> Vec<Layer> {
     let of = |values: &[Option<f64>]| {
         field_of(
@@ -253,9 +253,9 @@ fn field_of_map(map: &Map) -> Field {
     field(&map.plane, 0, Measure::outcome(map.of))
 }
 
-/// Gradients in units of the ranges: the arrows show the steepest ascent on the page. Their length
-/// grows with the square root of the slope: proportional arrows would be too short near the maximum
-/// to show their direction.
+/// Gradients as arrows. Each parameter is scaled by its range, so that the arrows show the steepest
+/// ascent on the page. Their length grows with the square root of the slope: proportional arrows
+/// would be too short near the maximum to show their direction.
 fn arrows(across: &Vary, up: &Vary, slopes: &[Slope]) -> Layer {
     let width = [across, up].map(|vary| vary.high - vary.low);
     let scaled = |gradient: [f64; 2]| [gradient[0] * width[0], gradient[1] * width[1]];

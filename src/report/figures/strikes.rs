@@ -96,7 +96,7 @@ fn over_face(face: &Face, of: usize, outcome: Outcome) -> Field {
 }
 
 fn note(designs: &[(&str, &Face)], system: System) -> String {
-    /// 1 mm.
+    /// Distance between the strikes whose effect the note states and the reference strike, m.
     const STEP: f64 = 1e-3;
     let told = |(name, face): &(&str, &Face)| {
         let by_toe = face.by_toe?;

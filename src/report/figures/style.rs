@@ -34,7 +34,7 @@ pub(super) fn style(name: &str, place: usize) -> (Hue, bool) {
     }
 }
 
-/// Clears the names of symbols in a further view: the first view has them in its legend.
+/// Clears the names of layers in a further view, because the legend of the first view has them.
 pub(super) fn clear_names(layers: &mut [Layer]) {
     for layer in layers {
         if let Layer::Line { name, .. } | Layer::Dots { name, .. } | Layer::Mark { name, .. } =

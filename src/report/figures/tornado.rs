@@ -8,7 +8,7 @@ use crate::units::{System, counted};
 /// Bars shorter than this fraction of the longest bar are combined in one row.
 const SMALL: f64 = 0.02;
 
-/// Maximum number of rows. Smaller effects are combined in the last row.
+/// Maximum number of parameters with a row of their own. One more row combines smaller effects.
 const MOST: usize = 15;
 
 /// The uncertainties in a tornado plot.
@@ -55,8 +55,8 @@ impl Causes {
     }
 }
 
-/// The changes of the outcome at both ends of an uncertainty. The first-order effect replaces the
-/// change of a drive that does not fly.
+/// The changes of the outcome with the parameter at p − σ and at p + σ. The first-order effect
+/// replaces the change of a drive that does not fly.
 fn ends(effect: &study::Bar) -> [f64; 2] {
     let [lower, higher] = effect.flown;
     [
@@ -70,9 +70,10 @@ fn size(effect: &study::Bar) -> f64 {
     lower.abs().max(higher.abs())
 }
 
-/// The effects of standard uncertainties on an outcome, as bars, the largest on top. Each bar is
-/// from drives computed at p − σ and p + σ, one parameter at a time. The uncertainties and the note
-/// are in the units of `system`. `None` if none of these causes has an effect.
+/// The effects of standard uncertainties on an outcome, as bars, the largest on top. The bar of a
+/// parameter p comes from drives computed at p − σ and p + σ; the other parameters are unchanged.
+/// The uncertainties and the note are in the units of `system`. `None` if none of these causes has
+/// an effect.
 pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System) -> Option<Figure> {
     let is_cause = |effect: &&Effect| causes.has(effect.parameter);
     let mut ranked: Vec<study::Bar> = effects

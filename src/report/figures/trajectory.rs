@@ -20,11 +20,11 @@ pub enum View {
     Top,
 }
 
-/// Maximum distance from the target line of a path that is straight in the view from above, m: a
-/// tenth of a yard.
+/// Largest distance from the target line at which a path counts as straight in the view from above,
+/// m: a tenth of a yard.
 const STRAIGHT: f64 = 0.09144;
 
-/// Minimum width of the view from above to each side, m.
+/// Minimum distance from the target line to each side of the view from above, m.
 const CORRIDOR: f64 = 10.0;
 
 /// Limits of the aspect ratio (height over width) at true scale.

@@ -6,9 +6,10 @@ use crate::study::certificate::Row;
 use crate::units::counted;
 
 /// V-curves: the error of plain central differences relative to exact derivatives, at each step.
-/// Truncation dominates on the right, rounding on the left. Steps are relative to the parameter's
-/// size. Errors are relative to the derivative, or to outcome/size if the derivative is 0. For
-/// comparison, the plot has the differences of a while-loop that overshoots the ground.
+/// Truncation dominates on the right, rounding on the left. Steps are relative to the size of the
+/// parameter. Errors are relative to the derivative; if it is 0, they are relative to the size of
+/// the outcome divided by the size of the parameter. For comparison, the plot has the differences
+/// of a while-loop that overshoots the ground.
 pub fn vcurve_figure<'a>(rows: impl IntoIterator<Item = &'a Row>, loops: &[LoopRow]) -> Figure {
     let x = Axis::log(Measure::plain("step, relative"));
     let y = Axis::log(Measure::plain("error of the difference, relative"));
@@ -48,7 +49,7 @@ pub fn vcurve_figure<'a>(rows: impl IntoIterator<Item = &'a Row>, loops: &[LoopR
     figure.noted(note(has_loops, exact))
 }
 
-/// Relative steps and relative errors, with the scales of a row.
+/// The relative step and error of each point, scaled for `row` as in [`vcurve_figure`].
 fn curve(row: &Row, points: &[Point]) -> Vec<[f64; 2]> {
     let unit = if row.first.exact == 0.0 {
         row.ladder.size / row.ladder.scale

@@ -32,7 +32,8 @@ pub(in crate::report) fn csv_name(figure: &Figure) -> String {
     format!("{}.csv", figure.name)
 }
 
-/// The files of plots: a picture in each system of units, and the data.
+/// The files of plots: a picture in each system of units, and the data in SI. Units in the names of
+/// layers are those of `data_of`.
 ///
 /// # Errors
 /// The errors of [`figure_svg`] and [`figure_csv`].
@@ -85,7 +86,8 @@ pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>)
     })
 }
 
-/// The pictures of a plot with their CSS classes. A picture without units serves both systems.
+/// The pictures of a plot, each as its CSS classes and its SVG. A picture without units serves both
+/// systems.
 fn drawings(pair: &Pair) -> Result<Vec<(String, String)>> {
     let mut drawings = vec![];
     for (place, width) in WIDTHS {

@@ -76,8 +76,8 @@ pub(in crate::report) fn bound_in_words(optimum: &Optimum, i: usize, system: Sys
     }
 }
 
-/// Distance from a bound that counts as reached, relative to the width of the range: the QP solver
-/// ends a little inside.
+/// Largest distance from a bound at which the bound counts as reached, relative to the width of the
+/// range. The QP solver ends a little inside the range.
 const REACHED: f64 = 1e-6;
 
 /// The bound that a value has reached; empty between the bounds.

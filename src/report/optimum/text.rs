@@ -19,7 +19,8 @@ pub fn optimize_document(
     around: Option<&Surroundings<'_>>,
     system: System,
 ) -> Document {
-    // the text of a single search already states its interruption or an improvement from a sample
+    // a single search, also with a start from the sample, needs no list of optima: the text of its
+    // optimum states an interruption, and an improvement from the sample
     let sample = optima.best.sample;
     let from_sample = usize::from(sample.is_some_and(|sample| sample.improved));
     let several = optima.starts > 1 + from_sample;
@@ -175,8 +176,8 @@ pub(in crate::report) fn add_convergence(
     }
 }
 
-/// The status of a search with its message, which has the numbers of the solver or says what the
-/// status means for the drive.
+/// The status of a search with its message: the numbers of the solver, or the meaning of the status
+/// for the drive.
 pub(in crate::report) fn ended_line(optimum: &Optimum, system: System) -> Line {
     Line::flush(format!(
         "{}: {} ({})",

@@ -17,7 +17,7 @@ const NAMED: usize = 3;
 
 /// The title of the page: the setup or the stated launch, and the first changes of the setup.
 pub(super) fn title(findings: &Findings, system: System) -> Result<String> {
-    // a setup file has its own name
+    // a setup file has a name of its own, which is the title
     if findings.name != findings.file.preset.name {
         return Ok(findings.name.clone());
     }

@@ -11,7 +11,7 @@ use crate::report::shown;
 use crate::study::Optimum;
 use maud::{Markup, html};
 
-/// A drive in a column.
+/// A column of the table: a drive with its setup.
 struct Column<'a> {
     name: &'static str,
     setup: &'a Setup<f64>,
@@ -51,7 +51,8 @@ pub(super) fn steps(findings: &Findings, best: &Optimum) -> Markup {
     }
 }
 
-/// The outcome of the report. Carry and total are shown together.
+/// The outcomes in the table: the outcome of the report, and for one of carry and total also the
+/// other.
 fn outcomes(of: Outcome) -> Vec<Outcome> {
     match of {
         Outcome::Carry => vec![of, Outcome::Total],

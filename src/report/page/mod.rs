@@ -105,7 +105,8 @@ fn plots(findings: &Findings) -> Plots {
     }
 }
 
-/// The faces of the drive as set up and of the optimum.
+/// The plot of outcomes over the face, for the drive as set up and the optimum; empty without a
+/// computed face.
 fn strikes(findings: &Findings) -> Vec<Pair> {
     let faces = [
         ("as set up", &findings.face),

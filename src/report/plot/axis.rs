@@ -10,7 +10,7 @@ pub struct Measure {
     pub label: String,
     /// The physical quantity; values are in SI.
     pub quantity: Quantity,
-    /// The customary unit in golf, of either system.
+    /// A unit that is customary in golf, of either system. It determines the unit in the other.
     pub unit: &'static str,
 }
 

@@ -113,7 +113,7 @@ impl Rows {
                     canvas.text(line, [left - 8.0, middle + below], Anchor::Right, font);
                     continue;
                 }
-                // the last line is next to the bars
+                // the last line of the name is directly above the bars
                 let up = 0.5 * ROW + NAME_LINE * (lines.len() as f64 - i as f64 - 0.5) - 2.0;
                 let y = middle - up;
                 let right = left + 8.0 + text_width(line, NAME, false);
@@ -206,7 +206,8 @@ fn others(figure: &Figure, layer: usize, place: usize) -> Vec<(usize, Bar)> {
     others
 }
 
-/// The lane of a bar, and the number of lanes in its row: two if bars would overlap, otherwise one.
+/// The horizontal strip of a bar within its row, from 0, and the number of strips: two if bars
+/// would overlap, otherwise one.
 fn lane(figure: &Figure, layer: usize, bar: &Bar) -> (usize, usize) {
     let ends = |bar: &Bar| [bar.to.min(0.0), bar.to.max(0.0)];
     let [low, high] = ends(bar);

@@ -194,17 +194,19 @@ fn levels(sorted: &[f64]) -> Vec<f64> {
 /// The range between two adjacent levels.
 struct Interval {
     ends: [f64; 2],
-    /// The fraction of the map between the two levels.
+    /// The fraction of the map whose values are between the two levels.
     share: f64,
     /// True for the first and the last interval.
     is_outermost: bool,
 }
 
-/// The range of levels to refine. It begins with the interval that has the largest share of the
-/// map, and grows by one neighbour at a time, the larger neighbour first, as long as `fits` accepts
-/// the number of lines. After the first neighbour, only neighbours that are outermost or have a
-/// share above `LARGE` are added. `None` if the largest share is below `dense`, if `fits` rejects
-/// the first interval, or if this interval cannot grow and is not outermost.
+/// The range of levels to refine. It begins as the interval with the largest share of the map, and
+/// grows by one neighbour at a time, the larger neighbour first, while `fits` accepts the number of
+/// lines. The first neighbour may have any share; a later one is outermost or has a share above
+/// `LARGE`.
+///
+/// `None` in three cases: the largest share is below `dense`; `fits` rejects the first interval; or
+/// the first interval cannot grow and is not outermost.
 fn dense_stretch(
     intervals: &[Interval],
     dense: f64,
@@ -255,7 +257,8 @@ fn multiples(step: f64, low: f64, high: f64) -> Vec<f64> {
     (from..=to).map(|i| i as f64 * step).collect()
 }
 
-/// The next smaller step of 1, 2, 2.5 or 5 times a power of ten that divides a step.
+/// A finer step that divides a step: 0.5 for 1, 1 for 2, 0.5 for 2.5 and 1 for 5, times the same
+/// power of ten.
 fn finer(step: f64) -> f64 {
     let power = 10.0_f64.powf((step * (1.0 + 1e-9)).log10().floor());
     match (step / power * 10.0).round() as i64 {
@@ -367,8 +370,8 @@ mod tests {
         );
     }
 
-    /// Each level is a multiple of 1, 2, 2.5 or 5 times a power of ten that is not small compared
-    /// with the distance to the next level.
+    /// Two adjacent levels are multiples of half the largest power of ten that is at most their
+    /// distance.
     #[test]
     fn levels_are_round_numbers_and_a_flat_top_has_some() {
         let carry = |x: f64, y: f64| 279.2 - 130.0 * (x - 1.5).powi(2) - 20.0 * (y - 1.7).powi(2);

@@ -8,9 +8,9 @@ use crate::units::TableUnits;
 struct Row<'a> {
     kind: &'static str,
     name: String,
-    /// x, y, and x and y of the other end.
+    /// x and y, then x and y of the other end of a bar, an arrow or the width of a band.
     numbers: [Option<f64>; 4],
-    /// A value, in the column of its field.
+    /// The value at a node of a field. The field determines the column.
     value: Option<(&'a Field, f64)>,
 }
 
@@ -61,7 +61,7 @@ struct Columns {
     units: TableUnits,
     /// The filled columns of [`Row::numbers`], with their heads.
     numbers: Vec<(usize, String)>,
-    /// The heads of the values.
+    /// The column heads of the values of fields.
     values: Vec<String>,
 }
 

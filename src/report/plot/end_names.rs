@@ -147,9 +147,9 @@ impl Name<'_> {
     }
 }
 
-/// The middles of stacked boxes with these heights, in this order, without overlap and with the
-/// least sum of squared distances from the wanted middles: the isotonic regression of the
-/// middles minus the heights above them.
+/// The middles of boxes with these heights, which are stacked in this order from `top` to `bottom`
+/// without overlap. The sum of squared distances from the wanted middles is as small as possible:
+/// isotonic regression of each wanted middle minus the heights above it.
 fn spread(wanted: &[f64], heights: &[f64], [top, bottom]: [f64; 2]) -> Vec<f64> {
     let mut above = 0.0;
     let offsets: Vec<f64> = heights
@@ -159,7 +159,7 @@ fn spread(wanted: &[f64], heights: &[f64], [top, bottom]: [f64; 2]) -> Vec<f64> 
             above - 0.5 * height
         })
         .collect();
-    // for each block of touching boxes: the number of boxes, and the sum of their targets
+    // for each block of touching boxes: the number of boxes, and the sum of wanted − offset
     let mut blocks: Vec<(usize, f64)> = vec![];
     for (wanted, offset) in wanted.iter().zip(&offsets) {
         let mut block = (1, wanted - offset);

@@ -22,8 +22,8 @@ pub struct Figure {
     pub layers: Vec<Layer>,
     /// The place of the names of lines.
     pub line_names: LineNames,
-    /// More views, drawn after this view. The data file has only those with contours, since the
-    /// others repeat the data of this view.
+    /// More views, drawn after this view. The data file contains only views with contours, because
+    /// the other views repeat the data of this view.
     pub panels: Vec<Figure>,
     /// Number of views side by side, if the picture is wide enough.
     pub columns: usize,
@@ -211,7 +211,7 @@ impl Layer {
         }
     }
 
-    /// The points of the layer; of a map, its corners.
+    /// The points of the layer; for contours, two opposite corners of the field.
     pub(in crate::report) fn points(&self) -> Vec<[f64; 2]> {
         match self {
             Self::Line { points, .. } | Self::Dots { points, .. } => points.clone(),
@@ -230,7 +230,7 @@ impl Layer {
         }
     }
 
-    /// The name, and the colour if the layer has a single one.
+    /// The name and the colour; `None` for contours, which have no single colour.
     pub fn named(&self) -> (&str, Option<Hue>) {
         match self {
             Self::Line { name, hue, .. }
@@ -249,9 +249,9 @@ impl Layer {
 /// A horizontal bar that begins at 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bar {
-    /// The number of the name on the axis.
+    /// The index of the bar's name on the axis, from 0.
     pub place: usize,
-    /// The end.
+    /// The value at which the bar ends, SI.
     pub to: f64,
 }
 
@@ -271,8 +271,8 @@ pub struct Field {
     /// The derivatives by x and y at each node, SI; empty if they are unknown. Contours follow the
     /// cubic through values and derivatives. Without derivatives, a field is linear between nodes.
     pub gradients: Vec<Option<[f64; 2]>>,
-    /// The values of all fields that share their levels and colours, SI; empty if this field has
-    /// its own levels.
+    /// The values of all fields with the same levels and colours as this field, SI; empty if this
+    /// field has its own levels.
     pub beside: Vec<f64>,
 }
 

@@ -136,8 +136,8 @@ fn hermite(nodes: &[f64], slopes: &[f64], times: usize) -> Vec<f64> {
         .collect()
 }
 
-/// The field without gaps, by extrapolation: lines continue below the mask of missing values, and
-/// do not bend where the values end.
+/// The values of the field, extrapolated to the nodes without a value. Contour lines then continue
+/// under the mask of missing values, and do not bend at its edge.
 fn continued(field: &Field) -> Vec<f64> {
     let (columns, rows) = (field.columns, field.rows());
     let mut values = field.values.clone();

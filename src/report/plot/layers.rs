@@ -246,7 +246,7 @@ pub(super) fn contour_lines(canvas: &mut Canvas, plane: &Plane, grounds: &[Groun
 fn ground(canvas: &mut Canvas, plane: &Plane, field: &Field, grounds: &[Ground]) {
     let palette = canvas.palette;
     let shade = |i: usize| {
-        // the shade of the middle between this level and the next
+        // the shade of the position midway between this level and the next
         let next = grounds.get(i + 1).map_or(1.0, |next| next.part);
         palette.height(0.5 * (grounds[i].part + next))
     };

@@ -27,8 +27,8 @@ const OVER_COST: usize = 6;
 /// Maximum distance of marks that are drawn as one mark, pixels.
 const SAME: f64 = 4.0;
 
-/// Minimum difference between the distance of a label from another mark and from its own mark,
-/// pixels.
+/// A label without a line to its mark is nearer to this mark than to any other by more than this
+/// distance, pixels.
 const CLEAR: f64 = 2.0;
 
 /// Distance of a label from its mark above which a line connects the two, pixels.
@@ -87,7 +87,7 @@ fn write_doubled(labels: &mut Labels<'_>, plane: &Plane, doubled: &[Mark], lines
     }
 }
 
-/// Writes the label of a mark, with a line between the two if the label is away from the mark.
+/// Writes the label of a mark, with a line to the mark if the label is farther away than `FAR`.
 fn write_connected(labels: &mut Labels<'_>, mark: &Mark, middle: [f64; 2]) {
     let [low, high] = Labels::extent(&mark.name, middle);
     let end = [0, 1].map(|axis| mark.at[axis].clamp(low[axis], high[axis]));
@@ -207,8 +207,9 @@ fn lines(plane: &Plane, figure: &Figure) -> Vec<[f64; 2]> {
     places
 }
 
-/// The middle of a label in a free position next to its mark, or above or below it. The label
-/// covers the least of the lines, and is nearer to its own mark than to other marks.
+/// The middle of a label in the free position beside, above or below its mark that has the lowest
+/// cost. The points of lines under the label and the distance from the mark add to the cost. `None`
+/// if no position is free and clearly belongs to the mark.
 fn beside(
     labels: &Labels<'_>,
     plane: &Plane,
@@ -259,7 +260,8 @@ fn distance(at: [f64; 2], [low, high]: [[f64; 2]; 2]) -> f64 {
     dx.hypot(dy)
 }
 
-/// The nearest free middle of a label in the frame. In a full frame, the label covers something.
+/// The middle of a label in the free position of the frame that is nearest to a point. If no
+/// position is free, the label is at the point and may cover other labels.
 fn nearest(labels: &Labels<'_>, plane: &Plane, name: &str, at: [f64; 2]) -> [f64; 2] {
     const STEP: f64 = 8.0;
     let [left, top, right, bottom] = plane.frame;
@@ -283,8 +285,8 @@ fn nearest(labels: &Labels<'_>, plane: &Plane, name: &str, at: [f64; 2]) -> [f64
 /// look like one label.
 const APART: f64 = 8.0;
 
-/// Writes the names of lines on the lines, if the figure has them there. A name without
-/// space on its line is written next to it.
+/// Writes the names of lines on the lines, if the figure asks for this place. A name without space
+/// on its line is written next to the line.
 pub(super) fn write_line_names(labels: &mut Labels<'_>, plane: &Plane, figure: &Figure) {
     let is_on_lines = figure.line_names == LineNames::OnLines;
     for layer in figure.layers.iter().filter(|_| is_on_lines) {

@@ -162,7 +162,7 @@ mod tests {
                 contrast(palette.ink, palette.ground) >= 7.0
                     && contrast(palette.faint, palette.ground) >= 4.5
             );
-            // labels and lines on a map
+            // contrast of labels and lines on a map
             assert!(
                 palette
                     .heights

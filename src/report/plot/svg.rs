@@ -214,7 +214,7 @@ fn draw_axes(canvas: &mut Canvas, plane: &Plane, figure: &Figure) {
     }
 }
 
-/// CSS rules that give dark colours to the light pictures inside `inside`.
+/// CSS rules that give dark colours to the light pictures inside elements of the selector `inside`.
 pub fn dark_rules(inside: &str) -> String {
     let mut rules = String::new();
     for (light, dark) in LIGHT.all().into_iter().zip(DARK.all()) {

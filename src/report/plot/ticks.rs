@@ -83,7 +83,7 @@ impl Drawn {
         let step = nice_step((self.high - self.low) / count as f64);
         self.decimals = (-step.log10().floor()).max(0.0) as usize;
         if self.axis.reach.is_none() {
-            // extend to the next tick, unless the data end just below a tick
+            // extend to the next tick, unless the data end at a tick but for rounding
             let slack = 1e-9;
             self.low = (self.low / step + slack).floor() * step;
             self.high = (self.high / step - slack).ceil() * step;

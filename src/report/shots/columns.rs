@@ -13,7 +13,7 @@ const LAUNCH: [(&str, Outcome); 5] = [
     ("Spin Axis", Outcome::SpinAxis),
 ];
 
-/// Club columns.
+/// Club columns. The outcome only determines the unit.
 const CLUB: [(&str, Outcome); 4] = [
     ("Club Speed", Outcome::BallSpeed),
     ("Attack Angle", Outcome::LaunchAngle),
@@ -53,9 +53,9 @@ pub(super) fn head(added: &Added) -> Vec<u8> {
     (heads.collect::<Vec<_>>().join(",") + "\n").into_bytes()
 }
 
-/// The launch of a shot, SI. The spin and its axis come from the flight; for a shot that is not
-/// flown they are the stated values. Assumed values are omitted: a later run of `fly` would read
-/// them as measured zeros.
+/// The launch of a shot in the order of `LAUNCH`, SI: the input of the flight, or the stated values
+/// if the shot is not flown. Assumed values are omitted: a later run of `fly` would read them as
+/// measured zeros.
 pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
     match shot.launch() {
         Some(&[speed, angle, direction, back, side]) => {

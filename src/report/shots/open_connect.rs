@@ -149,9 +149,9 @@ pub(super) fn row(flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
     let _ = serde_json::to_writer(bytes, &message);
 }
 
-/// The answer to a message: 200 for a shot, with its predictions in SI; 201 for a message without a
-/// shot, with the player; 501 for an unreadable message, with the reason. It ends with a line
-/// break.
+/// The answer to a message. A shot is answered by code 200 and its predictions in SI, a message
+/// without a shot by code 201 and the player, and any other message by code 501 and the reason. The
+/// answer ends with a line break.
 pub fn open_connect_answer(flown: &Flown) -> Vec<u8> {
     let is_no_shot = flown
         .shots

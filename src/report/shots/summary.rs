@@ -270,7 +270,7 @@ fn speeds(band: &Band, system: System) -> String {
     }
 }
 
-/// Adds the first outcome of each club.
+/// Adds a table of the first outcome by club, if there are several clubs.
 fn add_clubs(document: &mut Document, tally: &ShotStatistics, system: System) {
     let Some(of) = tally.of.first().filter(|_| tally.clubs.len() > 1) else {
         return;
@@ -299,7 +299,7 @@ fn add_clubs(document: &mut Document, tally: &ShotStatistics, system: System) {
     document.add(table);
 }
 
-/// Numbers of rows, by status of the drive and by remark.
+/// The numbers of rows that were flown, that were not flown (by kind of reason), and with remarks.
 fn counts(tally: &ShotStatistics, source: Option<&'static str>) -> Vec<Line> {
     let from = source.map_or(String::new(), |source| format!(" ({source})"));
     let refused: u64 = tally.refused.values().map(|refused| refused.count).sum();

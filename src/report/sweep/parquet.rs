@@ -90,8 +90,8 @@ impl SweepParquet {
         })
     }
 
-    /// Gives the row group with this metadata its place: offset `at` in the file, bytes, and group
-    /// number `ordinal`.
+    /// The row group with this metadata, placed at offset `at` in the file, bytes, as row group
+    /// number `ordinal`, from 0.
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if `metadata` is not the metadata of a row group.

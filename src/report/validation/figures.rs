@@ -11,7 +11,7 @@ use crate::units::Quantity;
 pub(super) const ALTERNATIVE: &str = "ferguson";
 
 /// The set of optima to plot. Its club is chosen so that the impact gives the chart's ratio of
-/// launch angle and spin.
+/// launch angle to spin.
 const OPTIMA: &str = "chart-optima-impact";
 
 /// Name of the band for the difference between two launch monitors.
@@ -37,7 +37,7 @@ pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
     figures
 }
 
-/// The default law, the law `ALTERNATIVE`, and the law with the best carry for each set.
+/// The default law, the law `ALTERNATIVE`, and the most accurate law of each set.
 fn drawn(sets: &[&SetScores]) -> Vec<&'static str> {
     let mut laws = vec![Law::default().name(), ALTERNATIVE];
     for set in sets {
@@ -80,8 +80,8 @@ fn carry(sets: &[&SetScores]) -> Figure {
     figure.noted(BAND)
 }
 
-/// The residuals of a quantity, a series for each law: of the spin against the club speed, of other
-/// quantities against the ball speed.
+/// Plot of the residuals of a quantity, a series for each law. The horizontal axis is the club
+/// speed for the spin, and the ball speed for other quantities.
 fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure {
     let is_spin = of == Compared::Spin;
     let (speed, drives) = match is_spin {
@@ -155,7 +155,8 @@ fn ends(of: impl Iterator<Item = f64>) -> [f64; 2] {
     found.unwrap_or([0.0; 2])
 }
 
-/// The standard deviation between two instruments for this quantity, SI.
+/// The standard deviation of the difference between two launch monitors in a quantity, SI; `None`
+/// if it is unknown.
 fn floor(of: Compared) -> Option<f64> {
     let outcome = match of {
         Compared::Carry => Outcome::CarryDistance,
