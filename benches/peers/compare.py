@@ -1,4 +1,4 @@
-"""Runs longdrive and its peers in turns, counts their instructions, and writes the tables. Called
+"""Runs longdrive and its peers in turn, counts their instructions, and writes the tables. Called
 by run.sh."""
 
 import datetime

@@ -224,8 +224,8 @@ test('a drive that does not fly says why', async () => {
 });
 
 /**
- * Counts the messages to the workers, and lets a test exhaust the memory of a worker: the memory grows to its limit of 4 GB,
- * so that the core's next larger allocation fails.
+ * Counts the messages to the workers, and lets a test exhaust the memory of a worker: the memory
+ * grows to its limit of 4 GB, so that the core's next larger allocation fails.
  */
 function exhaustWhenTold() {
   const inWorker = () => {
