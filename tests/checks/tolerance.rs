@@ -84,8 +84,8 @@ fn errors(
         method: Method::DormandPrince8,
         ..*setup
     };
-    // shorter steps in a wind that increases with height; steps of 5 ms would change no length by
-    // 2e-8 m
+    // a wind that increases with height needs shorter steps; steps of 5 ms would change every
+    // length by less than 2e-8 m
     let step: f64 = if setup.wind.roughness.is_some() {
         0.02
     } else {

@@ -187,7 +187,7 @@ fn differences_to_one_side_show_a_small_derivative() {
     assert!(found.rows[0].first.exact.abs() < 0.01 && found.rows[0].first.curve.is_empty());
 }
 
-/// The total spin has a kink at zero spin, also with a law without one.
+/// The total spin has a kink at zero spin, also if the law has none.
 #[test]
 fn a_corner_of_the_spin_itself_is_no_failure() {
     let mut setup = Setup::default();
