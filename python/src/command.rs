@@ -118,7 +118,7 @@ impl Caller {
         self.outputs.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Prints the position of the progress bar, with the best value so far.
+    /// Adds a note with the position of the progress bar and the best value so far.
     fn tell_of_bar(&self) {
         let mut now = self.now();
         let Some(bar) = now.bar.clone().filter(|bar| bar.length() > 0) else {

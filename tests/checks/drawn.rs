@@ -677,10 +677,10 @@ fn same_ellipses_on_the_fairway_and_in_uncertainty() {
             "{note}"
         );
     }
-    // the points of the picture are on the ellipse, and the picture's landing is the landing of the
-    // drive
+    // the points of the drawn ellipse are on the computed ellipse, and the drawn landing is the
+    // landing of the drive
     let figure = fairway_figure(std::slice::from_ref(&landing), System::Us);
-    // the run is the drive's line, and the legend names it
+    // the run is a solid line in the colour of its drive, and the legend names it
     let run = figure
         .layers
         .iter()

@@ -509,8 +509,8 @@ fn several_starts_find_both_ends_of_a_goal_that_grows_to_both_sides() {
     );
 }
 
-/// Value, gradient and Hessian of goals as functions, compared with the searched problem and with
-/// sums over single drives; without varying swings, with the drive.
+/// Value, gradient and Hessian of goals as functions, compared with the problem of a search and
+/// with sums over single drives. If no swing varies, they are compared with the drive.
 #[test]
 fn same_goals_by_sums_over_single_drives() {
     let setup = Setup::preset("mae494").unwrap();

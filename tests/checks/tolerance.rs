@@ -453,7 +453,8 @@ fn same_derivatives_in_shorter_steps_within_the_documented_error() {
             let within = accuracy(&setup, &[], &[Outcome::Carry], MICROMETRE)
                 .unwrap()
                 .applied_to(&setup);
-            // its derivatives differ from those at 1 ms by at most a thousandth of the bound
+            // the reference: its derivatives differ from those in steps of 1 ms by at most a
+            // thousandth of the bound
             let mut fine = setup;
             (fine.method, fine.flight.step) = (Method::Rk4, 4e-3);
             // each derivative times the size of its parameter

@@ -239,7 +239,7 @@ fn any_question() -> impl Strategy<Value = (Setup<f64>, usize)> {
     )
 }
 
-/// A correct derivative of a usual drive passes. LONGDRIVE_QUESTIONS sets their number
+/// A correct derivative of a usual drive passes. LONGDRIVE_QUESTIONS sets the number of drives
 /// (docs/verification.md has the number of the largest run).
 #[test]
 fn differences_certify_random_derivatives_by_one_parameter() {
@@ -520,8 +520,8 @@ fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
 }
 
 /// docs/model.md, eq. 17: in the logarithmic wind the errors of landing speed and angle decrease
-/// with h⁷ once a step is shorter than the path through its lowest half metre, and with h² where
-/// the error of the jerk dominates, which does not decrease with h.
+/// with h⁷ once a step is shorter than the path through the lowest half metre above the ground, and
+/// with h² where the error of the jerk dominates. The error of the jerk does not decrease with h.
 #[test]
 fn order_of_landing_in_a_logarithmic_wind() {
     let mut setup = Setup::default();

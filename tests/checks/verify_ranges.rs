@@ -233,8 +233,8 @@ fn a_spin_that_cancels_has_a_correct_derivative() {
     }
 }
 
-/// At a coarse step the landing of a flight differs from the landing with a step that is adjusted
-/// to end there. Differences use the former.
+/// The check at the landing adjusts the time step so that a step ends at the landing. At a coarse
+/// step the adjustment shifts the landing; the check iterates it, and the differences agree.
 #[test]
 fn differences_at_the_landing_agree_at_coarse_steps() {
     let mut setup = Setup::preset("winfield-tan").unwrap();
