@@ -403,9 +403,10 @@ fn struck_beside_the_middle(
     )
 }
 
-/// The strikes of this golfer were not measured. Five numbers of the strikes, by least squares from
-/// only the launch, reproduce all ten published numbers of the launch within the error of 58
-/// drives; carry and lateral, which the fit does not use, then scatter as published too.
+/// The strikes of this golfer were not measured. Five numbers of the strikes, fitted by least
+/// squares to the published launch only, reproduce all ten published numbers of the launch within
+/// the error of 58 drives. Carry and lateral, which the fit does not use, then scatter as published
+/// too.
 #[test]
 fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells() {
     let ([carry, rest], off) = struck_beside_the_middle((6.9, 17.4), (-7.1, 5.3), 0.87);
