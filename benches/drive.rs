@@ -1,5 +1,5 @@
 //! Times of derivatives and of the optimum, divided by the time of the value alone. The drive is
-//! that of mae494: loft 10°, attack angle 0°, 276 steps of 0.01 s.
+//! the drive of mae494: loft 10°, attack angle 0°, 276 steps of 0.01 s.
 //!
 //! `cargo bench --bench drive` measures all tasks in one run and prints the ratios of the fastest
 //! samples, because machines are shared and noisy.

@@ -8,7 +8,7 @@ mkdir -p "$out"
 
 [ -x .venv/bin/python ] || python3 -m venv .venv
 .venv/bin/pip install --quiet --requirement requirements.txt
-# full optimization and thin local LTO for all crates, Cargo's defaults, in place of this repository's profile
+# the defaults of Cargo for all crates, thin local LTO and full optimization, instead of this repository's profile
 cargo build --release --locked -j1 --target-dir target --config profile.release.lto=false --config profile.release.package.libm.opt-level=3
 
 # one thread, pinned to one processor if possible

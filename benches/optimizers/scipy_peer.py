@@ -1,9 +1,9 @@
-"""SciPy's optimizers on the problems that `optimizers --serve` evaluates: an outcome a line on
-standard output.
+"""SciPy's optimizers on the problems that `optimizers --serve` evaluates. Writes a line with each
+outcome to standard output.
 
-Each solve has a process of its own, with an evaluator of its own, and 10 s. The time is SciPy's
-own: everything that happens inside the functions it calls (the wait for the evaluator, the
-conversions) is left out.
+Each solve has its own process with its own evaluator, and a time limit of 10 s. The time is
+SciPy's own: it excludes the functions that SciPy calls (the wait for the evaluator, the
+conversions).
 """
 
 import json
@@ -84,7 +84,7 @@ class Oracle:
         self.spent = 0.0
 
     def reading(self, read):
-        """The function x ↦ read(point at x); its time does not count as SciPy's."""
+        """The function x ↦ read(point at x). Its time does not count as SciPy's time."""
 
         def function(x, *more):
             started = time.perf_counter()

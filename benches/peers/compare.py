@@ -1,4 +1,4 @@
-"""Runs longdrive and its peers in turns, counts their instructions, and writes the tables. Called
+"""Runs longdrive and its peers in turn, counts their instructions, and writes the tables. Called
 by run.sh."""
 
 import datetime
@@ -372,9 +372,9 @@ def wrong(rows):
     for task in TASKS:
         for row in rows.of(task):
             if not row["peer"].startswith(("longdrive", "cpp-", "ceres")):
-                continue  # differences and other discretisations: their errors are in the table
+                continue  # finite differences and other discretisations: their errors are in the table
             if row["peer"] == "longdrive, steps as in T1":
-                continue  # short flights are off by more
+                continue  # short flights have larger errors
             is_near = "at 1 µm" in row["peer"]
             if task == "T6":
                 # longdrive: compare the sums without the row of loft 0, where carry has a kink

@@ -50,7 +50,7 @@ done
 if [ -e /usr/include/ceres/jet.h ]; then compile g++ ceres-jet ceres.cpp -DNDEBUG -I/usr/include/eigen3; fi
 gcc -O2 -march=native cpp/machine.c -o "$build/machine"
 
-# the library with thin local LTO at level 3, the defaults of a package that depends on it, and the program with the profile of its installation
+# the library at level 3 with thin local LTO, as in a package that depends on it; the program with the profile with which it is installed
 cargo build --release --locked --target-dir target --config profile.release.lto=false --config profile.release.package.longdrive.opt-level=3
 cargo build --release --locked --target-dir target --package longdrive --bin longdrive
 

@@ -118,9 +118,9 @@ impl Arrays {
         self.in_degrees.clone()
     }
 
-    /// Finds the ranges of the valid values, and columns that look like degrees. Lets other Python
-    /// threads run between blocks of rows. `is_bare` is true if the numbers have no unit; the
-    /// values of a sweep have a unit.
+    /// Finds the range of each parameter's valid values, and columns that look like degrees. Lets
+    /// other Python threads run between blocks of rows. `is_bare` is true if the user gave the
+    /// numbers without a unit; only then is a warning about degrees possible.
     pub fn look(&mut self, py: Python<'_>, is_bare: bool) -> PyResult<()> {
         for (parameter, column) in self.parameters.iter().zip(&self.columns) {
             let mut range = None::<(f64, f64)>;
@@ -224,8 +224,8 @@ fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Col
     }
 }
 
-/// Whole numbers and floats as an array of 64-bit floats of any shape. `refuse` makes the error for
-/// other values; `missing` is the advice on missing values in its message.
+/// Converts whole numbers and floats to an array of 64-bit floats of any shape. `refuse` makes the
+/// error for other values; `missing` is the advice on missing values in the message of this error.
 pub fn floats<'py>(
     given: &Bound<'py, PyAny>,
     missing: &str,

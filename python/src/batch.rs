@@ -96,7 +96,8 @@ impl Piece {
 }
 
 impl Results {
-    /// Allocates memory for `room` rows of `width` numbers.
+    /// Allocates memory for `room` rows, each with `width` numbers in the columns and
+    /// `of_hessians` second derivatives.
     fn new(room: usize, width: usize, of_hessians: usize) -> Answer<Self> {
         let numbers = room.checked_mul(width).zip(room.checked_mul(of_hessians));
         let has_room = |numbers: usize| Vec::<f64>::new().try_reserve_exact(numbers).is_ok();
@@ -382,8 +383,8 @@ fn none(
     format!("no drive has {which}: {}{why}", ended.join(", "))
 }
 
-/// The ranges for which a sweep chooses its step: the ranges in `given`. The points may cover only
-/// a part of these ranges.
+/// The ranges for which a sweep chooses its step, from the names and ends in `given`. The points
+/// may cover only a part of these ranges.
 fn given_ranges(setup: &PySetup, given: &[(String, f64, f64)]) -> Answer<Vec<Vary>> {
     let range = |(name, low, high): &(String, f64, f64)| {
         Ok(Vary {

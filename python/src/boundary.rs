@@ -53,7 +53,7 @@ impl From<Failure> for PyErr {
 }
 
 /// The exception `name` of `longdrive.errors`. Its class is written in Python, so that the
-/// exception can be pickled. The message names the arguments of Python.
+/// exception can be pickled. Arguments in the message get the syntax of Python.
 fn raised(name: &str, message: String, status: Option<&str>) -> PyErr {
     Python::attach(|py| {
         let class = py

@@ -118,7 +118,7 @@ impl Caller {
         self.outputs.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Prints the position of the progress bar, with the best value so far.
+    /// Adds a note with the position of the progress bar and the best value so far.
     fn tell_of_bar(&self) {
         let mut now = self.now();
         let Some(bar) = now.bar.clone().filter(|bar| bar.length() > 0) else {
@@ -157,7 +157,8 @@ impl Host for Caller {
         let kind = match kind {
             Kind::Note => "note",
             Kind::Warning => "warning",
-            // not passed on: the answer contains the errors in the arguments, without colours
+            // not passed on: the answer already contains the errors in the arguments, without
+            // colours
             Kind::Usage => return,
             Kind::Error => "error",
         };
@@ -251,8 +252,8 @@ type Ran<'py> = (
 ///     Called from the calling thread with each message: its kind (``note``, ``warning``,
 ///     ``error``) and its text.
 /// progress
-///     Called now and then from the calling thread with the parts done and the parts in all, 0 of 0
-///     where they cannot be counted.
+///     Called now and then from the calling thread with the number of completed parts and the
+///     number of all parts. The second number is 0 if the parts cannot be counted.
 #[pyfunction]
 #[expect(
     clippy::too_many_arguments,
@@ -370,9 +371,9 @@ pub fn main(py: Python<'_>, words: Vec<OsString>) -> PyResult<u8> {
     })
 }
 
-/// Every command with its options, from which the functions of ``longdrive.commands`` are made.
-/// Each option also has ``argument``, its name in Python, and ``words``, its help in the words of
-/// Python.
+/// Every command with its options. ``make_commands.py`` writes the functions of
+/// ``longdrive.commands`` from them. Each option also has ``argument``, its name in Python, and
+/// ``words``, its help in the syntax of Python.
 #[pyfunction]
 pub fn described(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     fn describe(command: &mut Value) {

@@ -8,7 +8,7 @@ use longdrive::units::{Quantity, counted_of};
 pub struct Degrees {
     range: Option<(f64, f64)>,
     count: u64,
-    /// True if one of these values is outside of the range even as a number in degrees.
+    /// True if one of these values is outside of the range also when it is read in degrees.
     is_beyond: bool,
 }
 
@@ -25,8 +25,8 @@ impl Degrees {
         self.is_beyond |= !parameter.range.contains(value.to_radians());
     }
 
-    /// The warning about values outside of a parameter's range, if all of them would be within the
-    /// range as numbers in degrees.
+    /// The warning about values outside of a parameter's range, if all of them are within the range
+    /// when they are read in degrees. `all` is the number of all values of the parameter.
     pub fn told(&self, parameter: &Parameter, all: u64) -> Option<String> {
         let (low, high) = self.range.filter(|_| !self.is_beyond)?;
         let name = parameter.name;

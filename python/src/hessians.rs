@@ -14,7 +14,7 @@ pub struct Hessians {
     of: Vec<Outcome>,
     wrt: Vec<&'static Parameter>,
     /// The evaluator of all rows. `None` if each row needs its own evaluator, because the points
-    /// give other parameters than `wrt`.
+    /// set a parameter that is not in `wrt`, or `wrt` has a parameter without a value in the setup.
     once: Option<Evaluator>,
 }
 

@@ -8,8 +8,8 @@ use pyo3::types::{PyDict, PyList};
 use serde::Serialize;
 use serde_json::Value;
 
-/// Answers of `--json` as dicts, lists, numbers and texts. JSON has no infinity: `"inf"` becomes a
-/// number.
+/// Answers of `--json` as dicts, lists, numbers and texts. JSON has no infinity: the texts `"inf"`
+/// and `"-inf"` become infinite numbers.
 pub fn to_python<'py>(py: Python<'py>, answer: &impl Serialize) -> Answer<Bound<'py, PyAny>> {
     let value =
         serde_json::to_value(answer).map_err(|error| PyValueError::new_err(error.to_string()))?;

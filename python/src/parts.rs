@@ -5,7 +5,8 @@ use crate::json::to_python;
 use longdrive::parts::{Manifest, merge};
 use pyo3::prelude::*;
 
-/// Merges the statistics of parts, from their rows of the manifest as a JSON array.
+/// Merges the statistics of the parts of a sweep. `manifests` is a JSON array with the manifest of
+/// each part.
 #[pyfunction]
 pub fn merge_parts<'py>(py: Python<'py>, manifests: &str) -> PyResult<Bound<'py, PyAny>> {
     answer(|| {

@@ -20,9 +20,9 @@ struct Own {
 
 static OWN: AtomicPtr<Own> = AtomicPtr::new(std::ptr::null_mut());
 
-/// The threads of this process, as many as the processors that it may use (`available_parallelism`
-/// knows the quota of a container). The function uses no lock: if another thread held the lock at
-/// the moment of a fork, the child would wait for it forever.
+/// The thread pool of this process, with a thread for each processor that the process may use
+/// (`available_parallelism` knows the quota of a container). The function uses no lock: if another
+/// thread held the lock at the moment of a fork, the child would wait for it forever.
 fn pool() -> std::io::Result<&'static ThreadPool> {
     let process = std::process::id();
     let known = OWN.load(Ordering::Acquire);
@@ -81,7 +81,7 @@ pub fn run<R: Send + 'static>(
     }
 }
 
-/// Number of time steps, each of all lanes at once, that take tenths of a second.
+/// Number of time steps that take tenths of a second. One step advances all lanes at once.
 const LONG: f64 = 3e5;
 
 /// True if these drives may take so long that Python has to check for Ctrl-C meanwhile.

@@ -197,7 +197,8 @@ impl PySetup {
     ) -> Answer<(Self, Vec<BareAngle>)> {
         let mut setup = self.setup;
         let bare_angles = given::apply(&mut setup, given, angles)?;
-        // refuse a stated value that other parameters would replace without a message
+        // refuse a stated value without an effect: other parameters (the weather, for example)
+        // would replace it
         let base = longdrive::Setup::preset(self.file.preset.name)?;
         let of_base = base.parameters();
         let is_given = |row: &&&'static Parameter| {
@@ -544,8 +545,8 @@ impl PySetup {
 
     /// The value of a parameter in SI, None if it is unset; a choice such as ``aero.law`` as a
     /// text. A parameter that follows from others (``air.density`` from the weather, ``wind.right``
-    /// from ``wind.speed``) has the value of the drive, as in :func:`longdrive.parameters`. It is
-    /// not among the :meth:`keys`, which make the setup.
+    /// from ``wind.speed``) has the value that the drive uses, as in :func:`longdrive.parameters`.
+    /// It is not among the :meth:`keys`, which make the setup.
     fn __getitem__<'py>(
         &self,
         py: Python<'py>,
@@ -632,8 +633,8 @@ impl PySetup {
         })
     }
 
-    /// The setup as the text of a setup file, every number with its source or with the comment of
-    /// the file that it was read from; it reads back as the same setup to the last bit.
+    /// The setup as the text of a setup file. Each number has its source, or the comment of the
+    /// file from which it was read. Reading the text gives the same setup to the last bit.
     fn to_toml(&self) -> PyResult<String> {
         answer(|| self.toml())
     }

@@ -3,7 +3,7 @@
 use longdrive::command::{Mention, with_mentions};
 use pyo3::prelude::*;
 
-/// A message with arguments of functions: `subject_to="apex_height <= 30 m"`.
+/// A message whose arguments are in the syntax of Python: `subject_to="apex_height <= 30 m"`.
 #[pyfunction]
 #[pyo3(name = "in_python")]
 pub fn in_python(message: &str) -> String {

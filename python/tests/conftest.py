@@ -57,9 +57,9 @@ def unit() -> Any:
 
 @pytest.fixture
 def at_work() -> threading.Event:
-    """An event. Once a test sets it, another thread of Python presses Ctrl-C as soon as this thread
-    has run five times within 15 ms. Long work checks for Ctrl-C every 20 ms: if other threads could
-    run only at these checks, it would not be ended."""
+    """An event. Once a test sets it, a second thread of Python presses Ctrl-C, as soon as this
+    thread has run five times within 15 ms. Long work checks for Ctrl-C every 20 ms. If other
+    threads could run only at these checks, the second thread would never press Ctrl-C."""
     event = threading.Event()
 
     def run() -> None:

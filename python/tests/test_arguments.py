@@ -1,5 +1,5 @@
-"""Arguments of users of NumPy, SciPy and pandas: they work as expected there, or the message names
-the accepted ones."""
+"""Arguments that users of NumPy, SciPy and pandas are used to: they work as in these libraries, or
+the message names the accepted arguments."""
 
 from __future__ import annotations
 

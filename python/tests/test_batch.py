@@ -98,7 +98,7 @@ def test_exact_parabola_in_a_vacuum() -> None:
     np.testing.assert_allclose(
         table.derivative("carry", "gravity"), -table["carry"] / g, rtol=1e-11
     )
-    # carry is proportional to the square of the club's speed, the ball's speed to the speed
+    # carry is proportional to the square of the club's speed, the ball's speed to the club's speed
     np.testing.assert_allclose(
         table.derivative("carry", "swing.speed"), 2 * table["carry"] / speed, rtol=1e-10
     )
@@ -334,7 +334,7 @@ def test_arrow_shares_the_columns(table: Table) -> None:
     assert lent.column("status").chunk(0).dictionary.to_pylist() == [
         status.label for status in Status
     ]
-    # the memory lives as long as Arrow has it
+    # the memory of the table stays valid as long as Arrow uses it
     other = pyarrow.table(longdrive.batch(Setup(), {"club.loft": [0.1, math.nan, 0.2]}))
     assert (
         other.column("carry").null_count == 1
@@ -428,7 +428,7 @@ def test_same_rows_in_several_threads_at_once(table: Table) -> None:
     assert len(found) == 6 and all(bits(other) == bits(table) for other in found)
 
 
-# the parent runs threads when its child processes start
+# while the child processes start, a thread of the parent computes batches
 PROCESSES = """
 import multiprocessing, pickle, sys, threading
 import numpy as np

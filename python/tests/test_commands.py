@@ -175,7 +175,7 @@ def test_a_setup_of_ones_own_is_asked_about_to_the_last_digit():
         "--vary=club.loft=4deg..20deg",
         "--vary=swing.attack_angle=-5deg..5deg",
     )
-    # the program also names the setup of the command line
+    # the answer of the program also names the setup as stated on the command line
     del said["from"]
     assert (status, longdrive.optimize(setup).reply) == (0, said)
 
@@ -223,7 +223,7 @@ SHOTS = {
 
 
 def flown(cd0: float) -> list[float]:
-    """Carries of these shots, m."""
+    """Carries of the launches in SHOTS for a ball with this drag, m."""
     rows = zip(*SHOTS.values())
     launch = [
         {

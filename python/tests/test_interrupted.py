@@ -38,7 +38,7 @@ def press() -> None:
 
 
 def when(is_time: Callable[[int], bool]) -> Callable[[int, int], None]:
-    """Presses Ctrl-C after a number of parts."""
+    """A progress function that presses Ctrl-C once `is_time` is true for the parts done."""
     pressed: list[int] = []
 
     def look(done: int, of: int) -> None:
@@ -346,7 +346,7 @@ def test_ctrl_c_before_the_first_row_is_interrupted_too() -> None:
 
 
 def test_functions_of_numpy_are_known_before_ctrl_c_can_come_between() -> None:
-    # a later lookup would fail
+    # functions of NumPy that are looked up later than at the import of longdrive would fail
     code = (
         "import longdrive, numpy; del numpy._core.multiarray._ARRAY_API; "
         "print(len(longdrive.sweep('mae494', {'club.loft': (0.1, 0.2, 3)}, wrt='points')))"

@@ -133,8 +133,8 @@ def test_third_derivatives_and_wrong_shapes_are_refused_in_words() -> None:
 
 
 def test_differences_of_hessians_make_a_symmetric_third_derivative_as_the_message_advises() -> None:
-    # third derivatives are symmetric, and so must be differences of an exact Hessian: each row is
-    # differenced along another parameter
+    # differences of an exact Hessian along each parameter approximate the third derivatives, and
+    # must be symmetric like them
     hessian = jax.hessian(outcome(SETUP, "carry", WRT))
 
     def asymmetry(h: float) -> float:

@@ -340,7 +340,7 @@ def test_a_search_without_a_result_has_arrays_of_the_right_shape(swings: dict[st
         (found.success, found.ended, found.optimum) == (False, "no-flight", None)
         and math.isnan(found.fun)
     )
-    # its start: the setup's own values
+    # x is the start: the setup's own values
     setup = longdrive.Setup({})
     assert (
         found.names == ["club.loft", "swing.face_angle"]

@@ -308,7 +308,8 @@ def test_same_optimum_by_every_method_of_scipy_that_takes_derivatives(method: st
     optimize = pytest.importorskip("scipy.optimize")
     ranges = {"club.loft": (0.05, 0.45), "strike.high": (-0.015, 0.015)}
     carry = longdrive.objective("tour-average", "carry", list(ranges), "max")
-    # in km: the first step of CG and BFGS is the gradient, and in m a rad it leaves all ranges
+    # in km: the first step of CG and BFGS has the length of the gradient; in m per rad it would
+    # leave all ranges
     more: dict[str, Any] = {}
     if method in ("Newton-CG", "trust-constr"):
         more["hess"] = lambda x: carry.hess(x) / 1e3

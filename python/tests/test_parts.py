@@ -194,7 +194,7 @@ def test_a_relative_folder_is_that_of_the_caller(
         processes: int,
         retries: int,
     ) -> None:
-        # as workers of a cluster that were started in another folder
+        # change the folder, as for workers of a cluster that were started in another folder
         monkeypatch.chdir(elsewhere)
         begun(asked, left, tries, manifests, processes, retries)
         monkeypatch.chdir(tmp_path)

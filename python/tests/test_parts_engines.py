@@ -80,7 +80,7 @@ class Mortal(Question):
 
 
 class Troubled(Mortal):
-    """The sweep with a failing part and a full disk, before the death of the process."""
+    """A sweep in which a part fails and a disk is full, before the process dies."""
 
     def write(self, part: int) -> dict[str, Any]:
         place = Path(self.output).parent
@@ -155,7 +155,7 @@ def test_what_comes_back_of_a_part_does_not_grow_with_its_rows(tmp_path: Path) -
         row = Question.of(**question, output=tmp_path / str(rows)).write(2)
         assert row["rows"] == 512 * rows
         sizes.append(len(pickle.dumps(row)))
-    # numbers of rows have more digits
+    # only the numbers of rows have more digits
     assert abs(sizes[1] - sizes[0]) < 100 and max(sizes) < 5000, sizes
 
 

@@ -75,7 +75,7 @@ def test_exact_difference_of_temperatures_in_kelvins(unit: Any) -> None:
             for given in (two, "+2 degC")
         ]
         assert changed[0] == changed[1]
-    # the ends of a distribution are temperatures
+    # the ends of a distribution are temperatures, its deviation is a difference of temperatures
     ends = [
         unit.Quantity(20, "degC"), degrees[0], unit.Quantity(15, "degC"), unit.Quantity(25, "degC")
     ]

@@ -162,7 +162,7 @@ def test_same_dependent_values_in_setup_and_drive(
     setup, without = Setup({"preset": "mae494", **given}), Setup("mae494")
     for name in follows:
         assert setup[name] == in_force(setup, name) != without[name] and name in setup
-        # the keys make the setup; dependent values are no keys
+        # the keys are the parameters that make the setup, without values that follow from others
         assert (
             name not in setup.keys()
             and name in without.keys()
@@ -236,7 +236,7 @@ def test_what_was_given_is_not_replaced_in_silence() -> None:
     dense = Setup({"air.density": 1.1})
     with pytest.raises(InputError, match="air.density and air.temperature are both given"):
         dense.replace({"air.temperature": "20 degC"})
-    # the advice of the message
+    # the advice of the message works
     warm = dense.replace({"air.density": "none", "air.temperature": "20 degC"})
     assert longdrive.simulate(warm)["carry"] == longdrive.simulate(
         Setup({"air.temperature": "20 degC"})

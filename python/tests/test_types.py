@@ -14,7 +14,7 @@ pytest.importorskip("mypy")
 FOLDER = Path(__file__).parents[1]
 PACKAGE = FOLDER / "python/longdrive"
 EXAMPLES = sorted((FOLDER / "examples").glob("*.py"))
-# without these packages, the modules of longdrive would be taken for them
+# without the package ray, a checker would take `longdrive/ray.py` for it, and so on
 NEEDS = {"ray_sweep.py", "spark_sweep.py", "torch_ascent.py"}
 
 

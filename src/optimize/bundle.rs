@@ -59,9 +59,10 @@ impl Bundle {
         too_far
     }
 
-    /// Terms of the piecewise model: the second-order expansion of each other side, in scaled
-    /// variables, expanded again about `at`. At `at`, no expansion exceeds f: at a kink that stalls
-    /// a search, f is the maximum of its sides, so a larger value is an error of the expansion.
+    /// Terms of the piecewise model, in scaled variables: the second-order expansion of each other
+    /// side, rewritten as an expansion about `at`. Its value at `at` is limited to f(at): at a kink
+    /// that stalls a search, f is the maximum of its sides, so a larger value is an error of the
+    /// expansion.
     pub fn max_terms(&self, scaling: &Scaling, at: &Point, hessian: &DMatrix<f64>) -> Vec<MaxTerm> {
         if self.0.is_empty() {
             return vec![];

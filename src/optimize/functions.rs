@@ -88,9 +88,9 @@ impl<F: Functions> Problem for Gradients<F> {
     }
 }
 
-/// Writes one evaluation of the functions, with derivatives, to the functions' Taylor polynomials.
-/// The first evaluation allocates the polynomials, with `columns` gradient entries and `rows` rows
-/// of the Hessian.
+/// Writes `values`, the functions at dual numbers, into the Taylor polynomials of `evaluation`.
+/// `write` copies the derivatives of one function. The first call allocates the polynomials, with
+/// `columns` gradient entries and `rows` rows of the Hessian.
 fn put<T>(
     evaluation: &mut Option<Evaluation>,
     values: Evaluation<T>,

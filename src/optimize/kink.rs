@@ -31,9 +31,9 @@ impl Kink {
 /// Half the distance between the two compared points, in units of the variables' scale.
 const REACH: f64 = 1e-6;
 
-/// Looks for a kink at a point: a variable whose derivative changes between two points 2·REACH
-/// apart by much more than the curvature on either side explains. `evaluate` returns `None` where
-/// the functions are undefined.
+/// Looks for a kink at a point. A variable has a kink if the derivative by it changes, between two
+/// points 2·REACH apart, by much more than the curvature on either side explains. `evaluate`
+/// returns `None` where the functions are undefined.
 pub(super) fn find(
     scaling: &Scaling,
     at: &Point,

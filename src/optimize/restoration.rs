@@ -1,9 +1,10 @@
 //! Feasibility restoration from other points of the box.
 //!
 //! A search may end where no step of the linearised constraints, and no negative curvature, reduces
-//! the violation. This point may be a local minimum of the violation, or a point where its gradient
-//! and curvature vanish together. Neither proves that the constraints are inconsistent. So the
-//! search ends as infeasible only after the violation has also been minimised from other points.
+//! the violation. The end may be a local minimum of the violation, or a point where gradient and
+//! curvature of the violation vanish together. Neither proves that the constraints are
+//! inconsistent. So the search ends as infeasible only after the violation has also been minimised
+//! from other points.
 
 use super::domain::Domain;
 use super::least_squares::{self, Rows};

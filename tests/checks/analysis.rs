@@ -222,7 +222,8 @@ fn contradictory_constraints_end_as_infeasible_with_the_smallest_violation() {
         message.contains("apex_height <= 30 m") && message.contains("apex_height >= 31 m"),
         "{message}"
     );
-    // the least sum of squares is in the middle, where both constraints have one γ
+    // the sum of the squared violations is smallest in the middle, because both constraints have
+    // the same unit γ of violation
     let violations: Vec<f64> = none
         .solution
         .constraints
@@ -312,7 +313,7 @@ fn independent_mae494_optimum_from_every_batch_of_sixteen() {
         let mut values = vec![];
         for batch in 0..4 {
             let mut start = setup;
-            // shifts the start a little in place of another seed: the spread of the starts is fixed
+            // a small shift of the first start replaces another seed: the other starts are fixed
             start.swing.attack_angle = f64::from(batch) * 0.02;
             let found = optima(
                 &start,

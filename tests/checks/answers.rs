@@ -196,7 +196,7 @@ fn carry_at(found: &Value, name: &str, value: f64) -> f64 {
     Outcome::Carry.value(&Drive::new(&setup).unwrap()).unwrap()
 }
 
-/// At each end of an interval that is no bound, the flight carries one yard less.
+/// At each end of a parameter's interval the ball carries one yard less, unless the end is a bound.
 #[test]
 fn exact_loss_at_the_ends_of_the_intervals_of_an_optimum() {
     let (_, found) = json(&["optimize"]);
@@ -242,8 +242,8 @@ fn same_gain_of_the_club_as_a_search_over_the_loft_alone() {
     assert!(said.contains("the club alone, with the swing as set up: "));
 }
 
-/// The Reynolds number of an amateur's ball leaves the range of the law near the landing, which
-/// changes little. The lift of a ball with little spin is extrapolated, and changes the carry.
+/// The Reynolds number of an amateur's ball leaves the range of the law near the landing; this
+/// changes the carry little. The extrapolated lift of a ball with little spin changes it.
 #[test]
 fn a_law_outside_its_range_is_a_warning_where_it_changes_the_carry() {
     for preset in ["amateur-average", "tour-average", "lpga-average"] {

@@ -178,8 +178,8 @@ fn hubers_loss_limits_the_effect_of_an_outlier() {
 
 #[test]
 fn confounded_parameters_are_named() {
-    // density and viscosity: the law does not depend on the Reynolds number; drag and lift are
-    // proportional to density, so density trades with both
+    // the data do not determine the viscosity, because the law does not depend on the Reynolds
+    // number, nor the density, because drag and lift are proportional to it
     let names = ["aero.cd", "aero.cl_slope", "air.density", "air.viscosity"];
     let found = fitted(&shots(&mut Noise(3), 1.0), &truth(), &names, Loss::Squares);
     let named: Vec<Vec<usize>> = found
@@ -204,9 +204,9 @@ fn confounded_parameters_are_named() {
     );
 }
 
-/// With as many data as parameters the residuals vanish. The change of the fit by one standard
-/// uncertainty of a datum is a column of J⁻¹, and (JᵀJ)⁻¹ is the product of these columns. The fits
-/// need no derivatives for this comparison; they only have to reach zero residuals.
+/// With as many data as parameters the residuals vanish. If a datum changes by its standard
+/// uncertainty, the fit changes by a column of J⁻¹. The covariance (JᵀJ)⁻¹ is the sum of the outer
+/// products of these columns. The comparison uses no derivatives, only fits with zero residuals.
 #[test]
 fn differences_of_fits_match_the_covariance_with_measured_and_stationary_rows() {
     let head = "club.loft [deg],swing.attack_angle [deg],stationary,sigma stationary [deg],carry \
@@ -787,8 +787,8 @@ fn confounded_parameters_are_no_answer() {
         }
         assert!(said.contains("not determined by the data"), "{said}");
     }
-    // without a Reynolds number in the law, no measured value depends on the viscosity, also at a
-    // bound of its range
+    // without a Reynolds number in the law, no measured value depends on the viscosity; the fit
+    // starts within the range of the viscosity, and at a bound of its range
     for range in ["air.viscosity", "air.viscosity=1e-5Pas..1.837e-5Pas"] {
         let (status, said, found) = asked(
             &flown(&[45.0, 50.0], &[Outcome::Carry], None),
@@ -945,7 +945,7 @@ fn interrupted_folds_are_omitted_and_counted() {
     );
 }
 
-/// Searches that end elsewhere are listed with their status and with advice.
+/// Searches that end at another point are listed with their status and with advice.
 #[test]
 fn starts_that_end_at_larger_sums_are_reported() {
     let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
@@ -1059,7 +1059,7 @@ fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
         text.contains("came to their end ended at this sum") && !text.contains("not a minimum"),
         "{text}"
     );
-    // and its state, if it was the best stopped search
+    // the result is interrupted if the best search is a stopped one
     let at_once = calibrate(&setup, &table, &plan, &interrupting(1)).unwrap();
     assert!(
         !at_once.is_minimum && at_once.fit.status == Status::Interrupted,

@@ -49,8 +49,8 @@ fn turning() -> Setup<f64> {
     setup
 }
 
-/// Velocity of the centre of mass from the velocity of the face centre, v − ω × r. Axes and centre
-/// of mass are written by hand.
+/// Velocity of the centre of mass from the velocity of the face centre, v − ω × r. The axes of the
+/// head and its centre of mass are computed here, without the library.
 fn of_the_centre_of_mass(stated: &Setup<f64>) -> Setup<f64> {
     let (swing, club) = (&stated.swing, &stated.club);
     let (sin, cos) = (swing.attack_angle - swing.shaft_lean).sin_cos();

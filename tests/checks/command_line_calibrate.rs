@@ -268,7 +268,7 @@ fn a_parameter_that_every_row_gives_is_not_set() {
         "{}",
         said.err
     );
-    // the start of the fit
+    // a set value of a fitted parameter is the start of the fit
     assert_eq!(
         longdrive(&[&asked[..], &["--set", "aero.cd0=0.3"]].concat()).status,
         0

@@ -310,14 +310,14 @@ fn a_file_that_is_made_while_a_command_runs_stays() {
         .spawn()
         .unwrap();
     let mut input = child.stdin.take().unwrap();
-    // a file long enough that it does not wait for the head
+    // long enough that the program reads the head before the input ends
     let rows = "150,12,2700\n".repeat(20_000);
     input
         .write_all(
             format!("Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n{rows}").as_bytes(),
         )
         .unwrap();
-    // the permission to write is checked by now
+    // once its temporary file exists, the program has checked that it may write the output
     let is_begun = || {
         files(folder.path())
             .keys()

@@ -146,7 +146,7 @@ fn same_bytes_of_a_part_from_any_process_and_in_any_order() {
         assert_eq!(answer, before);
     }
     assert!(bytes(folder.path()) == bytes(SET.path()));
-    // several at once, and each part twice
+    // several processes at once, and two processes for each part
     let folder = tempfile::tempdir().unwrap();
     let program = |part: u64| {
         let mut program = program::command();
@@ -188,7 +188,7 @@ fn same_rows_of_all_parts_and_of_one_file() {
     assert!(parts == rows(&whole));
 }
 
-/// Sums of integers and halves, so that the mean is exact to the last digit.
+/// Mean, and sum of squared deviations from the mean.
 fn mean_and_squares(values: &[f64]) -> (f64, f64) {
     // pairwise summation in another order than the program's
     fn sum(values: &[f64]) -> f64 {
@@ -545,7 +545,7 @@ fn a_check_names_missing_double_damaged_and_foreign_parts() {
         fault(NAMES[2], "damaged")
     );
 
-    // compared with the arguments of a sweep
+    // the check compares the parts with the arguments of a sweep
     let folder = SET.path().to_str().unwrap();
     let (status, answer) = json(&[&question()[..], &["--check", folder]].concat());
     assert_eq!((status, &answer["rows"]), (0, &8200.into()), "{answer}");
@@ -649,7 +649,8 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
                 .map(|name| rows(&set.path().join(name)))
                 .collect(),
         );
-        // a mixture is refused at writing, and found by the check
+        // a set whose parts have different instructions is refused when a part is written, and
+        // found by the check
         if instructions < most {
             fs::remove_file(set.path().join(NAMES[3])).unwrap();
             let (status, answer) = write(&question(), 4, PARTS, set.path(), &[]);
@@ -673,7 +674,7 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
             assert_eq!(json(&[&question()[..], &more].concat()).0, 2);
         }
     }
-    // they agree to rounding
+    // the rows of different instructions agree to rounding
     let value = |cell: &Option<String>| {
         f64::from_bits(u64::from_str_radix(cell.as_ref().unwrap(), 16).unwrap())
     };

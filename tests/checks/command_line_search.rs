@@ -436,9 +436,9 @@ fn chart_as_json_csv_and_table() {
 
 const VARYING: [&str; 2] = ["--distribution", "swing.attack_angle=normal(-1deg,2deg)"];
 
-/// A changed optimum equals the optimum of a new search with the changed setup, with the step that
-/// such a search chooses: the step of the original drive would be too long for a drive more than
-/// three times as fast.
+/// The optimum after a change equals the optimum of a new search with the changed setup. Its step
+/// is the step that the new search chooses: the step of the original drive would be too long for a
+/// drive more than three times as fast.
 #[test]
 fn same_changed_optimum_and_search_of_the_changed_setup() {
     for (change, set) in [
@@ -796,7 +796,7 @@ fn differences_of_minima_are_their_sensitivities() {
         let (_, drive) = json(&["simulate", "modern-driver", "--set", &loft]);
         number(&drive["flight"]["landing_speed"]) - number(&found["value"])
     };
-    // the optimum is at the upper bound: a change of the bound loses only rounding
+    // the upper end of the interval is the bound, and the optimum itself: its loss is rounding
     assert!(
         loss("low") > 0.1 && found["window"]["club.loft"]["high_limit"] == "bound",
         "{found}"
@@ -853,7 +853,8 @@ fn same_drive_from_the_setup_written_at_an_optimum() {
             "carry",
         );
     }
-    // the step of a tolerance serves only this search: the file has the setup's own step, or none
+    // a step chosen for a tolerance serves only this search: the file has the setup's own step, or
+    // none
     let within = |setup: &str, file: &str| {
         let asked = [
             "optimize",

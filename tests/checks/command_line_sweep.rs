@@ -10,8 +10,8 @@ use std::process::{Child, Command, Stdio};
 use std::sync::Arc;
 use std::sync::OnceLock;
 
-/// Some sixty thousand drives in coarse steps, which take half a second, with so many columns that
-/// they are three row groups. Some do not fly.
+/// Some sixty thousand drives in coarse steps, which take half a second. Their many columns fill
+/// three row groups. Some drives do not fly.
 fn many() -> Vec<&'static str> {
     let over = [
         "--over",
@@ -656,7 +656,8 @@ fn a_batch_without_room_is_refused_with_its_size() {
     );
 }
 
-/// The file of a sample has every swept value of every row, unlike that of a grid.
+/// In the file of a sample, unlike in that of a grid, the values of the swept parameters do not
+/// repeat from row to row.
 #[cfg(feature = "full")]
 #[test]
 fn measured_size_of_a_parquet_file_of_a_sample_is_near_the_estimate() {

@@ -137,7 +137,7 @@ fn written_columns_are_read_again_and_ignored_ones_listed() {
             let csv = std::fs::read(file(&format!("{name}-1.csv"))).unwrap();
             assert!(csv == std::fs::read(&second).unwrap(), "{name}.{ending}");
         }
-        // and computed values may serve as measured ones
+        // calibrate reads computed values as measured values
         let args = [
             "calibrate",
             &file(&format!("{name}-1.csv")),

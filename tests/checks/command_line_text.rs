@@ -261,7 +261,7 @@ fn colours_are_for_terminals_and_no_color_turns_them_off() {
             !out(&[], args).contains('\u{1b}'),
             "a pipe is not a terminal"
         );
-        // output for a terminal
+        // colours as in a terminal
         assert!(
             out(&[("CLICOLOR_FORCE", "1")], args).contains("\u{1b}["),
             "{args:?}"

@@ -36,8 +36,8 @@ const LAUNCH: [(&str, &str); 3] = [
 
 #[test]
 fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
-    // for laws that are C² in pieces, shares are integrated to 1e-8, with a few more nodes between
-    // the parameters
+    // these laws are smooth; for laws that are C² in pieces, shares are integrated to 1e-8 only,
+    // with a few more nodes between the drives
     let smooth = [
         "launch-monitor",
         "linear",
@@ -68,7 +68,7 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
             let bar = if is_smooth { 1e-9 } else { 1e-7 };
             for split in [there, &back] {
                 let laws = [0, 1].map(|i| pair[i].law.name());
-                // the remainder is also below the printed error
+                // the remainder is below this bound, and below the printed error
                 let told = split.error.min(bar * most);
                 assert!(
                     split.remainder.abs() < told,
@@ -96,7 +96,7 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
         );
         true
     };
-    // in steps of every kind: the shares belong to the drives as computed
+    // with steps of two methods: the shares belong to the drives as computed
     for steps in [
         LARGE_STEPS,
         [("flight.method", "rk4"), ("flight.step", "100 ms")],
@@ -332,7 +332,8 @@ fn differences_of_flights_with_one_launch_condition_changed_agree_with_its_share
             .fold(0.0, f64::max);
         for name in names {
             let parameter = a.parameter(name).unwrap();
-            // from a forwards and from b backwards: the mean is right to third order
+            // the effect of the parameter from a to b, and from b to a: their mean is the share to
+            // third order
             let flown = [(0, 1), (1, 0)].map(|(here, there)| {
                 let mut setup = split.setups[here];
                 setup

@@ -40,7 +40,7 @@ impl Chance {
     }
 }
 
-/// Shots of such swings in an export, with the errors of the launch monitor.
+/// An export with shots of random swings from [`TRUTH`], with the errors of a launch monitor.
 fn shots(count: usize, seed: u64) -> String {
     let mut chance = Chance(Xoshiro256PlusPlus::seed_from_u64(seed));
     let swing = |chance: &mut Chance| {
@@ -51,7 +51,8 @@ fn shots(count: usize, seed: u64) -> String {
     shots_of(&TRUTH, count, &mut chance, swing)
 }
 
-/// Shots of other swings, whose scores come from `scores`.
+/// An export with shots of swings from another distribution. `scores` gives the standard scores of
+/// each swing.
 fn shots_of(
     truth: &[(&str, f64, f64)],
     count: usize,
@@ -216,7 +217,7 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
             mean.abs() < 3.0 && deviation.abs() < 3.0,
             "{name}: {mean} {deviation}"
         );
-        // as in the answer about a single shot
+        // the median over the shots is the value for all shots
         let rows = answer["rows"].as_array().unwrap();
         let known = rows.iter().flat_map(|row| row["known"].as_array().unwrap());
         let mut told: Vec<f64> = known
@@ -230,8 +231,8 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
             told[30]
         );
     }
-    // neither path, face and strike towards the toe nor attack angle, lean and height of the strike
-    // are identified together
+    // the launches do not identify path, face and strike towards the toe together, nor attack
+    // angle, lean and height of the strike together
     let assumed =
         |i: usize| number(&answer["population"]["spread"][i]["deviation_standard_uncertainty"]);
     assert!(

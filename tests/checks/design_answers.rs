@@ -20,7 +20,7 @@ fn words(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Swings outside the request do not suppress the answer.
+/// A swing that does not fly, and that only the error estimate uses, does not suppress the answer.
 #[test]
 fn other_swings_without_a_flight_do_not_suppress_a_design() {
     let mut setup = Setup::default();

@@ -188,8 +188,8 @@ fn the_costs_and_slopes_in_validation_md_are_those_of_the_program() {
     }
 }
 
-/// The ratios at the beginning of docs/performance.md follow from the times in its tables, and the
-/// times there are equal to those of the tables.
+/// At the beginning of docs/performance.md, the ratios follow from the times in the tables, and the
+/// times equal the times in the tables.
 #[test]
 fn the_costs_at_the_head_of_performance_md_are_those_of_its_tables() {
     let performance = document("docs/performance.md");
@@ -504,8 +504,8 @@ fn numbers_of_the_robust_example_of_swings_md_are_the_programs() {
     );
 }
 
-/// Every outcome by every parameter of every preset: after a new one, the page must be written
-/// again.
+/// The number of derivatives of every outcome by every parameter of every preset. After a new
+/// outcome or parameter, the page must be written again.
 #[test]
 fn number_of_certified_derivatives_in_verification_md() {
     let rows = table(
@@ -565,7 +565,7 @@ fn the_plan_in_scale_md_follows_from_the_rate_in_performance_md() {
             .unwrap();
         first_number(text) * size
     };
-    // as many digits as are written
+    // the written numbers are rounded
     let is_about = |text: &str, value: f64| {
         let written = in_units(text);
         assert!((written / value - 1.0).abs() < 0.1, "{text} and {value}");

@@ -152,7 +152,7 @@ fn drives_on_the_edge_of_the_region_of_small_loss_have_that_loss_and_meet_every_
                     .unwrap();
                 let short = (constraint.low - value(constraint.goal.outcome().unwrap()))
                     .max(value(constraint.goal.outcome().unwrap()) - constraint.high);
-                // 0.01 deg, 0.01 yd, 1 rpm: the map is linear between its nodes
+                // up to 0.01 deg, 0.01 yd or 1 rpm, because the map is linear between its nodes
                 let fine = if constraint.goal.outcome() == Some(Outcome::Backspin) {
                     unit
                 } else {
@@ -208,7 +208,7 @@ fn only_the_infeasible_region_is_hatched() {
                 Outcome::DescentAngle,
             )
             .to_degrees();
-            // near its line a map is linear between nodes
+            // the map is linear between nodes: skip points near the lines of the limits
             if (descent - 33.0).abs() > 0.05 && (descent - 38.0).abs() > 0.05 {
                 let is_forbidden = !(33.0..=38.0).contains(&descent);
                 assert_eq!(lies_in(&hatched, at), is_forbidden, "{at:?}: {descent}");
@@ -677,10 +677,10 @@ fn same_ellipses_on_the_fairway_and_in_uncertainty() {
             "{note}"
         );
     }
-    // the points of the picture are on the ellipse, and the picture's landing is the landing of the
-    // drive
+    // the points of the drawn ellipse are on the computed ellipse, and the drawn landing is the
+    // landing of the drive
     let figure = fairway_figure(std::slice::from_ref(&landing), System::Us);
-    // the run is the drive's line, and the legend names it
+    // the run is a solid line in the colour of its drive, and the legend names it
     let run = figure
         .layers
         .iter()
@@ -827,7 +827,7 @@ fn same_flights_in_a_launch_map_and_alone() {
             Outcome::Carry,
         )
     };
-    // its launch flies as its strike does
+    // the ball flies from the marked launch as it flies from the strike
     let [yours, others] = [0, 1].map(|i| &map.launched[i]);
     close(
         carry(yours.launch_angle, yours.backspin),
@@ -904,7 +904,7 @@ fn rings_on_the_face_have_their_loss_and_arrows_tilt_with_the_spin_axis() {
     let mut seen = [false; 2];
     for [from, to] in arrows.unwrap() {
         let tilt = strike(-from[0], from[1], Outcome::SpinAxis) - straight;
-        // from the front, right is left
+        // the face is seen from the front: a tilt to the right points to the left
         assert!((to[0] - from[0]) * tilt <= 1e-12, "{from:?}");
         seen[usize::from(tilt > 0.0)] = true;
     }

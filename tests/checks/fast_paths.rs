@@ -394,8 +394,8 @@ fn order_of_each_method_is_its_own_in_value_and_gradient() {
             Method::Rk4 => 0.1,
             Method::DormandPrince8 => 0.8,
         };
-        // averaged over some halvings: the position of the landing within the last step changes the
-        // constant
+        // the mean over eight steps of slightly different lengths: the position of the landing
+        // within the last step changes the error
         let error = |step: f64| {
             let all: Vec<f64> = (0..8)
                 .map(|k| {

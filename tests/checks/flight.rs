@@ -197,7 +197,8 @@ fn same_carry_in_shorter_steps_within_a_micrometre() {
                 (wind, wind, roughness);
             let coarse = carry(&setup);
             setup.flight.step /= 8.0;
-            // the error decreases by 4096, so the difference is the error of the default step
+            // the error in these steps is 4096 times smaller, so the difference is the error of the
+            // default step
             let error = (coarse - carry(&setup)).abs();
             assert!(
                 error < 1e-6,
@@ -526,7 +527,7 @@ fn unusual_values_of_a_diverging_flight_are_named_and_the_step_only_if_long() {
     let fast = launch(1e5, -280.0);
     let told = |change: &dyn Fn(&mut Setup<f64>), launch: &Launch<f64>| {
         let mut setup = usual();
-        // a step that is not yet long
+        // a step that is not yet long: the message does not advise a shorter step
         setup.flight.step = 0.04;
         change(&mut setup);
         match fly(&setup, launch) {

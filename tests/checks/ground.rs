@@ -368,9 +368,10 @@ fn best_loft(distance: impl Fn(f64) -> f64) -> f64 {
         .unwrap()
 }
 
-/// Penner (2001): the longest carry at 45 m/s has 14.9°, the longest totals at 35, 45 and 55 m/s
-/// have 16.5, 13.1 and 10.7°. His own run gives these within 0.4°; the ground of this program, on
-/// which a flat ball keeps more speed, has lofts lower by 1.5 to 2°.
+/// Penner (2001): the longest carry at 45 m/s has a loft of 14.9°, the longest totals at 35, 45 and
+/// 55 m/s have 16.5, 13.1 and 10.7°. His model of the run gives these lofts within 0.4°. On the
+/// ground of this program a ball that lands flat keeps more speed, and the lofts are 1.5 to 2°
+/// lower.
 #[test]
 fn published_lofts_of_the_longest_totals() {
     let carry = best_loft(|loft| value(&penner(45.0, loft), Outcome::Carry));

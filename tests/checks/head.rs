@@ -93,7 +93,7 @@ fn exact_two_halves_of_a_weight_are_one() {
     }
 }
 
-/// On a flat face, a higher centre of mass is a lower strike.
+/// On a flat face, a higher centre of mass has the effect of a lower strike.
 #[test]
 fn exact_a_centre_of_mass_beside_the_centre_of_a_flat_face() {
     let flat = [("club.bulge_radius", "inf"), ("club.roll_radius", "inf")];
@@ -143,7 +143,7 @@ fn differences_certify_derivatives_by_weights_and_centre_of_mass() {
     assert!(wrt.len() > 18, "{}", wrt.len());
     let certificate = certify(&setup, &of, &wrt, &|_, _| true).unwrap();
     assert!(certificate.passed(), "{:?}", certificate.failures());
-    // two paths of the chain rule
+    // derivatives by all parameters and by one at a time take two paths of the chain rule
     let one_by_one = |of: Outcome| {
         wrt.iter()
             .map(|row| gradient(&setup, of, &[row]).unwrap().gradient[0])

@@ -500,8 +500,8 @@ fn exact_derivatives_by_bend_droop_growth_and_slope_are_those_of_lean_and_restit
     );
 }
 
-/// With and without elimination of the speeds after impact, at any scale; a scale of 1 gives rigid
-/// bodies.
+/// The two forms of the collision, with and without elimination of the speeds after impact, agree
+/// at any scale of the gear effect. A scale of 1 gives rigid bodies.
 #[test]
 fn same_scaled_gear_effect_in_both_forms_of_the_collision() {
     for_random_setups(500, |setup| {

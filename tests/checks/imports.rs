@@ -114,7 +114,7 @@ fn defined(files: &BTreeMap<String, Names>, module: &str, path: &str) -> String 
     if files.contains_key(&next) {
         return defined(files, &next, rest);
     }
-    // a file names its own macro by the same path
+    // skip the re-export of a macro that this file defines: its path is the path sought
     let handed_on = files[module]
         .uses
         .iter()

@@ -93,7 +93,8 @@ impl AtWork {
         }
     }
 
-    /// Presses Ctrl-C and returns the output; little processor time is allowed after it.
+    /// Presses Ctrl-C and returns the output. The program must end within [`LAST`] of processor
+    /// time.
     fn interrupted(mut self) -> Output {
         let before = self.used();
         assert!(
@@ -415,7 +416,7 @@ fn searches_over_very_many_swings_are_interrupted_within_an_evaluation() {
             });
             (found["message"].as_str().unwrap().to_owned(), found)
         };
-        // a later Ctrl-C, if the earlier one came before the search
+        // if Ctrl-C came before the search began, repeat with a later Ctrl-C
         let mut within = [1, 2, 4, 8, 16, 32]
             .map(|times| times * STARTED_AFTER)
             .into_iter()

@@ -413,7 +413,7 @@ fn a_club_beside_a_launch_is_refused_by_name() {
     assert!(!longdrive(&["simulate", &mine]).err.contains("not used"));
 }
 
-/// A report of a launch has no club, and an optimum if something is varied.
+/// A report of a launch does not describe a club. It has an optimum only if a parameter is varied.
 #[test]
 fn a_report_of_a_launch_names_omitted_parts() {
     let folder = tempfile::tempdir().unwrap();
@@ -575,8 +575,8 @@ fn a_parameter_that_is_set_twice_is_refused() {
     }
 }
 
-/// One condition of a launch over a range, the others on the command line or in a file: each row is
-/// the launch with this value.
+/// A sweep over one launch condition, with the others on the command line or in a file: each row is
+/// the drive of the launch with this value.
 #[test]
 fn same_drives_of_a_swept_launch_condition_and_alone() {
     let folder = tempfile::tempdir().unwrap();

@@ -245,7 +245,7 @@ fn exact_c2_of_the_spline_across_every_line_of_the_grid() {
         for (a, b) in sides[0].iter().flatten().zip(sides[1].iter().flatten()) {
             assert!((a - b).abs() < 1e-7, "{variable} at {line}: {sides:?}");
         }
-        // a natural spline at the edges of the grid
+        // at the edges of the grid the second derivative of a natural spline is 0
         let is_edge = [13.7, 88.1].contains(&line)
             || [2000.0, 6000.0]
                 .iter()
@@ -682,7 +682,7 @@ fn a_plot_of_laws_draws_all_of_them_and_refuses_what_it_cannot_use() {
         .map(|row| (row.2, row.3))
         .collect();
     assert_eq!(mine, [(0.0, 0.2), (0.1, 0.25)]);
-    // a table is clamped beyond its nodes, and a law at the clamp of its variable
+    // beyond the nodes of a table and the clamp of a law's variable, the curves are constant
     std::fs::write(file("mine.csv"), "s,cd,cl\n0.1,0.25,0.15\n0.2,0.27,0.2\n").unwrap();
     let (rows, _) = drawn(&["--set", &own, "--laws", "table,lyu,launch-monitor"]);
     for name in [

@@ -20,7 +20,7 @@ const SIDED: [Outcome; 5] = [
     Outcome::SpinAxis,
 ];
 
-/// The numbers of the other hand, in a mirrored wind over mirrored ground.
+/// The setup of a left-hander with equal numbers, in a mirrored wind over mirrored ground.
 fn mirrored(setup: &Setup<f64>) -> Setup<f64> {
     let mut other = Setup {
         golfer: Golfer::Left,
@@ -70,7 +70,7 @@ fn exact_derivatives_of_the_mirror_image() {
     for (of, sign) in [(Outcome::Carry, 1.0), (Outcome::Lateral, -1.0)] {
         let [right, left] =
             [setup, mirrored(&setup)].map(|setup| hessian(&setup, of, &wrt).unwrap());
-        // the wind is + to the right for both
+        // a wind to the right is + for both hands
         let turned = |i: usize| {
             if names[i] == "wind.right" {
                 -sign

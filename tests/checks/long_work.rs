@@ -111,7 +111,7 @@ fn same_end_of_a_search_stopped_and_resumed_anywhere() {
 /// over many drives does; one block sets the flag.
 struct InBlocks {
     flag: Arc<AtomicBool>,
-    /// The block that sets it, counted from 1.
+    /// The block that sets the flag, counted from 1.
     raised_in: usize,
     blocks: Cell<usize>,
     finished: RefCell<Vec<Vec<f64>>>,
@@ -436,8 +436,8 @@ fn a_chart_is_interrupted_in_its_first_search() {
         &["chart", "--along", "swing.speed=80mph..130mph"][..],
         &["optimize"],
     ] {
-        // a flight of ten minutes in steps of 1 ms takes a third of a second; another 63 would
-        // follow
+        // a flight of ten minutes in steps of 1 ms takes a third of a second; the search for a
+        // start would fly 63 more
         let asked = [
             "modern-driver",
             "--set",

@@ -987,7 +987,7 @@ fn exact_minima_from_starts_with_zero_gradients() {
     };
     ends(&saddle, &[(1.0, 1.0)], [0.0, 0.0], -1.0);
     ends(&saddle, &[(1.0, 1.0)], [0.0, 1.0], -1.0);
-    // the function within the circle, where the start is feasible
+    // the same function within the circle, where the start is feasible
     ends(&saddle, &[(f64::NEG_INFINITY, 1.0)], [0.0, 0.0], -1.0);
     // x y on x² = y², from the intersection of the two lines: −4 in a corner of the box
     let lines = |v: &[f64]| {
@@ -998,8 +998,8 @@ fn exact_minima_from_starts_with_zero_gradients() {
         ]
     };
     ends(&lines, &[(0.0, 0.0)], [0.0, 0.0], -4.0);
-    // y with x − y² = 0 and x + y² = 2, from y = 0, where the two are dependent and contradictory:
-    // both hold at x = 1, y = ±1
+    // y with x − y² = 0 and x + y² = 2, from y = 0, where the linearised equations are dependent
+    // and contradictory; both equations hold at x = 1, y = ±1
     let parabolas = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
         let bend = |bend: f64| {

@@ -12,11 +12,13 @@ use serde_json::Value;
 
 const FILE: &str = "independent_drives.json";
 
-/// Scale of the error of a derivative. On smooth drives: the derivative, or, if terms nearly
-/// cancel, a hundredth of the outcome per size of the parameters. Two kinds of drive are less
-/// smooth at the scale of a step, and have the tolerance `ROUGH` relative to the outcome per size
-/// of the parameters: a logarithmic wind, which varies within half a metre of the ground, and a
-/// spin ratio that decreases through the join of a law, which is only C².
+/// Tolerance of a derivative, relative to a scale. The scale is the size of the derivative, but at
+/// least `floor` times the outcome divided by the size of each parameter, because terms may cancel.
+///
+/// On smooth drives `floor` is a hundredth. Two kinds of drive are less smooth at the scale of a
+/// step, and have the tolerance [`ROUGH`] and a `floor` of 1: drives in a logarithmic wind, which
+/// varies within half a metre of the ground, and drives whose spin ratio decreases through a join
+/// of a law that is only C².
 struct Bar {
     tolerance: f64,
     floor: f64,

@@ -110,7 +110,7 @@ fn same_drives_by_a_table_of_bearman_and_harvey_and_by_their_law() {
     }
 }
 
-/// Twice as many nodes give a sixteenth of the error, away from the edges, where the natural spline
+/// Twice as many nodes give a sixteenth of the error, except at the edges: there the natural spline
 /// has second order.
 #[test]
 fn order_of_a_table_of_a_smooth_law_is_four() {
@@ -143,7 +143,7 @@ fn exact_c2_of_a_table_across_every_grid_line_and_beyond() {
     let spin_ratios = [0.05, 0.08, 0.15, 0.2, 0.31];
     let reynolds = [6e4, 1e5, 1.3e5, 2.1e5];
     let law = of_table(&table_of("usga-itr", &spin_ratios, &reynolds));
-    // the edges, and half of the outer steps beyond them
+    // the grid lines, and half an outer step beyond the edges, where the clamps end
     let lines = spin_ratios
         .into_iter()
         .chain([0.035, 0.365])
@@ -478,8 +478,8 @@ fn a_table_that_has_changed_is_another_question() {
     );
 }
 
-/// The spline through these nodes has a negative drag below their first node. No ball has so little
-/// spin, unless it starts with it.
+/// The splines through these nodes have a negative drag below their first node. A ball can have
+/// such a spin ratio if the first node is at 0.1, but not if it is at 0.
 #[test]
 fn drag_of_a_table_is_not_checked_below_zero_spin() {
     let law = of_table("s,cd,cl\n0,0.02,0\n0.05,0.3,0.1\n0.1,0.32,0.2\n0.2,0.33,0.3\n");

@@ -440,7 +440,7 @@ fn the_setup_file_of_a_report_flies_its_best_drive() {
         let (_, best) = json(&[&["optimize"], &asked[..]].concat());
         let file = folder.path().join("page/setup.toml").display().to_string();
         let (_, drive) = json(&["simulate", &file]);
-        // each command chooses its own step, within a micrometre
+        // each command chooses its own step; the two carries differ by less than a micrometre
         crate::common::close(
             number(&drive["flight"]["carry"]),
             number(&best["value"]),

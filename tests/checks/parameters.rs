@@ -304,7 +304,7 @@ fn exact_setups_are_equal_after_a_file_and_their_steps_are_written_only_where_st
                 preset.name
             );
             assert_eq!(choice.is_own(&setup), is_own);
-            // the choice of a program is not a statement
+            // a step that the program chose does not count as stated
             assert_eq!(flown.setup.states_step, setup.states_step);
         }
     }

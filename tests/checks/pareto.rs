@@ -164,8 +164,8 @@ fn exact_front_of_two_distances() {
     );
 }
 
-/// Stopped in any evaluation: no evaluation begins after it. Before the first end is found the
-/// result says so; afterwards it has points, all on the front.
+/// After an interrupt in any evaluation, no further evaluation begins. If the first end was not yet
+/// found, the result is an error; later the result has points, all on the front.
 #[test]
 fn same_points_of_a_front_stopped_within_any_evaluation() {
     let free = (vec![f64::NEG_INFINITY], vec![f64::INFINITY]);
@@ -233,7 +233,8 @@ fn same_points_of_a_front_stopped_within_any_evaluation() {
     assert!(most > 3, "{most} of {}", whole.points.len());
 }
 
-/// With x ≤ 1 the front leaves the line between the two at (1, ½) and follows the bound upwards.
+/// With x ≤ 1 the front leaves the line between the two minima at (1, ½) and follows the bound
+/// upwards.
 #[test]
 fn exact_event_where_a_bound_becomes_active_on_a_front() {
     let found = between(Distances, [-5.0; 2], [1.0, 5.0], 9);
@@ -251,8 +252,8 @@ fn exact_event_where_a_bound_becomes_active_on_a_front() {
     close(found.points.last().unwrap().x[1], 1.0, 1.0, 1e-9, "end");
 }
 
-/// The front ends at the corner (1, 1) along x = 1, where f₁ = 1 + 2 y² and f₂ = −1 − y: the bound of
-/// y begins there, and the slope −4 y has one side.
+/// The front ends at the corner (1, 1) along x = 1, where f₁ = 1 + 2 y² and f₂ = −1 − y. At the
+/// corner the bound of y becomes active, so that the slope −4 y there is one-sided.
 #[test]
 fn exact_slope_at_an_end_where_a_bound_begins() {
     let found = between(Corner, [-5.0; 2], [1.0; 2], 5);
@@ -281,7 +282,7 @@ fn end_of_a_front_among_equal_minima() {
 fn concave_and_straight_fronts_have_no_knee() {
     let hollow = between(Hollow, [-2.0; 2], [2.0; 2], 11);
     assert_eq!((hollow.points.len(), hollow.knee), (11, None));
-    // it is convex only close to its ends
+    // the front is convex only close to its ends
     assert!(hollow.bend < 1e-3, "{}", hollow.bend);
     for point in &hollow.points {
         close(point.x[0], point.x[1], 1.0, 1e-7, "on the diagonal");

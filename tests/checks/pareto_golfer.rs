@@ -110,7 +110,7 @@ fn same_front_of_carry_and_dispersion_by_single_searches() {
     let mut setup = Setup::preset("tour-average").unwrap();
     // the front and the single searches use the same drives, in large steps
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
-    // one branch of designs: a single search finds no other
+    // the designs on the front then form one branch, so a single search cannot end on another
     setup.set_all(crate::common::RIGID).unwrap();
     setup.set("strike.high", "3 mm").unwrap();
     let options = Options::default();

@@ -45,7 +45,7 @@ fn differences_of_optima_are_the_price_of_a_limit_over_swings() {
     );
     let best = |limit: &str| number(&json(&over_swings(limit)).1["value"]);
     let slope = (best("std(carry) <= 4.52yd") - best("std(carry) <= 4.48yd")) / (0.04 * 0.9144);
-    // shown to three digits
+    // the multiplier is printed to three digits
     close(
         price,
         slope,
@@ -244,7 +244,7 @@ fn the_nearest_point_names_a_bound_that_it_has_reached() {
             .find(|line| line.starts_with("  club.loft "));
         row.unwrap().to_owned()
     };
-    // less loft, less spin
+    // less loft gives less spin
     assert!(row("4deg..20deg").ends_with("4.00°  4° .. 20°  at its lower bound"));
     assert!(row("8deg..20deg").ends_with("8.00°  8° .. 20°  at its lower bound"));
 }

@@ -1,6 +1,6 @@
 //! Published cases of off-centre strikes and of a golfer's scatter, compared with this model;
-//! docs/validation.md has the numbers. A rigid impact is known to differ from the side spin of such
-//! strikes by 30 to 50 % (Caldwell 2023): each case is tested for its own claim.
+//! docs/validation.md has the numbers. The side spin of a rigid impact is known to differ from the
+//! side spin of such strikes by 30 to 50 % (Caldwell 2023): each case is tested for its own claim.
 
 use longdrive::derivative::gradient;
 use longdrive::optimize::Observer;
@@ -75,7 +75,8 @@ fn published_side_spin_by_the_depth_of_the_centre_of_mass_and_the_best_bulge() {
             .gradient[0];
     println!("side spin by depth: {per_mm:.3} rad/s for each mm; McNally: -4.2");
     assert!((per_mm / -4.2 - 1.0).abs() < 0.1, "{per_mm}");
-    // their criterion of the best bulge is unknown: ours, under four laws of drag and lift
+    // McNally's criterion of the best bulge is unknown: use the criterion of this test, with four
+    // laws of drag and lift
     for law in [
         "launch-monitor",
         "smits-smith",
@@ -90,8 +91,8 @@ fn published_side_spin_by_the_depth_of_the_centre_of_mass_and_the_best_bulge() {
         );
         assert!((0.30..0.33).contains(&bulge), "{law}: {bulge}");
     }
-    // the best bulge is proportional to the gear effect: 15 % less depth gives 15 % less gear
-    // effect, and 36 cm
+    // the curvature of the best bulge is proportional to the gear effect: 15 % less depth of the
+    // centre of mass gives 15 % less gear effect, and a radius of 36 cm
     let shallow = best_bulge(&changed(&setup, &[("club.cg_depth", "29.5 mm")]));
     println!(
         "best bulge with 29.5 mm of depth: {:.1} cm",
@@ -328,10 +329,11 @@ const LAUNCH: [(Outcome, f64, f64, f64); 5] = [
     (Outcome::SpinAxis, DEGREE, 5.82, AXIS),
 ];
 
-/// Deviations of carry and of the lateral at rest, yd, for strikes with a mean and a deviation to
-/// the toe and up, mm, and a correlation of the measured face with the strike to the toe; and the
-/// difference of each number of the launch, its mean and its deviation, in standard errors of 58
-/// drives.
+/// Mean and deviation of carry and of the lateral at rest, yd, for random strikes. `toe` and `high`
+/// are the mean and the deviation of the strikes towards the toe and up, mm. `with_toe` is the
+/// correlation of the measured face with the strike towards the toe. Also returns, for each number
+/// of the launch, how far its mean and its deviation differ from the published ones, in standard
+/// errors of 58 drives.
 fn struck_beside_the_middle(
     toe: (f64, f64),
     high: (f64, f64),
@@ -401,9 +403,10 @@ fn struck_beside_the_middle(
     )
 }
 
-/// The strikes of this golfer were not measured. Five numbers of the strikes, by least squares from
-/// only the launch, reproduce all ten published numbers of the launch within the error of 58
-/// drives; carry and lateral, which the fit does not use, then scatter as published too.
+/// The strikes of this golfer were not measured. Five numbers of the strikes, fitted by least
+/// squares to the published launch only, reproduce all ten published numbers of the launch within
+/// the error of 58 drives. Carry and lateral, which the fit does not use, then scatter as published
+/// too.
 #[test]
 fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells() {
     let ([carry, rest], off) = struck_beside_the_middle((6.9, 17.4), (-7.1, 5.3), 0.87);
@@ -431,7 +434,7 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
         (carry.0 / 249.4 - 1.0).abs() < 0.03 && (rest.0 - 7.28).abs() < 2.0,
         "{carry:?} {rest:?}"
     );
-    // central strikes do not
+    // central strikes do not reproduce them
     let ([_, centred], off) = struck_beside_the_middle((0.0, 0.01), (0.0, 0.01), 0.0);
     println!(
         "struck in the middle: at rest ± {:.1} yd; off {off:.1?}",
@@ -441,7 +444,7 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
         centred.1 > 1.6 * LATERAL && off[4][1] > 8.0,
         "{centred:?} {off:?}"
     );
-    // the correlation of strike and face that is necessary for each scatter of the strikes
+    // a larger scatter of the strikes reproduces them with a smaller correlation of strike and face
     for (toe, with_toe) in [(16.0, 0.91), (20.0, 0.83), (24.0, 0.80)] {
         let ([_, rest], _) = struck_beside_the_middle((6.9, toe), (-7.1, 5.3), with_toe);
         println!(

@@ -197,7 +197,7 @@ fn same_positions_in_the_picture_and_in_the_data() {
         .unwrap();
         polylines(&whole(&svg))
             .into_iter()
-            // the axes are the first line with three points
+            // of the lines with three points, the axes are the first and the data the last
             .rfind(|points| points.len() == 3)
             .unwrap()
     };
@@ -292,7 +292,7 @@ fn every_series_differs_from_every_other_one() {
             );
         }
     }
-    // the sign in the legend, which is drawn before the axes, has its bar too
+    // the sign of the line in the legend, which is drawn before the axes, has the same bars
     let figure = |hue: usize| {
         Figure::new("n", "t", axis(), axis())
             .with(line(hue, false))

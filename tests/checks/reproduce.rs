@@ -39,7 +39,8 @@ fn published_optimum_is_the_peak_of_the_regression_with_its_slip() {
         5e-3,
         "as fitted",
     );
-    // from the same data, the report's regression, with its slip, is off by far more
+    // for the same data, the report's regression with its slip (wrong powers) has a far larger
+    // error of the distance than the regression as fitted
     assert!(regression.slipped.distance > 1000.0 && regression.as_fitted.distance < 300.0);
 }
 
@@ -124,7 +125,7 @@ fn independent_bound_by_energy_and_grid_of_launches() {
         "the model page's global maximum",
     );
     assert_eq!(energy.farthest.speed, energy.fastest);
-    // no launch on a grid carries farther, at that speed or less
+    // no launch of a grid with at most this ball speed carries farther
     let setup = Setup::preset("mae494").unwrap();
     for (speed, angle, spin) in (1..=4).flat_map(|v| {
         (1..18).flat_map(move |a| (0..8).map(move |s| (v, f64::from(5 * a), f64::from(100 * s))))

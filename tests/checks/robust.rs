@@ -287,7 +287,7 @@ fn a_stopped_search_reports_its_progress() {
         ];
         robust(models, search(&setup), 4, &follow)
     };
-    // the loft and the largest loss
+    // the search for all models has two variables: the loft and the largest loss
     let found = stopping_at(2).unwrap();
     assert!(
         found.stopped > 0 && !found.is_found() && found.status() == "interrupted",
@@ -339,7 +339,7 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
     let price = number(&asked(3.0, limit)["multipliers"]["swing.attack_angle"]["upper"]);
     let falls = (greatest(3.0 - by, limit) - greatest(3.0 + by, limit)) / (2.0 * by).to_radians();
     close(price, falls, falls.abs(), 1e-5, "bound");
-    // the best designs gain more by it, so that the largest loss increases
+    // each model's own best design gains more from a wider bound: the largest loss increases
     assert!(price < 0.0, "{price}");
     for (limit, unit, relaxed) in [
         ("apex_height <= 33", "m", 1.0),

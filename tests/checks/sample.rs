@@ -56,8 +56,8 @@ const LAWS: [&str; 6] = [
     "launch-monitor",
 ];
 
-/// A search, and the best objective of random points that meet its constraints: an outcome times
-/// the sense's sign.
+/// A search, and the best objective of random points that meet its constraints. The objective is
+/// the outcome times the sign of the sense.
 struct Generated {
     setup: Setup<f64>,
     search: Search,

@@ -501,7 +501,7 @@ fn tables_without_a_launch_name_the_nearest_head() {
         ),
         "{error}"
     );
-    // of two columns with one meaning the first is used, and the other is named
+    // if two columns have the same meaning, the first is used, and a remark names the second
     let text =
         "Ball Speed [mph],Ball Speed [m/s],Launch Angle [deg],Spin Rate [rpm]\n165,73.8,11,2500\n";
     let (shots, ..) = flown(text.as_bytes());
@@ -675,8 +675,8 @@ fn same_streamed_rows_for_any_number_of_threads() {
             )
             .unwrap();
         assert_eq!(taken, rows);
-        // rows in memory (read, but not yet written): the beginning of the file and a few chunks,
-        // for a file of any length
+        // for a file of any length, only its beginning and a few chunks are in memory (read, but
+        // not yet written)
         assert!(
             most < 24_000,
             "{most} rows at a time with {threads} threads"

@@ -206,7 +206,7 @@ fn assumed_values_of_a_launch_are_not_measured_when_read_again() {
             "spin axis is missing: 0 deg is assumed",
         ];
         assert_eq!(again["notes"], serde_json::json!(notes), "{name}");
-        // a message rounds its numbers
+        // the numbers of a message for a simulator are rounded
         let predicted = |line: &Value| number(&line["predicted"]["carry_distance"]);
         assert!(
             (predicted(again) / predicted(&lines(&place("a.csv.jsonl"))[0]) - 1.0).abs() < 1e-9,

@@ -34,7 +34,8 @@ fn change_between(setup: &Setup<f64>, low: f64, high: f64) -> [f64; 2] {
             ends[usize::from(found.1.0 != few)] = found;
         }
     };
-    // near the lofts whose flight time, nearly linear in the loft, is an integer number of steps
+    // the number of steps changes where the flight time, nearly linear in the loft, is a whole
+    // number of steps: move the ends close to both sides of this loft
     for _ in 0..4 {
         let [(low, (_, first)), (high, (_, last))] = ends;
         let whole = setup.flight.step

@@ -94,7 +94,7 @@ fn contours_over_the_face_have_no_corners() {
     let setup = Setup::preset("modern-driver").unwrap();
     let face = Face::of(&setup).unwrap();
     let figure = strikes_figure(&[("", &face)], System::Us).unwrap();
-    // contours of the spin axis cross at a saddle
+    // without the fourth view: contours of the spin axis cross at a saddle
     let views = std::iter::once(&figure).chain(&figure.panels).take(3);
     let (mut contours, mut sharpest_on_nodes) = (0, 0.0_f64);
     for view in views {
@@ -117,7 +117,7 @@ fn contours_over_the_face_have_no_corners() {
         }
     }
     assert_eq!(contours, 18);
-    // straight between the nodes, they would have corners
+    // contours that are straight between the nodes would have corners
     assert!(sharpest_on_nodes > 20.0, "{sharpest_on_nodes}");
 }
 

@@ -157,7 +157,7 @@ fn drives_of_every_kind_have_a_status_and_no_nan() {
             (Status::Landed, vec![true; 4])
         ]
     );
-    // 89° of loft against the ball: the face slides past without approaching it
+    // a square face strikes the ball; the drive with a face angle of 89.9° is not compared
     assert_eq!(
         status(&setup, "swing.face_angle=0deg..89.9deg:2")[0].0,
         Status::Landed

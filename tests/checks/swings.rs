@@ -157,7 +157,7 @@ fn order_of_quadrature_and_of_sequences() {
         errors[1] < 1e-3 * errors[0] && errors[2] < 1e-8,
         "{errors:?}"
     );
-    // the root mean square over seeds, with 16 times as many points
+    // the root mean square of the error over seeds; 512 are 16 times as many points as 32
     let off = |count: usize| {
         let squares = (0..4).map(|seed| (mean(Rule::Sequence { count, seed }).0 - exact).powi(2));
         (squares.sum::<f64>() / 4.0).sqrt()
@@ -295,7 +295,7 @@ fn sampled_interval_of_the_best_loft_from_recorded_swings() {
     );
     let parameter = setup.variable("swing.attack_angle").unwrap();
     let widths = [12, 108].map(|count| {
-        // a fixed stride through the unit interval, no more even than random numbers
+        // a fixed sequence in the unit interval, spread no more evenly than random numbers
         let rows = (0..count)
             .map(|k| vec![((f64::from(k * k) * 0.618_034).fract() * 12.0 - 6.0).to_radians()]);
         let recorded = Swings::recorded(vec![parameter], rows.collect()).unwrap();
@@ -395,7 +395,7 @@ fn same_bits_of_a_resumed_search_over_swings() {
     assert_eq!(whole, json(&[&args[..], &kept].concat()));
 }
 
-/// A goal that grows to both sides has a local optimum at each end of the range: a single search
+/// A goal that grows to both sides has a local optimum at each end of the range. A single search
 /// finds only the nearer end. In a mirrored range, the optimum is the mirror image.
 #[test]
 fn several_starts_find_both_ends_of_a_goal_that_grows_to_both_sides() {
@@ -509,8 +509,8 @@ fn several_starts_find_both_ends_of_a_goal_that_grows_to_both_sides() {
     );
 }
 
-/// Value, gradient and Hessian of goals as functions, compared with the searched problem and with
-/// sums over single drives; without varying swings, with the drive.
+/// Value, gradient and Hessian of goals as functions, compared with the problem of a search and
+/// with sums over single drives. If no swing varies, they are compared with the drive.
 #[test]
 fn same_goals_by_sums_over_single_drives() {
     let setup = Setup::preset("mae494").unwrap();

@@ -128,10 +128,11 @@ fn searched(setup: &Setup<f64>, goals: &[String], scenarios: Scenarios) -> Optim
     optimum(setup, search, Observer::default()).unwrap()
 }
 
-/// For 117 generated goals over one to five distributions, by Gauss's rules and by sequences, the
-/// error estimate contains the truth in 95 % or more, and is small compared with the scatter of the
-/// outcome. The truth is the value over 65,536 swings of another sequence; for goals without an
-/// edge over few parameters, Gauss's rules with two and a half times as many nodes.
+/// For at least 95 % of 117 generated goals, over one to five distributions, by Gauss's rules and
+/// by sequences, the interval of the error estimate contains the truth. The interval is small
+/// compared with the scatter of the outcome. The truth is the value over 65,536 swings of another
+/// sequence; for goals without an edge over few parameters, by Gauss's rules with two and a half
+/// times as many nodes.
 #[test]
 fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
     let mut chance = Xoshiro256PlusPlus::seed_from_u64(51);

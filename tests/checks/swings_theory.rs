@@ -100,7 +100,7 @@ fn differences_certify_every_goal_and_their_weighted_sum() {
                 by[i] = h;
                 at(goal, by)
             };
-            // of order 4
+            // differences of order 4
             const H: f64 = 1e-3;
             let four = [-2.0, -1.0, 1.0, 2.0].map(|k| step(k * H));
             let slope = |f: &dyn Fn(usize) -> f64| {

@@ -84,8 +84,8 @@ fn errors(
         method: Method::DormandPrince8,
         ..*setup
     };
-    // shorter steps in a wind that increases with height; steps of 5 ms would change no length by
-    // 2e-8 m
+    // a wind that increases with height needs shorter steps; steps of 5 ms would change every
+    // length by less than 2e-8 m
     let step: f64 = if setup.wind.roughness.is_some() {
         0.02
     } else {
@@ -453,7 +453,8 @@ fn same_derivatives_in_shorter_steps_within_the_documented_error() {
             let within = accuracy(&setup, &[], &[Outcome::Carry], MICROMETRE)
                 .unwrap()
                 .applied_to(&setup);
-            // its derivatives differ from those at 1 ms by at most a thousandth of the bound
+            // the reference: its derivatives differ from those in steps of 1 ms by at most a
+            // thousandth of the bound
             let mut fine = setup;
             (fine.method, fine.flight.step) = (Method::Rk4, 4e-3);
             // each derivative times the size of its parameter

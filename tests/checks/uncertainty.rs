@@ -119,7 +119,7 @@ fn sampled_shares_of_the_g_function_lie_within_their_intervals() {
         close(indices.first.value, first, 1.0, 0.03, "first");
         close(indices.total.value, total, 1.0, 0.03, "total");
     }
-    // one of ten intervals of 95 % may miss
+    // each interval of 95 % may miss the exact share: allow one of ten
     assert!(
         held.iter().filter(|is_within| !**is_within).count() <= 1,
         "{held:?} {found:?}"
@@ -246,8 +246,8 @@ fn sampled_coverage_of_95_percent_intervals_of_upper_bounds() {
     assert!((0.91..=0.99).contains(&share), "{within} of {all}");
 }
 
-/// A single uncertain parameter has the whole variance, for any function and sample: no estimate
-/// can be better.
+/// A single uncertain parameter has the whole variance for any function and sample: its share is 1,
+/// without an error of the estimate.
 #[test]
 fn exact_share_of_a_single_uncertain_parameter_is_one() {
     for seed in 0..5 {
@@ -404,7 +404,7 @@ fn sampled_drives_agree_with_gradients_where_nearly_linear() {
             outcome.of.name()
         );
         for one in &outcome.indices {
-            // an upper bound, except for the sampling error of both
+            // the bound is at least the total share, except for the sampling error of both
             let (total, bound) = (one.total.unwrap(), one.bound.unwrap());
             assert!(
                 bound.high >= total.low,

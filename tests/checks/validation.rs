@@ -284,7 +284,7 @@ fn misses_of_the_other_clubs_in_the_text_are_those_of_the_table() {
     }
 }
 
-/// Text, tables and pictures.
+/// Text, tables and pictures of docs/validation.md are the output of the program.
 #[test]
 fn what_validation_md_shows_is_that_of_the_program() {
     let place = |name: &str| format!("{}/../docs/{name}", env!("CARGO_MANIFEST_DIR"));

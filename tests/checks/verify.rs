@@ -135,8 +135,8 @@ fn differences_certify_a_launch_without_a_club() {
 
 #[test]
 fn differences_certify_two_hundred_random_drives() {
-    // number of parameters that are checked for each drive; each drive has others. All parameters
-    // of all drives were checked once (docs/verification.md)
+    // number of parameters that are checked for each drive: other parameters from drive to drive.
+    // All parameters of all drives were checked once (docs/verification.md)
     const AT_A_TIME: usize = 4;
     let flies = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok());
     let setups: Vec<_> = random_setups(220)
@@ -164,8 +164,8 @@ fn differences_certify_two_hundred_random_drives() {
     );
 }
 
-/// Questions of users: usual drives with every law, some in wind, some with a parameter at the end
-/// of its range, each by one parameter.
+/// A question of a user: a usual drive, and the index of the parameter to differentiate by. The
+/// drives have every law; some are in wind, and some have a parameter at the end of its range.
 fn any_question() -> impl Strategy<Value = (Setup<f64>, usize)> {
     let deg = std::f64::consts::PI / 180.0;
     let swing = (27.0..58.0, -8.0..8.0, -8.0..8.0, -10.0..10.0);
@@ -239,7 +239,7 @@ fn any_question() -> impl Strategy<Value = (Setup<f64>, usize)> {
     )
 }
 
-/// A correct derivative of a usual drive passes. LONGDRIVE_QUESTIONS sets their number
+/// A correct derivative of a usual drive passes. LONGDRIVE_QUESTIONS sets the number of drives
 /// (docs/verification.md has the number of the largest run).
 #[test]
 fn differences_certify_random_derivatives_by_one_parameter() {
@@ -290,7 +290,7 @@ fn differences_certify_random_derivatives_by_one_parameter() {
         asked.len(),
         failed.join("\n")
     );
-    // errors were planted in most of them, and found
+    // errors were planted in the derivatives of most questions, and found
     assert!(asked.len() > count / 2);
     let caught = |which: usize| asked.iter().filter(|(_, caught)| caught[which] > 0).count();
     assert!(
@@ -298,8 +298,8 @@ fn differences_certify_random_derivatives_by_one_parameter() {
     );
 }
 
-/// Earlier errors of the check: a lateral distance of a few metres is rounded as the carry is, and
-/// an error of the time step that passes through 0 between two steps has its order.
+/// Earlier errors of the check. A lateral distance of a few metres has the rounding error of the
+/// carry. An error of the time step that changes sign between two steps still has its order.
 #[test]
 fn correct_derivatives_that_an_earlier_version_rejected_pass() {
     let of = [
@@ -389,8 +389,8 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
 }
 
 /// A symmetric drive: the run cancels the lateral of the flight, 127 m and −131 m per metre of
-/// off-centre strike. Their rounding does not show at the centre, where both are 0, nor a thousand
-/// atoms beside it: an earlier check took it for a remainder of order 1 and for a kink.
+/// off-centre strike. The rounding error of both does not show at the centre, where both are 0, nor
+/// a thousand atoms beside it. An earlier check took it for a remainder of order 1 and for a kink.
 #[test]
 fn order_of_remainders_of_two_cancelling_parts_in_any_time_step() {
     for step in ["5 ms", "10 ms", "15 ms", "20 ms", "30 ms", "50 ms"] {
@@ -497,7 +497,7 @@ fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
             found.convergence.iter().all(|it| it.expected == [4, 3]),
             "{preset} by {by}"
         );
-        // with one order more, most outcomes fail
+        // most outcomes would fail a test for one order more
         let shown = found
             .convergence
             .iter()
@@ -520,8 +520,8 @@ fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
 }
 
 /// docs/model.md, eq. 17: in the logarithmic wind the errors of landing speed and angle decrease
-/// with h⁷ once a step is shorter than the path through its lowest half metre, and with h² where
-/// the error of the jerk dominates, which does not decrease with h.
+/// with h⁷ once a step is shorter than the path through the lowest half metre above the ground, and
+/// with h² where the error of the jerk dominates. The error of the jerk does not decrease with h.
 #[test]
 fn order_of_landing_in_a_logarithmic_wind() {
     let mut setup = Setup::default();

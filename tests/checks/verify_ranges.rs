@@ -187,7 +187,7 @@ fn differences_to_one_side_show_a_small_derivative() {
     assert!(found.rows[0].first.exact.abs() < 0.01 && found.rows[0].first.curve.is_empty());
 }
 
-/// The total spin has a kink at zero spin, also with a law without one.
+/// The total spin has a kink at zero spin, also if the law has none.
 #[test]
 fn a_corner_of_the_spin_itself_is_no_failure() {
     let mut setup = Setup::default();
@@ -233,8 +233,8 @@ fn a_spin_that_cancels_has_a_correct_derivative() {
     }
 }
 
-/// At a coarse step the landing of a flight differs from the landing with a step that is adjusted
-/// to end there. Differences use the former.
+/// The check at the landing adjusts the time step so that a step ends at the landing. At a coarse
+/// step the adjustment shifts the landing; the check iterates it, and the differences agree.
 #[test]
 fn differences_at_the_landing_agree_at_coarse_steps() {
     let mut setup = Setup::preset("winfield-tan").unwrap();

@@ -190,7 +190,7 @@ fn share_of_the_flight_outside_the_fitted_range_of_the_law() {
     for (flown, exact) in spin_ratio.flown.into_iter().zip([low, high]) {
         assert!((flown - exact).abs() < 1e-4 * exact, "{spin_ratio:?}");
     }
-    // so thin an air changes no carry, inside of the range or outside
+    // in so thin an air the law hardly changes the carry, so that its range needs no warning
     assert!(drive.warnings(&setup).is_empty());
     assert!(drive.extrapolated_carry(&setup).is_none());
 }

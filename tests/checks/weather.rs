@@ -649,7 +649,7 @@ fn contradictory_weather_settings_are_refused() {
         let back = remedy.split(" or ").last().unwrap().split(' ');
         let followed = longdrive(&args.iter().copied().chain(back).collect::<Vec<_>>());
         assert_eq!(followed.status, 0, "{args:?}: {}", followed.err);
-        // the remedied drive has that air and wind, without the other form
+        // after the remedy, the drive has only the air and wind of the options
         if *setup == printed {
             let asked: Vec<&str> = ["simulate"]
                 .into_iter()

@@ -289,7 +289,7 @@ struct Aero {
         else throw std::runtime_error("unknown law " + s.law);
     }
 
-    /// Drives of this program stay where no variable of a law is held.
+    /// The drives of this program stay where no variable of a law is clamped ("held").
     static void within(Q x, Q lowest, Q highest, const char* what) {
         if (x < lowest || x > highest) throw std::runtime_error(std::string("held: ") + what);
     }

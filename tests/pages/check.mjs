@@ -54,7 +54,7 @@ function made([name, args, status]) {
 
 // checks in the browser, which return the faults as texts
 
-/** True if the page is wider than the screen. */
+/** A page wider than the screen. */
 function wide() {
   const { scrollWidth, clientWidth } = document.documentElement;
   return scrollWidth > clientWidth ? [`it is ${scrollWidth} pixels wide, on a screen of ${clientWidth}`] : [];
@@ -72,7 +72,7 @@ function tall(sheet) {
   return figures.filter((height) => height > sheet).map((height) => `a picture of ${height} pixels on a sheet of ${sheet}`);
 }
 
-/** True if the whole answer is on the first screen. */
+/** A missing answer, or an answer that ends below the first screen. */
 function answered() {
   const answer = document.querySelector(".answer");
   if (!answer) return ["it has no answer"];

@@ -1,6 +1,7 @@
 //! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
-//! in Economics and Mathematical Systems 187, Springer; Nos. 41–62. Inequalities stand as they are
-//! printed, g(x) ≥ 0, or with the constant as limit; letters are ours. There is no No. 58.
+//! in Economics and Mathematical Systems 187, Springer; Nos. 41–62. Inequalities have the printed
+//! form g(x) ≥ 0, or their constant is the limit; the names of variables are ours. There is no
+//! No. 58.
 
 use super::hock_schittkowski_2::{dot, sum};
 use longdrive::number::Number;

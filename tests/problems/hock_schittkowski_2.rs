@@ -1,9 +1,9 @@
 //! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
-//! in Economics and Mathematical Systems 187, Springer; Nos. 63–92. Inequalities stand as they are
-//! printed, g(x) ≥ 0, or with the constant as limit; signs and letters are ours. Optima carry the
-//! digits of the authors' own test programs. Left out are No. 67 (an inner iteration that has no
-//! fixed point everywhere within the bounds) and No. 87 (a discontinuous objective); there is no
-//! No. 82.
+//! in Economics and Mathematical Systems 187, Springer; Nos. 63–92. Inequalities have the printed
+//! form g(x) ≥ 0, or their constant is the limit; signs and the names of variables are ours. Optima
+//! have the digits of the authors' own test programs. Two problems are omitted: No. 67 (an inner
+//! iteration without a fixed point in parts of the box) and No. 87 (a discontinuous objective).
+//! There is no No. 82.
 
 #![allow(clippy::approx_constant)] // No. 70 has 6.2832 for 2π
 

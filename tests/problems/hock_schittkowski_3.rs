@@ -1,7 +1,7 @@
 //! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
-//! in Economics and Mathematical Systems 187, Springer; Nos. 93–110. Inequalities stand as they are
-//! printed, g(x) ≥ 0, or with the constant as limit; signs and letters are ours. Optima carry the
-//! digits of the authors' own test programs. There is no No. 94.
+//! in Economics and Mathematical Systems 187, Springer; Nos. 93–110. Inequalities have the printed
+//! form g(x) ≥ 0, or their constant is the limit; signs and the names of variables are ours. Optima
+//! have the digits of the authors' own test programs. There is no No. 94.
 
 use super::hock_schittkowski_2::{dot, sum};
 use longdrive::number::Number;

@@ -1,7 +1,7 @@
 //! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
-//! in Economics and Mathematical Systems 187, Springer; Nos. 111–119. Inequalities stand as they
-//! are printed, g(x) ≥ 0, or with the constant as limit; signs and letters are ours. Optima carry
-//! the digits of the authors' own test programs. There is no No. 115.
+//! in Economics and Mathematical Systems 187, Springer; Nos. 111–119. Inequalities have the printed
+//! form g(x) ≥ 0, or their constant is the limit; signs and the names of variables are ours. Optima
+//! have the digits of the authors' own test programs. There is no No. 115.
 
 use super::hock_schittkowski_2::{
     COLVILLE_A, COLVILLE_B, COLVILLE_C, COLVILLE_D, COLVILLE_E, dot, sum,

@@ -1,10 +1,10 @@
 //! Moré, J. J., Garbow, B. S. & Hillstrom, K. E. (1981), Testing Unconstrained Optimization
 //! Software, ACM Transactions on Mathematical Software 7(1), 17–41: the 35 problems, each a sum of
-//! squares; No. 20 in two sizes. Optima that are not known in closed form carry the six digits the
-//! paper prints, most of them cut off and not rounded. Points printed to a few digits only are in
-//! the description. Where the number of variables is free, a size from the paper is taken, or ten
-//! (No. 22: twelve). The names MGH09, MGH10 and MGH17 in NIST's collection of regression problems
-//! are Nos. 15, 10 and 17 here.
+//! squares; No. 20 in two sizes. Optima that are not known in closed form have the six digits that
+//! the paper prints; most of these are truncated, not rounded. Points that the paper prints to a
+//! few digits are only in the descriptions. If the number of variables is free, it is a size from
+//! the paper, or ten (No. 22: twelve). The problems MGH09, MGH10 and MGH17 of NIST's collection of
+//! regression problems are Nos. 15, 10 and 17 here.
 
 use super::hock_schittkowski_2::sum;
 use longdrive::number::Number;

@@ -21,7 +21,7 @@ const decoder = new TextDecoder();
  * @typedef {{ wasiImport: any, initialize(instance: any): unknown }} Wasi
  */
 
-/** The longest drive in WebAssembly. */
+/** longdrive, compiled to WebAssembly. */
 export class Core {
   /** @type {any} */
   #exports;
@@ -82,7 +82,7 @@ export class Core {
   }
 
   /**
-   * Two parameters for a landing point.
+   * The values of two parameters with which the ball lands at a point.
    * @param {Request} request
    * @returns {Numbers}
    */
@@ -163,7 +163,10 @@ export class Core {
     return { head, bytes };
   }
 
-  /** The memory of the instance: growth replaces the buffer. @returns {ArrayBuffer} */
+  /**
+   * The memory of the instance, read at each use, because growth replaces the buffer.
+   * @returns {ArrayBuffer}
+   */
   get #memory() {
     return this.#exports.memory.buffer;
   }

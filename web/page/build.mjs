@@ -14,7 +14,7 @@ const here = fileURLToPath(new URL('.', import.meta.url));
 const dist = join(here, '../dist');
 const [core] = process.argv.slice(2);
 
-/** One classic script of an entry, and its style. */
+/** Bundles an entry, a source file, to one classic script and its style. */
 async function bundle(entry, plugins = []) {
   const { output } = [await build({
     root: here,
@@ -83,7 +83,7 @@ const page = ({ charset, rules, head, foot }) => ascii(`<!doctype html>
 <noscript><p>This page computes in the browser and needs JavaScript; 'longdrive report' writes a page that does not.</p></noscript>
 `) + foot + '</body>\n</html>\n';
 
-/** Modules that are made here. */
+/** A plugin for the bundler with modules that this file makes. */
 const made = modules => ({
   name: 'made',
   resolveId: id => (id in modules ? `\0${id}` : null),

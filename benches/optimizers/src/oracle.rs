@@ -56,7 +56,7 @@ impl<'a> Oracle<'a> {
     }
 }
 
-/// The functions at `x`; NaN where they are undefined.
+/// The functions and their derivatives at `x`; NaN where they are undefined.
 pub fn evaluate(case: &Case, x: &[f64]) -> Evaluation {
     let n = x.len();
     let undefined = || Taylor {

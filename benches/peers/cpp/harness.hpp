@@ -5,7 +5,7 @@
 //   PEER T2 once     the process does the task once and prints its result
 //   PEER T2 count N  does it N times and prints nothing (for instruction counts)
 //
-// Thread CPU time, the fastest of many batches: of a shared machine's numbers the one least disturbed.
+// Thread CPU time, the fastest of many batches: on a shared machine, the fastest batch is the least disturbed one.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -64,7 +64,7 @@ struct Bench {
   // T6: loft 0..25 deg x attack -10..10 deg, 1000 x 1000 points. row(lam, first, stride, add) computes the points of one
   // loft at every stride-th attack angle and calls add(j, carry, dlam, deps). Timed: every 25th loft; counted: lofts 250
   // and 750, with attack angles around the middle of the range. Value: the check sum over every 25th row and column;
-  // "grad": that without the row of loft 0, where the ball does not spin and carry has a corner.
+  // "grad": the check sum without the row of loft 0, where the ball does not spin and carry has a kink.
   template <class RowOp> void grid(int stride, RowOp row) const {
     if (!wants("T6")) return;
     const int N = 1000, every = 25;

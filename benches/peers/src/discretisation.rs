@@ -74,8 +74,8 @@ fn times(by: &Discretisation, budget: f64) -> Result<[f64; 3]> {
     Ok(seconds)
 }
 
-/// Each method with the largest step up to which all tried steps have errors within 1 µm, the
-/// fastest method first.
+/// The methods, fastest first, each with its largest trial step for which this and all shorter
+/// trial steps have errors within 1 µm.
 fn choose(
     error: impl Fn(&Discretisation) -> Result<f64>,
     time: impl Fn(&Discretisation) -> Result<f64>,

@@ -87,8 +87,9 @@ const TABLE_2: [f64; 13] = [
     -10.0, -5.0, -4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 10.0,
 ];
 
-/// The optima of Winfield & Tan: the optimum over both angles, from 10° of loft and 0° of attack
-/// angle, and the optima of their tables, where each search starts from the previous optimum.
+/// The optima of Winfield & Tan: the optimum over both angles, searched from 10° of loft and 0° of
+/// attack angle, and the optima of their tables. Each search of a table starts from the previous
+/// optimum.
 fn winfield_tan(within: Option<f64>) -> Result<Ready> {
     let mut setup = Setup::preset("winfield-tan")?;
     let vary = ["club.loft=2deg..18deg", "swing.attack_angle=-10deg..30deg"];
@@ -167,7 +168,7 @@ impl Answer {
     }
 }
 
-/// A task for repetition.
+/// The operation of a task, which may be repeated.
 type Ready = Box<dyn Fn() -> Result<Answer>>;
 
 /// The operation that computes a task of a single drive; `None` for another task. The arguments are

@@ -27,7 +27,7 @@ __all__ = [
 ]
 
 _LARGEST = 0.5
-"""Larger angles without a unit, rad, were probably meant in degrees."""
+"""Limit, rad: a larger angle without a unit was probably meant in degrees."""
 
 
 def check_unit(angles: Any) -> AngleUnit:

@@ -46,11 +46,11 @@ def batch(
     setup : SetupLike
         A setup, the name of a preset, or a dict.
     points : PointsLike
-        Parameters with arrays of one length, shape (rows,), or numbers for all rows, in SI; a text
-        has its unit, and quantities of pint, and lists of them, are converted. Also a table of
-        pandas, polars or pyarrow with such columns, or a :class:`Table`, whose points are taken.
-        Arrays of 64-bit floats, of any strides and also read-only, are read 65,536 rows at a time,
-        without a copy of the whole.
+        Parameters with arrays of one length, shape (rows,), or with one value for all rows. Numbers
+        are SI; a text has its unit; quantities of pint, and lists of them, are converted. Also a
+        table of pandas, polars or pyarrow with such columns, or a :class:`Table`, whose points are
+        used. Arrays of 64-bit floats, also read-only ones and those with strides, are read 65,536
+        rows at a time, without a copy of the whole array.
     of : Names
         Outcomes, a name or several; ``"all"`` for every one.
     wrt : Names | None

@@ -57,7 +57,7 @@ class Named:
 
 @dataclass(frozen=True)
 class Joined:
-    """Changes that make one model together."""
+    """Changes that together make one model."""
 
     parts: list[Value]
 

@@ -39,9 +39,9 @@ def outcome(
     Numbers have the precision of x: with the 32 bits that are usual in JAX, carry is exact to 1e-5
     m; ``jax.config.update("jax_enable_x64", True)`` gives all digits.
 
-    The function can be pickled, for processes and clusters. Only ``cloudpickle``, which Dask and
-    joblib use, pickles the results of ``jit``, ``grad`` and ``vmap``; elsewhere pickle the
-    function, and transform it again there.
+    The function can be pickled, for processes and clusters. The results of ``jit``, ``grad`` and
+    ``vmap`` can be pickled only with ``cloudpickle``, which Dask and joblib use; with ``pickle``,
+    send the function itself, and transform it in the other process.
 
     Parameters
     ----------

@@ -16,7 +16,8 @@ Show = Callable[[int, int], Any]
 
 Progress = Union[bool, Show, None]
 """True for a bar (by tqdm, if it is installed, also in notebooks), or a function that is called with
-the parts done and all parts, 0 of 0 while they cannot be counted. None is False."""
+the number of parts done and the number of all parts, 0 and 0 while the parts cannot be counted.
+None means False."""
 
 
 @contextmanager

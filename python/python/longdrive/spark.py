@@ -123,7 +123,7 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
 
 
 def _named(asked: Question, error: Exception) -> PartError:
-    """The error of a worker. Spark keeps its text, which names the part."""
+    """Converts the error of a worker. Spark keeps only the text, which names the part."""
     mark = f" of {asked.parts}: "
     line = next((line for line in str(error).splitlines() if "part " in line and mark in line), "")
     number = line.partition(mark)[0].rpartition(" ")[2]

@@ -238,7 +238,7 @@ def _interrupted(after: int, whole: int) -> str:
 
 
 def _refuse_counts(over: list[str]) -> None:
-    """Refuses ranges with a count beside a sample, which has its own number of points."""
+    """Refuses ranges with a count if there is a sample, because the sample has its own count."""
     counted = next((text for text in over if ":" in text), None)
     if counted is not None:
         without = counted.rpartition(":")[0]

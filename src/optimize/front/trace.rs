@@ -89,7 +89,7 @@ fn smallest_sum(path: &[Compromise], knee: Option<&Compromise>) -> f64 {
 }
 
 /// Traces the front from the first end. If the trace does not reach the second end, the front is
-/// also traced from there.
+/// also traced from the second end.
 fn trace_from_both_ends(plane: &Plane<'_>, first: Compromise, mut second: Compromise) -> Path {
     let context = plane.context;
     let mut path = trace(plane, first, 1.0);

@@ -22,9 +22,10 @@ const MOST_DAMPING: f64 = 1e20;
 /// Smallest damping. JᵀJ of the scaled columns is accurate to about 1e-16; with less damping,
 /// rounding would drive steps along directions in which the residuals do not change.
 const LEAST_DAMPING: f64 = 1e-12;
-/// Longest undamped step with which a fit counts as converged if no step lowers the sum. The unit
-/// is the size of the point and of the distance travelled (Moré 1978, MINPACK's `xtol`). The
-/// gradient is no criterion near a sum of 0, where the residuals are rounding errors.
+/// Length limit of the undamped step. If no step lowers the sum and the undamped step is shorter,
+/// the fit counts as converged. The unit is the size of the point or of its distance from the
+/// start, whichever is larger (Moré 1978, MINPACK's `xtol`). The gradient is no criterion near a
+/// sum of 0, where the residuals are rounding errors.
 const SHORTEST: f64 = 1e-8;
 
 /// Name, in messages, of the convergence measure, which is 0 at a stationary point.

@@ -28,8 +28,8 @@ const SHORTEST: f64 = 1e-7;
 
 /// The largest number of drives of the last search, from the best point so far.
 const MOST_DRIVES: u64 = 20;
-/// The largest number of drives of a first search from each start: few are enough, unless the
-/// target lies on the other side of a maximum.
+/// The largest number of drives of the first search from each start. A few drives reach the target,
+/// unless it lies on the other side of a maximum.
 const FIRST_DRIVES: u64 = 3;
 
 /// The largest number of halvings of a step.

@@ -31,7 +31,7 @@ pub enum Door {
     Drive,
     /// Outcomes over two parameters.
     Map,
-    /// Two parameters for a landing point.
+    /// The values of two parameters with which the ball lands at a point.
     Aim,
     /// The while-loop of the MAE 494 report.
     Loop,

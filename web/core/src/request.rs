@@ -57,7 +57,7 @@ pub struct CheckedSetup<'a> {
     pub setup: Setup<f64>,
     /// The units of messages.
     pub system: System,
-    /// The text of the setup.
+    /// The request that states the setup.
     text: &'a SetupRequest,
 }
 
@@ -171,7 +171,7 @@ impl CheckedSetup<'_> {
     /// The range of a parameter.
     ///
     /// # Errors
-    /// For an unknown name, an end that is not a number of the parameter, and a reversed range.
+    /// For an unknown name, an end that is not a value of the parameter, and a reversed range.
     pub fn range(&self, range: &RangeRequest) -> Result<Vary, Refusal> {
         let read = || {
             let parameter = self.setup.variable(&range.name)?;

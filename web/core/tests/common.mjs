@@ -18,7 +18,7 @@ const module = new WebAssembly.Module(readFileSync(file));
 /** An empty folder: the core must not find the files that the program would find on disk. */
 const empty = mkdtempSync(join(tmpdir(), 'longdrive-core-'));
 
-/** A new instance. */
+/** A new instance of the core. */
 export const start = progress => Core.start(module, new WASI({ version: 'preview1' }), progress);
 
 /** The program's exit status, standard output and standard error. */

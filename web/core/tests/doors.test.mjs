@@ -1,4 +1,5 @@
-// The functions of the core: their numbers beside the program's and each other's, and their messages.
+// Compares the numbers of the core's functions with the program's and with each other, and checks
+// their messages.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { DEG, random, randomSetup, run, start, wordsOf } from './common.mjs';
@@ -154,7 +155,7 @@ test('1000 reachable landing points are reached within 1 mm in at most 8 drives'
     const about = JSON.stringify([preset, set, there, head, ...block]);
     assert.equal(head.status, 'reached', about);
     assert.ok(head.drives <= 8, about);
-    // the drive of the answer, flown anew
+    // compute the drive with the found values again
     const found = { ...set, [ranges[0].name]: block[0], [ranges[1].name]: block[1] };
     const { outcomes } = drive({ setup: { preset, set: found } });
     assert.ok(Math.hypot(outcomes.carry - carry, outcomes.lateral - lateral) <= 1e-3, about);
@@ -196,7 +197,8 @@ test('the loop ends at its first step below the ground, the exact drive on it', 
     close(exact[k], outcomes.carry, 1e-10, 'exact');
     close(slope[k], derivatives[0].gradient[0], 1e-8, 'slope');
   }
-  // between two teeth the loop's step is fixed, at a tooth its difference is off by orders
+  // the loop's carry jumps where its number of steps changes; a difference quotient over a jump is off
+  // by orders of magnitude
   const worst = Math.max(...difference.map((found, k) => Math.abs(found - slope[k])));
   assert.ok(worst > 1e3, `${worst}`);
   const { head: windy } = core.loop({ ...request, setup: { set: { 'wind.right': '2 m/s' } } });
@@ -302,7 +304,7 @@ test('files are read from memory and written into it', () => {
     assert.equal(new TextDecoder().decode(files['flown.csv']).trim().split('\n').length, 3);
   }
   assert.deepEqual(flown[0].files, flown[1].files);
-  // rows for standard output are the answer
+  // rows that the program writes to standard output are the answer
   assert.equal(core.ask({ words: ['fly', 'shots.csv'] }, { 'shots.csv': text(shots) }).head.answer, new TextDecoder().decode(flown[0].files['flown.csv']));
   const swept = ['sweep', '--over', 'club.loft=8deg..12deg:3', '--of', 'carry'];
   assert.equal(core.ask({ words: swept }).head.answer, run(swept).stdout);
@@ -377,7 +379,7 @@ test('malformed input gets a message and never a trap', async () => {
   };
   const values = [null, -1, 0, 1e308, -1e308, 1e-320, '', 'deg', '10 deg', 'none', [], {}, [1, 2], true, '\u0000', 'inf', '-inf', 'nan', '..'];
   const pick = from => from[Math.floor(next() * from.length)];
-  /** A copy in which one value, at a random place, is replaced or removed. */
+  /** A copy of a request in which one value, at a random place, is replaced or removed. */
   const changed = value => {
     if (value === null || typeof value !== 'object' || next() < 0.3) return pick(values);
     const copy = Array.isArray(value) ? [...value] : { ...value };

@@ -16,16 +16,16 @@ const ROUNDING = 1e-12;
  */
 const ROUNDING_OF_BOUNCES = 1e-11;
 
-/** The optimizer's tolerance, up to which a gradient that vanishes at an optimum is known. */
+/** The optimizer's tolerance: a gradient that vanishes at an optimum has an error of this size. */
 const KKT = 1e-10;
 
-/** The words of a text in one line: standard error has line breaks between them. */
+/** The words of a text in one line: standard error breaks its lines between words. */
 const inLine = text => text.replace(/\s+/g, ' ').trim();
 
 /** A text without the digits of a KKT residual, which is a rounding error at an optimum. */
 const steady = text => (typeof text === 'string' ? text.replace(/(KKT residual) [\d.e-]+/, '$1') : text);
 
-/** Both answers to a command about a setup, after a comparison of status and messages. */
+/** The answers of core and program to a command. Asserts that exit status and messages are equal. */
 function both(command, setup, ...more) {
   const words = [command, ...wordsOf(setup), ...more, '--json'];
   const theirs = run(words);
@@ -37,7 +37,7 @@ function both(command, setup, ...more) {
   return { ours: JSON.parse(ours.answer), theirs: JSON.parse(theirs.stdout), about };
 }
 
-/** Compares all parts of two answers; `size` gives the size of the outcome at a place. */
+/** Compares all parts of two answers; `size` returns the largest allowed difference of two numbers. */
 function compare(ours, theirs, size, about, place = []) {
   const where = `${about}: ${place.join('.')}`;
   if (typeof ours === 'number' && typeof theirs === 'number') {
@@ -63,7 +63,8 @@ test('same drives as the program', () => {
 test('same gradients and Hessians as the program', () => {
   for (const setup of setups) {
     const { ours, theirs, about } = both('gradient', setup, '--hessian', '--of', 'carry,lateral,total,apex_height,spin');
-    // derivatives of one outcome add numbers of the size of the largest of them
+    // each derivative of an outcome is a sum of terms as large as its largest derivative, and has their
+    // rounding error
     const sizes = theirs.outcomes.map(({ value, gradient, hessian }) =>
       Math.max(...[value, ...Object.values(gradient ?? {}), ...(hessian?.values.flat() ?? [])].map(Math.abs)));
     const size = ([, k, order], number) => {

@@ -18,7 +18,7 @@ export function launch(more = []) {
   return chromium.launch({ executablePath, args });
 }
 
-/** A file server of the site; the address and an end. */
+/** Serves the files of the site. Returns the address, and a function that ends the server. */
 export async function serve() {
   const server = createServer((request, response) => {
     const name = request.url === '/' ? 'index.html' : request.url.slice(1);
@@ -34,7 +34,7 @@ export async function serve() {
   return { address: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
 }
 
-/** An open page, and what must not happen in it. */
+/** Opens a page. Also returns its console messages and errors (`said`), and its requests. */
 export async function open(browser, address = file, { width = 1280, height = 800, ...options } = {}, script = undefined) {
   const context = await browser.newContext({ viewport: { width, height }, acceptDownloads: true, ...options });
   const page = await context.newPage();
@@ -49,7 +49,7 @@ export async function open(browser, address = file, { width = 1280, height = 800
   return { page, context, said, requests };
 }
 
-/** Waits until all answers are those of the state, and a frame has drawn them. */
+/** Waits until all answers belong to the current state, and a frame has drawn them. */
 export async function settle(page) {
   const frame = () => page.evaluate(() => new Promise(done => { requestAnimationFrame(() => setTimeout(done, 0)); }));
   await frame();

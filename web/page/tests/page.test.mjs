@@ -20,7 +20,7 @@ after(async () => {
   server.end();
 });
 
-/** Runs steps in a page of its own that must stay silent. */
+/** Runs steps in a new page, whose console must stay empty. */
 async function visit(address, options, steps, script) {
   const opened = await open(browser, address, options, script);
   try {
@@ -32,7 +32,10 @@ async function visit(address, options, steps, script) {
   }
 }
 
-/** Runs steps in a page that several tests share, since to load the core takes most of a test. */
+/**
+ * Runs steps in a page that several tests share, because loading the core takes most of the time of
+ * a test.
+ */
 async function stay(steps) {
   shared ??= await open(browser, file, {}, exhaustWhenTold);
   await shared.page.setViewportSize({ width: 1280, height: 1400 });
@@ -71,7 +74,8 @@ test('same carry of the first drive and of the best one as the README', async ()
     await page.getByRole('button', { name: 'about attack angle' }).click();
     await page.getByLabel('the best drive may change the attack angle').check();
     await settle(page);
-    // the README's best has an attack angle of at most 5 degrees, a slider goes to 10
+    // the best drive of the README, 300.4 yd, has an attack angle of at most 5 degrees; the slider goes
+    // to 10 degrees
     assert.ok(await answer(page, 'carry', 2) > 300.4);
   });
 });
@@ -220,8 +224,8 @@ test('a drive that does not fly says why', async () => {
 });
 
 /**
- * Counts what is sent to the workers, and lets a test exhaust the memory of one: it grows to the 4 GB that it can have, so
- * that the core's next larger allocation fails.
+ * Counts the messages to the workers, and lets a test exhaust the memory of a worker: the memory
+ * grows to its limit of 4 GB, so that the core's next larger allocation fails.
  */
 function exhaustWhenTold() {
   const inWorker = () => {
@@ -257,7 +261,7 @@ function exhaustWhenTold() {
   };
 }
 
-/** Asserts that the page tells a trap, keeps what was typed, and answers the next move. */
+/** Asserts that the page reports a trap, keeps the typed values, and answers the next move. */
 async function recovers(page) {
   await page.locator('.notices .message').waitFor();
   assert.match(await page.locator('.notices').textContent(), /Internal error in the core, which has begun anew; your values are as they were\. RuntimeError: unreachable/);
@@ -350,7 +354,7 @@ restitution = "none"
       'flight.method = "dp8"', 'flight.step = "0.02 s"', 'wind.speed = "10 mph"', 'ground.restitution = "none"']) {
       assert.ok(saved.includes(`${line}\n`), `${line} in ${saved}`);
     }
-    // the other hand lands on the other side
+    // a golfer with the other hand lands on the other side
     const side = await page.locator('.panel').textContent();
     await page.getByLabel('golfer').selectOption('right');
     await page.getByLabel('method of integration').selectOption('');
@@ -376,7 +380,7 @@ test('designs stand beside each other, with the causes of their difference', asy
   await stay(async ({ page }) => {
     await page.getByRole('button', { name: /keep this design/ }).click();
     await type(page, 'club.loft', '12');
-    // as `longdrive compare --set-b club.loft=12deg` says
+    // the numbers of `longdrive compare --set-b club.loft=12deg`
     const causes = page.locator('.compare [role=status]');
     await causes.filter({ hasText: /carry −12\.6 yd.*loft −12\.6 yd/ }).waitFor({ timeout: 10_000 });
   });
@@ -433,7 +437,7 @@ for (const [width, height] of [[390, 844], [768, 1024], [1280, 800]]) {
   }
 }
 
-/** Asserts that nothing is beside the screen, and that axe finds nothing serious. */
+/** Asserts that the page is not wider than the screen, and that axe finds no serious violation. */
 async function looksWell(page) {
   const widths = () => page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
   const [all, seen] = await widths();
@@ -445,7 +449,7 @@ async function looksWell(page) {
 }
 
 test('at 200 % zoom and in print nothing is cut', async () => {
-  // 1280 pixels at 200 % are 640 of the page
+  // a window of 1280 pixels at 200 % shows a page of 640 pixels
   await visit(file, { width: 640, height: 400 }, async ({ page }) => {
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
     await page.emulateMedia({ media: 'print' });
@@ -475,7 +479,7 @@ test('the loop of time steps is beside the exact drive', async () => {
     await page.locator('.loop > summary').click();
     await page.locator('.teeth figcaption').waitFor();
     const at10 = Number(/up to ([\d.]+) yd/.exec(await page.locator('.teeth figcaption').textContent())[1]);
-    // a step of 10 ms at the landing is 0.2 m of the way
+    // in a step of 10 ms at the landing the ball moves 0.2 m downrange
     assert.ok(at10 > 0.1 && at10 < 2, String(at10));
     for (let k = 0; k < 10; k += 1) await page.locator('.loop').getByRole('slider', { name: /time step/ }).press('ArrowRight');
     await page.waitForFunction(least => Number(/up to ([\d.]+) yd/.exec(document.querySelector('.teeth figcaption').textContent)[1]) > least, at10);
@@ -558,7 +562,7 @@ test('a parameter without a price has the reason at its slider', async () => {
   });
 });
 
-/** The content of the file that a button of a part saves. */
+/** The content of the file that a button in a part of the page saves. */
 async function saved(page, part, button) {
   const waiting = page.waitForEvent('download');
   await page.locator(part).getByRole('button', { name: button }).click();
@@ -573,7 +577,7 @@ test('pictures and tables can be saved', async () => {
       if (part !== '.iterations') await page.locator(`${part} .data summary`).click();
       const picture = await saved(page, part, 'picture (SVG)');
       assert.match(picture, /^<svg[^>]*xmlns/);
-      // a file that other programs read
+      // other programs can read the file
       const error = await page.evaluate(text => new DOMParser().parseFromString(text, 'image/svg+xml').querySelector('parsererror')?.textContent, picture);
       assert.equal(error, undefined);
       assert.match(await saved(page, part, 'table (CSV)'), head);

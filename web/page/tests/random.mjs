@@ -1,4 +1,4 @@
-// Random input that is the same in each run: mutations of what is valid.
+// Random input, the same in each run: mutations of valid input.
 
 /** Random numbers in [0, 1) (Mulberry32). */
 export function random(seed) {
@@ -68,7 +68,7 @@ export class Chance {
     }
   }
 
-  /** A row whose name is not known any more. */
+  /** A row with a changed letter, so that its name is unknown. */
   mutatedName(row) {
     return row.replace(/[a-z]/, letter => this.pick(['x', letter.toUpperCase(), `${letter}${letter}`, '.']));
   }

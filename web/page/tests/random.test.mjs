@@ -1,5 +1,6 @@
-// Random links, setup files and CSVs: a message or a state, and nothing that was not named is changed.
-// LONGDRIVE_RANDOM=all takes 10,000 links, 1000 setup files and 1000 CSVs, and 1000 links in the browser.
+// Random links, setup files and CSVs: the page shows a message, or a state in which only the values
+// named by the input differ. LONGDRIVE_RANDOM=all runs 10,000 links, 1000 setup files and 1000
+// CSVs, and 1000 links in the browser.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { readFileSync } from 'node:fs';
@@ -13,7 +14,7 @@ import { Chance } from './random.mjs';
 
 const isAll = process.env.LONGDRIVE_RANDOM === 'all';
 const COUNT = isAll ? { links: 10_000, files: 1000, shots: 1000, inBrowser: 1000 } : { links: 400, files: 40, shots: 60, inBrowser: 60 };
-/** Files and CSVs that are opened in the browser. */
+/** Number of setup files, and of CSVs, that are opened in the browser. */
 const OPENED = isAll ? 100 : 4;
 
 const at = path => fileURLToPath(new URL(path, import.meta.url));
@@ -51,7 +52,7 @@ const LINKS = [
   '1&mae494&aero.law=lyu&c:preset=tour-average&d:ground.slope=-2deg&b:swing.speed=',
 ];
 
-/** Values that are numbers, but no pixels. */
+/** Links with numbers too large for a coordinate in pixels. */
 const EXTREME = [
   '1&tour-average&strike.high=1e308m&strike.toe=-1e308m',
   '1&tour-average&club.loft=1e308deg&swing.attack_angle=-1e308deg',
@@ -76,7 +77,7 @@ const decoded = part => {
   }
 };
 
-/** The values that a link names, and those that its designs have in common. */
+/** The parts of a link, without the prefixes of its designs. */
 const namedIn = fragment => new Set(fragment.replace(/^#/, '').split('&').map(decoded).map(part => part.replace(/^[bcd]:/, '')));
 
 test(`${COUNT.links} random links give a state of which all was named, and the core answers it`, () => {
@@ -95,7 +96,7 @@ test(`${COUNT.links} random links give a state of which all was named, and the c
     }
     for (const name of [...page.varyOf(state), ...page.mapOf(state)]) assert.ok(catalog.parameter(name), `${about} ${name}`);
     assert.ok(unknown.every(part => typeof part === 'string'), about);
-    // the state is that of the link that it writes
+    // the link that the page writes for the state gives the same state
     const written = page.write(state);
     assert.equal(page.write(page.read(written, catalog).state), written, about);
     const design = page.activeOf(state);
@@ -128,7 +129,7 @@ function setupFile(chance) {
   return text(chance.mutated(chance.pick(FILES), { separator: '\n', known }));
 }
 
-/** The page writes ten digits after the point. */
+/** True if two values are equal to ten digits after the point, which the page writes. */
 const isSame = (one, other) => (typeof one === 'number' && typeof other === 'number'
   ? Math.abs(one - other) <= Math.max(1e-10, 1e-9 * Math.max(Math.abs(one), Math.abs(other))) : one === other);
 
@@ -154,7 +155,7 @@ test(`${COUNT.files} random setup files give a message, or a design with all val
     const design = page.designOf(values, catalog, 'us');
     const opened = valuesOf(answered('parameters', ...page.setupWords(design)));
     for (const [name, value] of valuesOf(values)) assert.ok(isSame(value, opened.get(name)), `${about}: ${name} is ${value}, and ${opened.get(name)} in ${JSON.stringify(design)}`);
-    // the design goes down and up again
+    // the program reads the downloaded design
     const again = ask(['parameters', 'setup.toml', '--json'], { 'setup.toml': text(page.writeSetup(design)) });
     if (!Object.values(design.set).includes(page.NONE)) assert.equal(again.exit, 0, `${about} ${again.said.at(-1)?.text}`);
     read += 1;
@@ -225,7 +226,7 @@ test(`${COUNT.inBrowser} random links and ${2 * OPENED} files leave the page who
   await context.close();
 });
 
-/** Collects the messages of the page about internal errors from now on. */
+/** Collects the messages that the page shows about internal errors from now on. */
 async function trapsOf(tab) {
   await tab.evaluate(() => {
     window.internal = [];

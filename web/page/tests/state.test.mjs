@@ -1,4 +1,5 @@
-// Setups between the program and the page: the address that the program prints, and setup files.
+// Setups passed between the program and the page: by the address that the program prints, and by
+// setup files.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { before, test } from 'node:test';
@@ -10,7 +11,7 @@ const common = await import('../../core/tests/common.mjs').catch(({ message }) =
 const skip = typeof common === 'string' && `NOT CHECKED: ${common}`;
 
 const COUNT = 300;
-/** To list the parameters takes longer than a drive. */
+/** Number of setups for the test of files: listing the parameters takes longer than a drive. */
 const FILES = 60;
 let page;
 let core;
@@ -22,7 +23,7 @@ before(async () => {
   if (skip) return;
   page = await modules();
   setups = randomSetups();
-  // before the core: a process with its memory takes long to begin another one
+  // before the core starts: a process with the core's memory takes long to start another process
   addresses = await addressesOf(setups);
   core = await common.start();
   const listed = core.ask({ words: ['parameters', '--json'] }).head.answer;
@@ -78,7 +79,7 @@ function randomSetups() {
   });
 }
 
-/** Everything that a setup states, by words or in a file. */
+/** The answer of `parameters` about a setup given by arguments or by a file. */
 function stated(words, files = {}) {
   const { exit, answer, said } = core.ask({ words: ['parameters', ...words, '--json'] }, files).head;
   assert.equal(exit, 0, JSON.stringify([words, files, said]));

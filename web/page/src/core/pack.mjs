@@ -1,5 +1,6 @@
-// Bytes as text of an HTML file in windows-1252, where each byte is a character: four that HTML
-// changes or reads are escaped, so that text is 1.6 % larger than the bytes; base64 is 33 % larger.
+// Bytes as the text of an HTML file in windows-1252, where each byte is a character. Four bytes
+// that HTML would change or interpret are escaped. The text is 1.6 % larger than the bytes; base64
+// would be 33 % larger.
 
 const ESCAPE = 0x3d;
 /** NUL, carriage return, '<' and '='. */

@@ -6,13 +6,16 @@ import type { Slope } from './drive';
 /** The loss that a band allows, m. */
 export const LOSS: Readonly<Record<System, number>> = { us: 0.9144, metric: 1 };
 
-/** The values of a parameter at which the outcome is at most `loss` below its value here. */
+/** The values of a parameter at which the outcome is at most `loss` below that of the drive. */
 export interface Band {
   low: number;
   high: number;
 }
 
-/** The band of the quadratic model a x²/2 + b x + loss >= 0 around 0. */
+/**
+ * The band around `value`: the changes x with first·x + second·x²/2 + loss ≥ 0 that are connected
+ * with x = 0.
+ */
 export function bandOf(value: number, { first, second }: Slope, loss: number): Band {
   let low = -Infinity;
   let high = Infinity;

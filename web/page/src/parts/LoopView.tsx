@@ -1,5 +1,6 @@
-// For lectures: the while-loop of the MAE 494 report beside the exact drive. The loop lands a step
-// late, so its carry has teeth, and difference quotients of this carry are no derivatives.
+// For lectures: the while-loop of the MAE 494 report beside the exact drive. The loop ends at its
+// first step below the ground, so its carry is a sawtooth ("teeth"), and difference quotients of
+// this carry are no derivatives.
 import { useComputed } from '@preact/signals';
 import { useEffect, useState } from 'preact/hooks';
 import { isRefused, refusalOf } from '../drive/drive';

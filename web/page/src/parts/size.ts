@@ -1,4 +1,5 @@
-// Measures the width available for a picture: drawn at this width, its texts keep their size.
+// Measures the width available for a picture. A picture drawn at this width is not scaled, so that
+// its texts keep their size.
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 
 export function useWidth() {

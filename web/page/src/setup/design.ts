@@ -65,7 +65,7 @@ export function together(name: string, design: Design): Record<string, string> {
   return {};
 }
 
-/** The values that unset parameters have, as the program documents them. */
+/** The values that the program documents for unset parameters. */
 export const WHEN_UNSET: Readonly<Record<string, number>> = {
   'wind.speed': 0,
   'wind.from': 0,

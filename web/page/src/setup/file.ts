@@ -43,7 +43,8 @@ export function designOf(values: FileValues, catalog: Catalog, system: System): 
   const rows = values.parameters.filter(({ law, parameter }) =>
     (law === null || law === values.law) && isUsed(parameter));
   const choices = values.choices.filter(({ choice }) => catalog.choice(choice) && isUsed(choice));
-  // exclude presets that state a step, which would replace the choice of the page or the program
+  // exclude presets that state a step, unless the file does: their step would replace the step that
+  // the page or the program chooses
   const presets = catalog.presets.filter((preset) => values.states_step || !preset.states_step);
   const candidates = presets.map((preset): Design => {
     const set: Record<string, string> = {};

@@ -40,8 +40,8 @@ export class Catalog {
   readonly parameters: readonly Parameter[];
   readonly presets: readonly Preset[];
   /**
-   * Choices that presets state, in their order. The kind of turf is not among them: presets state
-   * its parameters.
+   * Choices that presets state, in the order in which presets list them. The kind of turf is not
+   * among them: presets state its parameters.
    */
   readonly choices: readonly Choice[];
   readonly #byName = new Map<string, Parameter[]>();

@@ -44,8 +44,8 @@ const ROWS: Readonly<Record<string, Row>> = {
 };
 
 /**
- * Travel of a parameter without a row in `ROWS`: half of the value to both sides of the value, or,
- * for 0 and for no value, five units to both sides of 0.
+ * Travel of a parameter without a row in `ROWS`: from half of the value to three halves of it. If
+ * the value is 0 or unset: from −5 to 5 units.
  */
 function around(value: number | null, unit: string): Travel {
   const size = value === null || value === 0 || !Number.isFinite(value)
