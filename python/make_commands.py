@@ -153,6 +153,10 @@ def class_of(command: str) -> str:
     return "".join(word.title() for word in command.split("-")) + "Reply"
 
 
+# attributes of the base class with the same type in every answer
+OF_EVERY_REPLY = ("command", "warnings", "held")
+
+
 def replies(commands: list[str]) -> str:
     """The classes of the answers of these commands, with their keys as attributes."""
     classes = []
@@ -165,7 +169,7 @@ def replies(commands: list[str]) -> str:
             rows = {"type": "array", "items": {"type": "object"}}
             found["shots"] = rows | {"description": "The rows, if they are not written to a file."}
         for key, value in found.items():
-            if not key.isidentifier() or keyword.iskeyword(key) or key in ("command", "warnings"):
+            if not key.isidentifier() or keyword.iskeyword(key) or key in OF_EVERY_REPLY:
                 continue
             lines.append(f"    {key}: {python_type(value, known)}")
             text = value.get("description")

@@ -25,6 +25,9 @@ class Reply(dict[str, Any]):
     """The end of the work in a sentence; None if there is nothing to say."""
     warnings: list[str]
     """Warnings about the request or the answer."""
+    held: list[str]
+    """Parameters that a search would vary, but keeps at the stated values; left out if there are
+    none."""
 
     if not TYPE_CHECKING:  # type checkers know the attributes of each answer
 
