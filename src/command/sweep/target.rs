@@ -167,13 +167,12 @@ impl Stream {
             if error.kind() == io::ErrorKind::BrokenPipe {
                 return Error::Output(error);
             }
-            let rows: u64 = self.status_counts.counts().map(|(_, count)| count).sum();
             Error::Output(io::Error::new(
                 error.kind(),
                 format!(
                     "{}; written before: {}",
                     write_error_text(&error),
-                    counted(rows, "row")
+                    counted(self.status_counts.total(), "row")
                 ),
             ))
         })
@@ -189,10 +188,10 @@ impl Output<'_> {
         }
     }
 
-    pub fn status_counts(&self) -> StatusCounts {
+    pub fn status_counts(&self) -> &StatusCounts {
         match self {
-            Self::Resumable(file) => file.status_counts,
-            Self::Stream(stream) => stream.status_counts,
+            Self::Resumable(file) => file.status_counts(),
+            Self::Stream(stream) => &stream.status_counts,
         }
     }
 
@@ -203,9 +202,8 @@ impl Output<'_> {
                 Rows::Text {
                     bytes,
                     status_counts,
-                    ..
                 } => {
-                    stream.status_counts.merge(status_counts);
+                    stream.status_counts.merge(&status_counts);
                     stream.write(&bytes)
                 }
                 #[cfg(feature = "parquet")]
