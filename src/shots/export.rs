@@ -4,8 +4,8 @@ use super::head::{Export, Read};
 use super::shot::{Club, Further, Origin, REFUSED, Shot, StatedOfClub as Stated, Value, within};
 use crate::drive::Outcome;
 use crate::table::{
-    CONDITIONS, DecimalMark, NonShot, Record, Refusal, Stated as Conditions, cells, conditions,
-    contradiction, implausible, implausible_launch, is_straight_by_assumption, miscounted,
+    CONDITIONS, DecimalMark, Record, Refusal, RowFault, Stated as Conditions, cells, conditions,
+    contradiction, implausible, implausible_launch, is_straight_by_assumption,
 };
 use std::borrow::Cow;
 
@@ -21,19 +21,10 @@ pub(super) const OF_SPIN: [Outcome; 4] = [
 impl Export {
     /// Reads the shot of a record.
     pub(super) fn shot(&self, record: Record) -> Shot {
-        let unclosed = record.unclosed();
-        let Record { line, text, .. } = record;
-        let row = cells(&text, self.separator);
-        let no_shot = || {
-            NonShot::of(&row)
-                .filter(|_| self.is_export)
-                .map(NonShot::refusal)
-        };
-        let wrong = unclosed
-            .or_else(no_shot)
-            .or_else(|| miscounted(&row, self.heads.len()));
-        if let Some(refusal) = wrong {
-            return Shot::refused(line, text.clone(), refusal);
+        let row = cells(&record.text, self.separator);
+        if let Some(fault) = RowFault::find(&record, &row, self.heads.len(), self.is_export) {
+            let refusal = fault.refusal();
+            return Shot::refused(record.line, record.text, refusal);
         }
         let mut shot = self.of_cells(&row);
         if let Some(refusal) = shot
@@ -43,7 +34,7 @@ impl Export {
             shot.point = Err(refusal);
         }
         shot.has_cells_of_head = row.len() == self.heads.len();
-        (shot.line, shot.text) = (line, text);
+        (shot.line, shot.text) = (record.line, record.text);
         shot
     }
 

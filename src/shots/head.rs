@@ -6,9 +6,9 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, air_as_given, air_of_rows,
-    air_of_setup, cells, club_column, given_air, near_known, nearest_head, rest_of_head,
-    split_unit, words,
+    Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, air_of_rows, air_of_setup,
+    cells, club_column, columns_remark, given_air, missing_of_launch, near_known, nearest_head,
+    replace_air_remark, rest_of_head, split_unit, words,
 };
 use crate::units::Message;
 use std::borrow::Cow;
@@ -86,11 +86,6 @@ impl Export {
         let at_column = |(at, error): (usize, Error)| {
             name.refused(format!(", column {}", at + 1), error.to_string())
         };
-        let in_degrees: Vec<String> = columns
-            .iter()
-            .filter(|column| is_export && column.is_in_assumed_degrees())
-            .map(|column| column.head.clone())
-            .collect();
         let mut found = Self {
             separator: table.separator,
             maker: meant.maker,
@@ -113,12 +108,12 @@ impl Export {
                 .take(setup, at, column)
                 .map_err(|error| at_column((at, error)))?;
         }
-        found
-            .needs_a_launch(&columns)
-            .map_err(|reason| name.refused(String::new(), reason))?;
+        if let Some(reason) = found.why_no_launch(&columns) {
+            return Err(name.refused(String::new(), reason));
+        }
         found.find_descriptions();
         found.detect_decimal_mark(table, line);
-        found.add_remarks(&columns, meant.without_unit, &in_degrees);
+        found.add_remarks(&columns, meant.without_unit);
         found.remarks.extend(meant.turned.map(Message::from));
         Ok(found)
     }
@@ -222,22 +217,11 @@ impl Export {
         self.read.iter().any(|read| read.of == of)
     }
 
-    /// Returns an error if a column of the launch is missing.
-    fn needs_a_launch(&self, columns: &[Column]) -> Result<(), String> {
-        let mut missing = vec![];
-        for (of, words) in [
-            (Outcome::BallSpeed, "the ball speed"),
-            (Outcome::LaunchAngle, "the launch angle"),
-        ] {
-            if !self.has(of) {
-                missing.push(words);
-            }
-        }
-        if !(self.has(Outcome::Spin) || self.has(Outcome::Backspin)) {
-            missing.push("the spin (spin rate, total spin or backspin)");
-        }
+    /// Message about missing columns of the launch.
+    fn why_no_launch(&self, columns: &[Column]) -> Option<String> {
+        let missing = missing_of_launch(columns);
         if missing.is_empty() {
-            return Ok(());
+            return None;
         }
         let near = near_known(columns);
         let heads = self
@@ -247,7 +231,7 @@ impl Export {
             .map(String::as_str)
             .collect::<Vec<_>>()
             .join(", ");
-        Err(format!(
+        Some(format!(
             "no column has {}{near}; give each a head that is known, as in 'Ball Speed [mph]', \
              'Launch Angle [deg]', 'Spin Rate [rpm]' \
              (the heads are: {heads})",
@@ -256,12 +240,7 @@ impl Export {
     }
 
     /// Collects remarks on the columns.
-    fn add_remarks(
-        &mut self,
-        columns: &[Column],
-        without_unit: Option<String>,
-        in_degrees: &[String],
-    ) {
+    fn add_remarks(&mut self, columns: &[Column], without_unit: Option<String>) {
         let is_read = |at: usize| {
             self.read.iter().any(|read| read.at == at)
                 || self.further.iter().any(|further| further.at == at)
@@ -289,31 +268,35 @@ impl Export {
             }
         });
         let not_read: Vec<String> = not_read.collect();
-        let mut remarks: Vec<String> = without_unit.into_iter().collect();
-        if !in_degrees.is_empty() {
-            remarks.push(format!(
-                "angles without a unit are read in degrees: {}",
-                in_degrees.join(", ")
-            ));
-        }
+        let in_degrees: Vec<&str> = columns
+            .iter()
+            .filter(|column| self.is_export && column.is_in_assumed_degrees())
+            .map(|column| column.head.as_str())
+            .collect();
         let stated_air = self.stated_air().map(|air| air_of_rows(&air.column.head));
-        remarks.extend(stated_air.or_else(|| given_air(columns)));
-        remarks.extend(self.given_twice(columns));
-        if !self.added.is_empty() {
-            remarks
-                .push("the columns that an earlier 'fly' added (from Line on) are replaced".into());
-        }
-        if !not_read.is_empty() {
-            remarks.push(format!(
-                "columns that are copied and not used: {}",
-                not_read.join(", ")
+        let of_air = stated_air.or_else(|| given_air(columns));
+        let replaced = (!self.added.is_empty())
+            .then_some("the columns that an earlier 'fly' added (from Line on) are replaced");
+        let remarks = without_unit
+            .map(Message::from)
+            .into_iter()
+            .chain(columns_remark(
+                "angles without a unit are read in degrees",
+                &in_degrees,
+            ))
+            .chain(of_air.map(Message::from))
+            .chain(self.given_twice(columns))
+            .chain(replaced.map(Message::from))
+            .chain(columns_remark(
+                "columns that are copied and not used",
+                &not_read,
             ));
-        }
-        self.remarks.extend(remarks.into_iter().map(Message::from));
+        let remarks: Vec<Message> = remarks.collect();
+        self.remarks.extend(remarks);
     }
 
     /// Remark on columns with the same meaning, of which only the first is used.
-    fn given_twice(&self, columns: &[Column]) -> Option<String> {
+    fn given_twice(&self, columns: &[Column]) -> Option<Message> {
         let twice = self.read.iter().flat_map(|first| {
             let is_again = |(at, column): &(usize, &Column)| {
                 *at != first.at && column.content == first.column.content
@@ -322,12 +305,7 @@ impl Export {
             again.map(|(at, _)| format!("'{}' repeats '{}'", self.heads[at], self.heads[first.at]))
         });
         let twice: Vec<String> = twice.collect();
-        (!twice.is_empty()).then(|| {
-            format!(
-                "columns given twice; only the first is used: {}",
-                twice.join(", ")
-            )
-        })
+        columns_remark("columns given twice; only the first is used", &twice)
     }
 
     /// Parameters that every row has.
@@ -368,14 +346,7 @@ impl Export {
             return false;
         };
         let head = self.further.remove(at).column.head;
-        let replaced = air_of_rows(&head);
-        for remark in self
-            .remarks
-            .iter_mut()
-            .filter(|remark| remark.to_string() == replaced)
-        {
-            *remark = air_as_given(&head).into();
-        }
+        replace_air_remark(&mut self.remarks, &head);
         true
     }
 

@@ -84,8 +84,7 @@ impl Club {
     /// counts as not measured, with a note in `notes`. A club speed of 0 counts as not measured. If
     /// all values are 0, no value counts as measured.
     pub(super) fn measured(stated: [Option<StatedOfClub<'_>>; 4], notes: &mut Vec<String>) -> Self {
-        let is_still = stated[0].is_some_and(|speed| speed.value == 0.0);
-        if is_still && stated.iter().flatten().all(|stated| stated.value == 0.0) {
+        if Self::is_still(stated.map(|stated| Some(stated?.value))) {
             return Self::default();
         }
         let mut values = [None; 4];
@@ -107,6 +106,11 @@ impl Club {
             path,
             face_angle,
         }
+    }
+
+    /// True if the stated values include the club speed and are all 0: the club was not measured.
+    pub(crate) fn is_still(values: [Option<f64>; 4]) -> bool {
+        values[0].is_some() && values.into_iter().flatten().all(|value| value == 0.0)
     }
 
     /// Index of a parameter in [`NAMES`](Self::NAMES); `None` for any other parameter.

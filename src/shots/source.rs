@@ -10,7 +10,9 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::input_file::InputFile;
 use crate::parameters::{Golfer, Parameter, Setup};
-use crate::table::{Entry, Record, RowFilter, SourceName, TableOptions, Text, TextTable};
+use crate::table::{
+    Entry, Record, RowFilter, SourceName, TableOptions, Text, TextTable, remark_from_line,
+};
 use crate::units::Message;
 use std::io::{self, Read};
 use std::path::Path;
@@ -263,12 +265,10 @@ impl TableRows {
 
     /// Begins a section.
     fn begin(&mut self, record: &Record) -> Result<()> {
-        let head = self
-            .table
-            .head(record, &self.setup, &TableOptions::LAUNCHES)?;
-        if head.is_like(&self.export.heads, self.export.units.as_deref()) {
+        let wanted = &TableOptions::LAUNCHES;
+        let Some(head) = self.table.section(record, &self.setup, wanted)? else {
             return Ok(());
-        }
+        };
         let mut export = Export::read(&self.setup, head, &self.table)?;
         if self.is_air_given {
             export.ignore_air();
@@ -282,10 +282,9 @@ impl TableRows {
                 .name
                 .refused(format!(", line {}", record.line), reason)
         })?;
-        let located = |remark: &Message| {
-            Message::from(format!("from line {} on: ", record.line)).message(remark.clone())
-        };
-        self.remarks.extend(export.remarks.iter().map(located));
+        let remarks = export.remarks.iter();
+        self.remarks
+            .extend(remarks.map(|remark| remark_from_line(record.line, remark)));
         (self.export, self.is_begun) = (Arc::new(export), true);
         Ok(())
     }

@@ -8,9 +8,9 @@ use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Interpretation, Shot as Stated};
 use crate::table::{
     CONDITIONS, ClubColumns, Column, Content, Fault, Head, Stated as Launch, TextTable,
-    club_column, columns_remark, conditions, contradiction, given_air, implausible,
-    implausible_club, implausible_launch, impossible, in_degrees, is_straight_by_assumption,
-    near_known, outside,
+    club_column, columns_remark, conditions, contradiction, given_air, has_whole_launch,
+    implausible, implausible_club, implausible_launch, impossible, in_degrees,
+    is_straight_by_assumption, near_known, outside,
 };
 use crate::units::{Digits, Message, Quantity};
 
@@ -475,22 +475,13 @@ impl Reading {
         Ok(())
     }
 
-    /// True if every club value that the row states is 0, and the club speed is one of these
-    /// values: the club was not measured.
+    /// True if the club was not measured.
     fn is_still(&self, record: Values<'_>) -> bool {
-        let of_club =
-            self.columns
-                .iter()
-                .enumerate()
-                .filter_map(|(at, column)| match column.content {
-                    Content::Input(parameter) if ClubOfShot::place(parameter).is_some() => {
-                        Some((parameter.name, record.value(at, column).ok().flatten()?))
-                    }
-                    _ => None,
-                });
-        let stated: Vec<(&str, f64)> = of_club.collect();
-        stated.iter().any(|(name, _)| *name == "swing.speed")
-            && stated.iter().all(|(_, value)| *value == 0.0)
+        let stated = ClubOfShot::NAMES.map(|name| {
+            let parameter = self.setup.parameter(name).ok()?;
+            self.cell(record, Content::Input(parameter)).ok().flatten()
+        });
+        ClubOfShot::is_still(stated)
     }
 
     /// Value of a club column in a row.
@@ -691,17 +682,6 @@ fn assumed_sigma(column: &Column, outcome: Outcome) -> Message {
     .words(" is taken for each (")
     .message(instrument.source())
     .words(")")
-}
-
-/// True if there are all columns of a launch.
-fn has_whole_launch(columns: &[Column]) -> bool {
-    let has = |of: Outcome| {
-        columns
-            .iter()
-            .any(|column| column.content == Content::Outcome(of))
-    };
-    let has_spin = has(Outcome::Spin) || has(Outcome::Backspin);
-    has(Outcome::BallSpeed) && has(Outcome::LaunchAngle) && has_spin
 }
 
 /// Names of the parameters that have a column.

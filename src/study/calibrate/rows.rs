@@ -6,8 +6,8 @@ use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::shots::Shot as Stated;
 use crate::table::{
-    ClubColumns, DecimalMarkCheck, NonShot, NonShotRows, Record, RowFilter, air_of_rows,
-    air_of_setup, cells, counted_values, miscounted,
+    ClubColumns, DecimalMarkCheck, NonShotRows, Record, RowFault, RowFilter, air_of_rows,
+    air_of_setup, cells, counted_values, remark_from_line,
 };
 use crate::units::{Message, counted};
 use std::collections::BTreeMap;
@@ -57,10 +57,9 @@ impl Rows {
 
     /// Begins a section of the table with new column heads.
     pub fn begin(&mut self, line: u64, reading: &Reading) {
-        let located = |remark: &Message| {
-            Message::from(format!("from line {line} on: ")).message(remark.clone())
-        };
-        self.of_sections.extend(reading.remarks.iter().map(located));
+        let remarks = reading.remarks.iter();
+        self.of_sections
+            .extend(remarks.map(|remark| remark_from_line(line, remark)));
     }
 
     /// Adds a row of text.
@@ -71,20 +70,18 @@ impl Rows {
     pub fn take(&mut self, reading: &Reading, record: &Record, separator: u8) -> Result<()> {
         self.row += 1;
         let row = cells(&record.text, separator);
-        let unclosed = record.unclosed();
-        if let Some(no_shot) = NonShot::of(&row).filter(|_| reading.is_export && unclosed.is_none())
-        {
-            self.no_shots.add(self.row as u64, no_shot);
-            return Ok(());
-        }
-        match unclosed.or_else(|| miscounted(&row, reading.columns.len())) {
-            Some(wrong) if reading.is_export => {
+        match RowFault::find(record, &row, reading.columns.len(), reading.is_export) {
+            None => {}
+            Some(RowFault::NonShot(no_shot)) => {
+                self.no_shots.add(self.row as u64, no_shot);
+                return Ok(());
+            }
+            Some(RowFault::Unreadable(wrong)) if reading.is_export => {
                 self.unreadable
                     .push(format!("row {} ({})", self.row, wrong.reason));
                 return Ok(());
             }
-            Some(wrong) => return Err(self.refused("", wrong.reason)),
-            None => {}
+            Some(RowFault::Unreadable(wrong)) => return Err(self.refused("", wrong.reason)),
         }
         for (column, cell) in reading.columns.iter().zip(&row) {
             let looked = self.marks.check(self.row as u64, column, cell);
