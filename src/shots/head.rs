@@ -1,14 +1,14 @@
 //! Meaning of the columns of an export.
 
 use super::interpretation::Interpretation;
-use super::shot::{Club as ClubOfShot, Further, Origin, launch_parameters};
+use super::shot::{Club as ClubOfShot, Further, Origin};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
     Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, air_of_rows, air_of_setup,
-    cells, club_column, columns_remark, given_air, missing_of_launch, near_known, nearest_head,
-    replace_air_remark, rest_of_head, split_unit, words,
+    cells, club_column, columns_remark, given_air, missing_of_launch, near_known,
+    replace_air_remark, rest_of_head, split_unit, with_nearest, words,
 };
 use crate::units::Message;
 use std::borrow::Cow;
@@ -149,24 +149,19 @@ impl Export {
         self.condition = named(&["condition", "conditions"]);
     }
 
-    /// Sorts the parameters other than the launch in the order of the table's first section. Drops
-    /// parameters that the first section does not have.
+    /// Sorts the parameters other than the launch in the order of another section. Drops
+    /// parameters that the other section does not have.
     ///
     /// # Errors
     /// The name of a parameter that has no column in this section.
-    pub(super) fn align(
-        &mut self,
-        further: &[&'static Parameter],
-    ) -> std::result::Result<(), &'static str> {
-        let own = |parameter: &&'static Parameter| {
-            let mut all = self.further.iter();
-            let found = all.find(|own| own.parameter == *parameter);
-            found.cloned().ok_or(parameter.name)
-        };
-        self.further = further
-            .iter()
-            .map(own)
-            .collect::<std::result::Result<_, _>>()?;
+    pub(super) fn align(&mut self, other: &Self) -> std::result::Result<(), &'static str> {
+        let mut aligned = vec![];
+        for Further { parameter, .. } in &other.further {
+            let mut own = self.further.iter();
+            let found = own.find(|own| own.parameter == *parameter);
+            aligned.push(found.cloned().ok_or(parameter.name)?);
+        }
+        self.further = aligned;
         Ok(())
     }
 
@@ -260,11 +255,10 @@ impl Export {
             .enumerate()
             .filter(|(at, column)| !is_read(*at) && !column.head.is_empty() && !is_told(column));
         let not_read = not_read.map(|(_, column)| {
-            match nearest_head(&column.head)
-                .filter(|_| column.is_unknown() && origin(&column.head).is_none())
-            {
-                Some(known) => format!("{} (did you mean '{known}'?)", column.head),
-                None => column.head.clone(),
+            if column.is_unknown() && origin(&column.head).is_none() {
+                with_nearest(&column.head)
+            } else {
+                column.head.clone()
             }
         });
         let not_read: Vec<String> = not_read.collect();
@@ -308,11 +302,9 @@ impl Export {
         columns_remark("columns given twice; only the first is used", &twice)
     }
 
-    /// Parameters that every row has.
-    pub(super) fn parameters(&self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
-        let mut parameters = launch_parameters(setup)?;
-        parameters.extend(self.further.iter().map(|further| further.parameter));
-        Ok(parameters)
+    /// Parameters of every row other than the launch.
+    pub(super) fn further(&self) -> Vec<&'static Parameter> {
+        self.further.iter().map(|row| row.parameter).collect()
     }
 
     /// Column head of a launch condition, for messages.
@@ -338,16 +330,14 @@ impl Export {
         further.find(|further| further.column.is_stated_air())
     }
 
-    /// Ignores the air of the export if the setup gives the air explicitly. Returns true if the
-    /// export states the air.
-    pub(super) fn ignore_air(&mut self) -> bool {
+    /// Ignores the air of the export if the setup gives the air explicitly.
+    pub(super) fn ignore_air(&mut self) {
         let mut further = self.further.iter();
-        let Some(at) = further.position(|further| further.column.is_stated_air()) else {
-            return false;
-        };
-        let head = self.further.remove(at).column.head;
-        replace_air_remark(&mut self.remarks, &head);
-        true
+        let at = further.position(|further| further.column.is_stated_air());
+        if let Some(at) = at {
+            let head = self.further.remove(at).column.head;
+            replace_air_remark(&mut self.remarks, &head);
+        }
     }
 
     /// Message for a row without usable air.

@@ -99,7 +99,11 @@ impl Club {
                 None => values[at] = Some(value),
             }
         }
-        let [speed, attack_angle, path, face_angle] = values;
+        Self::of(values)
+    }
+
+    /// Club data in the order of [`NAMES`](Self::NAMES).
+    pub(super) fn of([speed, attack_angle, path, face_angle]: [Option<f64>; 4]) -> Self {
         Self {
             speed,
             attack_angle,
@@ -192,6 +196,12 @@ impl Shot {
     /// Value of an outcome.
     pub fn value(&self, of: Outcome) -> Option<Value> {
         self.values.iter().find(|value| value.of == of).copied()
+    }
+
+    /// Origin of the spin; `None` if the export does not state it.
+    pub fn spin_origin(&self) -> Option<Origin> {
+        let spin = self.value(Outcome::Spin);
+        spin.or_else(|| self.value(Outcome::Backspin))?.origin
     }
 
     /// Stated launch conditions in the order of [`CONDITIONS`].

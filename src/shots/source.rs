@@ -3,7 +3,7 @@
 use super::head::Export;
 use super::objects::Objects;
 use super::open_connect;
-use super::shot::{LAUNCH, Shot, launch_parameters};
+use super::shot::Shot;
 use super::written;
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
@@ -26,7 +26,8 @@ pub struct Shots {
     /// The column heads of the table's first section; `None` for messages.
     export: Option<Arc<Export>>,
     pub(super) rows: Rows,
-    pub(super) parameters: Vec<&'static Parameter>,
+    /// Parameters of every row other than the launch.
+    pub(super) further: Vec<&'static Parameter>,
     /// True if the source is JSON lines written by `fly`.
     is_written: bool,
 }
@@ -44,8 +45,6 @@ pub(super) struct TableRows {
     /// Column heads of the current section.
     export: Arc<Export>,
     is_begun: bool,
-    /// Parameters of every row other than the launch.
-    further: Vec<&'static Parameter>,
     is_air_given: bool,
     /// Remarks on later sections.
     remarks: Vec<Message>,
@@ -111,14 +110,13 @@ impl Shots {
                      messages; leave out `only`";
                 return Err(text.name.refused(String::new(), reason));
             }
-            let mut parameters = launch_parameters(setup)?;
-            parameters.extend(written::further(setup, &text.beginning));
+            let further = written::further(setup, &text.beginning);
             let is_written = written::begins(&text.beginning);
             let rows = Rows::Objects(text.source, Objects::default(), text.name);
             return Ok(Self {
                 export: None,
                 rows,
-                parameters,
+                further,
                 is_written,
             });
         }
@@ -129,20 +127,18 @@ impl Shots {
         };
         let (table, head) = TextTable::open(text, &setup, &TableOptions::LAUNCHES)?;
         let export = Arc::new(Export::read(&setup, head, &table)?);
-        let parameters = export.parameters(&setup)?;
         let rows = TableRows {
             table,
             setup,
             export: export.clone(),
             is_begun: false,
-            further: parameters[LAUNCH.len()..].to_vec(),
             is_air_given: false,
             remarks: vec![],
         };
         Ok(Self {
+            further: export.further(),
             export: Some(export),
             rows: Rows::Table(Box::new(rows)),
-            parameters,
             is_written: false,
         })
     }
@@ -154,7 +150,7 @@ impl Shots {
     pub(crate) fn all(mut self) -> Result<Vec<Shot>> {
         let mut all = vec![];
         while let Some(chunk) = self.rows.next_rows(CHUNK)? {
-            all.extend(chunk.shots(&self.parameters[LAUNCH.len()..]).0);
+            all.extend(chunk.shots(&self.further).0);
         }
         Ok(all)
     }
@@ -189,11 +185,6 @@ impl Shots {
         self.export.as_ref().map_or(&[], |export| &export.remarks)
     }
 
-    /// Parameters of each row: the launch parameters, then the parameters of the other columns.
-    pub fn parameters(&self) -> &[&'static Parameter] {
-        &self.parameters
-    }
-
     /// True if the table has a column of this outcome.
     pub fn has(&self, of: Outcome) -> bool {
         self.export.as_ref().is_some_and(|export| export.has(of))
@@ -218,21 +209,14 @@ impl Shots {
             return;
         };
         rows.is_air_given = true;
-        if Arc::make_mut(export).ignore_air() {
-            rows.further = export
-                .further
-                .iter()
-                .map(|further| further.parameter)
-                .collect();
-            rows.export = export.clone();
-            self.parameters.truncate(LAUNCH.len());
-            self.parameters.extend(&rows.further);
-        }
+        Arc::make_mut(export).ignore_air();
+        rows.export = export.clone();
+        self.further = export.further();
     }
 
     /// The parameters that are not launch conditions.
     pub fn further(&self) -> &[&'static Parameter] {
-        &self.parameters[LAUNCH.len()..]
+        &self.further
     }
 }
 
@@ -273,7 +257,7 @@ impl TableRows {
         if self.is_air_given {
             export.ignore_air();
         }
-        export.align(&self.further).map_err(|missing| {
+        export.align(&self.export).map_err(|missing| {
             let reason = format!(
                 "its column heads lack {missing}, which the first section has; give the \
                                   sections the same columns, or separate files"

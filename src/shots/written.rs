@@ -115,13 +115,7 @@ fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refus
             .find(|(key, _)| *key == name)
             .and_then(|(_, value)| value.as_f64())
     };
-    let [speed, attack_angle, path, face_angle] = Club::NAMES.map(of_club);
-    shot.club = Club {
-        speed,
-        attack_angle,
-        path,
-        face_angle,
-    };
+    shot.club = Club::of(Club::NAMES.map(of_club));
     shot.condition = message
         .get("condition")
         .and_then(Json::as_str)

@@ -92,6 +92,14 @@ pub(crate) fn missing_of_launch(columns: &[Column]) -> Vec<&'static str> {
         .collect()
 }
 
+/// An unknown column head, with the nearest known one.
+pub(crate) fn with_nearest(head: &str) -> String {
+    match nearest_head(head) {
+        Some(near) => format!("{head} (did you mean '{near}'?)"),
+        None => head.into(),
+    }
+}
+
 /// Clause that lists unknown column heads similar to known ones: "; near a known head: …".
 pub(crate) fn near_known(columns: &[Column]) -> String {
     let near = columns.iter().filter(|column| column.is_unknown());
@@ -220,10 +228,7 @@ fn unknown_columns(columns: &[Column]) -> Option<Message> {
     let unknown: Vec<String> = columns
         .iter()
         .filter(|column| column.is_unknown() && !column.head.is_empty() && !is_condition(column))
-        .map(|column| match nearest_head(&column.head) {
-            Some(near) => format!("{} (did you mean '{near}'?)", column.head),
-            None => column.head.clone(),
-        })
+        .map(|column| with_nearest(&column.head))
         .collect();
     let list = unknown.join(", ");
     (!unknown.is_empty()).then(|| format!("unknown columns are left out: {list}").into())

@@ -29,11 +29,11 @@ pub(crate) use decimal_mark::{DecimalMark, DecimalMarkCheck};
 pub(crate) use export_columns::ASSUMED_UNITS;
 pub(crate) use export_columns::{
     ClubColumns, assume_units, given_air, has_outcome, has_whole_launch, in_degrees,
-    missing_of_launch, near_known,
+    missing_of_launch, near_known, with_nearest,
 };
 pub(crate) use head::{Head, TableOptions, columns_remark, remark_from_line};
 pub(crate) use heads::rest_of_head;
-pub(crate) use launch_monitor::{nearest_head, split_unit, words};
+pub(crate) use launch_monitor::{split_unit, words};
 pub(crate) use plausible::{
     implausible, implausible_club, implausible_launch, impossible, outside,
 };

@@ -2,7 +2,7 @@
 
 use super::statistics::Uncertainties;
 use crate::drive::Outcome;
-use crate::parameters::{Parameter, Vary};
+use crate::parameters::{Parameter, Setup, Vary};
 use crate::table::replace_air_remark;
 use crate::units::Message;
 use serde::Serialize;
@@ -65,6 +65,13 @@ impl ShotTable {
             * measured
                 .map(|measurement| (measurement.value / measurement.sigma).abs())
                 .fold(0.0, f64::max)
+    }
+
+    /// The parameters of a setup that at least one shot states.
+    pub fn given(&self, setup: &Setup<f64>) -> Vec<&'static Parameter> {
+        let mut parameters = setup.parameters();
+        parameters.retain(|parameter| self.gives(parameter));
+        parameters
     }
 
     /// True if at least one shot states this parameter.
