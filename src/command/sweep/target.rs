@@ -2,7 +2,11 @@ use super::args::{Args, Format};
 use super::resumable::{ResumableFile, check, part_of};
 use super::rows::{Rows, Writer};
 use crate::batch::StatusCounts;
-use crate::command::files::{Rule, ending, refused, unwritable};
+#[cfg(feature = "parquet")]
+use crate::command::files::parquet_without_file;
+use crate::command::files::{
+    Rule, ending, refuse_overwrite_of_standard_output, refused, unwritable,
+};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::external_errors::write_error_text;
@@ -36,12 +40,7 @@ impl Target {
         {
             return refuse("it is standard output; write `output -` with `format csv` or jsonl");
         }
-        if target.is_standard_output() && args.overwrite {
-            return refuse(
-                "`overwrite` replaces a file, and the rows go to standard output; name a file with \
-                 `output`, or leave `overwrite` out",
-            );
-        }
+        refuse_overwrite_of_standard_output(&target.path, args.overwrite)?;
         let format = target.format_of(args)?;
         if target.is_standard_output() && request.is_json {
             return refuse(
@@ -54,9 +53,7 @@ impl Target {
         }
         #[cfg(feature = "parquet")]
         if target.is_stream() && format == Format::Parquet {
-            return refuse(
-                "Parquet needs a file; name one with `output`, or take `format csv` or jsonl",
-            );
+            return Err(parquet_without_file(&target.path));
         }
         if target.is_standard_output() {
             return Ok(Self { format, ..target });
