@@ -5,7 +5,7 @@ use super::shot::{Club, Further, Origin, REFUSED, Shot, StatedOfClub as Stated, 
 use crate::drive::Outcome;
 use crate::table::{
     CONDITIONS, DecimalMark, Record, Refusal, RowFault, Stated as Conditions, cells, conditions,
-    contradiction, implausible, implausible_launch, is_straight_by_assumption,
+    contradiction, implausible, implausible_launch,
 };
 use std::borrow::Cow;
 
@@ -181,15 +181,14 @@ pub(super) fn launch(
 
 /// Adds notes to a shot: values assumed to be 0, and contradictory spins.
 pub(super) fn add_notes(shot: &mut Shot, stated: &Conditions, name: impl Fn(Outcome) -> String) {
-    shot.is_straight_by_assumption = is_straight_by_assumption(stated);
     let Some(&[_, _, _, back, side]) = shot.launch() else {
         return;
     };
-    if shot.value(Outcome::LaunchDirection).is_none() {
+    if shot.is_direction_assumed() {
         shot.notes
             .push("launch direction is missing: 0 deg is assumed".into());
     }
-    if shot.value(Outcome::SpinAxis).is_none() && shot.value(Outcome::Sidespin).is_none() {
+    if shot.is_axis_assumed() {
         shot.notes
             .push("spin axis is missing: 0 deg is assumed".into());
     }

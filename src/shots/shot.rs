@@ -148,9 +148,6 @@ pub struct Shot {
     pub is_normalized: Option<bool>,
     /// Notes on assumed or unused values.
     pub notes: Vec<String>,
-    /// True if the launch direction, or the tilt of the spin (its axis or sidespin), is assumed.
-    /// Lateral results are then not compared.
-    pub is_straight_by_assumption: bool,
     /// Input of the flight, SI: the launch (ball speed, launch angle, launch direction, backspin,
     /// sidespin), then the other parameters of the table. An error if the row cannot be flown.
     pub(super) point: Result<Vec<f64>, Refusal>,
@@ -170,7 +167,6 @@ impl Shot {
             condition: None,
             is_normalized: None,
             notes: vec![],
-            is_straight_by_assumption: false,
             point: Err(refusal),
             has_cells_of_head: false,
         }
@@ -207,6 +203,16 @@ impl Shot {
     /// Stated launch conditions in the order of [`CONDITIONS`].
     pub(super) fn conditions(&self) -> Stated {
         CONDITIONS.map(|of| self.value(of).map(|value| value.value))
+    }
+
+    /// True if the launch direction is not stated; the flight takes 0.
+    pub fn is_direction_assumed(&self) -> bool {
+        self.value(Outcome::LaunchDirection).is_none()
+    }
+
+    /// True if the tilt of the spin (its axis or sidespin) is not stated; the flight takes 0.
+    pub fn is_axis_assumed(&self) -> bool {
+        self.value(Outcome::SpinAxis).is_none() && self.value(Outcome::Sidespin).is_none()
     }
 
     /// Measured outcomes of the flight.

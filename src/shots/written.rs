@@ -5,7 +5,7 @@ use super::objects::Objects;
 use super::shot::{Club, Origin, REFUSED, Shot, Value, within};
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup};
-use crate::table::{Refusal, is_straight_by_assumption};
+use crate::table::Refusal;
 use serde_json::{Map, Value as Json};
 
 /// The text before the original row, which is the last member of a line. It cannot occur elsewhere.
@@ -137,7 +137,7 @@ fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refus
 
 /// Values of a line: the launch parameters, then the other parameters of the table.
 fn point(
-    shot: &mut Shot,
+    shot: &Shot,
     message: &Map<String, Json>,
     further: &[&'static Parameter],
 ) -> Result<Vec<f64>, Refusal> {
@@ -152,9 +152,7 @@ fn point(
         );
         return Err(Refusal::new(Refusal::JSON, reason));
     }
-    let stated = shot.conditions();
-    shot.is_straight_by_assumption = is_straight_by_assumption(&stated);
-    let mut point = launch(&stated, |of| of.name().into(), |_| true)?;
+    let mut point = launch(&shot.conditions(), |of| of.name().into(), |_| true)?;
     for parameter in further {
         let name = format!("parameters.{}", parameter.name);
         let value = own.iter().find(|(own, _)| *own == parameter.name);

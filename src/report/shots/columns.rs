@@ -59,30 +59,17 @@ pub(super) fn head(added: &Added) -> Vec<u8> {
 pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
     match shot.launch() {
         Some(&[speed, angle, direction, back, side]) => {
-            let [is_straight, is_level] = assumed(shot);
-            let (direction, axis) = (
-                (!is_straight).then_some(direction),
-                (!is_level).then_some(side.atan2(back)),
-            );
+            let axis = side.atan2(back);
             [
                 Some(speed),
                 Some(angle),
-                direction,
+                (!shot.is_direction_assumed()).then_some(direction),
                 Some(back.hypot(side)),
-                axis,
+                (!shot.is_axis_assumed()).then_some(axis),
             ]
         }
         _ => LAUNCH.map(|(_, of)| shot.value(of).map(|value| value.value)),
     }
-}
-
-/// Two flags: the launch direction is assumed to be 0; the spin axis is assumed to be 0.
-pub(super) fn assumed(shot: &Shot) -> [bool; 2] {
-    let lacks = |of| shot.value(of).is_none();
-    [
-        lacks(Outcome::LaunchDirection),
-        lacks(Outcome::SpinAxis) && lacks(Outcome::Sidespin),
-    ]
 }
 
 /// Appends the cells of a row.

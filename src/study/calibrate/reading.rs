@@ -33,17 +33,8 @@ pub(super) struct Reading {
     /// Use of the club columns. They are read for deliveries, which are computed from the launch
     /// without a flight.
     pub club: ClubColumns,
-    /// The column that names the club of each shot.
-    pub club_name: Option<ClubName>,
-}
-
-/// The column that names the club.
-#[derive(Clone)]
-pub(super) struct ClubName {
-    /// Index of the column.
-    pub at: usize,
-    /// Column head.
-    pub head: String,
+    /// Index of the column that names the club of each shot.
+    pub club_name: Option<usize>,
 }
 
 /// A row that was read successfully.
@@ -202,10 +193,7 @@ impl Reading {
             .refuse_replaced(&inputs(&head.columns))
             .map_err(|error| refused(String::new(), error.to_string()))?;
         let is_text = |at: usize| head.columns[at].content == Content::Note;
-        let club_name = club_column(&head.heads, is_text).map(|at| ClubName {
-            at,
-            head: head.heads[at].clone(),
-        });
+        let club_name = club_column(&head.heads, is_text);
         let reading = Self {
             setup: *setup,
             is_launched,

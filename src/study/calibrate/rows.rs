@@ -90,12 +90,8 @@ impl Rows {
         let row: Vec<&str> = row.iter().map(AsRef::as_ref).collect();
         let shots = self.shots.len();
         self.add(reading, reading.shot(self.row, Values::Cells(&row)))?;
-        if let Some(club) = reading
-            .club_name
-            .as_ref()
-            .filter(|_| self.shots.len() > shots)
-        {
-            *self.clubs.entry(row[club.at].trim().into()).or_default() += 1;
+        if let Some(club) = reading.club_name.filter(|_| self.shots.len() > shots) {
+            *self.clubs.entry(row[club].trim().into()).or_default() += 1;
         }
         Ok(())
     }
@@ -237,8 +233,8 @@ impl Rows {
 
     /// Warning about shots of several clubs, unless the filter selects shots by the club.
     fn clubs_warning(&self, reading: &Reading, filter: &RowFilter) -> Option<Message> {
-        let club = reading.club_name.as_ref()?;
-        if self.clubs.len() < 2 || filter.names(&club.head) {
+        let head = &reading.columns[reading.club_name?].head;
+        if self.clubs.len() < 2 || filter.names(head) {
             return None;
         }
         let most = self
@@ -246,7 +242,7 @@ impl Rows {
             .iter()
             .filter(|(name, _)| !name.is_empty())
             .max_by_key(|(_, count)| **count)?;
-        let condition = format!("{}={}", club.head, most.0);
+        let condition = format!("{head}={}", most.0);
         let condition = match condition.contains(' ') {
             true => format!("\"{condition}\""),
             false => condition,
