@@ -119,7 +119,7 @@ impl Export {
         let mut point = launch(
             stated,
             |of| self.name_of(of),
-            |of| self.read.iter().any(|read| read.of == of),
+            |of| self.column_of(of).is_some(),
         )?;
         for Further {
             at,

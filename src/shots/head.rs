@@ -3,7 +3,7 @@
 use super::interpretation::Interpretation;
 use super::shot::{Club as ClubOfShot, Further, Origin};
 use crate::drive::Outcome;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
     Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, air_of_rows, air_of_setup,
@@ -83,9 +83,6 @@ impl Export {
         } = head;
         let is_export = format.is_export;
         let name = &table.name;
-        let at_column = |(at, error): (usize, Error)| {
-            name.refused(format!(", column {}", at + 1), error.to_string())
-        };
         let mut found = Self {
             separator: table.separator,
             maker: meant.maker,
@@ -106,7 +103,7 @@ impl Export {
         for (at, column) in columns.iter().enumerate() {
             found
                 .take(setup, at, column)
-                .map_err(|error| at_column((at, error)))?;
+                .map_err(|error| name.refused(format!(", column {}", at + 1), error.to_string()))?;
         }
         if let Some(reason) = found.why_no_launch(&columns) {
             return Err(name.refused(String::new(), reason));
@@ -208,8 +205,10 @@ impl Export {
         Ok(())
     }
 
-    pub(super) fn has(&self, of: Outcome) -> bool {
-        self.read.iter().any(|read| read.of == of)
+    /// The column of an outcome.
+    pub(super) fn column_of(&self, of: Outcome) -> Option<&Column> {
+        let read = self.read.iter().find(|read| read.of == of)?;
+        Some(&read.column)
     }
 
     /// Message about missing columns of the launch.
@@ -309,16 +308,8 @@ impl Export {
 
     /// Column head of a launch condition, for messages.
     pub(super) fn name_of(&self, of: Outcome) -> String {
-        self.read
-            .iter()
-            .find(|read| read.of == of)
-            .map_or(of.name().into(), |read| read.column.head.clone())
-    }
-
-    /// Unit in which the column of an outcome is read; `None` without such a column.
-    pub(super) fn unit_of(&self, of: Outcome) -> Option<&str> {
-        let read = self.read.iter().find(|read| read.of == of)?;
-        Some(read.column.unit())
+        self.column_of(of)
+            .map_or(of.name().into(), |column| column.head.clone())
     }
 }
 

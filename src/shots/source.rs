@@ -11,7 +11,7 @@ use crate::error::Result;
 use crate::input_file::InputFile;
 use crate::parameters::{Golfer, Parameter, Setup};
 use crate::table::{
-    Entry, Record, RowFilter, SourceName, TableOptions, Text, TextTable, remark_from_line,
+    Column, Entry, Record, RowFilter, SourceName, TableOptions, Text, TextTable, remark_from_line,
 };
 use crate::units::Message;
 use std::io::{self, Read};
@@ -185,9 +185,14 @@ impl Shots {
         self.export.as_ref().map_or(&[], |export| &export.remarks)
     }
 
+    /// The column of an outcome.
+    fn column_of(&self, of: Outcome) -> Option<&Column> {
+        self.export.as_ref()?.column_of(of)
+    }
+
     /// True if the table has a column of this outcome.
     pub fn has(&self, of: Outcome) -> bool {
-        self.export.as_ref().is_some_and(|export| export.has(of))
+        self.column_of(of).is_some()
     }
 
     /// Column head of an outcome.
@@ -200,7 +205,7 @@ impl Shots {
 
     /// Unit in which the column of an outcome is read; `None` without such a column.
     pub fn unit_of(&self, of: Outcome) -> Option<&str> {
-        self.export.as_ref()?.unit_of(of)
+        self.column_of(of).map(Column::unit)
     }
 
     /// Uses the setup's air for every row, even if the export states other air.
