@@ -138,7 +138,7 @@ impl Results {
         let width = piece.hessians.len() / rows;
         self.hessians[self.done * width..(self.done + rows) * width]
             .copy_from_slice(&piece.hessians);
-        self.status_counts.merge(piece.status_counts);
+        self.status_counts.merge(&piece.status_counts);
         self.done += rows;
     }
 }
@@ -309,7 +309,7 @@ pub fn batch<'py>(
             .with(Option::take)
             .ok_or_else(|| Failure::Panic("a batch without results".into()))?;
         let done = results.done;
-        let beyond = results.status_counts.beyond.warnings(
+        let beyond = results.status_counts.exceeded().warnings(
             &own.law,
             ["drive that landed", "drives that landed"],
             CheckScope::Launch,
@@ -349,13 +349,6 @@ fn none(
     results: &Results,
     of: &[Outcome],
 ) -> String {
-    let ended = results
-        .status_counts
-        .counts()
-        .filter(|(_, count)| *count > 0);
-    let ended: Vec<_> = ended
-        .map(|(status, count)| format!("{count} {status}"))
-        .collect();
     let which = if of.len() == 1 {
         "the requested outcome"
     } else {
@@ -380,7 +373,7 @@ fn none(
     let why = why
         .err()
         .map_or(String::new(), |why| format!("; row 0: {why}"));
-    format!("no drive has {which}: {}{why}", ended.join(", "))
+    format!("no drive has {which}: {}{why}", results.status_counts)
 }
 
 /// The ranges for which a sweep chooses its step, from the names and ends in `given`. The points

@@ -1,6 +1,7 @@
 use crate::drive::{ExceededCount, ExceededLimits, Outcome, OutcomeGroup};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::fmt::{self, Display, Formatter};
 
 /// Status of a drive in a batch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -39,38 +40,51 @@ variant_names! {
 
 /// Number of drives by status, and number of landed drives that exceed each validity limit of the
 /// model.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct StatusCounts {
-    statuses: [u64; Status::ALL.len()],
-    /// Number of landed drives that exceed each validity limit.
-    pub beyond: ExceededCount,
+    /// Number of drives by status.
+    statuses: BTreeMap<Status, u64>,
+    /// Number of landed drives beyond each validity limit, in this order: launch outside the ranges
+    /// that the law was fitted to, strike outside the largest face that the Rules of Golf allow,
+    /// and landing flatter than any measured bounce.
+    beyond: [u64; 3],
 }
 
 impl StatusCounts {
     /// Counts the drives of a block.
     pub fn add(&mut self, block: &Block) {
-        for (status, beyond) in block.status.iter().zip(&block.beyond) {
-            self.statuses[*status as usize] += 1;
+        for status in Status::ALL {
+            let drives = block.status.iter().filter(|own| **own == status).count();
+            *self.statuses.entry(status).or_default() += drives as u64;
+        }
+        for (status, limits) in block.status.iter().zip(&block.beyond) {
             if *status == Status::Landed {
-                self.beyond.add(*beyond);
+                self.beyond[0] += u64::from(limits.law);
+                self.beyond[1] += u64::from(limits.face);
+                self.beyond[2] += u64::from(limits.flat);
             }
         }
     }
 
     /// Adds other counts.
-    pub fn merge(&mut self, other: Self) {
-        for (ours, theirs) in self.statuses.iter_mut().zip(other.statuses) {
+    pub fn merge(&mut self, other: &Self) {
+        for (status, count) in &other.statuses {
+            *self.statuses.entry(*status).or_default() += count;
+        }
+        for (ours, theirs) in self.beyond.iter_mut().zip(other.beyond) {
             *ours += theirs;
         }
-        self.beyond.merge(other.beyond);
     }
 
-    /// The counts from the number of drives by status, and the number of drives beyond each
-    /// validity limit.
-    pub fn of(counts: &BTreeMap<Status, u64>, beyond: ExceededCount) -> Self {
-        Self {
-            statuses: Status::ALL.map(|status| counts.get(&status).copied().unwrap_or_default()),
-            beyond,
+    /// Number of landed drives, and number of those that exceed each validity limit.
+    pub fn exceeded(&self) -> ExceededCount {
+        let [law, face, flat] = self.beyond;
+        ExceededCount {
+            all: self.count(Status::Landed),
+            law,
+            face,
+            flat,
         }
     }
 
@@ -85,18 +99,38 @@ impl StatusCounts {
             Status::NoFlight | Status::Aloft => is_of_the_launch,
             _ => false,
         };
-        let all: u64 = self.statuses.iter().sum();
-        all == 0
+        self.total() == 0
             || self
                 .counts()
                 .any(|(status, count)| count > 0 && has(status))
+    }
+
+    /// Number of drives with a status.
+    pub fn count(&self, status: Status) -> u64 {
+        self.statuses.get(&status).copied().unwrap_or_default()
     }
 
     /// Each status with its number of drives.
     pub fn counts(&self) -> impl Iterator<Item = (Status, u64)> {
         Status::ALL
             .into_iter()
-            .map(|status| (status, self.statuses[status as usize]))
+            .map(|status| (status, self.count(status)))
+    }
+
+    /// Number of all drives.
+    pub fn total(&self) -> u64 {
+        self.statuses.values().sum()
+    }
+}
+
+/// The statuses that occur: `812 landed, 3 aloft`.
+impl Display for StatusCounts {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let counts = self.counts().filter(|(_, count)| *count > 0);
+        let counts: Vec<_> = counts
+            .map(|(status, count)| format!("{count} {status}"))
+            .collect();
+        f.write_str(&counts.join(", "))
     }
 }
 

@@ -177,11 +177,7 @@ fn read_shots(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Shot
     if table.is_launched {
         request.refuse_club(&format!("the rows of {file} are launches"))?;
     }
-    let given: Vec<_> = setup
-        .parameters()
-        .into_iter()
-        .filter(|parameter| table.gives(parameter))
-        .collect();
+    let given = table.given(setup);
     request.refuse_stated(
         &given,
         &format!("every row of {file} has a value of its own"),

@@ -184,11 +184,7 @@ fn of_shots(
     setup: &Setup<f64>,
     unknowns: &[Unknown],
 ) -> Result<Deliveries> {
-    let given: Vec<_> = setup
-        .parameters()
-        .into_iter()
-        .filter(|parameter| table.gives(parameter))
-        .collect();
+    let given = table.given(setup);
     let why = format!("every row of {} has a value of its own", table.file);
     requests.club.refuse_stated(&given, &why)?;
     requests.launched.refuse_stated(&given, &why)?;

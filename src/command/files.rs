@@ -421,6 +421,23 @@ impl Folder {
     }
 }
 
+/// Refuses `overwrite` for rows that go to standard output.
+pub fn refuse_overwrite_of_standard_output(path: &Path, overwrite: bool) -> Result<()> {
+    if path != Path::new("-") || !overwrite {
+        return Ok(());
+    }
+    let reason = "`overwrite` replaces a file, and the rows go to standard output; name a file \
+                  with `output`, or leave `overwrite` out";
+    Err(refused(path, reason))
+}
+
+/// The error for Parquet without a file.
+#[cfg(feature = "parquet")]
+pub fn parquet_without_file(path: &Path) -> Error {
+    let reason = "Parquet needs a file; name one with `output`, or take `format csv` or jsonl";
+    refused(path, reason)
+}
+
 /// Refuses "-": these outputs need a file name.
 fn refuse_standard_output(path: &Path, what: &str) -> Result<()> {
     match path == Path::new("-") {

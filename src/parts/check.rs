@@ -253,17 +253,17 @@ fn question(
     found: &[(String, Footer)],
     wanted: Option<&SweepDefinition>,
 ) -> Option<SweepDefinition> {
-    let like_wanted = |of: &&SweepDefinition| {
-        wanted.is_none_or(|wanted| {
-            let wanted = SweepDefinition {
-                parts: of.parts,
-                instructions: of.instructions.clone(),
-                functions: of.functions.clone(),
-                ..wanted.clone()
-            };
-            wanted.difference(of).is_none()
+    // the files determine the number of parts, the instructions and the functions
+    let wanted_as = |of: &SweepDefinition| {
+        wanted.map(|wanted| SweepDefinition {
+            parts: of.parts,
+            instructions: of.instructions.clone(),
+            functions: of.functions.clone(),
+            ..wanted.clone()
         })
     };
+    let like_wanted =
+        |of: &SweepDefinition| wanted_as(of).is_none_or(|wanted| wanted.difference(of).is_none());
     let mut counts: BTreeMap<String, (usize, &SweepDefinition)> = BTreeMap::new();
     for (_, footer) in found {
         counts
@@ -275,19 +275,8 @@ fn question(
         .values()
         .filter(|(_, of)| like_wanted(of))
         .max_by_key(|(count, _)| *count);
-    // no file agrees with `wanted`: complete `wanted` by the number of parts, the instructions and
-    // the functions of the first file
-    let of_none = || {
-        found
-            .first()
-            .zip(wanted)
-            .map(|((_, other), wanted)| SweepDefinition {
-                parts: other.question.parts,
-                instructions: other.question.instructions.clone(),
-                functions: other.question.functions.clone(),
-                ..wanted.clone()
-            })
-    };
+    // no file agrees with `wanted`: the first file determines what the files determine
+    let of_none = || wanted_as(&found.first()?.1.question);
     most.map(|(_, of)| (*of).clone()).or_else(of_none)
 }
 

@@ -72,32 +72,19 @@ impl SweepDefinition {
 
     /// Difference from another definition, in words; `None` if they are equal.
     pub fn difference(&self, other: &Self) -> Option<String> {
-        let named = |what: &str, ours: &str, theirs: &str| format!("{what} {ours} and {theirs}");
-        if self.version != other.version {
-            return Some(named(
-                "versions of longdrive",
-                &self.version,
-                &other.version,
-            ));
-        }
-        if self.instructions != other.instructions {
-            return Some(named(
-                "instructions",
-                &self.instructions,
-                &other.instructions,
-            ));
-        }
-        if self.functions != other.functions {
-            let what = "C libraries or processors, which round sines and logarithms differently: \
-                        functions";
-            return Some(named(what, &self.functions, &other.functions));
-        }
-        if self.parts != other.parts {
-            return Some(named(
-                "numbers of parts",
-                &self.parts.to_string(),
-                &other.parts.to_string(),
-            ));
+        let functions = "C libraries or processors, which round sines and logarithms differently: \
+                         functions";
+        let (ours, theirs) = (self.parts.to_string(), other.parts.to_string());
+        let named = [
+            ("versions of longdrive", &self.version, &other.version),
+            ("instructions", &self.instructions, &other.instructions),
+            (functions, &self.functions, &other.functions),
+            ("numbers of parts", &ours, &theirs),
+        ];
+        if let Some((what, ours, theirs)) =
+            named.into_iter().find(|(_, ours, theirs)| ours != theirs)
+        {
+            return Some(format!("{what} {ours} and {theirs}"));
         }
         let differ = [
             ("setups", &self.setup, &other.setup),

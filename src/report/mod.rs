@@ -88,8 +88,8 @@ pub(crate) use shots::FlyRow;
 #[cfg(feature = "parquet")]
 pub use shots::ShotParquet;
 pub use shots::{
-    BandReport, ClubOutcome, ClubShotsReport, OutcomeResiduals, ShotFormat, ShotWriter,
-    ShotsReport, SumsReport, open_connect_answer,
+    BandReport, ClubOutcome, ClubShotsReport, OutcomeResiduals, ShotWriter, ShotsReport,
+    SumsReport, open_connect_answer,
 };
 pub use shown::{
     goal as goal_text, outcome as outcome_text, stated as parameter_text,

@@ -73,7 +73,7 @@ impl<'a> UncertaintyReport<'a> {
             ellipses: &found.ellipses,
             samples: found.plan.samples,
             seed: found.plan.seed,
-            drives: found.status_counts.counts().map(|(_, count)| count).sum(),
+            drives: found.status_counts.total(),
             statuses: statuses
                 .map(|(status, count)| (status.name(), count))
                 .collect(),
@@ -122,18 +122,12 @@ impl Report for UncertaintyReport<'_> {
         let mut distributions = Document::default();
         distributions.add(Table::new(["uncertain parameter", "distribution"], inputs).right([]));
         document.append_detail(distributions, Detail::Rest);
-        let counts: Vec<_> = found
-            .status_counts
-            .counts()
-            .filter(|(_, count)| *count > 0)
-            .map(|(status, count)| format!("{count} {status}"))
-            .collect();
         document.list([Line::flush(format!(
             "{} ({}, seed {}): {}",
             counted(self.drives, "drive"),
             counted(found.plan.samples as u64, "point"),
             found.plan.seed,
-            counts.join(", ")
+            found.status_counts
         ))]);
         document
     }

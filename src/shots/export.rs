@@ -4,8 +4,8 @@ use super::head::{Export, Read};
 use super::shot::{Club, Further, Origin, REFUSED, Shot, StatedOfClub as Stated, Value, within};
 use crate::drive::Outcome;
 use crate::table::{
-    CONDITIONS, DecimalMark, NonShot, Record, Refusal, Stated as Conditions, cells, conditions,
-    contradiction, implausible, implausible_launch, is_straight_by_assumption, miscounted,
+    CONDITIONS, DecimalMark, Record, Refusal, RowFault, Stated as Conditions, cells, conditions,
+    contradiction, implausible, implausible_launch,
 };
 use std::borrow::Cow;
 
@@ -21,19 +21,10 @@ pub(super) const OF_SPIN: [Outcome; 4] = [
 impl Export {
     /// Reads the shot of a record.
     pub(super) fn shot(&self, record: Record) -> Shot {
-        let unclosed = record.unclosed();
-        let Record { line, text, .. } = record;
-        let row = cells(&text, self.separator);
-        let no_shot = || {
-            NonShot::of(&row)
-                .filter(|_| self.is_export)
-                .map(NonShot::refusal)
-        };
-        let wrong = unclosed
-            .or_else(no_shot)
-            .or_else(|| miscounted(&row, self.heads.len()));
-        if let Some(refusal) = wrong {
-            return Shot::refused(line, text.clone(), refusal);
+        let row = cells(&record.text, self.separator);
+        if let Some(fault) = RowFault::find(&record, &row, self.heads.len(), self.is_export) {
+            let refusal = fault.refusal();
+            return Shot::refused(record.line, record.text, refusal);
         }
         let mut shot = self.of_cells(&row);
         if let Some(refusal) = shot
@@ -43,7 +34,7 @@ impl Export {
             shot.point = Err(refusal);
         }
         shot.has_cells_of_head = row.len() == self.heads.len();
-        (shot.line, shot.text) = (line, text);
+        (shot.line, shot.text) = (record.line, record.text);
         shot
     }
 
@@ -128,7 +119,7 @@ impl Export {
         let mut point = launch(
             stated,
             |of| self.name_of(of),
-            |of| self.read.iter().any(|read| read.of == of),
+            |of| self.column_of(of).is_some(),
         )?;
         for Further {
             at,
@@ -190,15 +181,14 @@ pub(super) fn launch(
 
 /// Adds notes to a shot: values assumed to be 0, and contradictory spins.
 pub(super) fn add_notes(shot: &mut Shot, stated: &Conditions, name: impl Fn(Outcome) -> String) {
-    shot.is_straight_by_assumption = is_straight_by_assumption(stated);
     let Some(&[_, _, _, back, side]) = shot.launch() else {
         return;
     };
-    if shot.value(Outcome::LaunchDirection).is_none() {
+    if shot.is_direction_assumed() {
         shot.notes
             .push("launch direction is missing: 0 deg is assumed".into());
     }
-    if shot.value(Outcome::SpinAxis).is_none() && shot.value(Outcome::Sidespin).is_none() {
+    if shot.is_axis_assumed() {
         shot.notes
             .push("spin axis is missing: 0 deg is assumed".into());
     }

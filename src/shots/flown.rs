@@ -76,7 +76,8 @@ impl Flown {
     pub fn residual(&self, row: usize, outcome: usize) -> Option<f64> {
         let (of, shot) = (self.of[outcome], &self.shots[row]);
         let has_no_ground = of.needs_run() && !self.is_on_their_ground;
-        if has_no_ground || of.is_lateral() && shot.is_straight_by_assumption {
+        let has_no_side = shot.is_direction_assumed() || shot.is_axis_assumed();
+        if has_no_ground || of.is_lateral() && has_no_side {
             return None;
         }
         Some(self.predicted(row, outcome)? - shot.value(of)?.value)

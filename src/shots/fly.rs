@@ -2,7 +2,7 @@
 
 use super::flown::Flown;
 use super::open_connect;
-use super::shot::{LAUNCH, Shot, launch_parameters};
+use super::shot::{Shot, launch_parameters};
 use super::source::{Chunk, Section, Shots};
 use super::statistics::ShotStatistics;
 use crate::batch::{Batch, CHUNK, Run, in_order};
@@ -39,7 +39,7 @@ impl Flying {
     /// The errors of [`Batch::new`], [`Error::Nothing`] if there is no outcome, and
     /// [`Error::Unreadable`] if a requested outcome does not belong to the flight.
     pub fn new(setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Self> {
-        Self::with(setup, shots.parameters(), of)
+        Self::with(setup, shots.further(), of)
     }
 
     /// Prepares to compute these outcomes for single messages of GSPro Open Connect.
@@ -47,10 +47,10 @@ impl Flying {
     /// # Errors
     /// The errors of [`new`](Self::new).
     pub fn of_messages(setup: &Setup<f64>, of: &[Outcome]) -> Result<Self> {
-        Self::with(setup, &launch_parameters(setup)?, of)
+        Self::with(setup, &[], of)
     }
 
-    fn with(setup: &Setup<f64>, parameters: &[&'static Parameter], of: &[Outcome]) -> Result<Self> {
+    fn with(setup: &Setup<f64>, further: &[&'static Parameter], of: &[Outcome]) -> Result<Self> {
         if let Some(of_launch) = of.iter().find(|of| of.group() != OutcomeGroup::Flight) {
             let why = match of_launch.group() {
                 OutcomeGroup::Head => {
@@ -65,8 +65,10 @@ impl Flying {
                 source,
             });
         }
+        let mut parameters = launch_parameters(setup)?;
+        parameters.extend(further);
         Ok(Self {
-            batch: Batch::new(setup, parameters, of, &[])?,
+            batch: Batch::new(setup, &parameters, of, &[])?,
             is_on_their_ground: false,
         })
     }
@@ -118,9 +120,7 @@ impl Flying {
         mut sink: impl FnMut(R) -> Result<()>,
     ) -> Result<ShotStatistics> {
         let mut statistics = ShotStatistics::new(self.outcomes());
-        let Shots {
-            rows, parameters, ..
-        } = shots;
+        let Shots { rows, further, .. } = shots;
         let is_stopped = || run.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
         let next = || {
             if is_stopped() {
@@ -129,7 +129,6 @@ impl Flying {
                 rows.next_rows(CHUNK)
             }
         };
-        let further = &parameters[LAUNCH.len()..];
         let work = |chunk: Chunk| {
             let (shots, section) = chunk.shots(further);
             let flown = self.flown(shots, section);

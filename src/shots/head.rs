@@ -1,14 +1,14 @@
 //! Meaning of the columns of an export.
 
 use super::interpretation::Interpretation;
-use super::shot::{Club as ClubOfShot, Further, Origin, launch_parameters};
+use super::shot::{Club as ClubOfShot, Further, Origin};
 use crate::drive::Outcome;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, air_as_given, air_of_rows,
-    air_of_setup, cells, club_column, given_air, near_known, nearest_head, rest_of_head,
-    split_unit, words,
+    Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, air_of_rows, air_of_setup,
+    cells, club_column, columns_remark, given_air, missing_of_launch, near_known,
+    replace_air_remark, rest_of_head, split_unit, with_nearest, words,
 };
 use crate::units::Message;
 use std::borrow::Cow;
@@ -83,14 +83,6 @@ impl Export {
         } = head;
         let is_export = format.is_export;
         let name = &table.name;
-        let at_column = |(at, error): (usize, Error)| {
-            name.refused(format!(", column {}", at + 1), error.to_string())
-        };
-        let in_degrees: Vec<String> = columns
-            .iter()
-            .filter(|column| is_export && column.is_in_assumed_degrees())
-            .map(|column| column.head.clone())
-            .collect();
         let mut found = Self {
             separator: table.separator,
             maker: meant.maker,
@@ -111,14 +103,14 @@ impl Export {
         for (at, column) in columns.iter().enumerate() {
             found
                 .take(setup, at, column)
-                .map_err(|error| at_column((at, error)))?;
+                .map_err(|error| name.refused(format!(", column {}", at + 1), error.to_string()))?;
         }
-        found
-            .needs_a_launch(&columns)
-            .map_err(|reason| name.refused(String::new(), reason))?;
+        if let Some(reason) = found.why_no_launch(&columns) {
+            return Err(name.refused(String::new(), reason));
+        }
         found.find_descriptions();
         found.detect_decimal_mark(table, line);
-        found.add_remarks(&columns, meant.without_unit, &in_degrees);
+        found.add_remarks(&columns, meant.without_unit);
         found.remarks.extend(meant.turned.map(Message::from));
         Ok(found)
     }
@@ -154,24 +146,19 @@ impl Export {
         self.condition = named(&["condition", "conditions"]);
     }
 
-    /// Sorts the parameters other than the launch in the order of the table's first section. Drops
-    /// parameters that the first section does not have.
+    /// Sorts the parameters other than the launch in the order of another section. Drops
+    /// parameters that the other section does not have.
     ///
     /// # Errors
     /// The name of a parameter that has no column in this section.
-    pub(super) fn align(
-        &mut self,
-        further: &[&'static Parameter],
-    ) -> std::result::Result<(), &'static str> {
-        let own = |parameter: &&'static Parameter| {
-            let mut all = self.further.iter();
-            let found = all.find(|own| own.parameter == *parameter);
-            found.cloned().ok_or(parameter.name)
-        };
-        self.further = further
-            .iter()
-            .map(own)
-            .collect::<std::result::Result<_, _>>()?;
+    pub(super) fn align(&mut self, other: &Self) -> std::result::Result<(), &'static str> {
+        let mut aligned = vec![];
+        for Further { parameter, .. } in &other.further {
+            let mut own = self.further.iter();
+            let found = own.find(|own| own.parameter == *parameter);
+            aligned.push(found.cloned().ok_or(parameter.name)?);
+        }
+        self.further = aligned;
         Ok(())
     }
 
@@ -218,26 +205,17 @@ impl Export {
         Ok(())
     }
 
-    pub(super) fn has(&self, of: Outcome) -> bool {
-        self.read.iter().any(|read| read.of == of)
+    /// The column of an outcome.
+    pub(super) fn column_of(&self, of: Outcome) -> Option<&Column> {
+        let read = self.read.iter().find(|read| read.of == of)?;
+        Some(&read.column)
     }
 
-    /// Returns an error if a column of the launch is missing.
-    fn needs_a_launch(&self, columns: &[Column]) -> Result<(), String> {
-        let mut missing = vec![];
-        for (of, words) in [
-            (Outcome::BallSpeed, "the ball speed"),
-            (Outcome::LaunchAngle, "the launch angle"),
-        ] {
-            if !self.has(of) {
-                missing.push(words);
-            }
-        }
-        if !(self.has(Outcome::Spin) || self.has(Outcome::Backspin)) {
-            missing.push("the spin (spin rate, total spin or backspin)");
-        }
+    /// Message about missing columns of the launch.
+    fn why_no_launch(&self, columns: &[Column]) -> Option<String> {
+        let missing = missing_of_launch(columns);
         if missing.is_empty() {
-            return Ok(());
+            return None;
         }
         let near = near_known(columns);
         let heads = self
@@ -247,7 +225,7 @@ impl Export {
             .map(String::as_str)
             .collect::<Vec<_>>()
             .join(", ");
-        Err(format!(
+        Some(format!(
             "no column has {}{near}; give each a head that is known, as in 'Ball Speed [mph]', \
              'Launch Angle [deg]', 'Spin Rate [rpm]' \
              (the heads are: {heads})",
@@ -256,12 +234,7 @@ impl Export {
     }
 
     /// Collects remarks on the columns.
-    fn add_remarks(
-        &mut self,
-        columns: &[Column],
-        without_unit: Option<String>,
-        in_degrees: &[String],
-    ) {
+    fn add_remarks(&mut self, columns: &[Column], without_unit: Option<String>) {
         let is_read = |at: usize| {
             self.read.iter().any(|read| read.at == at)
                 || self.further.iter().any(|further| further.at == at)
@@ -281,39 +254,42 @@ impl Export {
             .enumerate()
             .filter(|(at, column)| !is_read(*at) && !column.head.is_empty() && !is_told(column));
         let not_read = not_read.map(|(_, column)| {
-            match nearest_head(&column.head)
-                .filter(|_| column.is_unknown() && origin(&column.head).is_none())
-            {
-                Some(known) => format!("{} (did you mean '{known}'?)", column.head),
-                None => column.head.clone(),
+            if column.is_unknown() && origin(&column.head).is_none() {
+                with_nearest(&column.head)
+            } else {
+                column.head.clone()
             }
         });
         let not_read: Vec<String> = not_read.collect();
-        let mut remarks: Vec<String> = without_unit.into_iter().collect();
-        if !in_degrees.is_empty() {
-            remarks.push(format!(
-                "angles without a unit are read in degrees: {}",
-                in_degrees.join(", ")
-            ));
-        }
+        let in_degrees: Vec<&str> = columns
+            .iter()
+            .filter(|column| self.is_export && column.is_in_assumed_degrees())
+            .map(|column| column.head.as_str())
+            .collect();
         let stated_air = self.stated_air().map(|air| air_of_rows(&air.column.head));
-        remarks.extend(stated_air.or_else(|| given_air(columns)));
-        remarks.extend(self.given_twice(columns));
-        if !self.added.is_empty() {
-            remarks
-                .push("the columns that an earlier 'fly' added (from Line on) are replaced".into());
-        }
-        if !not_read.is_empty() {
-            remarks.push(format!(
-                "columns that are copied and not used: {}",
-                not_read.join(", ")
+        let of_air = stated_air.or_else(|| given_air(columns));
+        let replaced = (!self.added.is_empty())
+            .then_some("the columns that an earlier 'fly' added (from Line on) are replaced");
+        let remarks = without_unit
+            .map(Message::from)
+            .into_iter()
+            .chain(columns_remark(
+                "angles without a unit are read in degrees",
+                &in_degrees,
+            ))
+            .chain(of_air.map(Message::from))
+            .chain(self.given_twice(columns))
+            .chain(replaced.map(Message::from))
+            .chain(columns_remark(
+                "columns that are copied and not used",
+                &not_read,
             ));
-        }
-        self.remarks.extend(remarks.into_iter().map(Message::from));
+        let remarks: Vec<Message> = remarks.collect();
+        self.remarks.extend(remarks);
     }
 
     /// Remark on columns with the same meaning, of which only the first is used.
-    fn given_twice(&self, columns: &[Column]) -> Option<String> {
+    fn given_twice(&self, columns: &[Column]) -> Option<Message> {
         let twice = self.read.iter().flat_map(|first| {
             let is_again = |(at, column): &(usize, &Column)| {
                 *at != first.at && column.content == first.column.content
@@ -322,33 +298,18 @@ impl Export {
             again.map(|(at, _)| format!("'{}' repeats '{}'", self.heads[at], self.heads[first.at]))
         });
         let twice: Vec<String> = twice.collect();
-        (!twice.is_empty()).then(|| {
-            format!(
-                "columns given twice; only the first is used: {}",
-                twice.join(", ")
-            )
-        })
+        columns_remark("columns given twice; only the first is used", &twice)
     }
 
-    /// Parameters of every row: the launch parameters, then the parameters of other columns.
-    pub(super) fn parameters(&self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
-        let mut parameters = launch_parameters(setup)?;
-        parameters.extend(self.further.iter().map(|further| further.parameter));
-        Ok(parameters)
+    /// Parameters of every row other than the launch.
+    pub(super) fn further(&self) -> Vec<&'static Parameter> {
+        self.further.iter().map(|row| row.parameter).collect()
     }
 
     /// Column head of a launch condition, for messages.
     pub(super) fn name_of(&self, of: Outcome) -> String {
-        self.read
-            .iter()
-            .find(|read| read.of == of)
-            .map_or(of.name().into(), |read| read.column.head.clone())
-    }
-
-    /// Unit in which the column of an outcome is read; `None` without such a column.
-    pub(super) fn unit_of(&self, of: Outcome) -> Option<&str> {
-        let read = self.read.iter().find(|read| read.of == of)?;
-        Some(read.column.unit())
+        self.column_of(of)
+            .map_or(of.name().into(), |column| column.head.clone())
     }
 }
 
@@ -360,23 +321,14 @@ impl Export {
         further.find(|further| further.column.is_stated_air())
     }
 
-    /// Ignores the air of the export, because the setup gives the air. Returns true if the export
-    /// states the air.
-    pub(super) fn ignore_air(&mut self) -> bool {
+    /// Ignores the air of the export, because the setup gives the air.
+    pub(super) fn ignore_air(&mut self) {
         let mut further = self.further.iter();
-        let Some(at) = further.position(|further| further.column.is_stated_air()) else {
-            return false;
-        };
-        let head = self.further.remove(at).column.head;
-        let replaced = air_of_rows(&head);
-        for remark in self
-            .remarks
-            .iter_mut()
-            .filter(|remark| remark.to_string() == replaced)
-        {
-            *remark = air_as_given(&head).into();
+        let at = further.position(|further| further.column.is_stated_air());
+        if let Some(at) = at {
+            let head = self.further.remove(at).column.head;
+            replace_air_remark(&mut self.remarks, &head);
         }
-        true
     }
 
     /// Message for a row without usable air.

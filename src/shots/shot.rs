@@ -84,8 +84,7 @@ impl Club {
     /// counts as not measured, with a note in `notes`. A club speed of 0 counts as not measured. If
     /// all other stated values are 0 too, none of them counts as measured.
     pub(super) fn measured(stated: [Option<StatedOfClub<'_>>; 4], notes: &mut Vec<String>) -> Self {
-        let is_still = stated[0].is_some_and(|speed| speed.value == 0.0);
-        if is_still && stated.iter().flatten().all(|stated| stated.value == 0.0) {
+        if Self::is_still(stated.map(|stated| Some(stated?.value))) {
             return Self::default();
         }
         let mut values = [None; 4];
@@ -100,13 +99,22 @@ impl Club {
                 None => values[at] = Some(value),
             }
         }
-        let [speed, attack_angle, path, face_angle] = values;
+        Self::of(values)
+    }
+
+    /// Club data in the order of [`NAMES`](Self::NAMES).
+    pub(super) fn of([speed, attack_angle, path, face_angle]: [Option<f64>; 4]) -> Self {
         Self {
             speed,
             attack_angle,
             path,
             face_angle,
         }
+    }
+
+    /// True if the stated values include the club speed and are all 0: the club was not measured.
+    pub(crate) fn is_still(values: [Option<f64>; 4]) -> bool {
+        values[0].is_some() && values.into_iter().flatten().all(|value| value == 0.0)
     }
 
     /// Index of a parameter in [`NAMES`](Self::NAMES); `None` for any other parameter.
@@ -140,9 +148,6 @@ pub struct Shot {
     pub is_normalized: Option<bool>,
     /// Notes on assumed or unused values.
     pub notes: Vec<String>,
-    /// True if the launch direction, or the tilt of the spin (its axis or sidespin), is assumed.
-    /// Lateral results are then not compared.
-    pub is_straight_by_assumption: bool,
     /// Input of the flight, SI: the launch (ball speed, launch angle, launch direction, backspin,
     /// sidespin), then the other parameters of the table. An error if the row cannot be flown.
     pub(super) point: Result<Vec<f64>, Refusal>,
@@ -162,7 +167,6 @@ impl Shot {
             condition: None,
             is_normalized: None,
             notes: vec![],
-            is_straight_by_assumption: false,
             point: Err(refusal),
             has_cells_of_head: false,
         }
@@ -190,9 +194,25 @@ impl Shot {
         self.values.iter().find(|value| value.of == of).copied()
     }
 
+    /// Origin of the spin; `None` if the export does not state it.
+    pub fn spin_origin(&self) -> Option<Origin> {
+        let spin = self.value(Outcome::Spin);
+        spin.or_else(|| self.value(Outcome::Backspin))?.origin
+    }
+
     /// Stated launch conditions in the order of [`CONDITIONS`].
     pub(super) fn conditions(&self) -> Stated {
         CONDITIONS.map(|of| self.value(of).map(|value| value.value))
+    }
+
+    /// True if the launch direction is not stated; the flight takes 0.
+    pub fn is_direction_assumed(&self) -> bool {
+        self.value(Outcome::LaunchDirection).is_none()
+    }
+
+    /// True if the tilt of the spin (its axis or sidespin) is not stated; the flight takes 0.
+    pub fn is_axis_assumed(&self) -> bool {
+        self.value(Outcome::SpinAxis).is_none() && self.value(Outcome::Sidespin).is_none()
     }
 
     /// Measured outcomes of the flight.

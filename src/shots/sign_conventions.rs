@@ -1,7 +1,7 @@
 //! Sign conventions of the spin: detects columns whose positive values are to the left.
 
 use crate::drive::Outcome;
-use crate::table::{Column, Content};
+use crate::table::{Column, Content, has_outcome};
 
 /// Flags for spin columns whose positive values are to the left.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,15 +21,10 @@ impl SignConventions {
     /// the table has no spin axis, or if sidespin and spin axis have opposite signs. If these signs
     /// agree and the balls curve to the other side, positive values of both are to the left.
     pub fn detect(maker: Option<&str>, columns: &[Column], rows: &[Vec<String>]) -> Self {
-        let has = |of: Outcome| {
-            columns
-                .iter()
-                .any(|column| column.content == Content::Outcome(of))
-        };
-        if maker != Some("Garmin") || !has(Outcome::Sidespin) {
+        if maker != Some("Garmin") || !has_outcome(columns, Outcome::Sidespin) {
             return Self::default();
         }
-        if !has(Outcome::SpinAxis) {
+        if !has_outcome(columns, Outcome::SpinAxis) {
             return Self {
                 sidespin: true,
                 axis: false,

@@ -3,14 +3,16 @@
 use super::head::Export;
 use super::objects::Objects;
 use super::open_connect;
-use super::shot::{LAUNCH, Shot, launch_parameters};
+use super::shot::Shot;
 use super::written;
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::input_file::InputFile;
 use crate::parameters::{Golfer, Parameter, Setup};
-use crate::table::{Entry, Record, RowFilter, SourceName, TableOptions, Text, TextTable};
+use crate::table::{
+    Column, Entry, Record, RowFilter, SourceName, TableOptions, Text, TextTable, remark_from_line,
+};
 use crate::units::Message;
 use std::io::{self, Read};
 use std::path::Path;
@@ -24,7 +26,8 @@ pub struct Shots {
     /// The column heads of the table's first section; `None` for messages.
     export: Option<Arc<Export>>,
     pub(super) rows: Rows,
-    pub(super) parameters: Vec<&'static Parameter>,
+    /// Parameters of every row other than the launch.
+    pub(super) further: Vec<&'static Parameter>,
     /// True if the source is JSON lines written by `fly`.
     is_written: bool,
 }
@@ -42,8 +45,6 @@ pub(super) struct TableRows {
     /// Column heads of the current section.
     export: Arc<Export>,
     is_begun: bool,
-    /// Parameters of every row other than the launch.
-    further: Vec<&'static Parameter>,
     is_air_given: bool,
     /// Remarks on later sections.
     remarks: Vec<Message>,
@@ -109,14 +110,13 @@ impl Shots {
                      messages; leave out `only`";
                 return Err(text.name.refused(String::new(), reason));
             }
-            let mut parameters = launch_parameters(setup)?;
-            parameters.extend(written::further(setup, &text.beginning));
+            let further = written::further(setup, &text.beginning);
             let is_written = written::begins(&text.beginning);
             let rows = Rows::Objects(text.source, Objects::default(), text.name);
             return Ok(Self {
                 export: None,
                 rows,
-                parameters,
+                further,
                 is_written,
             });
         }
@@ -127,20 +127,18 @@ impl Shots {
         };
         let (table, head) = TextTable::open(text, &setup, &TableOptions::LAUNCHES)?;
         let export = Arc::new(Export::read(&setup, head, &table)?);
-        let parameters = export.parameters(&setup)?;
         let rows = TableRows {
             table,
             setup,
             export: export.clone(),
             is_begun: false,
-            further: parameters[LAUNCH.len()..].to_vec(),
             is_air_given: false,
             remarks: vec![],
         };
         Ok(Self {
+            further: export.further(),
             export: Some(export),
             rows: Rows::Table(Box::new(rows)),
-            parameters,
             is_written: false,
         })
     }
@@ -152,7 +150,7 @@ impl Shots {
     pub(crate) fn all(mut self) -> Result<Vec<Shot>> {
         let mut all = vec![];
         while let Some(chunk) = self.rows.next_rows(CHUNK)? {
-            all.extend(chunk.shots(&self.parameters[LAUNCH.len()..]).0);
+            all.extend(chunk.shots(&self.further).0);
         }
         Ok(all)
     }
@@ -187,14 +185,14 @@ impl Shots {
         self.export.as_ref().map_or(&[], |export| &export.remarks)
     }
 
-    /// Parameters of each row: the launch parameters, then the parameters of the other columns.
-    pub fn parameters(&self) -> &[&'static Parameter] {
-        &self.parameters
+    /// The column of an outcome.
+    fn column_of(&self, of: Outcome) -> Option<&Column> {
+        self.export.as_ref()?.column_of(of)
     }
 
     /// True if the table has a column of this outcome.
     pub fn has(&self, of: Outcome) -> bool {
-        self.export.as_ref().is_some_and(|export| export.has(of))
+        self.column_of(of).is_some()
     }
 
     /// Column head of an outcome.
@@ -207,7 +205,7 @@ impl Shots {
 
     /// Unit in which the column of an outcome is read; `None` without such a column.
     pub fn unit_of(&self, of: Outcome) -> Option<&str> {
-        self.export.as_ref()?.unit_of(of)
+        self.column_of(of).map(Column::unit)
     }
 
     /// Uses the setup's air for every row, even if the export states other air.
@@ -216,21 +214,14 @@ impl Shots {
             return;
         };
         rows.is_air_given = true;
-        if Arc::make_mut(export).ignore_air() {
-            rows.further = export
-                .further
-                .iter()
-                .map(|further| further.parameter)
-                .collect();
-            rows.export = export.clone();
-            self.parameters.truncate(LAUNCH.len());
-            self.parameters.extend(&rows.further);
-        }
+        Arc::make_mut(export).ignore_air();
+        rows.export = export.clone();
+        self.further = export.further();
     }
 
     /// The parameters that are not launch conditions.
     pub fn further(&self) -> &[&'static Parameter] {
-        &self.parameters[LAUNCH.len()..]
+        &self.further
     }
 }
 
@@ -264,17 +255,15 @@ impl TableRows {
     /// Begins a section at a line of column heads. A repetition of the current column heads is
     /// skipped.
     fn begin(&mut self, record: &Record) -> Result<()> {
-        let head = self
-            .table
-            .head(record, &self.setup, &TableOptions::LAUNCHES)?;
-        if head.is_like(&self.export.heads, self.export.units.as_deref()) {
+        let wanted = &TableOptions::LAUNCHES;
+        let Some(head) = self.table.section(record, &self.setup, wanted)? else {
             return Ok(());
-        }
+        };
         let mut export = Export::read(&self.setup, head, &self.table)?;
         if self.is_air_given {
             export.ignore_air();
         }
-        export.align(&self.further).map_err(|missing| {
+        export.align(&self.export).map_err(|missing| {
             let reason = format!(
                 "its column heads lack {missing}, which the first section has; give the \
                                   sections the same columns, or separate files"
@@ -283,10 +272,9 @@ impl TableRows {
                 .name
                 .refused(format!(", line {}", record.line), reason)
         })?;
-        let located = |remark: &Message| {
-            Message::from(format!("from line {} on: ", record.line)).message(remark.clone())
-        };
-        self.remarks.extend(export.remarks.iter().map(located));
+        let remarks = export.remarks.iter();
+        self.remarks
+            .extend(remarks.map(|remark| remark_from_line(record.line, remark)));
         (self.export, self.is_begun) = (Arc::new(export), true);
         Ok(())
     }

@@ -215,11 +215,8 @@ impl ShotStatistics {
             self.rows += 1;
             self.normalized += u64::from(shot.is_normalized == Some(true));
             self.noted += u64::from(!shot.notes.is_empty());
-            let of_spin = shot
-                .value(Outcome::Spin)
-                .or_else(|| shot.value(Outcome::Backspin));
-            let is_measured = of_spin
-                .and_then(|spin| spin.origin)
+            let is_measured = shot
+                .spin_origin()
                 .is_none_or(|origin| origin == Origin::Measured);
             self.spin_not_measured += u64::from(!is_measured);
             if let Some(reason) = flown.reason(row) {

@@ -5,7 +5,7 @@ use super::objects::Objects;
 use super::shot::{Club, Origin, REFUSED, Shot, Value, within};
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup};
-use crate::table::{Refusal, is_straight_by_assumption};
+use crate::table::Refusal;
 use serde_json::{Map, Value as Json};
 
 /// The text before the original row, which is the last member of a line. It cannot occur elsewhere.
@@ -115,13 +115,7 @@ fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refus
             .find(|(key, _)| *key == name)
             .and_then(|(_, value)| value.as_f64())
     };
-    let [speed, attack_angle, path, face_angle] = Club::NAMES.map(of_club);
-    shot.club = Club {
-        speed,
-        attack_angle,
-        path,
-        face_angle,
-    };
+    shot.club = Club::of(Club::NAMES.map(of_club));
     shot.condition = message
         .get("condition")
         .and_then(Json::as_str)
@@ -143,7 +137,7 @@ fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refus
 
 /// Values of a line: the launch parameters, then the other parameters of the table.
 fn point(
-    shot: &mut Shot,
+    shot: &Shot,
     message: &Map<String, Json>,
     further: &[&'static Parameter],
 ) -> Result<Vec<f64>, Refusal> {
@@ -158,9 +152,7 @@ fn point(
         );
         return Err(Refusal::new(Refusal::JSON, reason));
     }
-    let stated = shot.conditions();
-    shot.is_straight_by_assumption = is_straight_by_assumption(&stated);
-    let mut point = launch(&stated, |of| of.name().into(), |_| true)?;
+    let mut point = launch(&shot.conditions(), |of| of.name().into(), |_| true)?;
     for parameter in further {
         let name = format!("parameters.{}", parameter.name);
         let value = own.iter().find(|(own, _)| *own == parameter.name);

@@ -1,8 +1,7 @@
 use super::histogram::Histogram;
 use super::moments::Moments;
 use super::ranking::Ranking;
-use crate::batch::{Batch, Block, Status, StatusCounts};
-use crate::drive::ExceededCount;
+use crate::batch::{Batch, Block, StatusCounts};
 use crate::error::{Error, Result};
 use crate::repeated::first_repeated;
 use serde::{Deserialize, Serialize};
@@ -26,11 +25,8 @@ pub struct SummarySpec {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Summary {
     /// Number of drives by status.
-    pub statuses: BTreeMap<Status, u64>,
-    /// Number of landed drives beyond each validity limit, in this order: launch outside the ranges
-    /// that the law was fitted to, strike outside the largest face that the Rules of Golf allow,
-    /// and landing flatter than any measured bounce.
-    pub beyond: [u64; 3],
+    #[serde(flatten)]
+    pub status_counts: StatusCounts,
     /// Moments of each outcome and derivative, by column name.
     pub moments: BTreeMap<String, Moments>,
     /// Requested histograms.
@@ -119,8 +115,7 @@ impl SummarySpec {
     /// Empty summary.
     pub fn none(&self) -> Summary {
         Summary {
-            statuses: StatusCounts::default().counts().collect(),
-            beyond: [0; 3],
+            status_counts: StatusCounts::default(),
             moments: self
                 .columns
                 .iter()
@@ -134,13 +129,7 @@ impl SummarySpec {
     /// Summary of a block.
     pub fn of(&self, block: &Block) -> Summary {
         let mut summary = self.none();
-        let mut status_counts = StatusCounts::default();
-        status_counts.add(block);
-        summary.statuses = status_counts.counts().collect();
-        let ExceededCount {
-            law, face, flat, ..
-        } = status_counts.beyond;
-        summary.beyond = [law, face, flat];
+        summary.status_counts.add(block);
         for (column, name) in self.columns.iter().enumerate() {
             summary
                 .moments
@@ -174,13 +163,7 @@ impl SummarySpec {
 impl Summary {
     /// Adds the summary of later rows of the same batch.
     pub fn merge(&mut self, after: &Self) {
-        for (status, count) in &after.statuses {
-            *self.statuses.entry(*status).or_default() += count;
-        }
-        self.beyond
-            .iter_mut()
-            .zip(after.beyond)
-            .for_each(|(ours, theirs)| *ours += theirs);
+        self.status_counts.merge(&after.status_counts);
         for (column, moments) in &after.moments {
             self.moments
                 .entry(column.clone())
@@ -197,28 +180,9 @@ impl Summary {
             .for_each(|(ours, theirs)| ours.merge(theirs));
     }
 
-    /// Status counts.
-    pub fn status_counts(&self) -> StatusCounts {
-        let [law, face, flat] = self.beyond;
-        let all = self
-            .statuses
-            .get(&Status::Landed)
-            .copied()
-            .unwrap_or_default();
-        StatusCounts::of(
-            &self.statuses,
-            ExceededCount {
-                all,
-                law,
-                face,
-                flat,
-            },
-        )
-    }
-
     /// Number of rows.
     pub fn rows(&self) -> u64 {
-        self.statuses.values().sum()
+        self.status_counts.total()
     }
 }
 

@@ -3,7 +3,7 @@
 use super::column::{AIR, Column, Content};
 use crate::atmosphere::in_effect;
 use crate::parameters::Setup;
-use crate::units::Quantity;
+use crate::units::{Message, Quantity};
 
 /// Range of air density on golf courses, kg/m³: from a course at 5000 m on a hot day to the coast
 /// at −40 °C.
@@ -86,8 +86,18 @@ pub(crate) fn air_of_rows(head: &str) -> String {
 }
 
 /// Message for exports whose air the setup overrides.
-pub(crate) fn air_as_given(head: &str) -> String {
+pub(super) fn air_as_given(head: &str) -> String {
     format!("the given air replaces the air that the export states for each row: {head}")
+}
+
+/// Replaces the message [`air_of_rows`] by the message that the setup overrides the air.
+pub(crate) fn replace_air_remark(remarks: &mut [Message], head: &str) {
+    let replaced = air_of_rows(head);
+    for remark in remarks {
+        if remark.to_string() == replaced {
+            *remark = air_as_given(head).into();
+        }
+    }
 }
 
 /// Message for a row without usable air, whose shot flies in the air of the setup.

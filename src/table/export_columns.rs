@@ -62,6 +62,44 @@ pub(crate) enum ClubColumns {
     Read,
 }
 
+/// True if a column is of this outcome.
+pub(crate) fn has_outcome(columns: &[Column], of: Outcome) -> bool {
+    columns
+        .iter()
+        .any(|column| column.content == Content::Outcome(of))
+}
+
+/// True if there are all columns of a launch.
+pub(crate) fn has_whole_launch(columns: &[Column]) -> bool {
+    missing_of_launch(columns).is_empty()
+}
+
+/// The columns of a launch that are missing, in words.
+pub(crate) fn missing_of_launch(columns: &[Column]) -> Vec<&'static str> {
+    let has = |of| has_outcome(columns, of);
+    let needed = [
+        (has(Outcome::BallSpeed), "the ball speed"),
+        (has(Outcome::LaunchAngle), "the launch angle"),
+        (
+            has(Outcome::Spin) || has(Outcome::Backspin),
+            "the spin (spin rate, total spin or backspin)",
+        ),
+    ];
+    needed
+        .into_iter()
+        .filter(|(is_there, _)| !is_there)
+        .map(|(_, words)| words)
+        .collect()
+}
+
+/// An unknown column head, with the nearest known one.
+pub(crate) fn with_nearest(head: &str) -> String {
+    match nearest_head(head) {
+        Some(near) => format!("{head} (did you mean '{near}'?)"),
+        None => head.into(),
+    }
+}
+
 /// Clause that lists unknown column heads similar to known ones: "; near a known head: …".
 pub(crate) fn near_known(columns: &[Column]) -> String {
     let near = columns.iter().filter(|column| column.is_unknown());
@@ -118,13 +156,7 @@ pub(super) fn ignore_columns(
     selects_spin_by_row: bool,
 ) -> Vec<Message> {
     let mut remarks: Vec<Message> = unknown_columns(columns).into_iter().collect();
-    let has = |outcome| {
-        columns
-            .iter()
-            .any(|column| column.content == Content::Outcome(outcome))
-    };
-    let has_spin = has(Outcome::Spin) || has(Outcome::Backspin);
-    if !(has(Outcome::BallSpeed) && has(Outcome::LaunchAngle) && has_spin) {
+    if !has_whole_launch(columns) {
         return remarks;
     }
     let is_club = |column: &Column| {
@@ -143,7 +175,7 @@ pub(super) fn ignore_columns(
         };
         remarks.push(format!("{reason}: {}", ignored.join(", ")).into());
     }
-    let redundant = redundant_spins(has);
+    let redundant = redundant_spins(columns);
     let is_redundant = |column: &Column| {
         redundant
             .iter()
@@ -169,7 +201,8 @@ pub(super) fn ignore_columns(
 }
 
 /// Spin columns that other columns make redundant.
-fn redundant_spins(has: impl Fn(Outcome) -> bool) -> &'static [Outcome] {
+fn redundant_spins(columns: &[Column]) -> &'static [Outcome] {
+    let has = |of| has_outcome(columns, of);
     if has(Outcome::Spin) && (has(Outcome::SpinAxis) || !has(Outcome::Sidespin)) {
         &[Outcome::Backspin, Outcome::Sidespin]
     } else if has(Outcome::Backspin) {
@@ -196,10 +229,7 @@ fn unknown_columns(columns: &[Column]) -> Option<Message> {
     let unknown: Vec<String> = columns
         .iter()
         .filter(|column| column.is_unknown() && !column.head.is_empty() && !is_condition(column))
-        .map(|column| match nearest_head(&column.head) {
-            Some(near) => format!("{} (did you mean '{near}'?)", column.head),
-            None => column.head.clone(),
-        })
+        .map(|column| with_nearest(&column.head))
         .collect();
     let list = unknown.join(", ");
     (!unknown.is_empty()).then(|| format!("unknown columns are left out: {list}").into())

@@ -8,6 +8,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::Setup;
 use crate::units::Message;
+use std::borrow::Borrow;
 
 /// Options for reading a table.
 #[derive(Clone, Copy, Debug)]
@@ -143,11 +144,6 @@ impl Head {
         })
     }
 
-    /// True if the column heads and the units of this table equal the given heads and units.
-    pub fn is_like(&self, heads: &[String], units: Option<&[String]>) -> bool {
-        self.heads == heads && self.units.as_deref() == units
-    }
-
     /// True if there is a column of the delivery.
     pub fn has_strike(&self) -> bool {
         self.columns.iter().any(Column::is_of_the_strike)
@@ -203,8 +199,13 @@ fn resolve_sweep_names(columns: &mut [Column]) {
 }
 
 /// Message `what: a, b` about the columns `names`; `None` if there are none.
-pub(crate) fn columns_remark(what: &str, names: &[&str]) -> Option<Message> {
+pub(crate) fn columns_remark<S: Borrow<str>>(what: &str, names: &[S]) -> Option<Message> {
     (!names.is_empty()).then(|| format!("{what}: {}", names.join(", ")).into())
+}
+
+/// A remark on the section whose column heads are in this line.
+pub(crate) fn remark_from_line(line: u64, remark: &Message) -> Message {
+    Message::from(format!("from line {line} on: ")).message(remark.clone())
 }
 
 /// Errors in column heads: all unknown names; without any, the first error of another kind.

@@ -5,7 +5,7 @@ use super::encoding::{Encoding, decoded};
 use super::head::{Head, TableOptions};
 use super::launch_monitor::is_head;
 use super::records::{Lines, Record, cells};
-use super::refusal::Refusal;
+use super::refusal::{NonShot, Refusal};
 use super::row_filter::RowFilter;
 use crate::csv_dialect::detect_separator;
 use crate::error::{Error, Result};
@@ -105,6 +105,10 @@ pub(crate) struct TextTable {
     encoding: Encoding,
     /// True for exports, which may contain further lines of column heads.
     has_sections: bool,
+    /// The column heads of the current section.
+    heads: Vec<String>,
+    /// The line of units of the current section; `None` without this line.
+    units: Option<Vec<String>>,
     /// The selection of rows, with the numbers of rows read so far.
     pub filter: RowFilter,
 }
@@ -141,6 +145,8 @@ impl TextTable {
             beginning,
             encoding,
             has_sections: false,
+            heads: vec![],
+            units: None,
             filter,
         };
         let record = loop {
@@ -157,22 +163,34 @@ impl TextTable {
         };
         let mut head = table.head(&record, setup, wanted)?;
         table.has_sections = head.format.is_export;
+        (table.heads, table.units) = (head.heads.clone(), head.units.clone());
         if table.encoding == Encoding::Windows1252 {
             head.encoding = Some("its text is not in UTF-8, and is read as Windows-1252");
         }
         Ok((table, head))
     }
 
-    /// Reads a line of column heads and the line of units below it.
+    /// Begins a section at a line of column heads; `None` if the column heads and their units equal
+    /// those of the section before.
     ///
     /// # Errors
     /// The errors of [`open`](Self::open).
-    pub fn head(
+    pub fn section(
         &mut self,
         record: &Record,
         setup: &Setup<f64>,
         wanted: &TableOptions,
-    ) -> Result<Head> {
+    ) -> Result<Option<Head>> {
+        let head = self.head(record, setup, wanted)?;
+        if head.heads == self.heads && head.units == self.units {
+            return Ok(None);
+        }
+        (self.heads, self.units) = (head.heads.clone(), head.units.clone());
+        Ok(Some(head))
+    }
+
+    /// Reads a line of column heads and the line of units below it.
+    fn head(&mut self, record: &Record, setup: &Setup<f64>, wanted: &TableOptions) -> Result<Head> {
         if let Some(refusal) = record.unclosed() {
             return Err(self.name.refused(String::new(), refusal.reason));
         }
@@ -300,9 +318,44 @@ impl HeadPlace {
     }
 }
 
+/// Why a row of a table is not read.
+pub(crate) enum RowFault<'a> {
+    /// A row of an export without a shot.
+    NonShot(NonShot<'a>),
+    /// An unclosed quote, fewer cells than column heads, or a filled cell beyond them.
+    Unreadable(Refusal),
+}
+
+impl<'a> RowFault<'a> {
+    /// The fault of a record with the cells `row`, in a table with `width` columns; `None` for a
+    /// row that can be read.
+    pub fn find<S: AsRef<str>>(
+        record: &Record,
+        row: &'a [S],
+        width: usize,
+        is_export: bool,
+    ) -> Option<Self> {
+        if let Some(refusal) = record.unclosed() {
+            return Some(Self::Unreadable(refusal));
+        }
+        if let Some(no_shot) = NonShot::of(row).filter(|_| is_export) {
+            return Some(Self::NonShot(no_shot));
+        }
+        miscounted(row, width).map(Self::Unreadable)
+    }
+
+    /// Reason for rejecting the row.
+    pub fn refusal(self) -> Refusal {
+        match self {
+            Self::NonShot(no_shot) => no_shot.refusal(),
+            Self::Unreadable(refusal) => refusal,
+        }
+    }
+}
+
 /// Refusal of a row that has fewer cells than `heads`, the number of column heads, or a filled cell
 /// beyond them.
-pub(crate) fn miscounted<S: AsRef<str>>(row: &[S], heads: usize) -> Option<Refusal> {
+fn miscounted<S: AsRef<str>>(row: &[S], heads: usize) -> Option<Refusal> {
     let filled = row
         .iter()
         .rposition(|cell| !cell.as_ref().is_empty())

@@ -3,7 +3,7 @@
 use crate::command_line::longdrive;
 use crate::common::close;
 use crate::shots::flown;
-use longdrive::report::{ShotFormat, ShotWriter};
+use longdrive::report::ShotWriter;
 use longdrive::shots::{Flown, ShotStatistics, Shots};
 use longdrive::study::calibrate::ShotTable;
 use longdrive::table::RowFilter;
@@ -193,12 +193,7 @@ fn same_launches_in_sections_with_their_own_heads_and_units() {
     let setup = Setup::default();
     for name in ["two-exports-mph-then-kmh.csv", "sections-with-heads.csv"] {
         let (shots, first, _) = case(name);
-        let writer = ShotWriter::new(
-            ShotFormat::Csv,
-            &shots,
-            &[Outcome::CarryDistance],
-            System::Us,
-        );
+        let writer = ShotWriter::csv(&shots, &[Outcome::CarryDistance], System::Us);
         let mut text = writer.head();
         for flown in &first {
             text.extend(writer.rows(flown));

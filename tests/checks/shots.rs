@@ -5,7 +5,7 @@ use crate::command_line::{json, longdrive, number};
 use crate::common::close;
 use crate::schema::faults;
 use longdrive::batch::Run;
-use longdrive::report::{ShotFormat, ShotWriter};
+use longdrive::report::ShotWriter;
 use longdrive::shots::{Flown, Flying, Origin, ShotStatistics, Shots};
 use longdrive::units::System;
 use longdrive::{Drive, Outcome, Setup};
@@ -323,24 +323,23 @@ fn every_row_is_kept_with_its_line_and_its_reason() {
     let counted: u64 = tally.refused.values().map(|refused| refused.count).sum();
     assert_eq!(counted, rows as u64 / 2);
     // every format has a line for every row, and the table can be read again
-    for format in [
-        ShotFormat::Csv,
-        ShotFormat::LaunchMonitor,
-        ShotFormat::JsonLines,
-        ShotFormat::OpenConnect,
+    for (format, writer) in [
+        ("csv", ShotWriter::csv(&shots, &OF, System::Us)),
+        (
+            "launch-monitor",
+            ShotWriter::launch_monitor(&OF, System::Us),
+        ),
+        ("jsonl", ShotWriter::json_lines(&shots, &OF)),
+        ("open-connect", ShotWriter::open_connect()),
     ] {
-        let writer = ShotWriter::new(format, &shots, &OF, System::Us);
         let written = String::from_utf8([writer.head(), writer.rows(flown)].concat()).unwrap();
         let heads = written.lines().count() - rows;
         assert_eq!(
             heads,
-            usize::from(matches!(
-                format,
-                ShotFormat::Csv | ShotFormat::LaunchMonitor
-            )),
-            "{format:?}"
+            usize::from(["csv", "launch-monitor"].contains(&format)),
+            "{format}"
         );
-        if format == ShotFormat::JsonLines {
+        if format == "jsonl" {
             for line in written.lines() {
                 let row: Value =
                     serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {line}"));
@@ -654,7 +653,7 @@ fn same_streamed_rows_for_any_number_of_threads() {
             at: 0,
         };
         let mut shots = Shots::read(&setup, "many.csv", source).unwrap();
-        let writer = ShotWriter::new(ShotFormat::Csv, &shots, &OF, System::Us);
+        let writer = ShotWriter::csv(&shots, &OF, System::Us);
         let flying = Flying::new(&setup, &shots, &OF).unwrap();
         let (mut bytes, mut taken, mut most) = (vec![], 0, 0);
         let run = Run {

@@ -3,7 +3,7 @@
 
 use crate::common::close;
 use crate::shots::flown;
-use longdrive::report::{ShotFormat, ShotWriter};
+use longdrive::report::ShotWriter;
 use longdrive::shots::{Flown, Refusal};
 use longdrive::study::calibrate::ShotTable;
 use longdrive::units::System;
@@ -265,12 +265,7 @@ fn the_condition_of_a_shot_is_written_and_known_heads_get_no_suggestion() {
         told.contains("Club Name") && !told.contains("did you mean"),
         "{told}"
     );
-    let writer = ShotWriter::new(
-        ShotFormat::LaunchMonitor,
-        &shots,
-        &[Outcome::CarryDistance],
-        System::Us,
-    );
+    let writer = ShotWriter::launch_monitor(&[Outcome::CarryDistance], System::Us);
     let written = String::from_utf8([writer.head(), writer.rows(&all[0])].concat()).unwrap();
     for says in [
         "Spin Rate Type,Condition,Line",

@@ -410,10 +410,8 @@ fn exact_validity_limits_of_a_batch_by_their_definitions() {
                 landed > 100 && (outside > 20 || law == "linear"),
                 "{law}: {outside} of {landed}"
             );
-            assert_eq!(
-                (status_counts.beyond.all, status_counts.beyond.law),
-                (landed, outside)
-            );
+            let exceeded = status_counts.exceeded();
+            assert_eq!((exceeded.all, exceeded.law), (landed, outside));
         }
     }
 }

@@ -17,7 +17,7 @@ use crate::input_file;
 use crate::parameters::{Law, Preset};
 #[cfg(feature = "parquet")]
 use crate::report::ShotParquet;
-use crate::report::{Ending, Report, ShotFormat, ShotWriter, ShotsReport};
+use crate::report::{Ending, Report, ShotWriter, ShotsReport};
 use crate::shots::{Flying, ShotStatistics, Shots};
 use crate::table::{ASSUMED_UNITS, CONDITIONS, RowFilter};
 use crate::units::{Message, counted};
@@ -201,12 +201,12 @@ fn written(
     run: &Run<'_>,
 ) -> Result<(ShotStatistics, Output)> {
     let of = flying.outcomes();
-    let format = match target.format {
-        FlyFormat::Csv => ShotFormat::Csv,
-        FlyFormat::LaunchMonitor => ShotFormat::LaunchMonitor,
-        FlyFormat::Jsonl => ShotFormat::JsonLines,
-        FlyFormat::OpenConnect => ShotFormat::OpenConnect,
-        FlyFormat::Screen => ShotFormat::Screen,
+    let writer = match target.format {
+        FlyFormat::Csv => ShotWriter::csv(shots, of, system()),
+        FlyFormat::LaunchMonitor => ShotWriter::launch_monitor(of, system()),
+        FlyFormat::Jsonl => ShotWriter::json_lines(shots, of),
+        FlyFormat::OpenConnect => ShotWriter::open_connect(),
+        FlyFormat::Screen => ShotWriter::screen(of, system()),
         #[cfg(feature = "parquet")]
         FlyFormat::Parquet => {
             let mut writer = ShotParquet::new(shots, of)?;
@@ -221,7 +221,6 @@ fn written(
             return Ok((tally, output));
         }
     };
-    let writer = ShotWriter::new(format, shots, of, system());
     let mut output = target.open(&writer.head())?;
     let tally = flying.fly(
         shots,

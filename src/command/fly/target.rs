@@ -1,5 +1,9 @@
 use super::args::{Args, FlyFormat};
-use crate::command::files::{Destination, Pieces, Rule, ending, refused};
+#[cfg(feature = "parquet")]
+use crate::command::files::parquet_without_file;
+use crate::command::files::{
+    Destination, Pieces, Rule, ending, refuse_overwrite_of_standard_output, refused,
+};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::{Error, Result};
@@ -38,16 +42,9 @@ impl Target {
         };
         #[cfg(feature = "parquet")]
         if is_standard && format == FlyFormat::Parquet && !request.is_json {
-            return Err(refused(
-                path,
-                "Parquet needs a file; name one with `output`, or take `format csv` or jsonl",
-            ));
+            return Err(parquet_without_file(path));
         }
-        if is_standard && args.overwrite {
-            let reason = "`overwrite` replaces a file, and the rows go to standard output; name a \
-                          file with `output`, or leave `overwrite` out";
-            return Err(refused(path, reason));
-        }
+        refuse_overwrite_of_standard_output(path, args.overwrite)?;
         let inputs = request
             .inputs()
             .chain((shots != Path::new("-")).then(|| shots.to_path_buf()));

@@ -1,9 +1,7 @@
 use super::rows::Identity;
 use crate::atomic_file::{create_beside, persist};
-use crate::batch::{Status, StatusCounts};
-use crate::drive::ExceededCount;
+use crate::batch::StatusCounts;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -33,62 +31,24 @@ pub struct Journal {
     _replaced: Option<File>,
 }
 
+/// The rows at the beginning of a file of rows.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct WrittenRows {
+    /// Size, bytes.
+    pub bytes: u64,
+    /// Status counts; their total is the number of rows.
+    #[serde(flatten)]
+    pub status_counts: StatusCounts,
+}
+
 /// An entry of the journal: the state of the file of rows on the disk.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Entry {
-    /// Number of rows in the file.
-    pub rows: u64,
-    /// Size of the file, bytes.
-    pub bytes: u64,
-    /// Drives by status.
-    pub drives: BTreeMap<Status, u64>,
-    /// Number of landed drives, then the number of landed drives beyond each validity limit: the
-    /// fitted range of the law, the face of the club, the descent angle.
-    pub beyond: [u64; 4],
-    /// The metadata of the row group that ends here, in hexadecimal.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
-    pub group: String,
-}
-
-impl Entry {
-    pub fn new(rows: u64, bytes: u64, status_counts: StatusCounts, group: &[u8]) -> Self {
-        let ExceededCount {
-            all,
-            law,
-            face,
-            flat,
-        } = status_counts.beyond;
-        Self {
-            rows,
-            bytes,
-            drives: status_counts.counts().collect(),
-            beyond: [all, law, face, flat],
-            group: group.iter().map(|byte| format!("{byte:02x}")).collect(),
-        }
-    }
-
-    pub fn status_counts(&self) -> StatusCounts {
-        let [all, law, face, flat] = self.beyond;
-        StatusCounts::of(
-            &self.drives,
-            ExceededCount {
-                all,
-                law,
-                face,
-                flat,
-            },
-        )
-    }
-
-    /// The metadata of the row group.
-    #[cfg(feature = "parquet")]
-    pub fn group(&self) -> Vec<u8> {
-        let digits = self.group.as_bytes();
-        let byte = |pair: &[u8]| {
-            u8::from_str_radix(std::str::from_utf8(pair).unwrap_or_default(), 16).unwrap_or(0)
-        };
-        digits.chunks(2).map(byte).collect()
-    }
+    #[serde(flatten)]
+    pub written: WrittenRows,
+    /// The metadata of the row group that ends here.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub group: Vec<u8>,
 }
 
 impl Journal {
@@ -186,10 +146,10 @@ impl Journal {
         };
         let mut entries = vec![];
         for line in lines {
-            let Some(entry) = serde_json::from_str(line).ok().filter(&keeps) else {
+            let Some(entry) = serde_json::from_str::<Entry>(line).ok().filter(&keeps) else {
                 break;
             };
-            journal.entries.push((entry.bytes, journal.length));
+            journal.entries.push((entry.written.bytes, journal.length));
             journal.length += line.len() as u64;
             entries.push(entry);
         }
@@ -209,7 +169,7 @@ impl Journal {
             self.cut()?;
             return written;
         }
-        self.entries.push((entry.bytes, self.length));
+        self.entries.push((entry.written.bytes, self.length));
         self.length += line.len() as u64;
         Ok(())
     }

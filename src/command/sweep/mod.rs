@@ -58,7 +58,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         .filter(|_| !is_complete)
         .unwrap_or_else(|| args.output.clone());
     let summary = SweepSummary::new(total, counts, notes, &file);
-    warn(counts.beyond.warnings(
+    warn(counts.exceeded().warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
         CheckScope::Launch,
@@ -67,13 +67,13 @@ pub fn run(args: &Args) -> Result<Answer> {
         tell(&stopped(&summary, &target, &output));
     }
     let nothing = (is_complete && !counts.has_any(batch.outcomes()))
-        .then(|| no_outcome(&summary, &counts, batch.outcomes()));
+        .then(|| no_outcome(&summary, counts, batch.outcomes()));
     if let Some(nothing) = &nothing {
         say_error(nothing);
     }
     let is_answered = is_complete && nothing.is_none();
     // if the rows go to a file, the answer on standard output has the counts
-    if is_answered && !all_landed(&counts) && target.is_standard_output() {
+    if is_answered && !all_landed(counts) && target.is_standard_output() {
         tell(&summary.text(None));
     }
     let answer = if request.is_json {
@@ -104,8 +104,7 @@ fn ended(
 }
 
 fn all_landed(status_counts: &StatusCounts) -> bool {
-    let mut counts = status_counts.counts();
-    counts.all(|(status, count)| status == Status::Landed || count == 0)
+    status_counts.count(Status::Landed) == status_counts.total()
 }
 
 /// Refuses options that apply only to a part of a sweep if the request writes no part.
@@ -183,10 +182,7 @@ fn no_outcome(summary: &SweepSummary, tally: &StatusCounts, of: &[Outcome]) -> S
     } else {
         "any of the requested outcomes"
     };
-    let has_diverged = tally
-        .counts()
-        .any(|(status, count)| status == Status::Diverged && count > 0);
-    let diverged = if has_diverged {
+    let diverged = if tally.count(Status::Diverged) > 0 {
         "; simulate one of the diverged drives to see what to change"
     } else {
         ""
@@ -229,13 +225,12 @@ pub struct SweepSummary {
 }
 
 impl SweepSummary {
-    fn new(rows: u64, status_counts: StatusCounts, remarks: Vec<Message>, file: &Path) -> Self {
-        let statuses: BTreeMap<_, _> = status_counts.counts().collect();
+    fn new(rows: u64, status_counts: &StatusCounts, remarks: Vec<Message>, file: &Path) -> Self {
         Self {
             file: file.display().to_string(),
             rows,
-            written: statuses.values().sum(),
-            statuses,
+            written: status_counts.total(),
+            statuses: status_counts.counts().collect(),
             remarks,
         }
     }

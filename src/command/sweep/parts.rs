@@ -76,7 +76,7 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
         PartResult::There(manifest) => (manifest, false),
         PartResult::Stopped => return Ok(stopped(part, &request)),
     };
-    warn(manifest.part.summary.status_counts().beyond.warnings(
+    warn(manifest.part.summary.status_counts.exceeded().warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
         CheckScope::Launch,

@@ -1,4 +1,4 @@
-use super::journal::{Entry, Journal};
+use super::journal::{Entry, Journal, WrittenRows};
 #[cfg(feature = "parquet")]
 use super::rows::Table;
 use super::rows::{Rows, Writer};
@@ -34,24 +34,28 @@ pub struct ResumableFile<'a> {
     file: File,
     journal: Journal,
     writer: &'a Writer,
-    /// Number of rows in the file.
-    rows: u64,
-    /// Number of bytes in the file.
-    bytes: u64,
-    /// Status counts of the rows in the file.
-    pub status_counts: StatusCounts,
+    /// The rows in the file.
+    written: WrittenRows,
     /// Number of rows in the journal. A resumed sweep continues after these rows.
     pub safe: u64,
     /// Number of blocks since the last line of the journal.
     since: u64,
     /// Time of the last line of the journal.
     last: Option<Instant>,
-    /// The written row groups of a Parquet file, each with the bytes, rows and statuses before it.
+    /// The written row groups of a Parquet file.
     #[cfg(feature = "parquet")]
-    groups: Vec<(PlacedGroup, u64, u64, StatusCounts)>,
+    groups: Vec<WrittenGroup>,
     /// Blocks of the next row group.
     #[cfg(feature = "parquet")]
     pending: Vec<Block>,
+}
+
+/// A row group in the file.
+#[cfg(feature = "parquet")]
+struct WrittenGroup {
+    group: PlacedGroup,
+    /// The rows before the group.
+    before: WrittenRows,
 }
 
 /// The path of an incomplete file, `FILE.part`.
@@ -130,9 +134,7 @@ impl<'a> ResumableFile<'a> {
             file,
             journal,
             writer,
-            rows: 0,
-            bytes: 0,
-            status_counts: StatusCounts::default(),
+            written: WrittenRows::default(),
             safe: 0,
             since: 0,
             last: None,
@@ -161,7 +163,7 @@ impl<'a> ResumableFile<'a> {
             .map_err(unusable)?;
         let length = file.metadata().map_err(unusable)?.len();
         let Some((journal, identity, entries)) =
-            Journal::open(&path, |entry| entry.bytes <= length).map_err(unusable)?
+            Journal::open(&path, |entry| entry.written.bytes <= length).map_err(unusable)?
         else {
             return Err(nothing_left(&path));
         };
@@ -180,36 +182,43 @@ impl<'a> ResumableFile<'a> {
         }
         let mut kept = Self::at_the_beginning(path.clone(), file, journal, writer);
         if let Some(last) = entries.last() {
-            (kept.rows, kept.bytes, kept.status_counts) =
-                (last.rows, last.bytes, last.status_counts());
-            kept.safe = last.rows;
+            kept.written = last.written.clone();
+            kept.safe = kept.rows();
         }
         #[cfg(feature = "parquet")]
         if let Table::Parquet(table) = &writer.table {
             kept.restore_groups(table, &entries)?;
         }
         kept.cut().map_err(unusable)?;
-        tell(&format!("resuming after {}", counted(kept.rows, "row")));
-        if kept.rows == 0 {
+        tell(&format!("resuming after {}", counted(kept.safe, "row")));
+        if kept.safe == 0 {
             kept.begun()
         } else {
             Ok(kept)
         }
     }
 
+    /// Status counts of the rows in the file.
+    pub fn status_counts(&self) -> &StatusCounts {
+        &self.written.status_counts
+    }
+
+    /// Number of rows in the file.
+    fn rows(&self) -> u64 {
+        self.written.status_counts.total()
+    }
+
     pub fn take(&mut self, rows: Rows) -> Result<()> {
         match rows {
             Rows::Text {
                 bytes,
-                rows,
                 status_counts,
             } => {
                 self.append(&bytes)?;
-                self.rows += rows;
-                self.status_counts.merge(status_counts);
+                self.written.status_counts.merge(&status_counts);
                 self.since += 1;
                 if self.since >= BLOCKS && self.last.is_none_or(|last| last.elapsed() >= OFTEN) {
-                    self.keep(&[])?;
+                    self.keep(vec![])?;
                 }
             }
             #[cfg(feature = "parquet")]
@@ -220,7 +229,7 @@ impl<'a> ResumableFile<'a> {
                 self.pending.push(block);
                 if self.pending.len() == table.blocks_of_group() {
                     let metadata = self.write_group(table)?;
-                    self.keep(&metadata)?;
+                    self.keep(metadata)?;
                 }
             }
         }
@@ -242,7 +251,7 @@ impl<'a> ResumableFile<'a> {
         }
         if !is_complete && self.since > 0 {
             // without this entry, a resumed sweep only repeats some more rows
-            let _ = self.keep(&[]);
+            let _ = self.keep(vec![]);
         }
         if is_complete {
             let in_place = || {
@@ -267,17 +276,19 @@ impl<'a> ResumableFile<'a> {
             let _ = self.cut();
             return Err(self.failed(&error));
         }
-        self.bytes += bytes.len() as u64;
+        self.written.bytes += bytes.len() as u64;
         Ok(())
     }
 
     fn cut(&mut self) -> io::Result<()> {
-        self.file.set_len(self.bytes)?;
-        self.file.seek(SeekFrom::Start(self.bytes)).map(|_| ())
+        self.file.set_len(self.written.bytes)?;
+        self.file
+            .seek(SeekFrom::Start(self.written.bytes))
+            .map(|_| ())
     }
 
     fn failed(&self, error: &io::Error) -> Error {
-        let rows = counted(self.rows, "complete row");
+        let rows = counted(self.rows(), "complete row");
         let part = part_of(&self.path);
         let (what, remedy) = match error.kind() {
             ErrorKind::AlreadyExists => (
@@ -298,13 +309,16 @@ impl<'a> ResumableFile<'a> {
     }
 
     /// Records the written rows in the journal.
-    fn keep(&mut self, group: &[u8]) -> Result<()> {
-        let entry = Entry::new(self.rows, self.bytes, self.status_counts, group);
+    fn keep(&mut self, group: Vec<u8>) -> Result<()> {
+        let entry = Entry {
+            written: self.written.clone(),
+            group,
+        };
         self.file
             .sync_data()
             .and_then(|()| self.journal.add(&entry))
             .map_err(|error| self.failed(&error))?;
-        (self.safe, self.since, self.last) = (self.rows, 0, Some(Instant::now()));
+        (self.safe, self.since, self.last) = (self.rows(), 0, Some(Instant::now()));
         Ok(())
     }
 }
@@ -315,13 +329,12 @@ impl ResumableFile<'_> {
     fn write_group(&mut self, table: &SweepParquet) -> Result<Vec<u8>> {
         let blocks = std::mem::take(&mut self.pending);
         let ParquetGroup { bytes, metadata } = table.group(&blocks)?;
-        let (at, before) = (self.bytes, (self.rows, self.status_counts));
+        let before = self.written.clone();
         self.append(&bytes)?;
-        let placed = table.place(&metadata, at, self.groups.len())?;
-        self.groups.push((placed, at, before.0, before.1));
+        let group = table.place(&metadata, before.bytes, self.groups.len())?;
+        self.groups.push(WrittenGroup { group, before });
         for block in &blocks {
-            self.rows += block.rows() as u64;
-            self.status_counts.add(block);
+            self.written.status_counts.add(block);
         }
         Ok(metadata)
     }
@@ -334,18 +347,18 @@ impl ResumableFile<'_> {
             let groups: Vec<_> = self
                 .groups
                 .iter()
-                .map(|(group, ..)| group.clone())
+                .map(|written| written.group.clone())
                 .collect();
             let foot = table.foot(&groups, &[])?;
             let Err(error) = self.file.write_all(&foot) else {
                 break;
             };
-            let Some((_, at, rows, status_counts)) = self.groups.pop() else {
+            let Some(WrittenGroup { before, .. }) = self.groups.pop() else {
                 return Err(self.failed(&error));
             };
-            (self.bytes, self.rows, self.status_counts) = (at, rows, status_counts);
+            self.written = before;
             self.cut()
-                .and_then(|()| self.journal.forget_beyond(at))
+                .and_then(|()| self.journal.forget_beyond(self.written.bytes))
                 .map_err(|error| self.failed(&error))?;
             no_room = Some(error);
         }
@@ -355,11 +368,14 @@ impl ResumableFile<'_> {
 
     /// Restores the row groups that the journal records.
     fn restore_groups(&mut self, table: &SweepParquet, entries: &[Entry]) -> Result<()> {
-        let mut before = (table.head().len() as u64, 0, StatusCounts::default());
+        let mut before = WrittenRows {
+            bytes: table.head().len() as u64,
+            ..WrittenRows::default()
+        };
         for entry in entries {
-            let placed = table.place(&entry.group(), before.0, self.groups.len())?;
-            self.groups.push((placed, before.0, before.1, before.2));
-            before = (entry.bytes, entry.rows, entry.status_counts());
+            let group = table.place(&entry.group, before.bytes, self.groups.len())?;
+            self.groups.push(WrittenGroup { group, before });
+            before = entry.written.clone();
         }
         Ok(())
     }

@@ -42,7 +42,6 @@ impl Identity {
 pub enum Rows {
     Text {
         bytes: Vec<u8>,
-        rows: u64,
         status_counts: StatusCounts,
     },
     /// Rows of a row group that is not complete yet.
@@ -54,7 +53,7 @@ impl Rows {
     /// Number of rows.
     pub fn count(&self) -> u64 {
         match self {
-            Self::Text { rows, .. } => *rows,
+            Self::Text { status_counts, .. } => status_counts.total(),
             #[cfg(feature = "parquet")]
             Self::Block(block) => block.rows() as u64,
         }
@@ -126,7 +125,6 @@ impl Writer {
         status_counts.add(&block);
         Rows::Text {
             bytes,
-            rows: block.rows() as u64,
             status_counts,
         }
     }

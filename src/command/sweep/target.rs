@@ -2,7 +2,11 @@ use super::args::{Args, Format};
 use super::resumable::{ResumableFile, check, part_of};
 use super::rows::{Rows, Writer};
 use crate::batch::StatusCounts;
-use crate::command::files::{Rule, ending, refused, unwritable};
+#[cfg(feature = "parquet")]
+use crate::command::files::parquet_without_file;
+use crate::command::files::{
+    Rule, ending, refuse_overwrite_of_standard_output, refused, unwritable,
+};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::external_errors::write_error_text;
@@ -36,12 +40,7 @@ impl Target {
         {
             return refuse("it is standard output; write `output -` with `format csv` or jsonl");
         }
-        if target.is_standard_output() && args.overwrite {
-            return refuse(
-                "`overwrite` replaces a file, and the rows go to standard output; name a file with \
-                 `output`, or leave `overwrite` out",
-            );
-        }
+        refuse_overwrite_of_standard_output(&target.path, args.overwrite)?;
         let format = target.format_of(args)?;
         if target.is_standard_output() && request.is_json {
             return refuse(
@@ -54,9 +53,7 @@ impl Target {
         }
         #[cfg(feature = "parquet")]
         if target.is_stream() && format == Format::Parquet {
-            return refuse(
-                "Parquet needs a file; name one with `output`, or take `format csv` or jsonl",
-            );
+            return Err(parquet_without_file(&target.path));
         }
         if target.is_standard_output() {
             return Ok(Self { format, ..target });
@@ -167,13 +164,12 @@ impl Stream {
             if error.kind() == io::ErrorKind::BrokenPipe {
                 return Error::Output(error);
             }
-            let rows: u64 = self.status_counts.counts().map(|(_, count)| count).sum();
             Error::Output(io::Error::new(
                 error.kind(),
                 format!(
                     "{}; written before: {}",
                     write_error_text(&error),
-                    counted(rows, "row")
+                    counted(self.status_counts.total(), "row")
                 ),
             ))
         })
@@ -189,10 +185,10 @@ impl Output<'_> {
         }
     }
 
-    pub fn status_counts(&self) -> StatusCounts {
+    pub fn status_counts(&self) -> &StatusCounts {
         match self {
-            Self::Resumable(file) => file.status_counts,
-            Self::Stream(stream) => stream.status_counts,
+            Self::Resumable(file) => file.status_counts(),
+            Self::Stream(stream) => &stream.status_counts,
         }
     }
 
@@ -203,9 +199,8 @@ impl Output<'_> {
                 Rows::Text {
                     bytes,
                     status_counts,
-                    ..
                 } => {
-                    stream.status_counts.merge(status_counts);
+                    stream.status_counts.merge(&status_counts);
                     stream.write(&bytes)
                 }
                 #[cfg(feature = "parquet")]

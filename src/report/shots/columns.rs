@@ -2,10 +2,10 @@
 
 use super::csv::Added;
 use crate::drive::Outcome;
-use crate::shots::{Flown, Shot};
+use crate::shots::{Flown, Origin, Shot};
 
-/// The launch columns. The spin is given as total spin and spin axis.
-const LAUNCH: [(&str, Outcome); 5] = [
+/// The launch columns, in the order of [`launch`]. The spin is given as total spin and spin axis.
+pub(super) const LAUNCH: [(&str, Outcome); 5] = [
     ("Ball Speed", Outcome::BallSpeed),
     ("Launch Angle", Outcome::LaunchAngle),
     ("Launch Direction", Outcome::LaunchDirection),
@@ -59,55 +59,33 @@ pub(super) fn head(added: &Added) -> Vec<u8> {
 pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
     match shot.launch() {
         Some(&[speed, angle, direction, back, side]) => {
-            let [is_straight, is_level] = assumed(shot);
-            let (direction, axis) = (
-                (!is_straight).then_some(direction),
-                (!is_level).then_some(side.atan2(back)),
-            );
+            let axis = side.atan2(back);
             [
                 Some(speed),
                 Some(angle),
-                direction,
+                (!shot.is_direction_assumed()).then_some(direction),
                 Some(back.hypot(side)),
-                axis,
+                (!shot.is_axis_assumed()).then_some(axis),
             ]
         }
         _ => LAUNCH.map(|(_, of)| shot.value(of).map(|value| value.value)),
     }
 }
 
-/// Two flags: the launch direction is assumed to be 0; the spin axis is assumed to be 0.
-pub(super) fn assumed(shot: &Shot) -> [bool; 2] {
-    let lacks = |of| shot.value(of).is_none();
-    [
-        lacks(Outcome::LaunchDirection),
-        lacks(Outcome::SpinAxis) && lacks(Outcome::Sidespin),
-    ]
-}
-
 /// Appends the cells of a row.
 pub(super) fn row(added: &Added, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
     let shot = &flown.shots[row];
-    let club = [
-        shot.club.speed,
-        shot.club.attack_angle,
-        shot.club.path,
-        shot.club.face_angle,
-    ];
     let measured = MEASURED.map(|(_, of)| shot.value(of).map(|value| value.value));
-    let values = launch(shot).into_iter().chain(club).chain(measured);
+    let values = launch(shot)
+        .into_iter()
+        .chain(shot.club.values())
+        .chain(measured);
     for ((_, of), value) in LAUNCH.iter().chain(&CLUB).chain(&MEASURED).zip(values) {
         added.push(bytes, value, added.unit(*of), *of);
         bytes.push(added.separator);
     }
-    let spin = shot
-        .value(Outcome::Spin)
-        .or_else(|| shot.value(Outcome::Backspin));
-    let name = match spin.and_then(|spin| spin.origin) {
-        Some(origin) => origin.name(),
-        None => "",
-    };
-    for text in [name, shot.condition.as_deref().unwrap_or_default()] {
+    let spin_origin = shot.spin_origin().map_or("", Origin::name);
+    for text in [spin_origin, shot.condition.as_deref().unwrap_or_default()] {
         added.push_text(bytes, text);
         bytes.push(added.separator);
     }

@@ -3,7 +3,7 @@
 use crate::drive::Outcome;
 use crate::report::sweep::push_number;
 use crate::shots::{Export, Flown, size};
-use crate::table::quoted;
+use crate::table::{OF_FLOWN, quoted};
 use crate::units::System;
 use std::sync::Arc;
 
@@ -28,7 +28,7 @@ impl Added {
 
     /// The column heads, each with its unit.
     pub fn heads(&self) -> Vec<(String, &'static str)> {
-        let words = ["Line", "Flight", "Reason", "Notes"].map(|word| (word.to_owned(), ""));
+        let words = OF_FLOWN.map(|word| (word.to_owned(), ""));
         let of = |before: &'static str| {
             self.of
                 .iter()

@@ -26,23 +26,6 @@ use crate::units::System;
 use csv::{Added, Copied};
 use screen::Screen;
 
-/// Format of flown shots.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ShotFormat {
-    /// The rows of the export, unchanged, with added columns for the predictions. If the shots came
-    /// as messages, the columns are those of [`LaunchMonitor`](Self::LaunchMonitor).
-    Csv,
-    /// The columns of a launch monitor for any kind of source, with added columns for the
-    /// predictions.
-    LaunchMonitor,
-    /// A JSON object per row, in SI.
-    JsonLines,
-    /// A message of GSPro Open Connect per row.
-    OpenConnect,
-    /// Six columns of fixed width, for a terminal.
-    Screen,
-}
-
 /// Formats flown shots.
 #[derive(Clone, Debug)]
 pub struct ShotWriter {
@@ -59,24 +42,52 @@ enum Table {
 }
 
 impl ShotWriter {
-    /// A writer for these shots; CSV is in the units of a system.
-    pub fn new(format: ShotFormat, shots: &Shots, of: &[Outcome], system: System) -> Self {
-        let table = match (format, shots.export()) {
-            (ShotFormat::Csv, Some(export)) => Table::Copied(Copied::new(export, of, system)),
-            (ShotFormat::Csv | ShotFormat::LaunchMonitor, _) => Table::Columns(Added {
+    /// The rows of the export, unchanged, with added columns for the predictions in the units of a
+    /// system. For shots that came as messages, the columns of a launch monitor.
+    pub fn csv(shots: &Shots, of: &[Outcome], system: System) -> Self {
+        match shots.export() {
+            Some(export) => Self {
+                table: Table::Copied(Copied::new(export, of, system)),
+            },
+            None => Self::launch_monitor(of, system),
+        }
+    }
+
+    /// The columns of a launch monitor for any kind of source, with added columns for the
+    /// predictions, in the units of a system.
+    pub fn launch_monitor(of: &[Outcome], system: System) -> Self {
+        Self {
+            table: Table::Columns(Added {
                 of: of.to_vec(),
                 system,
                 separator: b',',
                 has_decimal_comma: false,
             }),
-            (ShotFormat::JsonLines, _) => Table::JsonLines(json_lines::Keys::new(shots, of)),
-            (ShotFormat::OpenConnect, _) => Table::OpenConnect,
-            (ShotFormat::Screen, _) => Table::Screen(Screen {
+        }
+    }
+
+    /// A JSON object per row, in SI.
+    pub fn json_lines(shots: &Shots, of: &[Outcome]) -> Self {
+        Self {
+            table: Table::JsonLines(json_lines::Keys::new(shots, of)),
+        }
+    }
+
+    /// A message of GSPro Open Connect per row.
+    pub fn open_connect() -> Self {
+        Self {
+            table: Table::OpenConnect,
+        }
+    }
+
+    /// Six columns of fixed width, for a terminal, in the units of a system.
+    pub fn screen(of: &[Outcome], system: System) -> Self {
+        Self {
+            table: Table::Screen(Screen {
                 of: of.first().copied(),
                 system,
             }),
-        };
-        Self { table }
+        }
     }
 
     /// The first bytes of a file.

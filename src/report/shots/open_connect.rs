@@ -1,6 +1,6 @@
 //! Flown shots as messages of GSPro Open Connect, and the answer to a message.
 
-use super::columns::{assumed, launch};
+use super::columns::launch;
 use crate::batch::Status;
 use crate::drive::Outcome;
 use crate::report::json::ByName;
@@ -106,11 +106,13 @@ impl<'a> Flight<'a> {
             .values
             .iter()
             .filter_map(|value| Some((value.of.name(), value.origin?.name())));
-        let assumed = [Outcome::LaunchDirection, Outcome::SpinAxis]
-            .into_iter()
-            .zip(assumed(shot))
-            .filter(|(_, is)| *is && shot.launch().is_some())
-            .map(|(of, _)| (of.name(), ASSUMED));
+        let assumed = [
+            (Outcome::LaunchDirection, shot.is_direction_assumed()),
+            (Outcome::SpinAxis, shot.is_axis_assumed()),
+        ]
+        .into_iter()
+        .filter(|(_, is)| *is && shot.launch().is_some())
+        .map(|(of, _)| (of.name(), ASSUMED));
         let origins: ByName<&'static str> = stated.chain(assumed).collect();
         let outcomes = flown.of.iter().enumerate();
         Self {

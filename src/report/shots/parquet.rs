@@ -1,7 +1,7 @@
 //! Flown shots as Parquet, in SI. Each row has the stated values of a shot, the predictions, and
 //! the original row.
 
-use super::columns::launch;
+use super::columns::{LAUNCH, launch};
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
 use crate::error::Result;
@@ -11,15 +11,6 @@ use parquet::data_type::ByteArray;
 
 /// Number of rows in a row group.
 const ROWS: usize = 32 * CHUNK;
-
-/// The column names of the launch, in the order of [`launch`].
-const LAUNCH: [&str; 5] = [
-    "ball_speed",
-    "launch_angle",
-    "launch_direction",
-    "spin",
-    "spin_axis",
-];
 
 /// The measured outcomes of the flight.
 const MEASURED: [Outcome; 8] = [
@@ -77,7 +68,7 @@ impl ShotParquet {
         LAUNCH
             .iter()
             .enumerate()
-            .for_each(|(at, name)| number((*name).into(), Of::Launch(at)));
+            .for_each(|(at, (_, of))| number(of.name().into(), Of::Launch(at)));
         Club::NAMES
             .iter()
             .enumerate()
@@ -194,13 +185,9 @@ impl ShotParquet {
                 let notes = &flown.shots[row].notes;
                 (!notes.is_empty()).then(|| notes.join("; "))
             }),
-            Of::SpinOrigin => texts(&|flown, row| {
-                let shot = &flown.shots[row];
-                let spin = shot
-                    .value(Outcome::Spin)
-                    .or_else(|| shot.value(Outcome::Backspin));
-                Some(spin?.origin?.name().to_owned())
-            }),
+            Of::SpinOrigin => {
+                texts(&|flown, row| Some(flown.shots[row].spin_origin()?.name().to_owned()))
+            }
             Of::Condition => texts(&|flown, row| flown.shots[row].condition.clone()),
             Of::Launch(at) => numbers(&|flown, row| launch(&flown.shots[row])[at]),
             Of::Club(at) => numbers(&|flown, row| flown.shots[row].club.values()[at]),

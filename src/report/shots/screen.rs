@@ -3,7 +3,7 @@
 use super::columns::launch;
 use crate::drive::Outcome;
 use crate::report::shown;
-use crate::shots::Flown;
+use crate::shots::{Flown, size};
 use crate::units::{System, fixed, printed, signed};
 
 /// Width of the column with the line numbers, in characters.
@@ -71,9 +71,8 @@ impl Screen {
             return shown::NONE.into();
         };
         let unit = self.system.unit(of.unit());
-        let size = of.quantity().size_of(unit).unwrap_or(1.0);
         let decimals = usize::from(unit != "rpm");
-        let text = fixed(value / size, decimals);
+        let text = fixed(value / size(of.quantity(), unit), decimals);
         if has_sign { signed(value, text) } else { text }
     }
 }

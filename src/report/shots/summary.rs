@@ -3,7 +3,7 @@
 use crate::drive::Outcome;
 use crate::report::document::{Document, Line, Table};
 use crate::report::reply::{Ending, Report};
-use crate::shots::{Band, ClubShots, FLOOR, Refused, ShotStatistics, Sums};
+use crate::shots::{Band, ClubShots, FLOOR, Refused, ShotStatistics, Sums, size};
 use crate::units::{Message, System, counted, fixed, printed, signed};
 use serde::Serialize;
 
@@ -256,12 +256,7 @@ fn speeds(band: &Band, system: System) -> String {
     let of = Outcome::BallSpeed;
     let unit = system.unit(of.unit());
     let decimals = usize::from(unit != of.unit());
-    let shown = |speed: f64| {
-        format!(
-            "{:.decimals$}",
-            speed / of.quantity().size_of(unit).unwrap_or(1.0)
-        )
-    };
+    let shown = |speed: f64| format!("{:.decimals$}", speed / size(of.quantity(), unit));
     match (band.from, band.to) {
         (None, Some(to)) => format!("below {} {unit}", shown(to)),
         (Some(from), Some(to)) => format!("{} to {} {unit}", shown(from), shown(to)),
@@ -276,7 +271,7 @@ fn add_clubs(document: &mut Document, tally: &ShotStatistics, system: System) {
         return;
     };
     let unit = system.unit(of.unit());
-    let size = of.quantity().size_of(unit).unwrap_or(1.0);
+    let size = size(of.quantity(), unit);
     let shown = |value: Option<f64>| value.map_or("–".into(), |value| fixed(value / size, 1));
     let bias = |sums: &Sums| {
         sums.bias()
@@ -346,7 +341,7 @@ fn residual_rows(
     system: System,
 ) -> Vec<Vec<String>> {
     let unit = system.unit(of.unit());
-    let size = of.quantity().size_of(unit).unwrap_or(1.0);
+    let size = size(of.quantity(), unit);
     let decimals = if unit == "s" { 2 } else { 1 };
     let shown = |value: Option<f64>| {
         value.map_or("–".into(), |value| format!("{:.decimals$}", value / size))

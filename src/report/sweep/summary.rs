@@ -8,15 +8,11 @@ use crate::units::{System, counted, significant};
 /// A summary of a sweep's rows: counts by status, moments of each column, histograms and best rows.
 /// Outcomes are in the units of a system, derivatives in SI.
 pub fn summary_document(summary: &Summary, system: System) -> Document {
-    let counts = summary.statuses.iter().filter(|(_, count)| **count > 0);
-    let counts: Vec<_> = counts
-        .map(|(status, count)| format!("{count} {status}"))
-        .collect();
     let mut document = Document::default();
     document.list([Line::flush(format!(
         "{}: {}",
         counted(summary.rows(), "drive"),
-        counts.join(", ")
+        summary.status_counts
     ))]);
     let moments = summary.moments.iter().map(|(column, moments)| {
         let numbers = [

@@ -70,7 +70,6 @@ impl ShotTable {
             ClubColumns::Read => TableOptions::DELIVERIES,
         };
         let (mut table, head) = TextTable::open(text, setup, &wanted)?;
-        let (mut heads, mut units) = (head.heads.clone(), head.units.clone());
         let mut reading = Reading::of_head(setup, &table, head, club)?;
         let first = reading.clone();
         let mut rows = Rows::new(&file);
@@ -79,11 +78,9 @@ impl ShotTable {
                 Entry::Row(record) => rows.take(&reading, &record, table.separator)?,
                 Entry::Excluded => rows.skip(),
                 Entry::Head(record) => {
-                    let head = table.head(&record, setup, &wanted)?;
-                    if head.is_like(&heads, units.as_deref()) {
+                    let Some(head) = table.section(&record, setup, &wanted)? else {
                         continue;
-                    }
-                    (heads, units) = (head.heads.clone(), head.units.clone());
+                    };
                     reading = Reading::of_head(setup, &table, head, club)?;
                     if reading.is_launched != first.is_launched {
                         let reason = "launches and deliveries are mixed: the rows of this section \

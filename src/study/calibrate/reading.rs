@@ -8,9 +8,9 @@ use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Interpretation, Shot as Stated};
 use crate::table::{
     CONDITIONS, ClubColumns, Column, Content, Fault, Head, Stated as Launch, TextTable,
-    club_column, columns_remark, conditions, contradiction, given_air, implausible,
-    implausible_club, implausible_launch, impossible, in_degrees, is_straight_by_assumption,
-    near_known, outside,
+    club_column, columns_remark, conditions, contradiction, given_air, has_whole_launch,
+    implausible, implausible_club, implausible_launch, impossible, in_degrees,
+    is_straight_by_assumption, near_known, outside,
 };
 use crate::units::{Digits, Message, Quantity};
 
@@ -33,17 +33,8 @@ pub(super) struct Reading {
     /// Use of the club columns. They are read for deliveries, which are computed from the launch
     /// without a flight.
     pub club: ClubColumns,
-    /// The column that names the club of each shot.
-    pub club_name: Option<ClubName>,
-}
-
-/// The column that names the club.
-#[derive(Clone)]
-pub(super) struct ClubName {
-    /// Index of the column.
-    pub at: usize,
-    /// Column head.
-    pub head: String,
+    /// Index of the column that names the club of each shot.
+    pub club_name: Option<usize>,
 }
 
 /// A row that was read successfully.
@@ -202,10 +193,7 @@ impl Reading {
             .refuse_replaced(&inputs(&head.columns))
             .map_err(|error| refused(String::new(), error.to_string()))?;
         let is_text = |at: usize| head.columns[at].content == Content::Note;
-        let club_name = club_column(&head.heads, is_text).map(|at| ClubName {
-            at,
-            head: head.heads[at].clone(),
-        });
+        let club_name = club_column(&head.heads, is_text);
         let reading = Self {
             setup: *setup,
             is_launched,
@@ -475,22 +463,13 @@ impl Reading {
         Ok(())
     }
 
-    /// True if every club value that the row states is 0, and the club speed is one of these
-    /// values: the club was not measured.
+    /// True if the club was not measured.
     fn is_still(&self, record: Values<'_>) -> bool {
-        let of_club =
-            self.columns
-                .iter()
-                .enumerate()
-                .filter_map(|(at, column)| match column.content {
-                    Content::Input(parameter) if ClubOfShot::place(parameter).is_some() => {
-                        Some((parameter.name, record.value(at, column).ok().flatten()?))
-                    }
-                    _ => None,
-                });
-        let stated: Vec<(&str, f64)> = of_club.collect();
-        stated.iter().any(|(name, _)| *name == "swing.speed")
-            && stated.iter().all(|(_, value)| *value == 0.0)
+        let stated = ClubOfShot::NAMES.map(|name| {
+            let parameter = self.setup.parameter(name).ok()?;
+            self.cell(record, Content::Input(parameter)).ok().flatten()
+        });
+        ClubOfShot::is_still(stated)
     }
 
     /// Value of a club column in a row.
@@ -691,17 +670,6 @@ fn assumed_sigma(column: &Column, outcome: Outcome) -> Message {
     .words(" is taken for each (")
     .message(instrument.source())
     .words(")")
-}
-
-/// True if there are all columns of a launch.
-fn has_whole_launch(columns: &[Column]) -> bool {
-    let has = |of: Outcome| {
-        columns
-            .iter()
-            .any(|column| column.content == Content::Outcome(of))
-    };
-    let has_spin = has(Outcome::Spin) || has(Outcome::Backspin);
-    has(Outcome::BallSpeed) && has(Outcome::LaunchAngle) && has_spin
 }
 
 /// Names of the parameters that have a column.

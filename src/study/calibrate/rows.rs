@@ -6,8 +6,8 @@ use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::shots::Shot as Stated;
 use crate::table::{
-    ClubColumns, DecimalMarkCheck, NonShot, NonShotRows, Record, RowFilter, air_of_rows,
-    air_of_setup, cells, counted_values, miscounted,
+    ClubColumns, DecimalMarkCheck, NonShotRows, Record, RowFault, RowFilter, air_of_rows,
+    air_of_setup, cells, counted_values, remark_from_line,
 };
 use crate::units::{Message, counted};
 use std::collections::BTreeMap;
@@ -57,10 +57,9 @@ impl Rows {
 
     /// Begins a section of the table with new column heads.
     pub fn begin(&mut self, line: u64, reading: &Reading) {
-        let located = |remark: &Message| {
-            Message::from(format!("from line {line} on: ")).message(remark.clone())
-        };
-        self.of_sections.extend(reading.remarks.iter().map(located));
+        let remarks = reading.remarks.iter();
+        self.of_sections
+            .extend(remarks.map(|remark| remark_from_line(line, remark)));
     }
 
     /// Adds a row of text.
@@ -71,20 +70,18 @@ impl Rows {
     pub fn take(&mut self, reading: &Reading, record: &Record, separator: u8) -> Result<()> {
         self.row += 1;
         let row = cells(&record.text, separator);
-        let unclosed = record.unclosed();
-        if let Some(no_shot) = NonShot::of(&row).filter(|_| reading.is_export && unclosed.is_none())
-        {
-            self.no_shots.add(self.row as u64, no_shot);
-            return Ok(());
-        }
-        match unclosed.or_else(|| miscounted(&row, reading.columns.len())) {
-            Some(wrong) if reading.is_export => {
+        match RowFault::find(record, &row, reading.columns.len(), reading.is_export) {
+            None => {}
+            Some(RowFault::NonShot(no_shot)) => {
+                self.no_shots.add(self.row as u64, no_shot);
+                return Ok(());
+            }
+            Some(RowFault::Unreadable(wrong)) if reading.is_export => {
                 self.unreadable
                     .push(format!("row {} ({})", self.row, wrong.reason));
                 return Ok(());
             }
-            Some(wrong) => return Err(self.refused("", wrong.reason)),
-            None => {}
+            Some(RowFault::Unreadable(wrong)) => return Err(self.refused("", wrong.reason)),
         }
         for (column, cell) in reading.columns.iter().zip(&row) {
             let looked = self.marks.check(self.row as u64, column, cell);
@@ -93,12 +90,8 @@ impl Rows {
         let row: Vec<&str> = row.iter().map(AsRef::as_ref).collect();
         let shots = self.shots.len();
         self.add(reading, reading.shot(self.row, Values::Cells(&row)))?;
-        if let Some(club) = reading
-            .club_name
-            .as_ref()
-            .filter(|_| self.shots.len() > shots)
-        {
-            *self.clubs.entry(row[club.at].trim().into()).or_default() += 1;
+        if let Some(club) = reading.club_name.filter(|_| self.shots.len() > shots) {
+            *self.clubs.entry(row[club].trim().into()).or_default() += 1;
         }
         Ok(())
     }
@@ -240,8 +233,8 @@ impl Rows {
 
     /// Warning about shots of several clubs, unless the filter selects shots by the club.
     fn clubs_warning(&self, reading: &Reading, filter: &RowFilter) -> Option<Message> {
-        let club = reading.club_name.as_ref()?;
-        if self.clubs.len() < 2 || filter.names(&club.head) {
+        let head = &reading.columns[reading.club_name?].head;
+        if self.clubs.len() < 2 || filter.names(head) {
             return None;
         }
         let most = self
@@ -249,7 +242,7 @@ impl Rows {
             .iter()
             .filter(|(name, _)| !name.is_empty())
             .max_by_key(|(_, count)| **count)?;
-        let condition = format!("{}={}", club.head, most.0);
+        let condition = format!("{head}={}", most.0);
         let condition = match condition.contains(' ') {
             true => format!("\"{condition}\""),
             false => condition,

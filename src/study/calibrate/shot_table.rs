@@ -2,8 +2,8 @@
 
 use super::statistics::Uncertainties;
 use crate::drive::Outcome;
-use crate::parameters::{Parameter, Vary};
-use crate::table::{air_as_given, air_of_rows};
+use crate::parameters::{Parameter, Setup, Vary};
+use crate::table::replace_air_remark;
 use crate::units::Message;
 use serde::Serialize;
 
@@ -45,14 +45,7 @@ impl ShotTable {
         let Some(head) = self.stated_air.take() else {
             return;
         };
-        let replaced = air_of_rows(&head);
-        for remark in self
-            .remarks
-            .iter_mut()
-            .filter(|remark| remark.to_string() == replaced)
-        {
-            *remark = air_as_given(&head).into();
-        }
+        replace_air_remark(&mut self.remarks, &head);
         for shot in &mut self.shots {
             shot.inputs
                 .retain(|(parameter, _)| parameter.name != "air.density");
@@ -72,6 +65,13 @@ impl ShotTable {
             * measured
                 .map(|measurement| (measurement.value / measurement.sigma).abs())
                 .fold(0.0, f64::max)
+    }
+
+    /// The parameters of a setup that at least one shot states.
+    pub fn given(&self, setup: &Setup<f64>) -> Vec<&'static Parameter> {
+        let mut parameters = setup.parameters();
+        parameters.retain(|parameter| self.gives(parameter));
+        parameters
     }
 
     /// True if at least one shot states this parameter.

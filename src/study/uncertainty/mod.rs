@@ -89,14 +89,13 @@ impl Uncertainty {
     }
 
     fn part_of(&self, is_meant: impl Fn(Status) -> bool) -> f64 {
-        let all: u64 = self.status_counts.counts().map(|(_, count)| count).sum();
         let meant: u64 = self
             .status_counts
             .counts()
             .filter(|(status, _)| is_meant(*status))
             .map(|(_, count)| count)
             .sum();
-        meant as f64 / all as f64
+        meant as f64 / self.status_counts.total() as f64
     }
 }
 

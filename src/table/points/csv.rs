@@ -7,8 +7,8 @@ use crate::table::column::Column;
 use crate::table::decimal_mark::DecimalMarkCheck;
 use crate::table::head::{Head, TableOptions};
 use crate::table::records::cells;
-use crate::table::refusal::{NonShot, NonShotRows, Refusal};
-use crate::table::text::{Entry, SourceName, Text, TextTable, miscounted};
+use crate::table::refusal::NonShotRows;
+use crate::table::text::{Entry, RowFault, SourceName, Text, TextTable};
 use crate::units::Message;
 use std::path::{Path, PathBuf};
 
@@ -67,9 +67,10 @@ impl CsvRows {
             let record = match self.table.next_entry()? {
                 None => return Ok(None),
                 Some(Entry::Head(record)) => {
-                    let head = self
-                        .table
-                        .head(&record, &self.setup, &TableOptions::POINTS)?;
+                    let wanted = &TableOptions::POINTS;
+                    let Some(head) = self.table.section(&record, &self.setup, wanted)? else {
+                        continue;
+                    };
                     let file = &self.table.name;
                     let again = Columns::new(&self.setup, file, &head)?;
                     let at = again
@@ -89,22 +90,18 @@ impl CsvRows {
                 Some(Entry::Excluded) => continue,
             };
             self.row += 1;
-            let refused = |refusal: Refusal| {
-                let place = format!(", row {}", self.row);
-                Err(self.table.name.refused(place, refusal.reason))
-            };
-            if let Some(refusal) = record.unclosed() {
-                return refused(refusal);
-            }
             let row = cells(&record.text, self.table.separator);
-            if let Some(no_shot) = NonShot::of(&row).filter(|_| self.section.is_export) {
-                self.no_shots.add(self.row, no_shot);
-                continue;
+            let Section {
+                width, is_export, ..
+            } = self.section;
+            match RowFault::find(&record, &row, width, is_export) {
+                None => return Ok(Some(row.into_iter().map(Into::into).collect())),
+                Some(RowFault::NonShot(no_shot)) => self.no_shots.add(self.row, no_shot),
+                Some(RowFault::Unreadable(refusal)) => {
+                    let place = format!(", row {}", self.row);
+                    return Err(self.table.name.refused(place, refusal.reason));
+                }
             }
-            if let Some(refusal) = miscounted(&row, self.section.width) {
-                return refused(refusal);
-            }
-            return Ok(Some(row.into_iter().map(Into::into).collect()));
         }
     }
 }
