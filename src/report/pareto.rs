@@ -165,10 +165,9 @@ impl Report for ParetoReport<'_> {
 fn front(found: &Pareto, system: System) -> Table {
     let search = &found.search;
     let [first, second] = search.goals.each_ref().map(|(goal, _)| goal);
-    let kinds = [first, second].map(|goal| (goal.quantity, goal.unit));
     let slope_of = |point: &ParetoPoint| {
         point.slope.map_or(shown::NONE.into(), |slope| {
-            shown::quotient(kinds[0], kinds[1], slope, system, 3).0
+            shown::quotient(first, second, slope, system, 3)
         })
     };
     let rows = found.points.iter().enumerate().map(|(place, point)| {

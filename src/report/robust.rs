@@ -212,9 +212,7 @@ fn models(found: &Robust, system: System) -> Vec<Line> {
     let goal = &found.search.of;
     let mut lines = vec![Line::flush("models")];
     for (k, (model, best)) in found.models.iter().enumerate() {
-        let value = best
-            .value()
-            .map_or(shown::NONE.into(), |value| shown::goal(goal, value, system));
+        let value = shown::goal_or_dash(goal, best.value(), system);
         let decides = if found.shares[k] > IDLE {
             "; its loss decides the robust design"
         } else {
@@ -302,7 +300,7 @@ fn add_design(document: &mut Document, found: &Robust, system: System) {
 fn greatest_loss(found: &Robust) -> Objective {
     let goal = &found.search.of;
     Objective {
-        of: (goal.quantity, goal.unit),
+        of: goal.into(),
         value: found.solution.value.unwrap_or_default(),
         sense: Sense::Minimize,
         is_converged: found.solution.status == Status::Converged,
@@ -319,8 +317,7 @@ fn bound_in_words(found: &Robust, i: usize, system: System) -> String {
     if !objective.is_converged {
         return String::new();
     }
-    let by = (vary.parameter.quantity, vary.parameter.unit);
-    let price = |amount: f64| objective.price(amount, by, system);
+    let price = |amount: f64| objective.price(amount, vary.parameter, system);
     let multipliers = [solution.lower_multipliers[i], solution.upper_multipliers[i]];
     let prices = found.bound_prices(i);
     let [lower, upper] = prices.map(|amount| of_the_bests(multipliers, price(amount)));
@@ -339,10 +336,12 @@ fn add_constraints(document: &mut Document, found: &Robust, system: System) {
     let objective = greatest_loss(found);
     let rows = found.limits().map(|(k, j, at, slopes)| {
         let limit = &found.search.subject_to[j];
-        let by = (limit.goal.quantity, limit.goal.unit);
         let gain = found.limit_price(k, j, &at);
-        let bests = of_the_bests([at.multiplier; 2], objective.price(gain, by, system))
-            .filter(|_| objective.is_converged);
+        let bests = of_the_bests(
+            [at.multiplier; 2],
+            objective.price(gain, &limit.goal, system),
+        )
+        .filter(|_| objective.is_converged);
         let bests = bests.map_or(String::new(), |price| {
             format!("; {price} that the limit is relaxed")
         });

@@ -3,7 +3,7 @@
 use crate::error::Result;
 use crate::parameters::Parameter;
 use crate::report::csv_text::csv_text;
-use crate::report::shown;
+use crate::report::shown::{self, DisplayUnit};
 use crate::study::delivery::{
     Delivery, MeanAndDeviation, Population, Posterior, PredictedOutcome, Recovered,
 };
@@ -132,6 +132,6 @@ pub fn population_warnings(population: &Population, system: System) -> Vec<Messa
 
 /// A value in the unit of its parameter.
 fn amount(parameter: &Parameter, value: f64, digits: usize) -> String {
-    let size = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
+    let size = DisplayUnit::from(parameter).declared_size();
     typed(&significant(value / size, digits), parameter.unit)
 }

@@ -67,11 +67,7 @@ fn knee(found: &Pareto) -> Option<&ParetoPoint> {
 
 /// The slope of the front at a point, with its unit.
 fn slope(found: &Pareto, point: &ParetoPoint, system: System) -> Option<String> {
-    let [first, second] = found
-        .search
-        .goals
-        .each_ref()
-        .map(|(goal, _)| (goal.quantity, goal.unit));
+    let [(first, _), (second, _)] = &found.search.goals;
     Some(shown::ratio(first, second, point.slope?, system, 3))
 }
 

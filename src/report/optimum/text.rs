@@ -2,14 +2,14 @@
 
 use super::super::document::{Detail, Document, Line, Table};
 use super::super::limits::ended_at;
-use super::super::shown;
+use super::super::shown::{self, DisplayUnit};
 use super::super::swings::{OverSwings, goals, nominal, notes};
 use super::best_drive::{drive_lines, gain_lines};
 use super::multipliers::{bound_in_words, constraint_in_words};
 use super::surroundings::Surroundings;
 use crate::optimize::{Iteration, Status};
 use crate::study::{Optima, Optimum, Sample, Search};
-use crate::units::{Quantity, System, counted, counted_of, fixed, with_unit};
+use crate::units::{System, counted, counted_of, fixed, with_unit};
 
 /// The optimum for readers: the varied parameters with the gains of their bounds, the constraints,
 /// the drive or the goals over the swings, and for several starts the results of all searches.
@@ -244,9 +244,7 @@ pub fn optima_document(optima: &Optima, system: System) -> Document {
     let rows: Vec<Vec<String>> = optima
         .ended()
         .map(|local| {
-            let value = local.value.map_or(shown::NONE.into(), |value| {
-                shown::goal(&search.of, value, system)
-            });
+            let value = shown::goal_or_dash(&search.of, local.value, system);
             let x = search.vary.iter().zip(&local.solution.x);
             let x = x.map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
             let starts = format!("{} of {all}", local.starts.len());
@@ -270,17 +268,13 @@ pub fn optima_document(optima: &Optima, system: System) -> Document {
 
 /// The progress line of an iteration.
 pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) -> String {
-    let number = |quantity: Quantity, unit: &'static str, value: f64| {
-        let unit = system.unit(unit);
-        with_unit(
-            &fixed(value / quantity.size_of(unit).unwrap_or(1.0), 6),
-            unit,
-        )
+    let number = |of: DisplayUnit, value: f64| {
+        let number = fixed(value / of.size(system), 6);
+        with_unit(&number, system.unit(of.unit))
     };
     let x = search.vary.iter().zip(&iteration.x).map(|(vary, x)| {
-        let parameter = vary.parameter;
-        let value = number(parameter.quantity, parameter.unit, *x);
-        format!("{} {value}", parameter.name)
+        let value = number(vary.parameter.into(), *x);
+        format!("{} {value}", vary.parameter.name)
     });
     let of = &search.of;
     let violation = if search.subject_to.is_empty() {
@@ -292,7 +286,7 @@ pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) ->
         "{:>3}  {} {}  KKT {:.1e}{violation}  trust region {:.1e}{}  {}",
         iteration.number,
         of.expression,
-        number(of.quantity, of.unit, search.sense.sign() * iteration.value),
+        number(of.into(), search.sense.sign() * iteration.value),
         iteration.kkt_residual,
         iteration.radius,
         if iteration.accepted {
