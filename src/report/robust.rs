@@ -3,7 +3,7 @@ use super::json::{ByName, Number, Settings, settings};
 use super::limits::{self, Objective, ended_at};
 use super::optimum::{ConstraintReport, Multipliers};
 use super::reply::{Ending, Report};
-use super::setup_file::{remarks_on_varied, setup_toml};
+use super::setup_file::{about_constraint, remarks_on_varied, setup_toml};
 use super::shown;
 use super::swings::ScenariosReport;
 use crate::error::Result;
@@ -373,10 +373,9 @@ fn of_the_bests(multipliers: [f64; 2], price: String) -> Option<String> {
 pub fn robust_toml(found: &Robust, within: Option<f64>, file: &SetupFile) -> Result<String> {
     let search = &found.search;
     let mut about = vec![format!(
-        "{}, {} {}",
+        "{}, {}",
         file.name,
-        search.sense.adjective(),
-        search.of.expression
+        search.sense.best_of(&search.of)
     )];
     about.push(verdict(found, within, System::default()));
     about.extend(
@@ -385,12 +384,7 @@ pub fn robust_toml(found: &Robust, within: Option<f64>, file: &SetupFile) -> Res
             .iter()
             .map(|(model, _)| format!("model: {}", model.name)),
     );
-    about.extend(
-        search
-            .subject_to
-            .iter()
-            .map(|limit| format!("subject to {}", limit.expression)),
-    );
+    about.extend(search.subject_to.iter().map(about_constraint));
     let remarks = remarks_on_varied("robust", &search.vary, &found.design);
     setup_toml(&found.setup, file, &about, &remarks)
 }

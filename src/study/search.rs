@@ -43,6 +43,11 @@ impl Sense {
             Self::Minimize => "smallest",
         }
     }
+
+    /// The optimum of a goal in words: "largest carry".
+    pub fn best_of(self, goal: &Goal) -> String {
+        format!("{} {}", self.adjective(), goal.expression)
+    }
 }
 
 /// A search for the best drive, or for the best design over swings that vary.

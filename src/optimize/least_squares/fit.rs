@@ -87,10 +87,18 @@ pub struct Fit {
     pub iterations: u64,
     /// Number of evaluations of the residuals.
     pub evaluations: u64,
-    /// Number of trial points at which the residuals were undefined.
-    pub refused: u64,
-    /// Last reason why the residuals were undefined at a trial point; `None` if they never were.
-    pub why_refused: Option<String>,
+    /// Rejected trial points.
+    pub rejected: RejectedPoints,
+}
+
+/// Trial points that a fit rejected, because the residuals are undefined there.
+#[derive(Clone, Debug, Default, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct RejectedPoints {
+    /// Number of these points.
+    pub count: u64,
+    /// The reason why the fit rejected the last of these points; `null` without such points.
+    pub last: Option<String>,
 }
 
 /// Callback and interrupt flag of a fit.
@@ -192,8 +200,7 @@ pub fn fit_observed(
         at,
         iterations,
         evaluations,
-        refused,
-        why_refused,
+        rejected,
         ..
     } = state;
     let Point { x, rows, cost, .. } = at;
@@ -205,8 +212,7 @@ pub fn fit_observed(
         cost,
         iterations,
         evaluations,
-        refused,
-        why_refused,
+        rejected,
     })
 }
 
@@ -269,8 +275,7 @@ struct FitState {
     growth: f64,
     iterations: u64,
     evaluations: u64,
-    refused: u64,
-    why_refused: Option<String>,
+    rejected: RejectedPoints,
 }
 
 impl FitState {
@@ -287,8 +292,7 @@ impl FitState {
             growth: 2.0,
             iterations: 0,
             evaluations: 1,
-            refused: 0,
-            why_refused: None,
+            rejected: RejectedPoints::default(),
         }
     }
 
@@ -398,8 +402,8 @@ impl FitState {
                 return Err(interrupted(self.cosine, options.tolerance));
             }
             Err(why) => {
-                self.refused += 1;
-                self.why_refused = Some(why);
+                self.rejected.count += 1;
+                self.rejected.last = Some(why);
             }
         }
         Ok(false)
@@ -409,7 +413,8 @@ impl FitState {
     fn no_step_verdict(&mut self, bounds: &Bounds) -> Verdict<Status> {
         self.rounding_verdict(bounds).unwrap_or_else(|| {
             let why = self
-                .why_refused
+                .rejected
+                .last
                 .as_ref()
                 .map_or(String::new(), |why| format!(" (last refused: {why})"));
             stalled(&format!("no step makes the sum smaller{why}"), self.cosine)
@@ -482,8 +487,7 @@ fn interrupted_at_start(x: Vec<f64>) -> Fit {
     Fit {
         status: Status::Interrupted,
         message,
-        refused: 0,
-        why_refused: None,
+        rejected: RejectedPoints::default(),
         ..undefined_at_start(x, String::new())
     }
 }
@@ -498,7 +502,9 @@ fn undefined_at_start(x: Vec<f64>, why: String) -> Fit {
         cost: f64::INFINITY,
         iterations: 0,
         evaluations: 1,
-        refused: 1,
-        why_refused: Some(why),
+        rejected: RejectedPoints {
+            count: 1,
+            last: Some(why),
+        },
     }
 }

@@ -81,11 +81,12 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
 }
 
 /// Adds the rejected trial points to a document.
-pub(super) fn refusals(document: &mut Document, found: &Calibration) {
-    if let (1.., Some(why)) = (found.fit.refused, &found.fit.why_refused) {
-        let refused = counted(found.fit.refused, "trial point");
+pub(super) fn rejected_points(document: &mut Document, found: &Calibration) {
+    let rejected = &found.fit.rejected;
+    if let Some(why) = &rejected.last {
+        let points = counted(rejected.count, "trial point");
         document.paragraph(format!(
-            "The fit rejected {refused}. The reason for the last one: {why}"
+            "The fit rejected {points}. The reason for the last one: {why}"
         ));
     }
 }

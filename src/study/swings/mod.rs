@@ -29,7 +29,7 @@ pub use function::GoalFunction;
 pub use golfer::{Correlation, Swings};
 pub use measure::Measure;
 pub use pareto::{Pareto, ParetoPoint, ParetoSearch, pareto};
-pub use price::{GoalError, Nominal, Price, price, price_until};
+pub use price::{GoalError, Nominal, Price, SamplingError, price, price_until};
 pub use resampled::{Resampled, resampled};
 pub use robust::{Model, Robust, robust};
 pub use scenarios::{Rule, Scenarios};
