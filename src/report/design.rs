@@ -5,7 +5,7 @@ use super::optimum::{
     DesignReport, LimitReport, OptimumReport, add_convergence, bound_in_words, ended_line, place,
 };
 use super::reply::Reply;
-use super::shown::{self, DisplayUnit};
+use super::shown;
 use super::swings::{OverSwings, goals, notes};
 use crate::optimize::Status;
 use crate::parameters::{Parameter, Setup};
@@ -16,15 +16,6 @@ use crate::units::{System, signed};
 /// Threshold of rounding errors, as a fraction of `DesignConstraint::step`. A smaller value is
 /// displayed as 0.
 const ROUNDING: f64 = 1e-6;
-
-impl From<&DesignConstraint> for DisplayUnit {
-    fn from(constraint: &DesignConstraint) -> Self {
-        Self {
-            quantity: constraint.quantity,
-            unit: constraint.unit,
-        }
-    }
-}
 
 /// A design with its limits and its changes.
 #[derive(Clone, Copy, Debug)]
@@ -179,7 +170,7 @@ impl Designed<'_> {
             } else {
                 value
             };
-            shown::given(constraint, value, system, 5)
+            shown::given(constraint.unit, value, system, 5)
         };
         let goal = &self.best.search.of;
         let told = match (constraint.by, price, margin) {
@@ -197,7 +188,7 @@ impl Designed<'_> {
                 let gain = signed(amount, shown::goal_difference(goal, amount, system));
                 format!(
                     "{gain} for each {} that the limit is {way}",
-                    constraint.quantity.show(constraint.step, constraint.unit)
+                    constraint.unit.show(constraint.step)
                 )
             }
             (_, None, Some(margin)) if *margin < -ROUNDING * constraint.step => {
@@ -235,7 +226,7 @@ fn goal_row(part: &Improvement, system: System) -> Vec<String> {
 /// The limits of a constraint: "≤ 6000 g cm²".
 fn limits_text(constraint: &DesignConstraint, system: System) -> String {
     let [low, high] = constraint.range;
-    let show = |value: f64| shown::given(constraint, value, system, 5);
+    let show = |value: f64| shown::given(constraint.unit, value, system, 5);
     match [low, high].map(f64::is_finite) {
         [true, true] if low == high => format!("= {}", show(low)),
         [true, true] => format!("{} .. {}", show(low), show(high)),

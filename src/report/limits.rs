@@ -1,9 +1,9 @@
 //! Active bounds and constraints at an optimum in words, with their multipliers.
 
-use super::shown::{self, DisplayUnit};
+use super::shown;
 use crate::optimize::{ConstraintValue, Status};
 use crate::study::{Constraint, Sense};
-use crate::units::{System, signed};
+use crate::units::{DisplayUnit, System, signed};
 
 /// The objective at the end of a search. Multipliers have a meaning only at an optimum.
 #[derive(Clone, Copy)]
@@ -33,7 +33,7 @@ impl Objective {
         // for a minimized objective, a decrease is a gain
         let amount = -self.sense.sign() * amount;
         let by = by.into();
-        let one = by.declared_size();
+        let one = by.size();
         let amount = shown::settled(amount * one, self.value, self.of, &[]) / one;
         signed(amount, shown::price(self.of, amount, by, system))
     }

@@ -2,8 +2,8 @@
 //! also in the units of the paper.
 
 use super::plot::{Axis, Measure};
-use super::shown::{DisplayUnit, ratio};
-use crate::units::{Quantity, System, fixed, signed, typed};
+use super::shown::ratio;
+use crate::units::{DisplayUnit, Quantity, System, fixed, signed, typed};
 
 pub(super) const LENGTH: DisplayUnit = DisplayUnit {
     quantity: Quantity::LENGTH,
@@ -35,7 +35,7 @@ impl Published {
 
     /// The number of a length, without its unit.
     pub fn length_number(self, length: f64) -> f64 {
-        length / LENGTH.size(self.system)
+        length / LENGTH.size_in(self.system)
     }
 
     /// A computed length: "153.33 m".
@@ -100,7 +100,7 @@ pub(super) fn angles(label: &str) -> Axis {
 
 /// A number with two decimals, as in the papers; zero has no sign.
 fn two_decimals(of: DisplayUnit, value: f64, system: System) -> String {
-    let number = value / of.size(system);
+    let number = value / of.size_in(system);
     typed(&fixed(number, 2), system.unit(of.unit))
 }
 

@@ -5,14 +5,14 @@ use super::optimum::{
     OptimumReport, Surroundings, add_convergence, add_place, drive_lines, gain_lines,
 };
 use super::reply::Reply;
-use super::shown::{self, DisplayUnit};
+use super::shown;
 use super::swings::OverSwings;
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::study::{
     Changed, Direction, Ellipse, Flatness, Optima, Optimum, PredictedEvent, Sensitivity, Vary,
 };
-use crate::units::{Message, System, printed, significant, with_unit};
+use crate::units::{DisplayUnit, Message, System, printed, significant, with_unit};
 use serde::Serialize;
 
 /// The analysis of an optimum.

@@ -5,55 +5,9 @@ use crate::drive::{Outcome, Sign};
 use crate::parameters::{Parameter, Setup, UNSET, Vary};
 use crate::study::{Active, Constraint, Goal, Search};
 use crate::units::{
-    Digits, Message, Quantity, System, leading_number, one, per, signed, significant, with_unit,
+    Digits, DisplayUnit, Message, Quantity, System, leading_number, one, per, signed, significant,
+    with_unit,
 };
-
-/// A quantity with its display unit in either system.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct DisplayUnit {
-    pub quantity: Quantity,
-    pub unit: &'static str,
-}
-
-impl DisplayUnit {
-    /// The size of the unit of a system, SI.
-    pub fn size(self, system: System) -> f64 {
-        let unit = system.unit(self.unit);
-        self.quantity.size_of(unit).unwrap_or(1.0)
-    }
-
-    /// The size of the declared unit, SI.
-    pub fn declared_size(self) -> f64 {
-        self.quantity.size_of(self.unit).unwrap_or(1.0)
-    }
-}
-
-impl From<Outcome> for DisplayUnit {
-    fn from(outcome: Outcome) -> Self {
-        Self {
-            quantity: outcome.quantity(),
-            unit: outcome.unit(),
-        }
-    }
-}
-
-impl From<&Parameter> for DisplayUnit {
-    fn from(parameter: &Parameter) -> Self {
-        Self {
-            quantity: parameter.quantity,
-            unit: parameter.unit,
-        }
-    }
-}
-
-impl From<&Goal> for DisplayUnit {
-    fn from(goal: &Goal) -> Self {
-        Self {
-            quantity: goal.quantity,
-            unit: goal.unit,
-        }
-    }
-}
 
 /// The text for a missing number.
 pub(super) const NONE: &str = "–";
@@ -268,7 +222,7 @@ pub fn stated_difference(parameter: &Parameter, value: f64, system: System) -> S
 }
 
 fn difference(parameter: &Parameter, value: f64, system: System, digits: usize) -> String {
-    let size = DisplayUnit::from(parameter).size(system);
+    let size = DisplayUnit::from(parameter).size_in(system);
     with_unit(
         &significant(value / size, digits),
         system.unit(parameter.unit),
@@ -364,7 +318,7 @@ pub(super) fn settled(
 ) -> f64 {
     let sizes = by.iter().map(|by| typical_size(by));
     let change = slope.abs() * sizes.product::<f64>();
-    if change < ROUNDING * value.abs().max(of.into().declared_size()) {
+    if change < ROUNDING * value.abs().max(of.into().size()) {
         0.0
     } else {
         slope
@@ -377,7 +331,7 @@ pub(super) fn typical_size(parameter: &Parameter) -> f64 {
     let default = parameter.default_value().map(f64::abs);
     default
         .filter(|default| *default > 0.0 && default.is_finite())
-        .unwrap_or_else(|| DisplayUnit::from(parameter).declared_size())
+        .unwrap_or_else(|| DisplayUnit::from(parameter).size())
 }
 
 /// True if `change` of an outcome with this value is a rounding error.
@@ -447,7 +401,7 @@ pub(super) fn quotient(
     system: System,
     digits: usize,
 ) -> String {
-    let number = value * by.into().size(system) / of.into().size(system);
+    let number = value * by.into().size_in(system) / of.into().size_in(system);
     significant(number, digits)
 }
 

@@ -4,7 +4,7 @@
 use super::swings::{Measure, Strokes};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::units::Quantity;
+use crate::units::{DisplayUnit, Quantity};
 use serde::{Serialize, Serializer};
 
 /// A weighted sum of measures, such as `mean(carry) - 0.5*std(lateral)`, or an outcome of one
@@ -108,6 +108,15 @@ impl From<Outcome> for Goal {
     }
 }
 
+impl From<&Goal> for DisplayUnit {
+    fn from(goal: &Goal) -> Self {
+        Self {
+            quantity: goal.quantity,
+            unit: goal.unit,
+        }
+    }
+}
+
 impl Constraint {
     /// True if both limits are equal.
     pub fn is_equation(&self) -> bool {
@@ -136,7 +145,7 @@ impl Constraint {
         if self.low <= self.high {
             return Ok(());
         }
-        let show = |limit: f64| self.goal.quantity.show(limit, self.goal.unit);
+        let show = |limit: f64| DisplayUnit::from(&self.goal).show(limit);
         let (low, high) = (show(self.low), show(self.high));
         Err(Error::SearchRange {
             name: self.expression.clone(),

@@ -5,6 +5,7 @@ use super::plane::Plane;
 use super::{Constraint, Vary};
 use crate::derivative::Order;
 use crate::error::Result;
+use crate::statistics::extent;
 
 /// Region of a map in which drives lose at most a stated amount of an optimum's outcome and meet
 /// every bound and constraint. Parameters that are not on the map's axes are fixed at the optimum.
@@ -181,8 +182,8 @@ impl Region {
 /// Excess of a constraint at each node, divided by the range of its goal: at most 0 if the
 /// constraint is met. For an equality constraint, the signed violation.
 fn missed(constraint: &Constraint, values: &[Option<f64>]) -> Vec<Option<f64>> {
-    let known = || values.iter().flatten().copied();
-    let range = known().fold(f64::NEG_INFINITY, f64::max) - known().fold(f64::INFINITY, f64::min);
+    let [low, high] = extent(values.iter().flatten().copied());
+    let range = high - low;
     let range = if range > 0.0 && range.is_finite() {
         range
     } else {

@@ -6,7 +6,7 @@ use crate::drive::Drive;
 use crate::optimize::sensitivity::ActiveSet;
 use crate::optimize::{Kink, Solution, Status};
 use crate::parameters::Vary;
-use crate::units::{self, Digits, Message, Quantity};
+use crate::units::{self, Digits, DisplayUnit, Message, Quantity};
 use serde::Serialize;
 use std::fmt;
 
@@ -93,7 +93,7 @@ pub(super) fn violated(
     let missed = missed.map(|(j, (constraint, at))| {
         let value = goals.map_or(at.value, |goals| goals[1 + j]);
         let [value, outside] = [value, constraint.violation(value).abs()]
-            .map(|value| constraint.goal.quantity.show(value, constraint.goal.unit));
+            .map(|value| DisplayUnit::from(&constraint.goal).show(value));
         let is_fixed = found.jacobian[j].iter().all(|slope| *slope == 0.0);
         let fixed = if is_fixed {
             "no varied parameter changes it at this design: "

@@ -1,11 +1,13 @@
 use crate::optimize::least_squares::Status;
 use crate::report::document::{Document, Table};
-use crate::report::shown::{self, DisplayUnit};
+use crate::report::shown;
 use crate::study::calibrate::{
     Calibration, Estimate, HeldOut, Remainder, ShotTable, Starts, Statistics, Uncertainties,
     Undetermined,
 };
-use crate::units::{Quantity, System, counted, counted_of, fixed, significant, with_unit};
+use crate::units::{
+    DisplayUnit, Quantity, System, counted, counted_of, fixed, significant, with_unit,
+};
 use std::path::Path;
 
 /// The title, with the name of the file. The path is omitted for privacy.
@@ -182,7 +184,7 @@ fn estimated(estimate: &Estimate, system: System) -> Vec<String> {
         is_determined,
     } = estimate;
     let (quantity, unit) = (parameter.quantity, system.unit(parameter.unit));
-    let size = DisplayUnit::from(*parameter).size(system);
+    let size = DisplayUnit::from(*parameter).size_in(system);
     let show = |value: f64| with_unit(&to_its_error(quantity, unit, value, *standard_error), unit);
     let (error, interval) = match standard_error.zip(*interval_95) {
         Some((error, ends)) => (significant(error / size, 2), ends.map(&show).join(" .. ")),
@@ -242,7 +244,7 @@ fn chi_square(statistics: &Statistics, stated: Uncertainties) -> String {
 /// A direction in the units of the parameters, scaled so that one component is 1.
 fn direction(found: &Calibration, undetermined: &Undetermined) -> String {
     let parameter = |at: usize| found.estimates[at].parameter;
-    let size = |at: usize| DisplayUnit::from(parameter(at)).declared_size();
+    let size = |at: usize| DisplayUnit::from(parameter(at)).size();
     let [(first, part), others @ ..] = &undetermined.parts[..] else {
         return "any parameter".into();
     };

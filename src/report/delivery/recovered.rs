@@ -3,11 +3,11 @@
 use crate::error::Result;
 use crate::parameters::Parameter;
 use crate::report::csv_text::csv_text;
-use crate::report::shown::{self, DisplayUnit};
+use crate::report::shown;
 use crate::study::delivery::{
     Delivery, MeanAndDeviation, Population, Posterior, PredictedOutcome, Recovered,
 };
-use crate::units::{Message, System, counted, significant, typed};
+use crate::units::{DisplayUnit, Message, System, counted, significant, typed};
 
 /// Minimum fraction of a parameter's prior variance that a shot must remove, so that the
 /// distribution of the parameter does not depend mainly on the prior.
@@ -132,6 +132,6 @@ pub fn population_warnings(population: &Population, system: System) -> Vec<Messa
 
 /// A value in the unit of its parameter.
 fn amount(parameter: &Parameter, value: f64, digits: usize) -> String {
-    let size = DisplayUnit::from(parameter).declared_size();
+    let size = DisplayUnit::from(parameter).size();
     typed(&significant(value / size, digits), parameter.unit)
 }

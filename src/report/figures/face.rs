@@ -5,7 +5,7 @@ use crate::parameters::Golfer;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::shown;
 use crate::study::Face;
-use crate::units::{Quantity, System, significant};
+use crate::units::{DisplayUnit, Quantity, System, significant};
 
 /// Contour levels of the carry lost relative to the longest carry, in the displayed unit.
 const RINGS: [f64; 3] = [1.0, 5.0, 10.0];
@@ -150,7 +150,7 @@ fn rings(face: &Face, system: System) -> Vec<Layer> {
     let (_, most) = face.longest;
     let carries = field(&face.plane, 0, Measure::outcome(Outcome::Carry));
     let unit = system.unit("yd");
-    let size = Quantity::LENGTH.size_of(unit).unwrap_or(1.0);
+    let size = DisplayUnit::from(Outcome::Carry).size_in(system);
     let on_face = |at: [f64; 2]| match face.holds(at) {
         true => seen(face, at),
         false => [f64::NAN; 2],

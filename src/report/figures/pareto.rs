@@ -2,6 +2,7 @@ use super::map::capital;
 use crate::report::pareto::role;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::shown;
+use crate::statistics::extent;
 use crate::study::swings::{Pareto, ParetoPoint};
 use crate::units::System;
 
@@ -76,8 +77,8 @@ fn tangent(found: &Pareto, system: System) -> Option<Layer> {
     let knee = knee(found)?;
     let steepness = knee.slope?;
     let slope = slope(found, knee, system)?;
-    let xs = || found.points.iter().map(|point| place(point)[0]);
-    let width = xs().fold(f64::NEG_INFINITY, f64::max) - xs().fold(f64::INFINITY, f64::min);
+    let [left, right] = extent(found.points.iter().map(|point| place(point)[0]));
+    let width = right - left;
     let [x, y] = place(knee);
     let end = |by: f64| [x + by, y + steepness * by];
     Some(Layer::Line {

@@ -2,14 +2,14 @@
 
 use super::super::document::{Detail, Document, Line, Table};
 use super::super::limits::ended_at;
-use super::super::shown::{self, DisplayUnit};
+use super::super::shown;
 use super::super::swings::{OverSwings, goals, nominal, notes};
 use super::best_drive::{drive_lines, gain_lines};
 use super::multipliers::{bound_in_words, constraint_in_words};
 use super::surroundings::Surroundings;
 use crate::optimize::{Iteration, Status};
 use crate::study::{Optima, Optimum, Sample, Search};
-use crate::units::{System, counted, counted_of, fixed, with_unit};
+use crate::units::{DisplayUnit, System, counted, counted_of, fixed, with_unit};
 
 /// The optimum for readers: the varied parameters with the gains of their bounds, the constraints,
 /// the drive or the goals over the swings, and for several starts the results of all searches.
@@ -269,7 +269,7 @@ pub fn optima_document(optima: &Optima, system: System) -> Document {
 /// The progress line of an iteration.
 pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) -> String {
     let number = |of: DisplayUnit, value: f64| {
-        let number = fixed(value / of.size(system), 6);
+        let number = fixed(value / of.size_in(system), 6);
         with_unit(&number, system.unit(of.unit))
     };
     let x = search.vary.iter().zip(&iteration.x).map(|(vary, x)| {

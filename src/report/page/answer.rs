@@ -9,9 +9,9 @@ use crate::optimize::Status;
 use crate::report::figures::capital;
 use crate::report::frame::both;
 use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
-use crate::report::shown::{self, DisplayUnit};
+use crate::report::shown;
 use crate::study::{Effects, Optimum, Sense};
-use crate::units::{System, leading_number, one, signed, significant, with_unit};
+use crate::units::{DisplayUnit, System, leading_number, one, signed, significant, with_unit};
 use maud::{Markup, html};
 
 /// Maximum number of parameters named as sources of the uncertainty.
@@ -70,7 +70,7 @@ fn headline(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Marku
 /// that the numbers add up.
 fn change(of: Outcome, from: f64, to: f64, system: System) -> String {
     let unit = system.unit(of.unit());
-    let size = DisplayUnit::from(of).size(system);
+    let size = DisplayUnit::from(of).size_in(system);
     let printed = |value: f64| {
         let text = of.quantity().read_off(value, unit);
         leading_number(&text)
@@ -86,7 +86,7 @@ fn tiles(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Markup {
     let [at_yours, at_best] = [findings.effects_of(of), findings.at_best.as_ref()];
     // two significant digits: "7.4 yd"
     let two_digits = |size: f64, system: System| {
-        let number = size / DisplayUnit::from(of).size(system);
+        let number = size / DisplayUnit::from(of).size_in(system);
         with_unit(&significant(number, 2), system.unit(of.unit()))
     };
     let known = |uncertainty: Option<f64>| {
@@ -163,7 +163,7 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
         return Some(bound_in_words(best, i, system));
     }
     let one = one(unit);
-    let step = DisplayUnit::from(parameter).size(system);
+    let step = DisplayUnit::from(parameter).size_in(system);
     let amount = shown::spread(of, price * step, system);
     let each = if upper > 0.0 {
         format!("each further {one}")

@@ -4,9 +4,9 @@ use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Layer, Measure};
 use crate::report::published::{Published, SPEED};
-use crate::report::shown::{DisplayUnit, NONE, stated};
+use crate::report::shown::{NONE, stated};
 use crate::reproduce::{FittedNumber, WinfieldTan};
-use crate::units::{Quantity, System, significant, typed};
+use crate::units::{DisplayUnit, Quantity, System, significant, typed};
 
 /// Speeds of the displayed values, m/s. The flights of the paper have these speeds.
 const METRES_PER_SECOND: [f64; 4] = [30.0, 40.0, 50.0, 65.0];
@@ -80,7 +80,7 @@ impl Speeds {
                 System::Us => MILES_PER_HOUR,
             },
             unit,
-            size: SPEED.size(system),
+            size: SPEED.size_in(system),
         }
     }
 }
@@ -111,7 +111,7 @@ fn fit(document: &mut Document, found: &WinfieldTan, shown: Published) {
             value.map_or(NONE.into(), |value| stated(parameter, value, shown.system))
         };
         let unit = shown.system.unit(parameter.unit);
-        let size = DisplayUnit::from(parameter).size(shown.system);
+        let size = DisplayUnit::from(parameter).size_in(shown.system);
         let error = estimate
             .standard_error
             .map(|error| typed(&significant(error * scale / size, 2), unit));

@@ -3,9 +3,8 @@
 use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::published::{ANGLE, LENGTH, Published, SPEED, angles};
-use crate::report::shown::DisplayUnit;
 use crate::reproduce::{Best, LoftCarry, MISPRINTS, WinfieldTan};
-use crate::units::{Quantity, fixed};
+use crate::units::{DisplayUnit, Quantity, fixed};
 
 pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Published) {
     let (ours, theirs) = (&found.shot.computed, &found.shot.printed);

@@ -9,6 +9,7 @@ pub use path::{Cause, CauseValue, Share, Shares};
 use crate::drive::{Drive, Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::parameters::{LaunchConditions, Setup};
+use crate::units::DisplayUnit;
 use path::{Path, value};
 use split::Split;
 use std::f64::consts::FRAC_PI_2;
@@ -165,7 +166,7 @@ impl Comparison {
             value(&self.setups[side], of).map_err(|error| error.of_drive(NAMES[side]))
         };
         let values = [at(0)?, at(1)?];
-        let unit = of.quantity().size_of(of.unit()).unwrap_or(1.0);
+        let unit = DisplayUnit::from(of).size();
         let size = values
             .iter()
             .fold(unit, |most, value| most.max(value.abs()));

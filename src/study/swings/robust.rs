@@ -9,6 +9,7 @@ use crate::study::cancellable::stopped;
 use crate::study::optimum::{local_optima, stopped_of};
 use crate::study::problem::SearchProblem;
 use crate::study::{Optimum, Search};
+use crate::units::DisplayUnit;
 use std::sync::atomic::Ordering;
 
 /// One of several models of impact and flight: the setup with some changes.
@@ -433,8 +434,7 @@ impl<'a> Losses<'a> {
     /// spread over the ranges, each with t above the greatest loss of x by at least a tenth of a
     /// unit.
     fn starts(&self, designs: &[&[f64]], count: usize) -> Result<Vec<Vec<f64>>> {
-        let of = &self.search.of;
-        let margin = 0.1 * of.quantity.size_of(of.unit).unwrap_or(1.0);
+        let margin = 0.1 * DisplayUnit::from(&self.search.of).size();
         let models = self.problems.len();
         let first = &self.problems[0];
         let mean: Vec<f64> = (0..self.search.vary.len())
