@@ -7,10 +7,10 @@ use super::setup_file::{about_constraint, remarks_on_varied, setup_toml};
 use super::shown;
 use super::swings::ScenariosReport;
 use crate::error::Result;
-use crate::optimize::{ConstraintValue, Status};
+use crate::optimize::Status;
 use crate::parameters::SetupFile;
 use crate::study::Sense;
-use crate::study::swings::Robust;
+use crate::study::swings::{ModelLimit, Robust};
 use crate::units::{System, counted};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -167,13 +167,10 @@ impl Report for RobustReport<'_> {
 
 /// The constraints of a model with the robust design. The multipliers refer to the greatest loss.
 fn constraints(found: &Robust, model: usize) -> Vec<ConstraintReport> {
-    let of_model = found.limits().filter(|(k, ..)| *k == model);
-    let report = |(_, j, at, _): (usize, usize, ConstraintValue, &[f64])| {
-        let multiplier = found.limit_price(model, j, &at);
-        ConstraintReport {
-            multiplier,
-            ..ConstraintReport::new(&found.search.subject_to[j], &at)
-        }
+    let of_model = found.limits().filter(|limit| limit.model == model);
+    let report = |limit: ModelLimit<'_>| ConstraintReport {
+        multiplier: limit.gain,
+        ..ConstraintReport::new(limit.constraint, &limit.at)
     };
     of_model.map(report).collect()
 }
@@ -334,22 +331,24 @@ fn bound_in_words(found: &Robust, i: usize, system: System) -> String {
 /// Adds a table of the constraints of all models if there are any.
 fn add_constraints(document: &mut Document, found: &Robust, system: System) {
     let objective = greatest_loss(found);
-    let rows = found.limits().map(|(k, j, at, slopes)| {
-        let limit = &found.search.subject_to[j];
-        let gain = found.limit_price(k, j, &at);
-        let bests = of_the_bests(
-            [at.multiplier; 2],
-            objective.price(gain, &limit.goal, system),
-        )
-        .filter(|_| objective.is_converged);
+    let rows = found.limits().map(|limit| {
+        let ModelLimit {
+            model,
+            constraint,
+            at,
+            slopes,
+            gain,
+        } = limit;
+        let price = objective.price(gain, &constraint.goal, system);
+        let bests = of_the_bests([at.multiplier; 2], price).filter(|_| objective.is_converged);
         let bests = bests.map_or(String::new(), |price| {
             format!("; {price} that the limit is relaxed")
         });
         vec![
-            limit.expression.clone(),
-            (k + 1).to_string(),
-            shown::goal(&limit.goal, at.value, system),
-            objective.limit(limit, &at, slopes, gain, system) + &bests,
+            constraint.expression.clone(),
+            (model + 1).to_string(),
+            shown::goal(&constraint.goal, at.value, system),
+            objective.limit(constraint, &at, slopes, gain, system) + &bests,
         ]
     });
     let rows: Vec<_> = rows.collect();

@@ -420,7 +420,7 @@ fn change(best: &Optimum, changed: &Changed, system: System) -> Table {
         parameter.name,
         if changed.change.delta < 0.0 { "" } else { "+" }
     );
-    let names = best.search.vary.iter().map(|vary| vary.parameter.name);
+    let names = best.search.parameters().map(|parameter| parameter.name);
     let head: Vec<&str> = [title.as_str(), of.name()]
         .into_iter()
         .chain(names)

@@ -337,9 +337,8 @@ impl<'a> Top<'a> {
                     .collect();
                 self.lost_within(&x)
             });
-            let varied = self.best.search.vary.iter().map(|vary| vary.parameter);
             Direction {
-                along: varied.zip(along).collect(),
+                along: self.best.search.parameters().zip(along).collect(),
                 reach,
                 losses,
             }

@@ -4,6 +4,7 @@
 use super::swings::{Measure, Strokes};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
+use crate::optimize::ConstraintValue;
 use crate::units::{DisplayUnit, Quantity};
 use serde::{Serialize, Serializer};
 
@@ -127,6 +128,16 @@ impl Constraint {
     /// limit, 0 between them.
     pub fn violation(&self, value: f64) -> f64 {
         value - value.clamp(self.low, self.high)
+    }
+
+    /// The constraint at the end of a search, with the exact value of its goal in place of the
+    /// smoothed one.
+    pub(super) fn exactly(&self, value: f64, at: &ConstraintValue) -> ConstraintValue {
+        ConstraintValue {
+            value,
+            violation: self.violation(value),
+            ..*at
+        }
     }
 
     /// True if a value is within the limits, up to the rounding of a search: 1e-6 · max(|value|,

@@ -116,15 +116,7 @@ impl Optimum {
         }
         let values = self.goals.as_ref().map_or(&[][..], |goals| &goals[1..]);
         all.zip(values)
-            .map(|((constraint, at), value)| {
-                let violation = constraint.violation(*value);
-                let at = ConstraintValue {
-                    value: *value,
-                    violation,
-                    ..*at
-                };
-                (constraint, at)
-            })
+            .map(|((constraint, at), value)| (constraint, constraint.exactly(*value, at)))
             .collect()
     }
 }

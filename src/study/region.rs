@@ -57,9 +57,8 @@ impl Region {
         best.search.refuse_swings()?;
         let place = |of: &Vary| {
             best.search
-                .vary
-                .iter()
-                .position(|vary| vary.parameter == of.parameter)
+                .parameters()
+                .position(|varied| varied == of.parameter)
         };
         let (Some(value), Some(i), Some(j)) = (best.value(), place(&across), place(&up)) else {
             return Ok(None);

@@ -235,7 +235,7 @@ fn sample_line(optimum: &Optimum) -> Option<Line> {
 pub fn optima_document(optima: &Optima, system: System) -> Document {
     let search = &optima.best.search;
     let all = optima.starts;
-    let names = search.vary.iter().map(|vary| vary.parameter.name);
+    let names = search.parameters().map(|parameter| parameter.name);
     let head: Vec<&str> = [search.of.expression.as_str()]
         .into_iter()
         .chain(names)

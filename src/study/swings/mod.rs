@@ -31,6 +31,6 @@ pub use measure::Measure;
 pub use pareto::{Pareto, ParetoPoint, ParetoSearch, pareto};
 pub use price::{GoalError, Nominal, Price, SamplingError, price, price_until};
 pub use resampled::{Resampled, resampled};
-pub use robust::{Model, Robust, robust};
+pub use robust::{Model, ModelLimit, Robust, robust};
 pub use scenarios::{Rule, Scenarios};
 pub use strokes::Strokes;
