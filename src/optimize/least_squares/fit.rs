@@ -249,18 +249,12 @@ fn check_input(domain: &Domain, start: &[f64], options: &Options) -> Result<()> 
 fn stalled(reason: &str, cosine: f64) -> Verdict<Status> {
     let message =
         format!("{reason}; {COSINE} {cosine:.1e}. Start elsewhere, or fit fewer parameters");
-    Verdict {
-        status: Status::Stalled,
-        message,
-    }
+    Verdict::new(Status::Stalled, message)
 }
 
 fn interrupted(cosine: f64, tolerance: f64) -> Verdict<Status> {
     let message = format!("stopped before the lowest sum: {COSINE} {cosine:.1e} > {tolerance:.0e}");
-    Verdict {
-        status: Status::Interrupted,
-        message,
-    }
+    Verdict::new(Status::Interrupted, message)
 }
 
 /// State of a fit between two iterations.
@@ -307,18 +301,12 @@ impl FitState {
         if largest <= options.rounding {
             let message =
                 format!("every residual is a rounding error: the largest is {largest:.1e}");
-            return Some(Verdict {
-                status: Status::Converged,
-                message,
-            });
+            return Some(Verdict::new(Status::Converged, message));
         }
         if cosine <= tolerance {
             let message =
                 format!("no small change lowers the sum: {COSINE} {cosine:.1e} <= {tolerance:.0e}");
-            return Some(Verdict {
-                status: Status::Converged,
-                message,
-            });
+            return Some(Verdict::new(Status::Converged, message));
         }
         if is_interrupted {
             return Some(interrupted(cosine, tolerance));
@@ -327,10 +315,7 @@ impl FitState {
             let limit = counted(self.iterations, "iteration");
             let message =
                 format!("stopped at the limit of {limit}: {COSINE} {cosine:.1e} > {tolerance:.0e}");
-            Verdict {
-                status: Status::IterationLimit,
-                message,
-            }
+            Verdict::new(Status::IterationLimit, message)
         })
     }
 
@@ -437,10 +422,7 @@ impl FitState {
                 "the sum of squares is at its smallest: a step could lower it by {part:.1e} of its \
                  value at most, which is less than its rounding error"
             );
-            return Verdict {
-                status: Status::Converged,
-                message,
-            };
+            return Verdict::new(Status::Converged, message);
         }
         self.rounding_verdict(bounds).unwrap_or_else(|| {
             stalled(
@@ -468,10 +450,7 @@ impl FitState {
                  only {:.1e} of its size: because of rounding the sum can fall no further",
                 if distance > 0.0 { step / distance } else { 0.0 }
             );
-            Verdict {
-                status: Status::Converged,
-                message,
-            }
+            Verdict::new(Status::Converged, message)
         })
     }
 
