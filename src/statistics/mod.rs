@@ -29,7 +29,7 @@ mod ranking;
 mod summary;
 
 pub use crate::json::Number;
-pub(crate) use extent::extent;
+pub(crate) use extent::{extent, largest_magnitude};
 pub use histogram::Histogram;
 pub use moments::Moments;
 pub use ranking::{RankedRow, Ranking};

@@ -5,7 +5,7 @@ use super::plane::Plane;
 use super::{Constraint, Vary};
 use crate::derivative::Order;
 use crate::error::Result;
-use crate::statistics::extent;
+use crate::statistics::{extent, largest_magnitude};
 
 /// Region of a map in which drives lose at most a stated amount of an optimum's outcome and meet
 /// every bound and constraint. Parameters that are not on the map's axes are fixed at the optimum.
@@ -110,11 +110,7 @@ impl Region {
             let missed = missed(constraint, values);
             if constraint.is_equation() {
                 // an equality constraint that holds on the whole plane excludes no point
-                let rounding = ROUNDING
-                    * plane.values[0]
-                        .iter()
-                        .flatten()
-                        .fold(0.0_f64, |most, value| most.max(value.abs()));
+                let rounding = ROUNDING * largest_magnitude(plane.values[0].iter().flatten());
                 if values
                     .iter()
                     .flatten()

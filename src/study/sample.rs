@@ -4,7 +4,7 @@
 use super::problem::SearchProblem;
 use crate::error::Result;
 use crate::optimize::{Solution, Status, starts};
-use crate::statistics::extent;
+use crate::statistics::{extent, largest_magnitude};
 use serde::Serialize;
 
 /// The comparison of an optimum with a sample of the ranges.
@@ -142,10 +142,7 @@ impl<'a> Scale<'a> {
             let [low, high] = extent(points.iter().map(|point| point.constraints[j]));
             if high > low { high - low } else { 1.0 }
         };
-        let largest = points
-            .iter()
-            .map(|point| point.objective.abs())
-            .fold(0.0, f64::max);
+        let largest = largest_magnitude(points.iter().map(|point| point.objective));
         let constraints = (0..problem.domain.constraints.dimension())
             .map(spread)
             .collect();

@@ -292,12 +292,8 @@ impl FitState {
 
     fn stopping_verdict(&self, options: &Options, is_interrupted: bool) -> Option<Verdict<Status>> {
         let (cosine, tolerance) = (self.cosine, options.tolerance);
-        let largest = self
-            .at
-            .rows
-            .residuals
-            .iter()
-            .fold(0.0, |most: f64, r| most.max(r.abs()));
+        let residuals = self.at.rows.residuals.iter();
+        let largest = residuals.map(|r| r.abs()).fold(0.0, f64::max);
         if largest <= options.rounding {
             let message =
                 format!("every residual is a rounding error: the largest is {largest:.1e}");

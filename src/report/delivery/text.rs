@@ -2,6 +2,7 @@ use crate::optimize::least_squares::Status;
 use crate::parameters::Parameter;
 use crate::report::document::{Document, Line, Table};
 use crate::report::shown;
+use crate::statistics::largest_magnitude;
 use crate::study::delivery::{
     Delivered, Delivery, Population, Posterior, Recovered, Spread, Unidentified, Unknown,
 };
@@ -162,11 +163,8 @@ fn shots(all: &[Delivery], spread: &[Spread], system: System) -> Table {
             .posteriors
             .iter()
             .map(|known| shown::parameter(known.unknown.parameter, known.value, system));
-        let worst = delivered
-            .explained
-            .iter()
-            .map(|explained| explained.residual.abs())
-            .fold(0.0, f64::max);
+        let residuals = delivered.explained.iter().map(|one| one.residual);
+        let worst = largest_magnitude(residuals);
         Some(
             std::iter::once(delivery.row.to_string())
                 .chain(values)

@@ -4,6 +4,7 @@ use crate::drive::Outcome;
 use crate::parameters::Golfer;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::shown;
+use crate::statistics::largest_magnitude;
 use crate::study::Face;
 use crate::units::{DisplayUnit, Quantity, System, significant};
 
@@ -111,8 +112,7 @@ pub fn face_figure(face: &Face, system: System) -> Figure {
     );
     figure.layers.push(outline(face));
     figure.layers.extend(rings(face, system));
-    let tilts = face.tilts.iter().map(|(_, tilt)| tilt.abs());
-    let largest = tilts.fold(0.0, f64::max);
+    let largest = largest_magnitude(face.tilts.iter().map(|(_, tilt)| tilt));
     if largest > 0.0 {
         let name = format!(
             "spin axis tilt, longest {}",

@@ -4,6 +4,7 @@ use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::published::{ANGLE, LENGTH, Published, SPEED, angles};
 use crate::reproduce::{Best, LoftCarry, MISPRINTS, WinfieldTan};
+use crate::statistics::largest_magnitude;
 use crate::units::{DisplayUnit, Quantity, fixed};
 
 pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Published) {
@@ -322,8 +323,5 @@ fn degrees(radians: f64) -> String {
 fn spread(numbers: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
     let n = numbers.clone().count() as f64;
     let square: f64 = numbers.clone().map(|number| number * number).sum();
-    (
-        (square / n).sqrt(),
-        numbers.map(f64::abs).fold(0.0, f64::max),
-    )
+    ((square / n).sqrt(), largest_magnitude(numbers))
 }

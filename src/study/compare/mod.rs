@@ -9,6 +9,7 @@ pub use path::{Cause, CauseValue, Share, Shares};
 use crate::drive::{Drive, Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::parameters::{LaunchConditions, Setup};
+use crate::statistics::largest_magnitude;
 use crate::units::DisplayUnit;
 use path::{Path, value};
 use split::Split;
@@ -167,9 +168,7 @@ impl Comparison {
         };
         let values = [at(0)?, at(1)?];
         let unit = DisplayUnit::from(of).size();
-        let size = values
-            .iter()
-            .fold(unit, |most, value| most.max(value.abs()));
+        let size = largest_magnitude(values).max(unit);
         let amount = of.change(values[0], values[1]);
         let shares = |split: &mut Split<'_>| {
             let found = split.shares(of, amount, size);
