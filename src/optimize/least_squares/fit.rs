@@ -94,6 +94,7 @@ pub struct Fit {
 /// Trial points that a fit rejected, because the residuals are undefined there.
 #[derive(Clone, Debug, Default, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "RefusedReport"))]
 pub struct RejectedPoints {
     /// Number of these points.
     pub count: u64,

@@ -57,6 +57,7 @@ pub enum GoalError {
 /// A confidence interval of the objective, from independent sequences of swings.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "SamplingReport"))]
 pub struct SamplingError {
     /// The 99 % interval, extended to the reported `value` if this lies outside.
     pub interval: Interval,
