@@ -46,9 +46,9 @@ fn main() -> Result<()> {
     }
     for state in design.constraint_states(&best) {
         let constraint = &state.constraint;
-        let value = state.value.map_or("unknown".into(), |value| {
-            constraint.quantity.show(value, constraint.unit)
-        });
+        let value = state
+            .value
+            .map_or("unknown".into(), |value| constraint.unit.show(value));
         // a yard is 0.9144 m
         let price = state.price.map(|price| {
             format!(

@@ -49,10 +49,7 @@ fn bowl(at: &[f64]) -> Result<Evaluation, String> {
         gradient: vec![rising + 2.0 * apart, -falling - 2.0 * apart],
         hessian: vec![vec![rising + 2.0, -2.0], vec![-2.0, falling + 2.0]],
     };
-    Ok(Evaluation {
-        objective,
-        constraints: vec![],
-    })
+    Ok(Evaluation::unconstrained(objective))
 }
 
 /// Largest number of allocations in an iteration: the active set with its equations and their

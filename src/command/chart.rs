@@ -7,6 +7,7 @@ use crate::command::output::{
 use crate::command::ranges::origin;
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
+use crate::statistics::extent;
 use crate::study::{Chart, ChartObserver, ChartPoint, Search, Vary, chart};
 use crate::{Error, Result, Setup};
 use std::cell::RefCell;
@@ -188,10 +189,7 @@ impl Args {
         let parameter = setup.column(self.along.trim())?;
         let read = |text: &String| parameter.read(text, false).map(Option::unwrap_or_default);
         let at = self.at.iter().map(read).collect::<Result<Vec<_>>>()?;
-        let (low, high) = (
-            at.iter().copied().fold(f64::INFINITY, f64::min),
-            at.iter().copied().fold(f64::NEG_INFINITY, f64::max),
-        );
+        let [low, high] = extent(at.iter().copied());
         Ok((Vary::new(parameter, low, high)?, at))
     }
 }

@@ -458,7 +458,7 @@ fn add_pictures(
 /// compared with finite differences.
 fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<Row>> {
     let mut wrt = match search {
-        Some(search) => search.vary.iter().map(|vary| vary.parameter).collect(),
+        Some(search) => search.parameters().collect(),
         None => usual(setup)?,
     };
     let speed = setup.variable(if setup.launch.is_given() {

@@ -2,7 +2,7 @@ use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::{outcomes, sigmas};
 use crate::command::output::{Answer, system, tell, warn, with_bar};
 use crate::command::request::Request;
-use crate::optimize::{Observer, Status};
+use crate::optimize::Observer;
 use crate::parameters::Parameter;
 use crate::report::{EffectsReport, by_reason};
 use crate::study::{
@@ -88,13 +88,7 @@ fn find_optimum(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Op
     }
     let search = args.search.search(request, setup)?;
     let setup = request.for_many(*setup, &search.vary)?;
-    let found = optimum(&setup, search, Observer::default())?;
-    if found.solution.status != Status::Converged {
-        return Err(Error::NotConverged {
-            status: found.status(),
-            message: found.message(),
-        });
-    }
+    let found = optimum(&setup, search, Observer::default())?.converged()?;
     tell(&found.message().in_units(system()));
     Ok(Some(found))
 }

@@ -4,7 +4,7 @@ use super::outcome_table::{Outcome, OutcomeInputs};
 use crate::error::{Error, Result};
 use crate::flight::Flight;
 use crate::number::Number;
-use crate::units::Quantity;
+use crate::units::{DisplayUnit, Quantity};
 use serde::{Serialize, Serializer};
 use std::fmt;
 
@@ -226,6 +226,15 @@ impl Outcome {
     /// The value as text, in the display unit.
     pub fn show(self, value: f64) -> String {
         self.quantity().show(value, self.unit())
+    }
+}
+
+impl From<Outcome> for DisplayUnit {
+    fn from(outcome: Outcome) -> Self {
+        Self {
+            quantity: outcome.quantity(),
+            unit: outcome.unit(),
+        }
     }
 }
 

@@ -24,7 +24,7 @@
 //! impl Functions for Valley {
 //!     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
 //!         let objective = (x[0] - 3.0).powi(2) + (x[0] - x[1]).powi(2);
-//!         Ok(Evaluation { objective, constraints: vec![] })
+//!         Ok(Evaluation::unconstrained(objective))
 //!     }
 //! }
 //!

@@ -7,6 +7,7 @@ use super::minimize::{minimize_observed, other_problem};
 use super::observer::Observer;
 use super::options::Options;
 use super::problem::Problem;
+use super::scaling::largest_scaled;
 use super::sobol;
 use super::solution::Solution;
 use super::status::Status;
@@ -45,7 +46,7 @@ pub struct Observers {
 impl Observers {
     /// The observer of search `number`: its callback and the interrupt flag, without the
     /// checkpoint.
-    pub(super) fn of_search(&self, number: usize) -> Observer {
+    pub(crate) fn of_search(&self, number: usize) -> Observer {
         let mut observer = Observer {
             interrupt: self.interrupt.clone(),
             ..Observer::default()
@@ -247,9 +248,7 @@ fn steepest(domain: &Domain, locals: &[LocalMinimum]) -> Vec<f64> {
     for LocalMinimum { solution, .. } in locals {
         let scale = domain.variables.scale(&solution.x);
         for (most, row) in steepest.iter_mut().zip(&solution.jacobian) {
-            *most = row.iter().zip(&scale).fold(*most, |most, (slope, scale)| {
-                most.max((slope * scale).abs())
-            });
+            *most = most.max(largest_scaled(row, &scale));
         }
     }
     steepest

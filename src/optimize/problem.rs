@@ -33,6 +33,16 @@ pub struct Evaluation<T = Taylor> {
     pub constraints: Vec<T>,
 }
 
+impl<T> Evaluation<T> {
+    /// The objective of a problem without constraint functions.
+    pub fn unconstrained(objective: T) -> Self {
+        Self {
+            objective,
+            constraints: vec![],
+        }
+    }
+}
+
 impl Evaluation {
     /// True if the dimensions fit `n` variables and `m` constraints.
     pub(super) fn has_dimensions(&self, n: usize, m: usize) -> bool {

@@ -15,7 +15,7 @@ impl QuasiNewton {
     pub fn initial(scaling: &Scaling, at: &Point) -> Self {
         let n = at.x.len();
         let slope = scaling
-            .largest(at.f.objective.gradient.iter().copied())
+            .largest(&at.f.objective.gradient)
             .max(f64::MIN_POSITIVE);
         Self {
             rows: rows(&(DMatrix::identity(n, n) * slope)),

@@ -28,9 +28,7 @@ pub(super) struct RedundantBound {
 impl State {
     /// Finds the constraint with a huge multiplier and the active bound that balances most of it.
     pub fn redundant_bound(&self) -> Option<RedundantBound> {
-        let slope = self
-            .scaling
-            .largest(self.point.f.objective.gradient.iter().copied());
+        let slope = self.scaling.largest(&self.point.f.objective.gradient);
         let most = HUGE * slope.max(self.scaling.initial_size.min(1.0) * f64::EPSILON);
         let normal_force = |i: usize, j: usize| {
             let constraint = &self.point.f.constraints[j];
@@ -62,9 +60,7 @@ impl State {
         }
         self.counters.redundant_bounds += 1;
         let slope = |i: usize| self.point.f.objective.gradient[i] * self.scaling.scale[i];
-        let largest = self
-            .scaling
-            .largest(self.point.f.objective.gradient.iter().copied());
+        let largest = self.scaling.largest(&self.point.f.objective.gradient);
         let direction: Vec<f64> = (0..self.point.x.len())
             .map(|i| {
                 if i == pair.variable {

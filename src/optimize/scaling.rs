@@ -2,7 +2,7 @@ use super::domain::Domain;
 use super::problem::Evaluation;
 use crate::number::Taylor;
 use serde::{Deserialize, Serialize};
-use std::borrow::Cow;
+use std::borrow::{Borrow, Cow};
 
 /// A point with the functions and their derivatives there.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -84,25 +84,30 @@ pub(super) struct Outward {
     pub is_open: bool,
 }
 
+/// Largest scaled component |gᵢ sᵢ| of a gradient.
+pub(super) fn largest_scaled(
+    gradient: impl IntoIterator<Item = impl Borrow<f64>>,
+    scale: &[f64],
+) -> f64 {
+    gradient
+        .into_iter()
+        .zip(scale)
+        .map(|(g, s)| (g.borrow() * s).abs())
+        .fold(0.0, f64::max)
+}
+
 impl Scaling {
     /// Scaling of a search that starts at `first`.
     pub fn new(domain: Domain, scale: Vec<f64>, first: &Point) -> Self {
-        let largest = |gradient: &[f64]| {
-            gradient
-                .iter()
-                .zip(&scale)
-                .map(|(g, s)| (g * s).abs())
-                .fold(0.0, f64::max)
-        };
         let initial_size = first
             .f
             .objective
             .value
             .abs()
-            .max(largest(&first.f.objective.gradient));
+            .max(largest_scaled(&first.f.objective.gradient, &scale));
         let gamma = |j: usize| {
             let constraint = &first.f.constraints[j];
-            let change = largest(&constraint.gradient)
+            let change = largest_scaled(&constraint.gradient, &scale)
                 .max(domain.constraints.excess(j, constraint.value).abs());
             if change > 0.0 { change } else { 1.0 }
         };
@@ -235,7 +240,7 @@ impl Scaling {
     /// Sets φ₀ from a later point if value and gradient vanished at the start.
     pub fn floor_size(&mut self, at: &Point) {
         if self.initial_size <= f64::MIN_POSITIVE {
-            let slope = self.largest(at.f.objective.gradient.iter().copied());
+            let slope = self.largest(&at.f.objective.gradient);
             self.initial_size = at.f.objective.value.abs().max(slope).max(f64::MIN_POSITIVE);
         }
     }
@@ -262,12 +267,8 @@ impl Scaling {
     }
 
     /// Largest scaled component |gᵢ sᵢ| of a gradient.
-    pub fn largest(&self, gradient: impl IntoIterator<Item = f64>) -> f64 {
-        gradient
-            .into_iter()
-            .zip(&self.scale)
-            .map(|(p, s)| (p * s).abs())
-            .fold(0.0, f64::max)
+    pub fn largest(&self, gradient: impl IntoIterator<Item = impl Borrow<f64>>) -> f64 {
+        largest_scaled(gradient, &self.scale)
     }
 
     /// Distance of two points in the maximum norm, in units of the scale.

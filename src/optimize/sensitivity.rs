@@ -3,6 +3,7 @@
 use super::domain::{Bounds, Domain};
 use super::null_space::tangent_basis;
 use super::problem::Evaluation;
+use super::scaling::largest_scaled;
 use super::solution::Solution;
 use super::status::Status;
 use crate::error::{Error, Result};
@@ -70,8 +71,8 @@ impl ActiveSet {
             domain.variables.is_fixed(i) || multiplier * scale[i] > ZERO_MULTIPLIER * size
         };
         let constraint = |j: usize| {
-            let scaled =
-                solution.constraints[j].multiplier.abs() * largest(&solution.jacobian[j], &scale);
+            let scaled = solution.constraints[j].multiplier.abs()
+                * largest_scaled(&solution.jacobian[j], &scale);
             domain.constraints.is_fixed(j) || scaled > ZERO_MULTIPLIER * size
         };
         Self {
@@ -95,18 +96,9 @@ impl ActiveSet {
     }
 }
 
-/// Largest scaled component of a gradient.
-fn largest(slopes: &[f64], scale: &[f64]) -> f64 {
-    slopes
-        .iter()
-        .zip(scale)
-        .map(|(slope, scale)| (slope * scale).abs())
-        .fold(0.0, f64::max)
-}
-
 /// Size of the objective: the larger of its value and its largest scaled derivative.
 fn size(solution: &Solution, scale: &[f64]) -> f64 {
-    largest(&solution.gradient, scale).max(solution.value.unwrap_or_default().abs())
+    largest_scaled(&solution.gradient, scale).max(solution.value.unwrap_or_default().abs())
 }
 
 /// Hessian of the Lagrangian in scaled variables, with rounding errors set to 0. Otherwise the row
@@ -289,7 +281,7 @@ impl KktSystem<'_> {
     /// Length of the scaled gradient of constraint j. Rows of the system are divided by it, so that
     /// their singular values are comparable.
     fn row_length(&self, j: usize) -> f64 {
-        largest(&self.solution.jacobian[j], &self.scale).max(f64::MIN_POSITIVE)
+        largest_scaled(&self.solution.jacobian[j], &self.scale).max(f64::MIN_POSITIVE)
     }
 
     /// Mixed derivative ∂²L/∂xᵢ∂p of the Lagrangian.

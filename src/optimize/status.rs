@@ -61,16 +61,20 @@ pub(super) struct Verdict<S = Status> {
     pub message: String,
 }
 
+impl<S> Verdict<S> {
+    pub fn new(status: S, message: String) -> Self {
+        Self { status, message }
+    }
+}
+
 impl Verdict {
     pub fn iteration_limit(iterations: u64, residual: Option<f64>) -> Self {
-        Self {
-            status: Status::IterationLimit,
-            message: format!(
-                "stopped at the limit of {}{}; allow more iterations, or start nearer",
-                counted(iterations, "iteration"),
-                with_residual(residual)
-            ),
-        }
+        let message = format!(
+            "stopped at the limit of {}{}; allow more iterations, or start nearer",
+            counted(iterations, "iteration"),
+            with_residual(residual)
+        );
+        Self::new(Status::IterationLimit, message)
     }
 
     pub fn without_start(tried: u64) -> Self {
@@ -81,28 +85,20 @@ impl Verdict {
                  tried so far"
             ),
         };
-        Self {
-            status: Status::Interrupted,
-            message,
-        }
+        Self::new(Status::Interrupted, message)
     }
 
     pub fn interrupted(iterations: u64, residual: Option<f64>) -> Self {
         let after = counted(iterations, "iteration");
         let message = format!("stopped after {after}{}", with_residual(residual));
-        Self {
-            status: Status::Interrupted,
-            message,
-        }
+        Self::new(Status::Interrupted, message)
     }
 
     pub fn undefined(trials: u32, why: &str) -> Self {
-        Self {
-            status: Status::Undefined,
-            message: format!(
-                "the functions are undefined at the start and at {trials} other points of the box: {why}"
-            ),
-        }
+        let message = format!(
+            "the functions are undefined at the start and at {trials} other points of the box: {why}"
+        );
+        Self::new(Status::Undefined, message)
     }
 
     pub fn kink(kink: &Kink, at: f64, residual: f64) -> Self {
@@ -120,10 +116,7 @@ impl Verdict {
             side(slope_below),
             side(slope_above)
         );
-        Self {
-            status: Status::StalledAtKink,
-            message,
-        }
+        Self::new(Status::StalledAtKink, message)
     }
 
     /// Verdict for a point at which the KKT conditions hold only because a huge multiplier balances
@@ -139,10 +132,7 @@ impl Verdict {
              and only a multiplier of {multiplier:.1e} balances them: this is no KKT point; KKT \
              residual {residual:.1e}. Remove that bound or start elsewhere"
         );
-        Self {
-            status: Status::Stalled,
-            message,
-        }
+        Self::new(Status::Stalled, message)
     }
 
     /// Appends `more` to the message.
@@ -161,9 +151,9 @@ fn with_residual(residual: Option<f64>) -> String {
 /// Converged: the KKT residual is below the tolerance.
 pub(super) fn gradient_test(residual: Residual, tolerance: f64) -> Option<Verdict> {
     let largest = residual.largest();
-    (largest <= tolerance).then(|| Verdict {
-        status: Status::Converged,
-        message: format!("KKT residual {largest:.1e} <= {tolerance:.0e}"),
+    (largest <= tolerance).then(|| {
+        let message = format!("KKT residual {largest:.1e} <= {tolerance:.0e}");
+        Verdict::new(Status::Converged, message)
     })
 }
 
@@ -189,7 +179,7 @@ pub(super) fn rounding_test(
             "KKT residual {largest:.1e} <= {tolerance:.0e}, relative to the objective at the start; \
              rounding prevents a smaller one"
         );
-        Verdict { status: Status::Converged, message }
+        Verdict::new(Status::Converged, message)
     })
 }
 
@@ -234,10 +224,7 @@ pub(super) fn unbounded_test(outward: Option<&Outward>, state: &State) -> Option
          falls there, and no bound or constraint lies ahead; give that variable a bound",
         outward.variable, outward.at
     );
-    Some(Verdict {
-        status: Status::Unbounded,
-        message,
-    })
+    Some(Verdict::new(Status::Unbounded, message))
 }
 
 /// Infeasible: no step reduces the violation of the linearised constraints.
@@ -259,10 +246,7 @@ pub(super) fn infeasible(violation: f64) -> Verdict {
         "no point was found that meets the constraints: their violation {violation:.3e} (relative) \
          is the least found, from here and from other points of the box"
     );
-    Verdict {
-        status: Status::Infeasible,
-        message,
-    }
+    Verdict::new(Status::Infeasible, message)
 }
 
 /// Stalled: the trust region is so small that steps are within rounding of zero.
@@ -272,10 +256,7 @@ pub(super) fn radius_test(radius: f64, residual: f64) -> Option<Verdict> {
         let message = format!(
             "trust region {radius:.1e} <= {LEAST:.0e} with a KKT residual of {residual:.1e}"
         );
-        Verdict {
-            status: Status::Stalled,
-            message,
-        }
+        Verdict::new(Status::Stalled, message)
     })
 }
 
@@ -288,10 +269,7 @@ pub(super) fn kink_test(active_terms: usize, predicted: f64, residual: f64) -> O
             "the objective has a kink here: the model of {active_terms} of its sides predicts a \
              reduction of {predicted:.1e} <= {LEAST:.0e} (relative); KKT residual {residual:.1e}"
         );
-        Verdict {
-            status: Status::StalledAtKink,
-            message,
-        }
+        Verdict::new(Status::StalledAtKink, message)
     })
 }
 
@@ -304,6 +282,6 @@ pub(super) fn progress_test(iterations: u32, predicted: f64, residual: f64) -> O
             "for {PATIENCE} iterations the model predicted a reduction no larger than rounding (last \
              {predicted:.1e}, relative) and the KKT residual stays at {residual:.1e}"
         );
-        Verdict { status: Status::Stalled, message }
+        Verdict::new(Status::Stalled, message)
     })
 }

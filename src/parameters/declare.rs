@@ -50,7 +50,7 @@
 //! kinds of fields.
 
 use super::Range;
-use crate::units::{Digits, Message, Quantity};
+use crate::units::{Digits, DisplayUnit, Message, Quantity};
 use serde::{Serialize, Serializer};
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -131,6 +131,15 @@ impl PartialEq for Parameter {
 }
 
 impl Eq for Parameter {}
+
+impl From<&Parameter> for DisplayUnit {
+    fn from(parameter: &Parameter) -> Self {
+        Self {
+            quantity: parameter.quantity,
+            unit: parameter.unit,
+        }
+    }
+}
 
 /// Name and law identify a row.
 impl Hash for Parameter {

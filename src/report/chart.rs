@@ -1,12 +1,14 @@
 use super::csv_text::csv_text;
 use super::document::{Document, Table};
 use super::json::{ByName, Number};
+use super::plot::Measure;
 use super::reply::{Ending, Report};
 use super::shown;
 use crate::drive::Outcome;
 use crate::error::Result;
+use crate::parameters::Parameter;
 use crate::study::{Active, BoundSide, Chart, ChartPoint, Search};
-use crate::units::{Message, Quantity, System, TableUnits};
+use crate::units::{Message, System, TableUnits};
 use serde::Serialize;
 
 /// Optima along a parameter, SI and radians.
@@ -73,26 +75,19 @@ impl<'a> ChartReport<'a> {
     /// [`Error::Output`](crate::Error::Output).
     pub fn csv(&self, units: TableUnits) -> Result<String> {
         let chart = self.chart;
-        let launched = LAUNCH
-            .iter()
-            .map(|of| (of.name(), of.quantity(), of.unit()));
-        let columns: Vec<_> = head(chart).into_iter().chain(launched).collect();
-        let numbers = columns
-            .iter()
-            .map(|(name, quantity, unit)| units.head(name, *quantity, unit));
-        let head = numbers.chain(["active".into(), "event".into()]).collect();
+        let columns = columns(chart);
+        let heads = columns.iter().map(|column| column.head(units));
+        let head = heads.chain(["active".into(), "event".into()]).collect();
         let rows = chart.points.iter().map(|point| {
-            let numbers = [point.at, point.best.value().unwrap_or(f64::NAN)];
-            let launch = launch(point).map(|value| value.unwrap_or(f64::NAN));
-            let numbers = numbers.iter().chain(&point.best.solution.x).chain(&launch);
-            let numbers = columns.iter().zip(numbers);
-            let numbers = numbers.map(|((_, quantity, unit), value)| {
-                if value.is_nan() {
-                    String::new()
-                } else {
-                    format!("{:?}", units.number(*value, *quantity, unit))
-                }
-            });
+            let optimum = point.best.solution.x.iter().copied().map(Some);
+            let values = [Some(point.at), point.best.value()]
+                .into_iter()
+                .chain(optimum)
+                .chain(launch(point));
+            let numbers = columns
+                .iter()
+                .zip(values)
+                .map(|(column, value)| column.cell(value, units));
             let words = [
                 listed(point, "; ", Active::to_string),
                 point
@@ -163,12 +158,12 @@ impl Report for ChartReport<'_> {
     fn document(&self, system: System) -> Document {
         let chart = self.chart;
         let mut document = Document::default();
-        let mut columns: Vec<&str> = head(chart).into_iter().map(|(name, ..)| name).collect();
-        columns.extend(LAUNCH.iter().map(|of| of.name()));
+        let columns = columns(chart);
         let numbers = columns.len();
-        columns.push("active");
+        let heads = columns.into_iter().map(|column| column.label);
+        let head = heads.chain(["active".into()]);
         let rows = chart.points.iter().map(|point| row(chart, point, system));
-        document.add(Table::new(columns, rows).right(0..numbers));
+        document.add(Table::new(head, rows).right(0..numbers));
         for why in chart.begun.iter().chain(&chart.ended) {
             document.paragraph(why.in_units(system));
         }
@@ -183,27 +178,21 @@ fn launch(point: &ChartPoint) -> [Option<f64>; 3] {
     LAUNCH.map(|of| of.value(point.best.drive.as_ref()?))
 }
 
-/// The parameters and outcomes in the columns of a chart, in order.
-fn head(chart: &Chart) -> Vec<(&'static str, Quantity, &'static str)> {
-    let Some(first) = chart.points.first() else {
-        return vec![];
-    };
-    let search = &first.best.search;
-    let along = chart.along.parameter;
-    let varied = search.vary.iter().map(|vary| {
-        (
-            vary.parameter.name,
-            vary.parameter.quantity,
-            vary.parameter.unit,
-        )
-    });
-    [
-        (along.name, along.quantity, along.unit),
-        (search.outcome().name(), search.of.quantity, search.of.unit),
-    ]
-    .into_iter()
-    .chain(varied)
-    .collect()
+/// The columns of a chart that have numbers: the parameter, the objective, the varied parameters and
+/// the launch.
+fn columns(chart: &Chart) -> Vec<Measure> {
+    let of_parameter = |row: &Parameter| Measure::new(row.name, row.quantity, row.unit);
+    let of_outcome = |of: Outcome| Measure::new(of.name(), of.quantity(), of.unit());
+    let mut columns = vec![];
+    if let Some(first) = chart.points.first() {
+        let search = &first.best.search;
+        let objective = search.outcome().name();
+        columns.push(of_parameter(chart.along.parameter));
+        columns.push(Measure::new(objective, search.of.quantity, search.of.unit));
+        columns.extend(search.vary.iter().map(|vary| of_parameter(vary.parameter)));
+    }
+    columns.extend(LAUNCH.map(of_outcome));
+    columns
 }
 
 /// The cells of an optimum.

@@ -4,12 +4,12 @@ use super::limits::ended_at;
 use super::optimum::{
     DesignReport, LimitReport, OptimumReport, add_convergence, bound_in_words, ended_line, place,
 };
+use super::reply::Reply;
+use super::shown;
 use super::swings::{OverSwings, goals, notes};
-use super::{Reply, shown};
 use crate::optimize::Status;
 use crate::parameters::{Parameter, Setup};
 use crate::study::Optimum;
-use crate::study::Sense;
 use crate::study::design::{ConstraintState, Design, DesignConstraint, Enforcement, Improvement};
 use crate::units::{System, signed};
 
@@ -111,10 +111,7 @@ impl Designed<'_> {
             let before = self.own(vary.parameter);
             let show = |value: f64| shown::within(vary, value, system);
             let change = before.map_or(String::new(), |before| {
-                let unit = system.unit(vary.parameter.unit);
-                let change = x - before;
-                let quantity = vary.parameter.quantity;
-                signed(change, quantity.read_off_difference(change, unit))
+                shown::change(vary.parameter, x - before, system)
             });
             vec![
                 vary.parameter.name.into(),
@@ -173,7 +170,7 @@ impl Designed<'_> {
             } else {
                 value
             };
-            shown::given(constraint.quantity, constraint.unit, value, system, 5)
+            shown::given(constraint.unit, value, system, 5)
         };
         let goal = &self.best.search.of;
         let told = match (constraint.by, price, margin) {
@@ -182,13 +179,8 @@ impl Designed<'_> {
             }
             (Enforcement::Value(_), _, Some(_)) => "met; not varied".into(),
             (_, Some(price), _) => {
-                let amount = price
-                    * constraint.step
-                    * if self.best.search.sense == Sense::Maximize {
-                        1.0
-                    } else {
-                        -1.0
-                    };
+                // for a minimized objective, a decrease is a gain
+                let amount = -self.best.search.sense.sign() * price * constraint.step;
                 let is_upper = value.is_some_and(|value| {
                     constraint.range[1] - value <= value - constraint.range[0]
                 });
@@ -196,7 +188,7 @@ impl Designed<'_> {
                 let gain = signed(amount, shown::goal_difference(goal, amount, system));
                 format!(
                     "{gain} for each {} that the limit is {way}",
-                    constraint.quantity.show(constraint.step, constraint.unit)
+                    constraint.unit.show(constraint.step)
                 )
             }
             (_, None, Some(margin)) if *margin < -ROUNDING * constraint.step => {
@@ -216,11 +208,7 @@ impl Designed<'_> {
 
 /// The cells of a goal: its value before the search, with the best design, and the change.
 fn goal_row(part: &Improvement, system: System) -> Vec<String> {
-    let show = |value: Option<f64>| {
-        value.map_or(shown::NONE.into(), |value| {
-            shown::goal(&part.goal, value, system)
-        })
-    };
+    let show = |value: Option<f64>| shown::goal_or_dash(&part.goal, value, system);
     let both = part.as_set_up.zip(part.best);
     let change = both.map_or(String::new(), |(before, best)| {
         let change = best - before;
@@ -238,7 +226,7 @@ fn goal_row(part: &Improvement, system: System) -> Vec<String> {
 /// The limits of a constraint: "≤ 6000 g cm²".
 fn limits_text(constraint: &DesignConstraint, system: System) -> String {
     let [low, high] = constraint.range;
-    let show = |value: f64| shown::given(constraint.quantity, constraint.unit, value, system, 5);
+    let show = |value: f64| shown::given(constraint.unit, value, system, 5);
     match [low, high].map(f64::is_finite) {
         [true, true] if low == high => format!("= {}", show(low)),
         [true, true] => format!("{} .. {}", show(low), show(high)),

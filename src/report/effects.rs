@@ -220,8 +220,7 @@ fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> Table {
     };
     let row = |effect: &Effect| {
         let parameter = effect.parameter;
-        let unit = (of.quantity(), of.unit());
-        let gradient = shown::settled(effect.gradient, effects.value, unit, &[parameter]);
+        let gradient = shown::settled(effect.gradient, effects.value, of, &[parameter]);
         let elasticity = effect.elasticity.map_or(shown::NONE.into(), |elasticity| {
             significant(if gradient == 0.0 { 0.0 } else { elasticity }, 4)
         });

@@ -132,8 +132,7 @@ fn outcome(
         value_in_si
     ))]);
 
-    let settled =
-        |d: f64, by: &[&Parameter]| shown::settled(d, taylor.value, (of.quantity(), of.unit()), by);
+    let settled = |d: f64, by: &[&Parameter]| shown::settled(d, taylor.value, of, by);
     let rows = wrt.iter().zip(&taylor.gradient).map(|(parameter, slope)| {
         let in_si = significant(settled(*slope, &[*parameter]), 12);
         vec![

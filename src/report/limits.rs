@@ -3,12 +3,12 @@
 use super::shown;
 use crate::optimize::{ConstraintValue, Status};
 use crate::study::{Constraint, Sense};
-use crate::units::{Quantity, System, signed, significant};
+use crate::units::{DisplayUnit, System, signed};
 
 /// The objective at the end of a search. Multipliers have a meaning only at an optimum.
 #[derive(Clone, Copy)]
 pub(super) struct Objective {
-    pub of: (Quantity, &'static str),
+    pub of: DisplayUnit,
     /// The value, SI.
     pub value: f64,
     pub sense: Sense,
@@ -29,14 +29,11 @@ pub(super) fn gain(constraint: &Constraint, at: &ConstraintValue) -> f64 {
 impl Objective {
     /// The gain for each unit of `by`, with its sign: "+2.11 yd for each degree". Texts for golfers
     /// call this gain the price of the limit.
-    pub fn price(self, amount: f64, by: (Quantity, &'static str), system: System) -> String {
+    pub fn price(self, amount: f64, by: impl Into<DisplayUnit>, system: System) -> String {
         // for a minimized objective, a decrease is a gain
-        let amount = if self.sense == Sense::Maximize {
-            amount
-        } else {
-            -amount
-        };
-        let one = by.0.size_of(by.1).unwrap_or(1.0);
+        let amount = -self.sense.sign() * amount;
+        let by = by.into();
+        let one = by.size();
         let amount = shown::settled(amount * one, self.value, self.of, &[]) / one;
         signed(amount, shown::price(self.of, amount, by, system))
     }
@@ -57,13 +54,9 @@ impl Objective {
         let Constraint {
             goal, low, high, ..
         } = constraint;
-        let by = (goal.quantity, goal.unit);
-        let price = |amount: f64| self.price(amount, by, system);
+        let price = |amount: f64| self.price(amount, goal, system);
         if low == high {
-            let off = match system.unit(by.1) {
-                "" => significant(at.value - low, 2),
-                unit => by.0.read_off_difference(at.value - low, unit),
-            };
+            let off = shown::goal_difference(goal, at.value - low, system);
             // an equation is active even if its multiplier is 0
             let price = match slopes.iter().any(|slope| *slope != 0.0) {
                 true => format!(", {} that the value is raised", price(gain)),

@@ -44,7 +44,7 @@ mod uncertainty;
 mod validation;
 mod winfield_tan;
 
-pub use calibration::{CalibrationReport, DataReport, HeldOutReport, RefusedReport};
+pub use calibration::{CalibrationReport, DataReport, HeldOutReport};
 pub use certificate::{CertificateReport, CertificateRow, NegativeControl};
 pub use chart::{ChartPointReport, ChartReport};
 pub use compare::{ComparedDrive, ComparisonReport, DifferenceReport};
@@ -100,7 +100,7 @@ pub use sweep::SweepParquet;
 #[cfg(test)]
 pub(crate) use sweep::SweepRow;
 pub use sweep::{SweepCsv, SweepJsonLines, summary_document};
-pub use swings::{NominalReport, OverSwings, SamplingReport, ScenariosReport, StudiesReport};
+pub use swings::{NominalReport, OverSwings, ScenariosReport, StudiesReport};
 pub use uncertainty::{InputReport, UncertaintyReport};
 pub use validation::ValidationReport;
 pub use winfield_tan::WinfieldTanReport;

@@ -1,8 +1,9 @@
 use super::csv_text::csv_text;
 use super::document::{Document, Line, Table};
 use super::json::{ByName, Number};
+use super::plot::Measure;
 use super::reply::{Ending, Report};
-use super::setup_file::{remarks_on_varied, setup_toml};
+use super::setup_file::{about_constraint, remarks_on_varied, setup_toml};
 use super::shown;
 use super::swings::ScenariosReport;
 use crate::error::{Error, Result};
@@ -14,10 +15,7 @@ use serde::Serialize;
 
 /// The role of a point of a front: an end, or the knee; `None` for all other points.
 pub(super) fn role(found: &Pareto, place: usize) -> Option<String> {
-    let [first, second] = found.search.goals.each_ref().map(|(goal, sense)| {
-        let (adjective, goal) = (sense.adjective(), &goal.expression);
-        format!("{adjective} {goal}")
-    });
+    let [first, second] = bests(found);
     match place {
         _ if found.knee == Some(place) => Some("knee".into()),
         _ if found.points.len() == 1 => Some(format!("{first}, {second}")),
@@ -26,6 +24,12 @@ pub(super) fn role(found: &Pareto, place: usize) -> Option<String> {
         _ if place + 1 == found.points.len() && !found.interrupted => Some(second),
         _ => None,
     }
+}
+
+/// The ends of a front in words: "largest carry" and "smallest abs(lateral)".
+fn bests(found: &Pareto) -> [String; 2] {
+    let goals = found.search.goals.each_ref();
+    goals.map(|(goal, sense)| sense.best_of(goal))
 }
 
 /// The Pareto front of two goals, SI and radians.
@@ -165,10 +169,9 @@ impl Report for ParetoReport<'_> {
 fn front(found: &Pareto, system: System) -> Table {
     let search = &found.search;
     let [first, second] = search.goals.each_ref().map(|(goal, _)| goal);
-    let kinds = [first, second].map(|goal| (goal.quantity, goal.unit));
     let slope_of = |point: &ParetoPoint| {
         point.slope.map_or(shown::NONE.into(), |slope| {
-            shown::quotient(kinds[0], kinds[1], slope, system, 3).0
+            shown::quotient(first, second, slope, system, 3)
         })
     };
     let rows = found.points.iter().enumerate().map(|(place, point)| {
@@ -266,27 +269,25 @@ pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
     let goals = search
         .goals
         .iter()
-        .map(|(goal, _)| units.head(&goal.expression, goal.quantity, goal.unit));
+        .map(|(goal, _)| Measure::new(&goal.expression, goal.quantity, goal.unit));
     let varied = search.vary.iter().map(|vary| {
         let row = vary.parameter;
-        units.head(row.name, row.quantity, row.unit)
+        Measure::new(row.name, row.quantity, row.unit)
     });
-    let words = ["slope", "role", "active", "event"].map(str::to_owned);
-    let head = goals.chain(varied).chain(words).collect();
+    let columns: Vec<Measure> = goals
+        .chain(varied)
+        .chain([Measure::plain("slope")])
+        .collect();
+    let heads = columns.iter().map(|column| column.head(units));
+    let words = ["role", "active", "event"].map(str::to_owned);
+    let head = heads.chain(words).collect();
     let rows = found.points.iter().enumerate().map(|(place, point)| {
-        let goals = search.goals.iter().zip(&point.goals);
-        let goals = goals.map(|((goal, _), value)| units.number(*value, goal.quantity, goal.unit));
-        let design = search.vary.iter().zip(&point.design).map(|(vary, value)| {
-            units.number(*value, vary.parameter.quantity, vary.parameter.unit)
-        });
-        let numbers = goals.chain(design).chain([point.slope.unwrap_or(f64::NAN)]);
-        let numbers = numbers.map(|number| {
-            if number.is_nan() {
-                String::new()
-            } else {
-                format!("{number:?}")
-            }
-        });
+        let values = point.goals.iter().chain(&point.design);
+        let values = values.copied().map(Some).chain([point.slope]);
+        let numbers = columns
+            .iter()
+            .zip(values)
+            .map(|(column, value)| column.cell(value, units));
         let active = point
             .active
             .iter()
@@ -313,10 +314,7 @@ pub fn pareto_toml(found: &Pareto, place: usize, file: &SetupFile) -> Result<Str
             what: "point of the front",
         });
     };
-    let [first, second] = search
-        .goals
-        .each_ref()
-        .map(|(goal, sense)| format!("{} {}", sense.adjective(), goal.expression));
+    let [first, second] = bests(found);
     let of = |k: usize| shown::goal(&search.goals[k].0, point.goals[k], System::default());
     let what = role(found, place).map_or(String::new(), |role| format!(", {role}"));
     let mut about = vec![
@@ -334,12 +332,7 @@ pub fn pareto_toml(found: &Pareto, place: usize, file: &SetupFile) -> Result<Str
             of(1)
         ),
     ];
-    about.extend(
-        search
-            .subject_to
-            .iter()
-            .map(|limit| format!("subject to {}", limit.expression)),
-    );
+    about.extend(search.subject_to.iter().map(about_constraint));
     let remarks = remarks_on_varied("chosen", &search.vary, &point.design);
     setup_toml(&point.setup, file, &about, &remarks)
 }

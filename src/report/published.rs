@@ -3,7 +3,20 @@
 
 use super::plot::{Axis, Measure};
 use super::shown::ratio;
-use crate::units::{Quantity, System, fixed, signed, typed};
+use crate::units::{DisplayUnit, Quantity, System, fixed, signed, typed};
+
+pub(super) const LENGTH: DisplayUnit = DisplayUnit {
+    quantity: Quantity::LENGTH,
+    unit: "m",
+};
+pub(super) const SPEED: DisplayUnit = DisplayUnit {
+    quantity: Quantity::SPEED,
+    unit: "m/s",
+};
+pub(super) const ANGLE: DisplayUnit = DisplayUnit {
+    quantity: Quantity::ANGLE,
+    unit: "deg",
+};
 
 /// The units in which a study is displayed.
 #[derive(Clone, Copy)]
@@ -22,41 +35,32 @@ impl Published {
 
     /// The number of a length, without its unit.
     pub fn length_number(self, length: f64) -> f64 {
-        length
-            / Quantity::LENGTH
-                .size_of(self.length_unit())
-                .unwrap_or(f64::NAN)
+        length / LENGTH.size_in(self.system)
     }
 
     /// A computed length: "153.33 m".
     pub fn length(self, length: f64) -> String {
-        self.computed(Quantity::LENGTH, "m", length)
+        self.computed(LENGTH, length)
     }
 
     /// A computed speed: "62.64 m/s".
     pub fn speed(self, speed: f64) -> String {
-        self.computed(Quantity::SPEED, "m/s", speed)
+        self.computed(SPEED, speed)
     }
 
     /// A computed number.
-    pub fn computed(self, quantity: Quantity, unit: &'static str, value: f64) -> String {
-        two_decimals(quantity, self.system.unit(unit), value)
+    pub fn computed(self, of: DisplayUnit, value: f64) -> String {
+        two_decimals(of, value, self.system)
     }
 
     /// A computed number minus the printed number, with its sign.
-    pub fn difference(self, quantity: Quantity, unit: &'static str, difference: f64) -> String {
-        signed(difference, self.computed(quantity, unit, difference))
+    pub fn difference(self, of: DisplayUnit, difference: f64) -> String {
+        signed(difference, self.computed(of, difference))
     }
 
     /// A derivative of a length by an angle: "1.052 m per deg".
     pub fn per_degree(self, slope: f64) -> String {
-        ratio(
-            (Quantity::LENGTH, "m"),
-            (Quantity::ANGLE, "deg"),
-            slope,
-            self.system,
-            4,
-        )
+        ratio(LENGTH, ANGLE, slope, self.system, 4)
     }
 
     /// A derivative of a length by an angle in radians, with its sign: "-65.4 m/rad".
@@ -73,14 +77,14 @@ impl Published {
 
     /// A length from the paper.
     pub fn printed_length(self, length: f64) -> String {
-        self.printed(Quantity::LENGTH, "m", length)
+        self.printed(LENGTH, length)
     }
 
     /// A number from the paper in its units, followed by the requested units if they differ:
     /// "248.48 m (271.74 yd)".
-    pub fn printed(self, quantity: Quantity, unit: &'static str, value: f64) -> String {
-        let [printed, asked] = [self.paper, self.system]
-            .map(|system| two_decimals(quantity, system.unit(unit), value));
+    pub fn printed(self, of: DisplayUnit, value: f64) -> String {
+        let [printed, asked] =
+            [self.paper, self.system].map(|system| two_decimals(of, value, system));
         if printed == asked {
             printed
         } else {
@@ -95,14 +99,14 @@ pub(super) fn angles(label: &str) -> Axis {
 }
 
 /// A number with two decimals, as in the papers; zero has no sign.
-fn two_decimals(quantity: Quantity, unit: &str, value: f64) -> String {
-    let number = value / quantity.size_of(unit).unwrap_or(f64::NAN);
-    typed(&fixed(number, 2), unit)
+fn two_decimals(of: DisplayUnit, value: f64, system: System) -> String {
+    let number = value / of.size_in(system);
+    typed(&fixed(number, 2), system.unit(of.unit))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Published, Quantity, System};
+    use super::{ANGLE, LENGTH, Published, System};
 
     #[test]
     fn published_numbers_keep_their_units_beside_the_chosen_ones() {
@@ -121,9 +125,8 @@ mod tests {
             (alone.speed(44.704), beside.speed(44.704)),
             ("44.70 m/s".into(), "100.00 mph".into())
         );
-        assert_eq!(beside.printed(Quantity::ANGLE, "deg", 0.2), "11.46 deg");
-        let differences =
-            [0.01, -0.01, 1e-6, -1e-6].map(|by| alone.difference(Quantity::LENGTH, "m", by));
+        assert_eq!(beside.printed(ANGLE, 0.2), "11.46 deg");
+        let differences = [0.01, -0.01, 1e-6, -1e-6].map(|by| alone.difference(LENGTH, by));
         assert_eq!(differences, ["+0.01 m", "-0.01 m", "0.00 m", "0.00 m"]);
     }
 }

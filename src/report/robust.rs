@@ -3,14 +3,14 @@ use super::json::{ByName, Number, Settings, settings};
 use super::limits::{self, Objective, ended_at};
 use super::optimum::{ConstraintReport, Multipliers};
 use super::reply::{Ending, Report};
-use super::setup_file::{remarks_on_varied, setup_toml};
+use super::setup_file::{about_constraint, remarks_on_varied, setup_toml};
 use super::shown;
 use super::swings::ScenariosReport;
 use crate::error::Result;
-use crate::optimize::{ConstraintValue, Status};
+use crate::optimize::Status;
 use crate::parameters::SetupFile;
 use crate::study::Sense;
-use crate::study::swings::Robust;
+use crate::study::swings::{ModelLimit, Robust};
 use crate::units::{System, counted};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -167,13 +167,10 @@ impl Report for RobustReport<'_> {
 
 /// The constraints of a model with the robust design. The multipliers refer to the greatest loss.
 fn constraints(found: &Robust, model: usize) -> Vec<ConstraintReport> {
-    let of_model = found.limits().filter(|(k, ..)| *k == model);
-    let report = |(_, j, at, _): (usize, usize, ConstraintValue, &[f64])| {
-        let multiplier = found.limit_price(model, j, &at);
-        ConstraintReport {
-            multiplier,
-            ..ConstraintReport::new(&found.search.subject_to[j], &at)
-        }
+    let of_model = found.limits().filter(|limit| limit.model == model);
+    let report = |limit: ModelLimit<'_>| ConstraintReport {
+        multiplier: limit.gain,
+        ..ConstraintReport::new(limit.constraint, &limit.at)
     };
     of_model.map(report).collect()
 }
@@ -212,9 +209,7 @@ fn models(found: &Robust, system: System) -> Vec<Line> {
     let goal = &found.search.of;
     let mut lines = vec![Line::flush("models")];
     for (k, (model, best)) in found.models.iter().enumerate() {
-        let value = best
-            .value()
-            .map_or(shown::NONE.into(), |value| shown::goal(goal, value, system));
+        let value = shown::goal_or_dash(goal, best.value(), system);
         let decides = if found.shares[k] > IDLE {
             "; its loss decides the robust design"
         } else {
@@ -302,7 +297,7 @@ fn add_design(document: &mut Document, found: &Robust, system: System) {
 fn greatest_loss(found: &Robust) -> Objective {
     let goal = &found.search.of;
     Objective {
-        of: (goal.quantity, goal.unit),
+        of: goal.into(),
         value: found.solution.value.unwrap_or_default(),
         sense: Sense::Minimize,
         is_converged: found.solution.status == Status::Converged,
@@ -319,8 +314,7 @@ fn bound_in_words(found: &Robust, i: usize, system: System) -> String {
     if !objective.is_converged {
         return String::new();
     }
-    let by = (vary.parameter.quantity, vary.parameter.unit);
-    let price = |amount: f64| objective.price(amount, by, system);
+    let price = |amount: f64| objective.price(amount, vary.parameter, system);
     let multipliers = [solution.lower_multipliers[i], solution.upper_multipliers[i]];
     let prices = found.bound_prices(i);
     let [lower, upper] = prices.map(|amount| of_the_bests(multipliers, price(amount)));
@@ -337,20 +331,24 @@ fn bound_in_words(found: &Robust, i: usize, system: System) -> String {
 /// Adds a table of the constraints of all models if there are any.
 fn add_constraints(document: &mut Document, found: &Robust, system: System) {
     let objective = greatest_loss(found);
-    let rows = found.limits().map(|(k, j, at, slopes)| {
-        let limit = &found.search.subject_to[j];
-        let by = (limit.goal.quantity, limit.goal.unit);
-        let gain = found.limit_price(k, j, &at);
-        let bests = of_the_bests([at.multiplier; 2], objective.price(gain, by, system))
-            .filter(|_| objective.is_converged);
+    let rows = found.limits().map(|limit| {
+        let ModelLimit {
+            model,
+            constraint,
+            at,
+            slopes,
+            gain,
+        } = limit;
+        let price = objective.price(gain, &constraint.goal, system);
+        let bests = of_the_bests([at.multiplier; 2], price).filter(|_| objective.is_converged);
         let bests = bests.map_or(String::new(), |price| {
             format!("; {price} that the limit is relaxed")
         });
         vec![
-            limit.expression.clone(),
-            (k + 1).to_string(),
-            shown::goal(&limit.goal, at.value, system),
-            objective.limit(limit, &at, slopes, gain, system) + &bests,
+            constraint.expression.clone(),
+            (model + 1).to_string(),
+            shown::goal(&constraint.goal, at.value, system),
+            objective.limit(constraint, &at, slopes, gain, system) + &bests,
         ]
     });
     let rows: Vec<_> = rows.collect();
@@ -374,10 +372,9 @@ fn of_the_bests(multipliers: [f64; 2], price: String) -> Option<String> {
 pub fn robust_toml(found: &Robust, within: Option<f64>, file: &SetupFile) -> Result<String> {
     let search = &found.search;
     let mut about = vec![format!(
-        "{}, {} {}",
+        "{}, {}",
         file.name,
-        search.sense.adjective(),
-        search.of.expression
+        search.sense.best_of(&search.of)
     )];
     about.push(verdict(found, within, System::default()));
     about.extend(
@@ -386,12 +383,7 @@ pub fn robust_toml(found: &Robust, within: Option<f64>, file: &SetupFile) -> Res
             .iter()
             .map(|(model, _)| format!("model: {}", model.name)),
     );
-    about.extend(
-        search
-            .subject_to
-            .iter()
-            .map(|limit| format!("subject to {}", limit.expression)),
-    );
+    about.extend(search.subject_to.iter().map(about_constraint));
     let remarks = remarks_on_varied("robust", &search.vary, &found.design);
     setup_toml(&found.setup, file, &about, &remarks)
 }

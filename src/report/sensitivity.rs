@@ -12,7 +12,7 @@ use crate::parameters::Parameter;
 use crate::study::{
     Changed, Direction, Ellipse, Flatness, Optima, Optimum, PredictedEvent, Sensitivity, Vary,
 };
-use crate::units::{Message, Quantity, System, printed, significant, with_unit};
+use crate::units::{DisplayUnit, Message, System, printed, significant, with_unit};
 use serde::Serialize;
 
 /// The analysis of an optimum.
@@ -299,30 +299,24 @@ fn sensitivity_row(
     system: System,
 ) -> Vec<String> {
     let of = best.search.outcome();
-    let by = system.unit(parameter.unit);
-    let size = parameter.quantity.size_of(by).unwrap_or(1.0);
-    let per_unit = |slope: f64, value: f64, (quantity, unit): (Quantity, &'static str)| {
-        let slope = shown::settled(slope, value, (quantity, unit), &[parameter]);
-        let unit = system.unit(unit);
-        let number = slope * size / quantity.size_of(unit).unwrap_or(1.0);
-        with_unit(&significant(number, 4), unit)
+    let per_unit = |of: DisplayUnit, value: f64, slope: f64| {
+        let slope = shown::settled(slope, value, of, &[parameter]);
+        let number = shown::quotient(of, parameter, slope, system, 4);
+        with_unit(&number, system.unit(of.unit))
     };
-    let unit = if by.is_empty() {
-        "1".into()
-    } else {
-        printed(by)
+    let unit = match system.unit(parameter.unit) {
+        "" => "1".into(),
+        unit => printed(unit),
     };
     let value = best.value().unwrap_or_default();
     let mut cells = vec![
         format!("{} [{unit}]", parameter.name),
-        per_unit(sensitivity.value, value, (of.quantity(), of.unit())),
+        per_unit(of.into(), value, sensitivity.value),
     ];
     let vary = best.search.vary.iter();
     let moves = vary.zip(&best.solution.x).zip(&sensitivity.optimum);
     let moves = moves.filter(|((vary, _), _)| vary.low < vary.high);
-    cells.extend(moves.map(|((vary, x), slope)| {
-        per_unit(*slope, *x, (vary.parameter.quantity, vary.parameter.unit))
-    }));
+    cells.extend(moves.map(|((vary, x), slope)| per_unit(vary.parameter.into(), *x, *slope)));
     cells
 }
 
@@ -341,20 +335,13 @@ fn flatness_lines(best: &Optimum, flatness: &Flatness, system: System) -> Vec<Li
     directions.chain(ellipses).map(Line::item).collect()
 }
 
-/// A change of a parameter, with its sign: "+1.20 deg".
-fn step(parameter: &Parameter, amount: f64, system: System) -> String {
-    let sign = if amount < 0.0 { "-" } else { "+" };
-    let unit = system.unit(parameter.unit);
-    let size = parameter.quantity.read_off_difference(amount.abs(), unit);
-    format!("{sign}{size}")
-}
-
 /// An ellipse in words, such as "ellipse of club.loft and swing.attack_angle for a loss of 1.00 yd:
 /// half-axes (+1.20 deg, -3.40 deg) and (…); drives around it lose 0.90 yd to 1.10 yd".
 fn ellipse_line(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -> String {
     let parameters = ellipse.parameters;
     let axis = |components: [f64; 2]| {
-        let [first, second] = [0, 1].map(|row| step(parameters[row], components[row], system));
+        let [first, second] =
+            [0, 1].map(|row| shown::component(parameters[row], components[row], system));
         format!("({first}, {second})")
     };
     let of = best.search.outcome();
@@ -379,7 +366,7 @@ fn direction_line(best: &Optimum, direction: &Direction, loss: &str, system: Sys
     let moves = direction.along.iter().filter(|(_, along)| *along != 0.0);
     let moves: Vec<_> = moves
         .map(|(parameter, along)| {
-            let step = step(parameter, along * direction.reach, system);
+            let step = shown::component(parameter, along * direction.reach, system);
             format!("{} {step}", parameter.name)
         })
         .collect();
@@ -433,7 +420,7 @@ fn change(best: &Optimum, changed: &Changed, system: System) -> Table {
         parameter.name,
         if changed.change.delta < 0.0 { "" } else { "+" }
     );
-    let names = best.search.vary.iter().map(|vary| vary.parameter.name);
+    let names = best.search.parameters().map(|parameter| parameter.name);
     let head: Vec<&str> = [title.as_str(), of.name()]
         .into_iter()
         .chain(names)

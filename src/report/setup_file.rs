@@ -6,6 +6,7 @@ use crate::error::Result;
 use crate::parameters::{
     Parameter, Preset, Setup, SetupFile, TABLE, UNSET, Vary, is_given_alike, is_of_step,
 };
+use crate::study::Constraint;
 use crate::units::{significant, typed};
 
 /// Significant digits that distinguish all double-precision numbers.
@@ -45,6 +46,11 @@ pub fn setup_toml(
     };
     let rows = rows(setup, file, remarks)?;
     Ok(toml(file.preset, about, &rows, is_of_preset))
+}
+
+/// The line of a constraint at the head of a setup file.
+pub(super) fn about_constraint(constraint: &Constraint) -> String {
+    format!("subject to {}", constraint.expression)
 }
 
 /// The remark of each varied parameter in a setup file, such as "optimum: 10.4 deg in 4 deg .. 20

@@ -5,7 +5,8 @@ use crate::drive::{Outcome, Sign};
 use crate::parameters::{Parameter, Setup, UNSET, Vary};
 use crate::study::{Active, Constraint, Goal, Search};
 use crate::units::{
-    Digits, Message, Quantity, System, leading_number, one, per, signed, significant, with_unit,
+    Digits, DisplayUnit, Message, Quantity, System, leading_number, one, per, signed, significant,
+    with_unit,
 };
 
 /// The text for a missing number.
@@ -90,6 +91,11 @@ pub(super) fn outcome_or_dash(of: Outcome, value: Option<f64>, system: System) -
     value.map_or(NONE.into(), |value| outcome(of, value, system))
 }
 
+/// The value of a goal; a dash without a value.
+pub(super) fn goal_or_dash(of: &Goal, value: Option<f64>, system: System) -> String {
+    value.map_or(NONE.into(), |value| goal(of, value, system))
+}
+
 /// The value of an outcome in the units of the other system, in parentheses; empty if the units are
 /// equal.
 pub(super) fn in_parentheses(of: Outcome, value: f64, system: System) -> String {
@@ -112,23 +118,29 @@ pub(super) fn both(of: Outcome, value: f64, system: System) -> String {
     .to_owned()
 }
 
-/// A standard deviation or loss of an outcome.
-pub(super) fn spread(of: Outcome, value: f64, system: System) -> String {
-    of.quantity()
-        .read_off_difference(value, system.unit(of.unit()))
+/// A difference, standard deviation or loss of an outcome or parameter.
+pub(super) fn spread(of: impl Into<DisplayUnit>, value: f64, system: System) -> String {
+    let DisplayUnit { quantity, unit } = of.into();
+    quantity.read_off_difference(value, system.unit(unit))
 }
 
 /// A difference of a goal.
 pub(super) fn goal_difference(goal: &Goal, value: f64, system: System) -> String {
     match goal.unit {
         "" => significant(value, 2),
-        unit => goal.quantity.read_off_difference(value, system.unit(unit)),
+        _ => spread(goal, value, system),
     }
 }
 
-/// A change of an outcome, with its sign.
-pub(super) fn change(of: Outcome, value: f64, system: System) -> String {
+/// A change of an outcome or parameter, with its sign.
+pub(super) fn change(of: impl Into<DisplayUnit>, value: f64, system: System) -> String {
     signed(value, spread(of, value, system))
+}
+
+/// The change of a parameter along a direction, always with a sign: "+1.20 deg".
+pub(super) fn component(parameter: &Parameter, amount: f64, system: System) -> String {
+    let sign = if amount < 0.0 { "-" } else { "+" };
+    format!("{sign}{}", spread(parameter, amount.abs(), system))
 }
 
 /// A computed value of a parameter, such as an optimum or the end of a window.
@@ -166,8 +178,7 @@ pub(super) fn within(vary: &Vary, value: f64, system: System) -> String {
             .all(|(_, end)| number(text) != number(end))
     };
     let plain = self::parameter(parameter, value, system);
-    let finer = (2..=MOST_DIGITS)
-        .map(|digits| given(parameter.quantity, parameter.unit, value, system, digits));
+    let finer = (2..=MOST_DIGITS).map(|digits| given(parameter, value, system, digits));
     std::iter::once(plain.clone())
         .chain(finer)
         .find(is_apart)
@@ -179,11 +190,7 @@ const MOST_DIGITS: usize = 17;
 
 /// The ends of the range of a varied parameter.
 pub(super) fn ends(vary: &Vary, system: System) -> [String; 2] {
-    stated_apart(
-        (vary.parameter.quantity, vary.parameter.unit),
-        [vary.low, vary.high],
-        system,
-    )
+    stated_apart(vary.parameter, [vary.low, vary.high], system)
 }
 
 /// The range of a varied parameter: "4° .. 20°".
@@ -192,12 +199,9 @@ pub(super) fn range(vary: &Vary, system: System) -> String {
 }
 
 /// Two stated numbers, with enough digits to distinguish them.
-fn stated_apart(
-    (quantity, unit): (Quantity, &'static str),
-    ends: [f64; 2],
-    system: System,
-) -> [String; 2] {
-    let shown = |digits: usize| ends.map(|end| given(quantity, unit, end, system, digits));
+fn stated_apart(of: impl Into<DisplayUnit>, ends: [f64; 2], system: System) -> [String; 2] {
+    let of = of.into();
+    let shown = |digits: usize| ends.map(|end| given(of, end, system, digits));
     let apart = (STATED..=MOST_DIGITS)
         .map(shown)
         .find(|[low, high]| ends[0] == ends[1] || low != high);
@@ -209,7 +213,7 @@ const STATED: usize = 5;
 
 /// A stated value of a parameter, without trailing zeros.
 pub fn stated(parameter: &Parameter, value: f64, system: System) -> String {
-    given(parameter.quantity, parameter.unit, value, system, STATED)
+    given(parameter, value, system, STATED)
 }
 
 /// A stated difference or uncertainty of a parameter, without trailing zeros: 2.7 °F for 1.5 K.
@@ -218,15 +222,17 @@ pub fn stated_difference(parameter: &Parameter, value: f64, system: System) -> S
 }
 
 fn difference(parameter: &Parameter, value: f64, system: System, digits: usize) -> String {
-    let unit = system.unit(parameter.unit);
-    let size = parameter.quantity.size_of(unit).unwrap_or(1.0);
-    with_unit(&significant(value / size, digits), unit)
+    let size = DisplayUnit::from(parameter).size_in(system);
+    with_unit(
+        &significant(value / size, digits),
+        system.unit(parameter.unit),
+    )
 }
 
 /// A stated value with four significant digits, for the summary of a request: "110 mph" is "49.17
 /// m/s" and not "49.174 m/s".
 pub(super) fn told(parameter: &Parameter, value: f64, system: System) -> String {
-    given(parameter.quantity, parameter.unit, value, system, 4)
+    given(parameter, value, system, 4)
 }
 
 /// A standard uncertainty of a parameter with three significant digits: "0.0563".
@@ -236,18 +242,17 @@ pub(super) fn uncertainty(parameter: &Parameter, deviation: f64, system: System)
 
 /// A value of a setup with up to seven significant digits, or "none".
 pub(super) fn set(parameter: &Parameter, value: Option<f64>, system: System) -> String {
-    value.map_or(UNSET.into(), |value| {
-        given(parameter.quantity, parameter.unit, value, system, 7)
-    })
+    value.map_or(UNSET.into(), |value| given(parameter, value, system, 7))
 }
 
+/// A value with at most this number of significant digits.
 pub(super) fn given(
-    quantity: Quantity,
-    unit: &'static str,
+    of: impl Into<DisplayUnit>,
     value: f64,
     system: System,
     digits: usize,
 ) -> String {
+    let DisplayUnit { quantity, unit } = of.into();
     Message::default()
         .quantity(quantity, unit, value, Digits::Significant(digits))
         .in_units(system)
@@ -260,7 +265,7 @@ pub(super) fn constraint(constraint: &Constraint, system: System) -> String {
         goal, low, high, ..
     } = constraint;
     let name = words(&goal.expression);
-    let [least, most] = stated_apart((goal.quantity, goal.unit), [*low, *high], system);
+    let [least, most] = stated_apart(goal, [*low, *high], system);
     match [low, high].map(|end| end.is_finite()) {
         _ if constraint.is_equation() => format!("{name} = {least}"),
         [true, true] => format!("{least} ≤ {name} ≤ {most}"),
@@ -297,7 +302,7 @@ pub(super) fn active(
 const ROUNDING: f64 = 1e-12;
 
 /// A derivative for display: 0 if it is only the rounding error of its computation. `value` is the
-/// differentiated quantity in SI; `of` is its kind and unit.
+/// differentiated quantity `of` in SI.
 ///
 /// The criterion: a change of each parameter in `by` by its typical size changes `value` by less
 /// than 1e-12 · |`value`| or, if that is more, 1e-12 units of `value`. The typical size is the
@@ -305,10 +310,15 @@ const ROUNDING: f64 = 1e-12;
 /// depends neither on the displayed units nor on a parameter that happens to be 0. A flight has
 /// about a thousand operations with a relative rounding error of 1e-16 each, so that smaller
 /// derivatives have no correct digit. JSON and CSV keep all digits.
-pub(super) fn settled(slope: f64, value: f64, of: (Quantity, &str), by: &[&Parameter]) -> f64 {
+pub(super) fn settled(
+    slope: f64,
+    value: f64,
+    of: impl Into<DisplayUnit>,
+    by: &[&Parameter],
+) -> f64 {
     let sizes = by.iter().map(|by| typical_size(by));
     let change = slope.abs() * sizes.product::<f64>();
-    if change < ROUNDING * value.abs().max(of.0.size_of(of.1).unwrap_or(1.0)) {
+    if change < ROUNDING * value.abs().max(of.into().size()) {
         0.0
     } else {
         slope
@@ -321,20 +331,18 @@ pub(super) fn typical_size(parameter: &Parameter) -> f64 {
     let default = parameter.default_value().map(f64::abs);
     default
         .filter(|default| *default > 0.0 && default.is_finite())
-        .unwrap_or_else(|| parameter.quantity.size_of(parameter.unit).unwrap_or(1.0))
+        .unwrap_or_else(|| DisplayUnit::from(parameter).size())
 }
 
 /// True if `change` of an outcome with this value is a rounding error.
 pub(super) fn is_rounding(of: Outcome, value: f64, change: f64) -> bool {
-    settled(change, value, (of.quantity(), of.unit()), &[]) == 0.0
+    settled(change, value, of, &[]) == 0.0
 }
 
 /// True if an outcome with this value depends on the parameter: its first or second derivative is
 /// more than a rounding error.
 pub(super) fn depends(of: Outcome, value: f64, by: &Parameter, slope: f64, curvature: f64) -> bool {
-    let outcome = (of.quantity(), of.unit());
-    settled(slope, value, outcome, &[by]) != 0.0
-        || settled(curvature, value, outcome, &[by, by]) != 0.0
+    settled(slope, value, of, &[by]) != 0.0 || settled(curvature, value, of, &[by, by]) != 0.0
 }
 
 /// The derivative `slope` of an outcome by a parameter, in the units of a system: "2.11 yd per
@@ -347,63 +355,54 @@ pub(super) fn slope(
     system: System,
     digits: usize,
 ) -> String {
-    let outcome = (of.quantity(), of.unit());
-    ratio(
-        outcome,
-        (by.quantity, by.unit),
-        settled(slope, value, outcome, &[by]),
-        system,
-        digits,
-    )
+    ratio(of, by, settled(slope, value, of, &[by]), system, digits)
 }
 
 /// The gain for each unit by which a limit is relaxed: "2.11 yd for each degree".
 pub(super) fn price(
-    of: (Quantity, &'static str),
+    of: impl Into<DisplayUnit>,
     amount: f64,
-    by: (Quantity, &'static str),
+    by: impl Into<DisplayUnit>,
     system: System,
 ) -> String {
-    let (number, unit) = quotient(of, by, amount, system, 3);
+    let (of, by) = (of.into(), by.into());
+    let number = quotient(of, by, amount, system, 3);
     format!(
         "{} for each {}",
-        with_unit(&number, unit),
-        one(system.unit(by.1))
+        with_unit(&number, system.unit(of.unit)),
+        one(system.unit(by.unit))
     )
 }
 
 /// A quotient of two quantities in the units of a system.
 pub(super) fn ratio(
-    of: (Quantity, &'static str),
-    by: (Quantity, &'static str),
+    of: impl Into<DisplayUnit>,
+    by: impl Into<DisplayUnit>,
     value: f64,
     system: System,
     digits: usize,
 ) -> String {
-    let (number, unit) = quotient(of, by, value, system, digits);
+    let (of, by) = (of.into(), by.into());
+    let number = quotient(of, by, value, system, digits);
     format!(
         "{} {}",
-        with_unit(&number, unit),
-        per("", system.unit(by.1)).trim()
+        with_unit(&number, system.unit(of.unit)),
+        per("", system.unit(by.unit)).trim()
     )
     .trim_end()
     .to_owned()
 }
 
-/// A quotient in the units of a system: its number, and the unit of its numerator.
+/// The number of a quotient of two quantities in the units of a system.
 pub(super) fn quotient(
-    of: (Quantity, &'static str),
-    by: (Quantity, &'static str),
+    of: impl Into<DisplayUnit>,
+    by: impl Into<DisplayUnit>,
     value: f64,
     system: System,
     digits: usize,
-) -> (String, &'static str) {
-    let (of_unit, by_unit) = (system.unit(of.1), system.unit(by.1));
-    let size = |quantity: Quantity, unit| quantity.size_of(unit).unwrap_or(1.0);
-    (
-        significant(value * size(by.0, by_unit) / size(of.0, of_unit), digits),
-        of_unit,
-    )
+) -> String {
+    let number = value * by.into().size_in(system) / of.into().size_in(system);
+    significant(number, digits)
 }
 
 #[cfg(test)]

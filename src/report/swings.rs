@@ -7,8 +7,7 @@ use super::limits::ended_at;
 use super::shown;
 use crate::optimize::Status;
 use crate::study::Optimum;
-use crate::study::swings::{GoalError, Nominal, Price, Resampled, Rule, Scenarios};
-use crate::study::uncertainty::Interval;
+use crate::study::swings::{GoalError, Nominal, Price, Resampled, Rule, SamplingError, Scenarios};
 use crate::units::{System, counted};
 use serde::Serialize;
 
@@ -73,7 +72,7 @@ pub struct StudiesReport {
     pub quadrature_error: Option<f64>,
     /// The 99 % interval of the objective over all swings, from independent sequences of swings;
     /// `null` without these sequences.
-    pub sampling: Option<SamplingReport>,
+    pub sampling: Option<SamplingError>,
     /// The fraction of the swings whose ball ends where the table of expected strokes is
     /// extrapolated, 0 to 1; `null` without such a table.
     pub beyond_strokes: Option<f64>,
@@ -93,16 +92,6 @@ pub struct NominalReport {
     /// The values of the goals over all swings, SI; `null` if the ball does not fly in one of the
     /// swings.
     pub kept: Option<ByName<Number>>,
-}
-
-/// A confidence interval of the objective, from independent sequences of swings.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct SamplingReport {
-    /// The 99 % interval, extended to the reported `value` if this lies outside.
-    pub interval: Interval,
-    /// The number of sequences.
-    pub sequences: usize,
 }
 
 impl StudiesReport {
@@ -131,10 +120,7 @@ impl StudiesReport {
                 _ => None,
             },
             sampling: match error {
-                Some(GoalError::Sampling(found, sequences)) => Some(SamplingReport {
-                    interval: *found,
-                    sequences: *sequences,
-                }),
+                Some(GoalError::Sampling(found)) => Some(*found),
                 _ => None,
             },
             beyond_strokes: best.beyond_strokes,
@@ -305,12 +291,15 @@ fn sampling(best: &Optimum, price: Option<&Price>, system: System) -> String {
             goal.expression,
             shown::goal_difference(goal, *error, system)
         ),
-        Some(GoalError::Sampling(found, sequences)) => format!(
+        Some(GoalError::Sampling(SamplingError {
+            interval,
+            sequences,
+        })) => format!(
             "{swings} {taken}; over all swings {} is {} to {} (99 %, by {sequences} other \
              quasi-random sequences){}",
             goal.expression,
-            shown::goal(goal, found.low, system),
-            shown::goal(goal, found.high, system),
+            shown::goal(goal, interval.low, system),
+            shown::goal(goal, interval.high, system),
             if matches!(all.rule, Rule::Sequence { .. }) {
                 "; more `scenarios` make this interval narrower"
             } else {

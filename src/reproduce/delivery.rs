@@ -1,4 +1,7 @@
-use crate::parameters::Setup;
+use crate::drive::{Drive, Outcome};
+use crate::error::Result;
+use crate::parameters::{Setup, Vary};
+use crate::study::{Optimum, Search};
 use serde::Serialize;
 
 /// Name of the loft, which the studies vary.
@@ -41,6 +44,24 @@ impl Delivery {
         }
     }
 
+    /// A delivery with the carry that the model computes for it.
+    pub(super) fn flown(setup: &Setup<f64>, loft: f64, attack_angle: f64) -> Result<Self> {
+        Ok(Self {
+            loft,
+            attack_angle,
+            carry: carried(&delivered(setup, loft, attack_angle))?,
+        })
+    }
+
+    /// The delivery of the longest carry, as a search found it.
+    pub(super) fn of(longest: &Optimum) -> Self {
+        Self {
+            loft: longest.setup.club.loft,
+            attack_angle: longest.setup.swing.attack_angle,
+            carry: longest.value().unwrap_or_default(),
+        }
+    }
+
     /// The setup with this delivery.
     pub(super) fn set(&self, setup: &Setup<f64>) -> Setup<f64> {
         delivered(setup, self.loft, self.attack_angle)
@@ -52,4 +73,35 @@ pub(super) fn delivered(setup: &Setup<f64>, loft: f64, attack_angle: f64) -> Set
     let mut setup = *setup;
     (setup.club.loft, setup.swing.attack_angle) = (loft, attack_angle);
     setup
+}
+
+/// Carry of a drive, m.
+pub(super) fn carried(setup: &Setup<f64>) -> Result<f64> {
+    Ok(Drive::new(setup)?.landed()?.carry)
+}
+
+/// Search ranges of the delivery, deg.
+#[derive(Clone, Copy)]
+pub(super) struct Ranges {
+    pub loft: [f64; 2],
+    pub attack_angle: [f64; 2],
+}
+
+impl Ranges {
+    /// The search for the longest carry over the parameters `names`, within these ranges.
+    pub(super) fn longest_carry(self, setup: &Setup<f64>, names: &[&str]) -> Result<Search> {
+        let range = |name: &&str| {
+            let ends = if *name == LOFT {
+                self.loft
+            } else {
+                self.attack_angle
+            };
+            let [low, high] = ends.map(f64::to_radians);
+            Vary::new(setup.variable(name)?, low, high)
+        };
+        Ok(Search {
+            vary: names.iter().map(range).collect::<Result<_>>()?,
+            ..Search::largest(Outcome::Carry)
+        })
+    }
 }

@@ -22,12 +22,14 @@
 //! assert!((ball_speed.mean().unwrap() / ball_speed.greatest().unwrap() - 45.0 / 50.0).abs() < 1e-12);
 //! ```
 
+mod extent;
 mod histogram;
 mod moments;
 mod ranking;
 mod summary;
 
 pub use crate::json::Number;
+pub(crate) use extent::{extent, largest_magnitude};
 pub use histogram::Histogram;
 pub use moments::Moments;
 pub use ranking::{RankedRow, Ranking};

@@ -1,3 +1,4 @@
+use super::extent::extent;
 use serde::{Deserialize, Serialize};
 
 /// Count, mean, variance and range of a column. They merge with the moments of other rows.
@@ -46,13 +47,13 @@ impl Moments {
             .clone()
             .map(|value| (value - mean) * (value - mean))
             .sum();
-        let least = values.clone().fold(f64::INFINITY, f64::min);
+        let [least, greatest] = extent(values);
         Self {
             count,
             mean,
             squares,
             least,
-            greatest: values.fold(f64::NEG_INFINITY, f64::max),
+            greatest,
         }
     }
 

@@ -298,11 +298,7 @@ fn check(search: &Search, along: Vary, at: &[f64]) -> Result<()> {
             reason,
         });
     }
-    if search
-        .vary
-        .iter()
-        .any(|vary| vary.parameter == along.parameter)
-    {
+    if search.parameters().any(|varied| varied == along.parameter) {
         let name = along.parameter.name;
         let source = format!(
             "{name} is a varied parameter, so the search chooses it; take it out of `vary`, or \
@@ -450,7 +446,7 @@ impl Follower<'_> {
         let predicted = predicted(&here.best.solution.x, &rates, to - here.at, &bounds);
         let mut setup = here.best.setup;
         setup.set_value(self.along.parameter, Some(to))?;
-        let varied: Vec<_> = self.search.vary.iter().map(|vary| vary.parameter).collect();
+        let varied: Vec<_> = self.search.parameters().collect();
         let setup = setup.with_values(&varied, &predicted)?;
         let options = Options {
             initial_radius: RADIUS,

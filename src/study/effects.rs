@@ -6,6 +6,7 @@ use crate::derivative::{Order, Taylor, evaluate};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
+use crate::units::DisplayUnit;
 
 /// Sensitivities of an outcome.
 #[derive(Clone, Debug)]
@@ -145,7 +146,7 @@ fn ranked(
     bars: &[Bar],
 ) -> Effects {
     let value = taylor.value;
-    let least = LEAST_SIZE * of.quantity().size_of(of.unit()).unwrap_or(1.0);
+    let least = LEAST_SIZE * DisplayUnit::from(of).size();
     let effect = |(parameter, gradient): (&&'static Parameter, &f64)| {
         let p = setup.value(parameter).unwrap_or_default();
         Effect {

@@ -9,6 +9,7 @@ use crate::json::{number, numbers_by_name};
 use crate::optimize::Domain;
 use crate::optimize::sensitivity::{ActiveSet, reduced_hessian};
 use crate::parameters::Parameter;
+use crate::statistics::extent;
 use crate::units::Quantity;
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::brent::BrentRoot;
@@ -117,6 +118,9 @@ pub struct Ellipse {
     pub losses: Option<(f64, f64)>,
 }
 
+/// A yard, m.
+const YARD: f64 = 0.9144;
+
 /// Note on the allowed loss of a [short drive](short_drive).
 const OF_SHORT_DRIVE: &str = "1 yd is more than a tenth of the carry of the best drive, so the \
                               loss that is allowed is 1 % of this carry";
@@ -128,20 +132,15 @@ pub fn short_drive(best: &Optimum) -> Option<(f64, &'static str)> {
         .drive
         .as_ref()
         .and_then(|drive| Outcome::CarryDistance.value(drive))?;
-    let is_short =
-        best.search.of.quantity == Quantity::LENGTH && yard() > 0.1 * carry && carry > 0.0;
+    let is_short = best.search.of.quantity == Quantity::LENGTH && YARD > 0.1 * carry && carry > 0.0;
     is_short.then_some((carry, OF_SHORT_DRIVE))
-}
-
-fn yard() -> f64 {
-    Quantity::LENGTH.size_of("yd").unwrap_or(1.0)
 }
 
 /// The default allowed loss, SI. For a distance: 1 yd, or 1 % of the carry for a [short
 /// drive](short_drive). For any other quantity: 1 % of the value.
 pub fn usual_loss(best: &Optimum) -> f64 {
     match best.search.of.quantity {
-        Quantity::LENGTH => short_drive(best).map_or_else(yard, |(carry, _)| 0.01 * carry),
+        Quantity::LENGTH => short_drive(best).map_or(YARD, |(carry, _)| 0.01 * carry),
         _ => {
             0.01 * best
                 .value()
@@ -337,9 +336,8 @@ impl<'a> Top<'a> {
                     .collect();
                 self.lost_within(&x)
             });
-            let varied = self.best.search.vary.iter().map(|vary| vary.parameter);
             Direction {
-                along: varied.zip(along).collect(),
+                along: self.best.search.parameters().zip(along).collect(),
                 reach,
                 losses,
             }
@@ -403,11 +401,8 @@ impl<'a> Top<'a> {
             }
             self.lost_within(&x)
         });
-        let losses = around.fold(None, |range: Option<(f64, f64)>, lost| {
-            Some(range.map_or((lost, lost), |(least, most)| {
-                (least.min(lost), most.max(lost))
-            }))
-        });
+        let losses: Vec<f64> = around.collect();
+        let losses = (!losses.is_empty()).then(|| extent(losses).into());
         Some(Ellipse {
             parameters: pair.map(|i| self.best.search.vary[i].parameter),
             half_axes,

@@ -30,8 +30,8 @@ pub struct ClubAlone {
 
 /// Serializes an optimum as its varied parameters with their values.
 fn varied<S: Serializer>(optimum: &Optimum, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-    let varied = optimum.search.vary.iter().map(|vary| vary.parameter);
-    let values: Vec<_> = varied.zip(optimum.solution.x.iter().copied()).collect();
+    let values = optimum.solution.x.iter().copied();
+    let values: Vec<_> = optimum.search.parameters().zip(values).collect();
     numbers_by_name(&values, serializer)
 }
 

@@ -4,7 +4,8 @@
 use super::swings::{Measure, Strokes};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::units::Quantity;
+use crate::optimize::ConstraintValue;
+use crate::units::{DisplayUnit, Quantity};
 use serde::{Serialize, Serializer};
 
 /// A weighted sum of measures, such as `mean(carry) - 0.5*std(lateral)`, or an outcome of one
@@ -108,6 +109,15 @@ impl From<Outcome> for Goal {
     }
 }
 
+impl From<&Goal> for DisplayUnit {
+    fn from(goal: &Goal) -> Self {
+        Self {
+            quantity: goal.quantity,
+            unit: goal.unit,
+        }
+    }
+}
+
 impl Constraint {
     /// True if both limits are equal.
     pub fn is_equation(&self) -> bool {
@@ -118,6 +128,16 @@ impl Constraint {
     /// limit, 0 between them.
     pub fn violation(&self, value: f64) -> f64 {
         value - value.clamp(self.low, self.high)
+    }
+
+    /// The constraint at the end of a search, with the exact value of its goal in place of the
+    /// smoothed one.
+    pub(super) fn exactly(&self, value: f64, at: &ConstraintValue) -> ConstraintValue {
+        ConstraintValue {
+            value,
+            violation: self.violation(value),
+            ..*at
+        }
     }
 
     /// True if a value is within the limits, up to the rounding of a search: 1e-6 · max(|value|,
@@ -136,7 +156,7 @@ impl Constraint {
         if self.low <= self.high {
             return Ok(());
         }
-        let show = |limit: f64| self.goal.quantity.show(limit, self.goal.unit);
+        let show = |limit: f64| DisplayUnit::from(&self.goal).show(limit);
         let (low, high) = (show(self.low), show(self.high));
         Err(Error::SearchRange {
             name: self.expression.clone(),

@@ -4,6 +4,7 @@ use crate::derivative::Order;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::parameters::{LaunchConditions, Setup};
+use crate::statistics::extent;
 
 /// Carry as a function of launch angle and backspin at constant ball speed.
 #[derive(Clone, Debug)]
@@ -91,11 +92,7 @@ impl Launches {
             spin_axis: None,
         };
         let vary = |name: &str, axis: usize, of: fn(&Launched) -> f64| -> Result<Vary> {
-            let values = || launched.iter().map(of);
-            let (low, high) = (
-                values().fold(f64::INFINITY, f64::min),
-                values().fold(f64::NEG_INFINITY, f64::max),
-            );
+            let [low, high] = extent(launched.iter().map(of));
             let end = ENDS[axis];
             // a range begins below 0 only if a launch does: launch angle and backspin of a good
             // drive are positive

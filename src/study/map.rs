@@ -6,7 +6,8 @@ use crate::derivative::{Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::Setup;
-use crate::units::Message;
+use crate::statistics::extent;
+use crate::units::{DisplayUnit, Message};
 use rayon::prelude::*;
 
 /// An outcome at the nodes of a grid, with its gradient at some points.
@@ -26,12 +27,8 @@ impl Map {
     /// Message for an outcome that is constant up to rounding, so that there is nothing to draw;
     /// `None` for any other outcome.
     pub fn flat(&self) -> Option<Message> {
-        let known = || self.plane.values[0].iter().flatten().copied();
-        let (low, high) = (
-            known().fold(f64::INFINITY, f64::min),
-            known().fold(f64::NEG_INFINITY, f64::max),
-        );
-        let unit = self.of.quantity().size_of(self.of.unit()).unwrap_or(1.0);
+        let [low, high] = extent(self.plane.values[0].iter().flatten().copied());
+        let unit = DisplayUnit::from(self.of).size();
         let is_flat = high - low <= ROUNDING * low.abs().max(high.abs()).max(unit);
         is_flat.then(|| {
             Message::from(format!(

@@ -116,15 +116,7 @@ impl Optimum {
         }
         let values = self.goals.as_ref().map_or(&[][..], |goals| &goals[1..]);
         all.zip(values)
-            .map(|((constraint, at), value)| {
-                let violation = constraint.violation(*value);
-                let at = ConstraintValue {
-                    value: *value,
-                    violation,
-                    ..*at
-                };
-                (constraint, at)
-            })
+            .map(|((constraint, at), value)| (constraint, constraint.exactly(*value, at)))
             .collect()
     }
 }
@@ -277,14 +269,7 @@ pub fn optima(
     if !locals.iter().any(is_interrupted)
         && let Some(mut best) = locals.first().map(|local| local.solution.clone())
     {
-        let observer = || {
-            let mut observer = Observer::default();
-            if let Some(show) = follow.iteration.clone() {
-                observer.iteration = Box::new(move |iteration| show(count, iteration));
-            }
-            observer
-        };
-        sample = study.improved(&mut best, observer)?;
+        sample = study.improved(&mut best, || follow.of_search(count))?;
         if sample.is_some_and(|sample| sample.improved) {
             let improved = LocalMinimum {
                 solution: best,

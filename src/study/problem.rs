@@ -84,7 +84,7 @@ impl SearchProblem {
     /// The errors of [`new`](Self::new).
     pub fn of_goals(setup: &Setup<f64>, search: Search, stop: &Arc<AtomicBool>) -> Result<Self> {
         let domain = search.domain()?;
-        let vary: Vec<_> = search.vary.iter().map(|vary| vary.parameter).collect();
+        let vary: Vec<_> = search.parameters().collect();
         let scenarios = &search.scenarios;
         refuse_distributed(&search)?;
         let is_of_outcomes = search.is_of_outcomes();
@@ -547,7 +547,7 @@ fn refuse_distributed(search: &Search) -> Result<()> {
             source: reason.into(),
         })
     };
-    let mut varied = search.vary.iter().map(|vary| vary.parameter);
+    let mut varied = search.parameters();
     if let Some(parameter) = varied.find(|parameter| distributed.contains(parameter)) {
         return refuse(
             parameter,

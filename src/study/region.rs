@@ -5,6 +5,7 @@ use super::plane::Plane;
 use super::{Constraint, Vary};
 use crate::derivative::Order;
 use crate::error::Result;
+use crate::statistics::{extent, largest_magnitude};
 
 /// Region of a map in which drives lose at most a stated amount of an optimum's outcome and meet
 /// every bound and constraint. Parameters that are not on the map's axes are fixed at the optimum.
@@ -56,9 +57,8 @@ impl Region {
         best.search.refuse_swings()?;
         let place = |of: &Vary| {
             best.search
-                .vary
-                .iter()
-                .position(|vary| vary.parameter == of.parameter)
+                .parameters()
+                .position(|varied| varied == of.parameter)
         };
         let (Some(value), Some(i), Some(j)) = (best.value(), place(&across), place(&up)) else {
             return Ok(None);
@@ -110,11 +110,7 @@ impl Region {
             let missed = missed(constraint, values);
             if constraint.is_equation() {
                 // an equality constraint that holds on the whole plane excludes no point
-                let rounding = ROUNDING
-                    * plane.values[0]
-                        .iter()
-                        .flatten()
-                        .fold(0.0_f64, |most, value| most.max(value.abs()));
+                let rounding = ROUNDING * largest_magnitude(plane.values[0].iter().flatten());
                 if values
                     .iter()
                     .flatten()
@@ -181,8 +177,8 @@ impl Region {
 /// Excess of a constraint at each node, divided by the range of its goal: at most 0 if the
 /// constraint is met. For an equality constraint, the signed violation.
 fn missed(constraint: &Constraint, values: &[Option<f64>]) -> Vec<Option<f64>> {
-    let known = || values.iter().flatten().copied();
-    let range = known().fold(f64::NEG_INFINITY, f64::max) - known().fold(f64::INFINITY, f64::min);
+    let [low, high] = extent(values.iter().flatten().copied());
+    let range = high - low;
     let range = if range > 0.0 && range.is_finite() {
         range
     } else {

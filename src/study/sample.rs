@@ -4,6 +4,7 @@
 use super::problem::SearchProblem;
 use crate::error::Result;
 use crate::optimize::{Solution, Status, starts};
+use crate::statistics::{extent, largest_magnitude};
 use serde::Serialize;
 
 /// The comparison of an optimum with a sample of the ranges.
@@ -138,15 +139,10 @@ impl<'a> Scale<'a> {
     fn of(problem: &'a SearchProblem, points: &[Point]) -> Self {
         const ROUNDING: f64 = 1e-9;
         let spread = |j: usize| {
-            let values = || points.iter().map(|point| point.constraints[j]);
-            let spread =
-                values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min);
-            if spread > 0.0 { spread } else { 1.0 }
+            let [low, high] = extent(points.iter().map(|point| point.constraints[j]));
+            if high > low { high - low } else { 1.0 }
         };
-        let largest = points
-            .iter()
-            .map(|point| point.objective.abs())
-            .fold(0.0, f64::max);
+        let largest = largest_magnitude(points.iter().map(|point| point.objective));
         let constraints = (0..problem.domain.constraints.dimension())
             .map(spread)
             .collect();

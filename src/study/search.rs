@@ -6,7 +6,7 @@ use super::swings::Scenarios;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::{Domain, Options};
-use crate::parameters::{Setup, Vary};
+use crate::parameters::{Parameter, Setup, Vary};
 use crate::repeated::first_repeated;
 
 /// Direction of a search: the largest or the smallest value.
@@ -42,6 +42,11 @@ impl Sense {
             Self::Maximize => "largest",
             Self::Minimize => "smallest",
         }
+    }
+
+    /// The optimum of a goal in words: "largest carry".
+    pub fn best_of(self, goal: &Goal) -> String {
+        format!("{} {}", self.adjective(), goal.expression)
     }
 }
 
@@ -96,6 +101,11 @@ impl Search {
             vary,
             ..Self::largest(Outcome::Carry)
         })
+    }
+
+    /// The varied parameters.
+    pub fn parameters(&self) -> impl Iterator<Item = &'static Parameter> {
+        self.vary.iter().map(|vary| vary.parameter)
     }
 
     /// The objective, then the limited goals.

@@ -66,7 +66,7 @@ pub fn sensitivities(
 /// # Errors
 /// [`Error::Unreadable`] if the search varies `parameter`.
 pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
-    if search.vary.iter().any(|vary| vary.parameter == parameter) {
+    if search.parameters().any(|varied| varied == parameter) {
         let name = parameter.name;
         let source = format!(
             "{name} is a varied parameter, so the search chooses it; choose another parameter, or \

@@ -67,9 +67,7 @@ impl Sigma {
         );
         Err(unreadable(reason.into()))
     }
-}
 
-impl Sigma {
     /// Checks that the setup has the parameter and that the value is valid; only uncertainties
     /// parsed from text were checked before.
     ///

@@ -3,10 +3,11 @@
 use super::goal::Constraint;
 use super::optimum::{LocalOptimum, Optimum};
 use crate::drive::Drive;
+use crate::error::{Error, Result};
 use crate::optimize::sensitivity::ActiveSet;
 use crate::optimize::{Kink, Solution, Status};
 use crate::parameters::Vary;
-use crate::units::{self, Digits, Message, Quantity};
+use crate::units::{self, Digits, DisplayUnit, Message, Quantity};
 use serde::Serialize;
 use std::fmt;
 
@@ -93,7 +94,7 @@ pub(super) fn violated(
     let missed = missed.map(|(j, (constraint, at))| {
         let value = goals.map_or(at.value, |goals| goals[1 + j]);
         let [value, outside] = [value, constraint.violation(value).abs()]
-            .map(|value| constraint.goal.quantity.show(value, constraint.goal.unit));
+            .map(|value| DisplayUnit::from(&constraint.goal).show(value));
         let is_fixed = found.jacobian[j].iter().all(|slope| *slope == 0.0);
         let fixed = if is_fixed {
             "no varied parameter changes it at this design: "
@@ -362,6 +363,20 @@ impl Optimum {
             "the start does not fly ({why}); the search began at {} instead",
             begun.join(", ")
         ))
+    }
+
+    /// This optimum, if its search converged.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] with the status and the message of the search.
+    pub(crate) fn converged(self) -> Result<Self> {
+        if self.solution.status == Status::Converged {
+            return Ok(self);
+        }
+        Err(Error::NotConverged {
+            status: self.status(),
+            message: self.message(),
+        })
     }
 
     /// The active bounds and constraints; none if no drive flies.

@@ -7,6 +7,7 @@
 
 mod amount;
 mod decimals;
+mod display_unit;
 mod error;
 mod expression;
 mod message;
@@ -17,6 +18,7 @@ mod system;
 pub(crate) use amount::Amount;
 pub use decimals::{counted, counted_of};
 pub(crate) use decimals::{fixed, signed};
+pub use display_unit::DisplayUnit;
 pub use error::UnitError;
 pub(crate) use expression::Unit;
 pub use message::{Digits, Message};

@@ -257,7 +257,7 @@ fn no_block_of_a_fit_is_begun_after_cancellation() {
             stopped.message
         );
         assert_eq!(stopped.rows.residuals.is_empty(), raised_in < 5);
-        assert!(stopped.refused == 0 && (raised_in < 5 || stopped.rows == rows(&stopped.x)));
+        assert!(stopped.rejected.count == 0 && (raised_in < 5 || stopped.rows == rows(&stopped.x)));
     }
 }
 

@@ -24,14 +24,11 @@ fn solve(f: impl Fn(&[f64]) -> Evaluated, bounds: &[(f64, f64)], start: &[f64]) 
 
 /// A function without constraints.
 fn plain(value: f64, gradient: Vec<f64>, hessian: Vec<Vec<f64>>) -> Evaluation {
-    Evaluation {
-        objective: Taylor {
-            value,
-            gradient,
-            hessian,
-        },
-        constraints: vec![],
-    }
+    Evaluation::unconstrained(Taylor {
+        value,
+        gradient,
+        hessian,
+    })
 }
 
 fn mae494(attack: f64, loft: f64, ranges: [&str; 2]) -> Optimum {

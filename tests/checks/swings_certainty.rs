@@ -223,7 +223,7 @@ fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
             let truth = reference.goal(goal);
             let [low, high] = match error {
                 GoalError::Quadrature(error) => [value - error, value + error],
-                GoalError::Sampling(interval, _) => [interval.low, interval.high],
+                GoalError::Sampling(found) => [found.interval.low, found.interval.high],
                 GoalError::Unknown(why) => panic!("{why}"),
             };
             let rounding = 1e-11 * truth.abs();

@@ -47,10 +47,7 @@ fn converged(found: &Solution, value: f64, tolerance: f64) {
 }
 
 fn plain<T>(objective: T) -> Result<Evaluation<T>, String> {
-    Ok(Evaluation {
-        objective,
-        constraints: vec![],
-    })
+    Ok(Evaluation::unconstrained(objective))
 }
 
 /// x⁴ − x²: value and slope vanish at 0, which is a maximum.

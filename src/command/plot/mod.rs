@@ -190,11 +190,11 @@ fn shown_curve(args: &PlotChart, search: &Search) -> Result<Option<&'static Para
     else {
         return Ok(None);
     };
-    let varied = search.vary.iter().map(|vary| vary.parameter);
-    if let Some(parameter) = varied.clone().find(|parameter| parameter.name == name) {
+    if let Some(parameter) = search.parameters().find(|parameter| parameter.name == name) {
         return Ok(Some(parameter));
     }
-    let names: Vec<_> = varied
+    let names: Vec<_> = search
+        .parameters()
         .map(|parameter| parameter.name)
         .chain([search.outcome().name()])
         .collect();

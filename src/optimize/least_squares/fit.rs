@@ -88,10 +88,19 @@ pub struct Fit {
     pub iterations: u64,
     /// Number of evaluations of the residuals.
     pub evaluations: u64,
-    /// Number of trial points at which the residuals were undefined.
-    pub refused: u64,
-    /// Last reason why the residuals were undefined at a trial point; `None` if they never were.
-    pub why_refused: Option<String>,
+    /// Rejected trial points.
+    pub rejected: RejectedPoints,
+}
+
+/// Trial points that a fit rejected, because the residuals are undefined there.
+#[derive(Clone, Debug, Default, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "RefusedReport"))]
+pub struct RejectedPoints {
+    /// Number of these points.
+    pub count: u64,
+    /// The reason why the fit rejected the last of these points; `null` without such points.
+    pub last: Option<String>,
 }
 
 /// Callback and interrupt flag of a fit.
@@ -193,8 +202,7 @@ pub fn fit_observed(
         at,
         iterations,
         evaluations,
-        refused,
-        why_refused,
+        rejected,
         ..
     } = state;
     let Point { x, rows, cost, .. } = at;
@@ -206,8 +214,7 @@ pub fn fit_observed(
         cost,
         iterations,
         evaluations,
-        refused,
-        why_refused,
+        rejected,
     })
 }
 
@@ -244,18 +251,12 @@ fn check_input(domain: &Domain, start: &[f64], options: &Options) -> Result<()> 
 fn stalled(reason: &str, cosine: f64) -> Verdict<Status> {
     let message =
         format!("{reason}; {COSINE} {cosine:.1e}. Start elsewhere, or fit fewer parameters");
-    Verdict {
-        status: Status::Stalled,
-        message,
-    }
+    Verdict::new(Status::Stalled, message)
 }
 
 fn interrupted(cosine: f64, tolerance: f64) -> Verdict<Status> {
     let message = format!("stopped before the lowest sum: {COSINE} {cosine:.1e} > {tolerance:.0e}");
-    Verdict {
-        status: Status::Interrupted,
-        message,
-    }
+    Verdict::new(Status::Interrupted, message)
 }
 
 /// State of a fit between two iterations.
@@ -270,8 +271,7 @@ struct FitState {
     growth: f64,
     iterations: u64,
     evaluations: u64,
-    refused: u64,
-    why_refused: Option<String>,
+    rejected: RejectedPoints,
 }
 
 impl FitState {
@@ -288,34 +288,23 @@ impl FitState {
             growth: 2.0,
             iterations: 0,
             evaluations: 1,
-            refused: 0,
-            why_refused: None,
+            rejected: RejectedPoints::default(),
         }
     }
 
     fn stopping_verdict(&self, options: &Options, is_interrupted: bool) -> Option<Verdict<Status>> {
         let (cosine, tolerance) = (self.cosine, options.tolerance);
-        let largest = self
-            .at
-            .rows
-            .residuals
-            .iter()
-            .fold(0.0, |most: f64, r| most.max(r.abs()));
+        let residuals = self.at.rows.residuals.iter();
+        let largest = residuals.map(|r| r.abs()).fold(0.0, f64::max);
         if largest <= options.rounding {
             let message =
                 format!("every residual is a rounding error: the largest is {largest:.1e}");
-            return Some(Verdict {
-                status: Status::Converged,
-                message,
-            });
+            return Some(Verdict::new(Status::Converged, message));
         }
         if cosine <= tolerance {
             let message =
                 format!("no small change lowers the sum: {COSINE} {cosine:.1e} <= {tolerance:.0e}");
-            return Some(Verdict {
-                status: Status::Converged,
-                message,
-            });
+            return Some(Verdict::new(Status::Converged, message));
         }
         if is_interrupted {
             return Some(interrupted(cosine, tolerance));
@@ -324,10 +313,7 @@ impl FitState {
             let limit = counted(self.iterations, "iteration");
             let message =
                 format!("stopped at the limit of {limit}: {COSINE} {cosine:.1e} > {tolerance:.0e}");
-            Verdict {
-                status: Status::IterationLimit,
-                message,
-            }
+            Verdict::new(Status::IterationLimit, message)
         })
     }
 
@@ -399,8 +385,8 @@ impl FitState {
                 return Err(interrupted(self.cosine, options.tolerance));
             }
             Err(why) => {
-                self.refused += 1;
-                self.why_refused = Some(why);
+                self.rejected.count += 1;
+                self.rejected.last = Some(why);
             }
         }
         Ok(false)
@@ -410,7 +396,8 @@ impl FitState {
     fn no_step_verdict(&mut self, bounds: &Bounds) -> Verdict<Status> {
         self.rounding_verdict(bounds).unwrap_or_else(|| {
             let why = self
-                .why_refused
+                .rejected
+                .last
                 .as_ref()
                 .map_or(String::new(), |why| format!(" (last refused: {why})"));
             stalled(&format!("no step makes the sum smaller{why}"), self.cosine)
@@ -433,10 +420,7 @@ impl FitState {
                 "the sum of squares is at its smallest: a step could lower it by {part:.1e} of its \
                  value at most, which is less than its rounding error"
             );
-            return Verdict {
-                status: Status::Converged,
-                message,
-            };
+            return Verdict::new(Status::Converged, message);
         }
         self.rounding_verdict(bounds).unwrap_or_else(|| {
             stalled(
@@ -464,10 +448,7 @@ impl FitState {
                  only {:.1e} of its size: because of rounding the sum can fall no further",
                 if distance > 0.0 { step / distance } else { 0.0 }
             );
-            Verdict {
-                status: Status::Converged,
-                message,
-            }
+            Verdict::new(Status::Converged, message)
         })
     }
 
@@ -483,8 +464,7 @@ fn interrupted_at_start(x: Vec<f64>) -> Fit {
     Fit {
         status: Status::Interrupted,
         message,
-        refused: 0,
-        why_refused: None,
+        rejected: RejectedPoints::default(),
         ..undefined_at_start(x, String::new())
     }
 }
@@ -499,7 +479,9 @@ fn undefined_at_start(x: Vec<f64>, why: String) -> Fit {
         cost: f64::INFINITY,
         iterations: 0,
         evaluations: 1,
-        refused: 1,
-        why_refused: Some(why),
+        rejected: RejectedPoints {
+            count: 1,
+            last: Some(why),
+        },
     }
 }

@@ -29,7 +29,7 @@ mod fit;
 mod loss;
 mod step;
 
-pub use fit::{Fit, FitObserver, Status, fit, fit_from, fit_observed};
+pub use fit::{Fit, FitObserver, RejectedPoints, Status, fit, fit_from, fit_observed};
 pub use loss::Loss;
 
 /// Residuals and their Jacobian at a point.
@@ -386,9 +386,9 @@ mod tests {
         let found = fit(&root, &domain, &[9.0], &Options::default()).unwrap();
         assert_eq!(found.status, Status::Converged, "{}", found.message);
         assert!(
-            (found.x[0] - 1.0).abs() < 1e-7 && found.refused > 0,
+            (found.x[0] - 1.0).abs() < 1e-7 && found.rejected.count > 0,
             "{found:?}"
         );
-        assert!(found.why_refused.unwrap().contains("no root"));
+        assert!(found.rejected.last.unwrap().contains("no root"));
     }
 }

@@ -9,7 +9,7 @@ use super::reply::{Ending, Report};
 use super::setup_file::setup_toml;
 use super::shown::as_declared;
 use crate::error::Result;
-use crate::optimize::least_squares::Status;
+use crate::optimize::least_squares::{RejectedPoints, Status};
 use crate::parameters::SetupFile;
 use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable, Starts};
 use crate::units::{Message, System, counted, counted_of, typed};
@@ -56,7 +56,7 @@ pub struct CalibrationReport<'a> {
     /// Evaluations of the residuals.
     pub evaluations: u64,
     /// The trial points that the fit rejected.
-    pub refused: RefusedReport,
+    pub refused: &'a RejectedPoints,
     /// The results of the searches from several starts.
     pub starts: &'a Starts,
     /// The residual of each measured value.
@@ -97,16 +97,6 @@ impl DataReport {
             remarks: table.remarks.clone(),
         }
     }
-}
-
-/// Trial points that a fit rejected, because the residuals are undefined there.
-#[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct RefusedReport {
-    /// Number of these points.
-    pub count: u64,
-    /// The reason why the fit rejected the last of these points; `null` without such points.
-    pub last: Option<String>,
 }
 
 /// The prediction errors on held-out data.
@@ -163,10 +153,7 @@ impl<'a> CalibrationReport<'a> {
             uncertainty_scale: statistics.scale.into(),
             iterations: found.fit.iterations,
             evaluations: found.fit.evaluations,
-            refused: RefusedReport {
-                count: found.fit.refused,
-                last: found.fit.why_refused.clone(),
-            },
+            refused: &found.fit.rejected,
             starts: &found.starts,
             residuals: found.remainders.clone(),
             held_out: held_out
@@ -307,7 +294,7 @@ impl Report for CalibrationReport<'_> {
         ));
         text::data(&mut document, table, system);
         text::starts(&mut document, found);
-        text::refusals(&mut document, found);
+        text::rejected_points(&mut document, found);
         text::estimates(&mut document, table, found, system);
         text::correlations(&mut document, found);
         document.heading("Residuals");

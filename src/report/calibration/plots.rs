@@ -1,6 +1,7 @@
 use crate::drive::Outcome;
 use crate::report::figures::capital;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::statistics::extent;
 use crate::study::calibrate::{Calibration, Remainder, ShotTable};
 
 /// A measured value with the computed value.
@@ -62,13 +63,11 @@ fn agreement(of: Outcome, points: &[Point]) -> Figure {
             ..measure.clone()
         })
     };
-    let reach = |sign: f64| {
-        points
-            .iter()
-            .flat_map(move |point| [point.computed, point.measured + sign * point.sigma])
+    let ends = |point: &Point| {
+        let (low, high) = (point.measured - point.sigma, point.measured + point.sigma);
+        [point.computed, low, high]
     };
-    let low = reach(-1.0).fold(f64::INFINITY, f64::min);
-    let high = reach(1.0).fold(f64::NEG_INFINITY, f64::max);
+    let [low, high] = extent(points.iter().flat_map(ends));
     let bar = |point: &Point| {
         let end = |sign: f64| [point.computed, point.measured + sign * point.sigma];
         [end(-1.0), end(1.0), [f64::NAN; 2]]

@@ -5,7 +5,9 @@ use crate::study::calibrate::{
     Calibration, Estimate, HeldOut, Remainder, ShotTable, Starts, Statistics, Uncertainties,
     Undetermined,
 };
-use crate::units::{Quantity, System, counted, counted_of, fixed, signed, significant, with_unit};
+use crate::units::{
+    DisplayUnit, Quantity, System, counted, counted_of, fixed, significant, with_unit,
+};
 use std::path::Path;
 
 /// The title, with the name of the file. The path is omitted for privacy.
@@ -81,11 +83,12 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
 }
 
 /// Adds the rejected trial points to a document.
-pub(super) fn refusals(document: &mut Document, found: &Calibration) {
-    if let (1.., Some(why)) = (found.fit.refused, &found.fit.why_refused) {
-        let refused = counted(found.fit.refused, "trial point");
+pub(super) fn rejected_points(document: &mut Document, found: &Calibration) {
+    let rejected = &found.fit.rejected;
+    if let Some(why) = &rejected.last {
+        let points = counted(rejected.count, "trial point");
         document.paragraph(format!(
-            "The fit rejected {refused}. The reason for the last one: {why}"
+            "The fit rejected {points}. The reason for the last one: {why}"
         ));
     }
 }
@@ -182,13 +185,16 @@ fn estimated(estimate: &Estimate, system: System) -> Vec<String> {
         is_determined,
     } = estimate;
     let (quantity, unit) = (parameter.quantity, system.unit(parameter.unit));
-    let size = quantity.size_of(unit).unwrap_or(1.0);
+    let size = DisplayUnit::from(*parameter).size_in(system);
     let show = |value: f64| with_unit(&to_its_error(quantity, unit, value, *standard_error), unit);
     let (error, interval) = match standard_error.zip(*interval_95) {
         Some((error, ends)) => (significant(error / size, 2), ends.map(&show).join(" .. ")),
-        None if !is_determined => ("–".into(), "not determined by the data".into()),
-        None if *is_at_bound => ("–".into(), "on the bound of its range".into()),
-        None => ("–".into(), "not known: no degrees of freedom".into()),
+        None if !is_determined => (shown::NONE.into(), "not determined by the data".into()),
+        None if *is_at_bound => (shown::NONE.into(), "on the bound of its range".into()),
+        None => (
+            shown::NONE.into(),
+            "not known: no degrees of freedom".into(),
+        ),
     };
     vec![parameter.name.into(), show(*value), error, interval]
 }
@@ -240,12 +246,7 @@ fn chi_square(statistics: &Statistics, stated: Uncertainties) -> String {
 /// the parameters, scaled so that the first is 1.
 fn direction(found: &Calibration, undetermined: &Undetermined) -> String {
     let parameter = |at: usize| found.estimates[at].parameter;
-    let size = |at: usize| {
-        parameter(at)
-            .quantity
-            .size_of(parameter(at).unit)
-            .unwrap_or(1.0)
-    };
+    let size = |at: usize| DisplayUnit::from(parameter(at)).size();
     let [(first, part), others @ ..] = &undetermined.parts[..] else {
         return "any parameter".into();
     };
@@ -301,7 +302,7 @@ pub(super) fn correlations(document: &mut Document, found: &Calibration) {
     let cell = |a: usize, b: usize| match found.statistics.correlation(a, b) {
         _ if b > a => String::new(),
         Some(r) => fixed(r, 2),
-        None => "–".into(),
+        None => shown::NONE.into(),
     };
     let rows = (0..n).map(|a| {
         let name = format!("{} {}", a + 1, found.estimates[a].parameter.name);
@@ -321,20 +322,17 @@ fn row(remainder: &Remainder, system: System) -> Vec<String> {
         residual,
     } = remainder;
     let (what, measured, difference) = match stationary {
-        Some(parameter) => {
-            let difference = short(*difference, parameter.quantity, system.unit(parameter.unit));
-            (
-                format!("optimum in {}", parameter.name),
-                String::new(),
-                difference,
-            )
-        }
+        Some(parameter) => (
+            format!("optimum in {}", parameter.name),
+            String::new(),
+            shown::change(*parameter, *difference, system),
+        ),
         None => (
             outcome.name().into(),
             measured.map_or(String::new(), |value| {
                 shown::outcome(*outcome, value, system)
             }),
-            short(*difference, outcome.quantity(), system.unit(outcome.unit())),
+            shown::change(*outcome, *difference, system),
         ),
     };
     vec![
@@ -346,17 +344,11 @@ fn row(remainder: &Remainder, system: System) -> Vec<String> {
     ]
 }
 
-/// A difference with its sign.
-fn short(difference: f64, quantity: Quantity, unit: &str) -> String {
-    signed(difference, quantity.read_off_difference(difference, unit))
-}
-
 /// The root mean square of the prediction errors of an outcome on held-out data.
 pub(super) struct OutcomeError {
     pub name: String,
     pub rms: f64,
-    unit: &'static str,
-    quantity: Quantity,
+    of: DisplayUnit,
 }
 
 /// The root mean square of the prediction errors on held-out data: of each outcome, and of each
@@ -366,13 +358,12 @@ pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
     let mut all: Vec<(OutcomeError, usize)> = vec![];
     for remainder in &held.remainders {
         let of = remainder.outcome;
-        let (name, quantity, unit) = match remainder.stationary {
+        let (name, of) = match remainder.stationary {
             Some(parameter) => (
                 format!("optimum in {}", parameter.name),
-                parameter.quantity,
-                parameter.unit,
+                DisplayUnit::from(parameter),
             ),
-            None => (of.name().to_owned(), of.quantity(), of.unit()),
+            None => (of.name().to_owned(), of.into()),
         };
         let square = remainder.difference.powi(2);
         if let Some((other, count)) = all.iter_mut().find(|(other, _)| other.name == name) {
@@ -382,8 +373,7 @@ pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
             let error = OutcomeError {
                 name,
                 rms: square,
-                unit,
-                quantity,
+                of,
             };
             all.push((error, 1));
         }
@@ -398,8 +388,7 @@ pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
 /// The cells for the prediction errors of a fit on held-out data.
 fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
     let one = |error: OutcomeError| {
-        let unit = system.unit(error.unit);
-        let rms = error.quantity.read_off_difference(error.rms, unit);
+        let rms = shown::spread(error.of, error.rms, system);
         format!("{} {rms}", error.name)
     };
     let outcomes: Vec<_> = by_outcome(held).into_iter().map(one).collect();
@@ -410,7 +399,7 @@ fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
     };
     let rms = held
         .mean_square()
-        .map_or("–".into(), |mean| format!("{:.3}", mean.sqrt()));
+        .map_or(shown::NONE.into(), |mean| format!("{:.3}", mean.sqrt()));
     let interrupted = held.count(Status::Interrupted);
     let others = held.ended.len() - interrupted - held.count(Status::Converged);
     let mut what = match (interrupted, held.ended.len()) {

@@ -131,7 +131,7 @@ fn corner(row: &Row) -> String {
             } else {
                 (above, "above")
             };
-            let slope = slope.unwrap_or_else(|| "–".into());
+            let slope = slope.unwrap_or(shown::NONE.into());
             format!(
                 "its slope is {slope} {side} (SI); the other side is out of the range of \
                  {parameter}"
@@ -228,7 +228,7 @@ pub(super) fn rows_table(rows: &[Row]) -> Table {
         };
         let slopes = row
             .slopes
-            .map(|slope| slope.map_or("–".into(), |slope| fixed(slope, 1)));
+            .map(|slope| slope.map_or(shown::NONE.into(), |slope| fixed(slope, 1)));
         vec![
             row.of.name().into(),
             row.parameter.name.into(),
@@ -249,12 +249,7 @@ pub(super) fn rows_table(rows: &[Row]) -> Table {
 
 /// The exact derivative of a row for display: 0 if it is a rounding error.
 pub(in crate::report) fn settled(row: &Row) -> f64 {
-    shown::settled(
-        row.first.exact,
-        row.ladder.size,
-        (row.of.quantity(), row.of.unit()),
-        &[row.parameter],
-    )
+    shown::settled(row.first.exact, row.ladder.size, row.of, &[row.parameter])
 }
 
 /// The agreement of derivatives at the landing with finite differences at a fixed time; `None`
@@ -304,9 +299,9 @@ fn while_loop(loops: &[LoopRow]) -> Option<String> {
             (it - row.check.exact).abs() / row.check.exact.abs()
         })
     };
-    let carry = (Outcome::Carry.quantity(), Outcome::Carry.unit());
-    let is_rounding =
-        |row: &LoopRow| shown::settled(row.check.exact, 0.0, carry, &[row.parameter]) == 0.0;
+    let is_rounding = |row: &LoopRow| {
+        shown::settled(row.check.exact, 0.0, Outcome::Carry, &[row.parameter]) == 0.0
+    };
     let comparable = loops
         .iter()
         .filter(|row| !is_rounding(row) && row.difference.is_some());
@@ -322,7 +317,9 @@ fn while_loop(loops: &[LoopRow]) -> Option<String> {
         counted(loops.len() as u64, "parameter"),
         loops.iter().filter(|row| row.has_wrong_sign).count(),
         worst.parameter.name,
-        worst.difference.map_or("–".into(), |it| significant(it, 4)),
+        worst
+            .difference
+            .map_or(shown::NONE.into(), |it| significant(it, 4)),
         significant(worst.check.exact, 4),
     ))
 }

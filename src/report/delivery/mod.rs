@@ -14,7 +14,7 @@ use crate::parameters::{Setup, SetupFile};
 use crate::study::delivery::{Delivery, Explained, Population, Posterior, Spread, Unidentified};
 use crate::units::{Message, System, counted, counted_of};
 use serde::Serialize;
-use text::{amount, median_identified, of_one, of_table, verdict};
+use text::{median_identified, of_one, of_table, verdict};
 
 /// The deliveries that explain measured launches, SI and radians.
 #[derive(Clone, Debug, Serialize)]
@@ -221,7 +221,7 @@ pub fn delivery_toml(
         let scatter = deviation.map_or(String::new(), |deviation| {
             format!(
                 ", with a standard deviation of {}",
-                amount(parameter, deviation, System::Us)
+                shown::spread(parameter, deviation, System::Us)
             )
         });
         let remark = match median_identified(all, parameter) {

@@ -7,7 +7,7 @@ use crate::report::shown;
 use crate::study::delivery::{
     Delivery, MeanAndDeviation, Population, Posterior, PredictedOutcome, Recovered,
 };
-use crate::units::{Message, System, counted, significant, typed};
+use crate::units::{DisplayUnit, Message, System, counted, significant, typed};
 
 /// If a shot removes less than this fraction of a parameter's prior variance, the distribution of
 /// the parameter depends mainly on the prior.
@@ -132,6 +132,6 @@ pub fn population_warnings(population: &Population, system: System) -> Vec<Messa
 
 /// A value in the unit of its parameter.
 fn amount(parameter: &Parameter, value: f64, digits: usize) -> String {
-    let size = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
+    let size = DisplayUnit::from(parameter).size();
     typed(&significant(value / size, digits), parameter.unit)
 }

@@ -2,6 +2,7 @@ use crate::optimize::least_squares::Status;
 use crate::parameters::Parameter;
 use crate::report::document::{Document, Line, Table};
 use crate::report::shown;
+use crate::statistics::largest_magnitude;
 use crate::study::delivery::{
     Delivered, Delivery, Population, Posterior, Recovered, Spread, Unidentified, Unknown,
 };
@@ -59,7 +60,7 @@ fn measured_club(delivered: &Delivered, system: System) -> Option<Line> {
         .filter(|unknown| unknown.has_uncertainty_of_monitor())
         .collect();
     let one = |unknown: &&Unknown| {
-        let sigma = amount(unknown.parameter, unknown.sigma, system);
+        let sigma = shown::spread(unknown.parameter, unknown.sigma, system);
         format!("{} ± {sigma}", unknown.parameter.name)
     };
     let all = measured.iter().map(one).collect::<Vec<_>>().join(", ");
@@ -83,30 +84,19 @@ fn known_row(known: &Posterior, system: System) -> Vec<String> {
         parameter.name.into(),
         shown::parameter(parameter, *value, system),
         sigma.map_or("at its bound".into(), |sigma| {
-            amount(parameter, sigma, system)
+            shown::spread(parameter, sigma, system)
         }),
-        amount(parameter, unknown.sigma, system),
+        shown::spread(parameter, unknown.sigma, system),
         percent(*variance_removed),
     ]
-}
-
-/// An uncertainty or a change of a parameter.
-pub(super) fn amount(parameter: &Parameter, value: f64, system: System) -> String {
-    parameter
-        .quantity
-        .read_off_difference(value, system.unit(parameter.unit))
 }
 
 /// A change of the delivery that the launch does not determine, with the fraction of the prior
 /// variance that the launch removes.
 fn unidentified(unidentified: &Unidentified, system: System) -> String {
     let one = |(parameter, change): &(&'static Parameter, f64)| {
-        let sign = if *change < 0.0 { "-" } else { "+" };
-        format!(
-            "{} {sign}{}",
-            parameter.name,
-            amount(parameter, change.abs(), system)
-        )
+        let change = shown::component(parameter, *change, system);
+        format!("{} {change}", parameter.name)
     };
     let changes: Vec<_> = unidentified.changes.iter().map(one).collect();
     format!(
@@ -144,7 +134,7 @@ pub(super) fn of_table(
             spread.parameter.name.into(),
             shown::parameter(spread.parameter, spread.mean, system),
             deviation.map_or(shown::NONE.into(), |deviation| {
-                amount(spread.parameter, deviation, system)
+                shown::spread(spread.parameter, deviation, system)
             }),
             percent(median_identified(all, spread.parameter)),
         ]
@@ -173,11 +163,8 @@ fn shots(all: &[Delivery], spread: &[Spread], system: System) -> Table {
             .posteriors
             .iter()
             .map(|known| shown::parameter(known.unknown.parameter, known.value, system));
-        let worst = delivered
-            .explained
-            .iter()
-            .map(|explained| explained.residual.abs())
-            .fold(0.0, f64::max);
+        let residuals = delivered.explained.iter().map(|one| one.residual);
+        let worst = largest_magnitude(residuals);
         Some(
             std::iter::once(delivery.row.to_string())
                 .chain(values)
@@ -212,12 +199,12 @@ fn swings(population: &Population, system: System) -> Table {
             mean_error,
             deviation_error,
         } = *spread;
-        let error = |error: f64| format!("± {}", amount(parameter, error, system));
+        let error = |error: f64| format!("± {}", shown::spread(parameter, error, system));
         vec![
             parameter.name.into(),
             shown::parameter(parameter, mean, system),
             error(mean_error),
-            amount(parameter, deviation, system),
+            shown::spread(parameter, deviation, system),
             error(deviation_error),
             format!("{:.0} %", 100.0 * variance_removed),
         ]

@@ -4,8 +4,9 @@ use crate::drive::Outcome;
 use crate::parameters::Golfer;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::shown;
+use crate::statistics::largest_magnitude;
 use crate::study::Face;
-use crate::units::{Quantity, System, significant};
+use crate::units::{DisplayUnit, Quantity, System, significant};
 
 /// Contour levels of the carry lost relative to the longest carry, in the displayed unit.
 const RINGS: [f64; 3] = [1.0, 5.0, 10.0];
@@ -112,8 +113,7 @@ pub fn face_figure(face: &Face, system: System) -> Figure {
     );
     figure.layers.push(outline(face));
     figure.layers.extend(rings(face, system));
-    let tilts = face.tilts.iter().map(|(_, tilt)| tilt.abs());
-    let largest = tilts.fold(0.0, f64::max);
+    let largest = largest_magnitude(face.tilts.iter().map(|(_, tilt)| tilt));
     if largest > 0.0 {
         let name = format!(
             "spin axis tilt, longest {}",
@@ -152,7 +152,7 @@ fn rings(face: &Face, system: System) -> Vec<Layer> {
     let (_, most) = face.longest;
     let carries = field(&face.plane, 0, Measure::outcome(Outcome::Carry));
     let unit = system.unit("yd");
-    let size = Quantity::LENGTH.size_of(unit).unwrap_or(1.0);
+    let size = DisplayUnit::from(Outcome::Carry).size_in(system);
     let on_face = |at: [f64; 2]| match face.holds(at) {
         true => seen(face, at),
         false => [f64::NAN; 2],

@@ -1,12 +1,13 @@
 use super::capital;
-use super::scale::{Grows, extent, to_scale, with_margin};
+use super::scale::{Grows, to_scale, with_margin};
 use super::style::{clear_names, style};
 use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure, nice_step};
 use crate::report::shown;
+use crate::statistics::extent;
 use crate::study::Landing;
 use crate::study::uncertainty::LandingEllipse;
-use crate::units::{Quantity, System, significant, with_unit};
+use crate::units::{DisplayUnit, Quantity, System, significant, with_unit};
 
 /// Limits of the aspect ratio (height over width) of the view of the landings.
 const SHAPE: [f64; 2] = [0.8, 1.25];
@@ -76,7 +77,7 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
         notes.push("The total is where the ball comes to rest.".into());
     }
     let unit = system.unit("yd");
-    let width = FAIRWAY / Quantity::LENGTH.size_of(unit).unwrap_or(1.0);
+    let width = FAIRWAY / DisplayUnit::from(Outcome::Carry).size_in(system);
     notes.push(format!(
         "True scale. Arcs: distance from the tee, which is at 0. The fairway is {} wide, for scale \
          only.",
@@ -139,7 +140,7 @@ fn drawn(mut figure: Figure, layers: &[Layer], system: System) -> Figure {
 /// Arcs of equal distance from the tee at round distances, with their labels.
 fn arcs([x, y]: [[f64; 2]; 2], system: System) -> Vec<Layer> {
     let unit = system.unit("yd");
-    let size = Quantity::LENGTH.size_of(unit).unwrap_or(1.0);
+    let size = DisplayUnit::from(Outcome::Carry).size_in(system);
     let step = nice_step((y[1] - y[0]) / ARCS / size) * size;
     let first = (y[0].max(0.0) / step).floor() as u32 + 1;
     let mut layers = vec![];

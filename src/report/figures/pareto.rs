@@ -2,6 +2,7 @@ use super::map::capital;
 use crate::report::pareto::role;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::shown;
+use crate::statistics::extent;
 use crate::study::swings::{Pareto, ParetoPoint};
 use crate::units::System;
 
@@ -67,11 +68,7 @@ fn knee(found: &Pareto) -> Option<&ParetoPoint> {
 
 /// The slope of the front at a point, with its unit.
 fn slope(found: &Pareto, point: &ParetoPoint, system: System) -> Option<String> {
-    let [first, second] = found
-        .search
-        .goals
-        .each_ref()
-        .map(|(goal, _)| (goal.quantity, goal.unit));
+    let [(first, _), (second, _)] = &found.search.goals;
     Some(shown::ratio(first, second, point.slope?, system, 3))
 }
 
@@ -80,8 +77,8 @@ fn tangent(found: &Pareto, system: System) -> Option<Layer> {
     let knee = knee(found)?;
     let steepness = knee.slope?;
     let slope = slope(found, knee, system)?;
-    let xs = || found.points.iter().map(|point| place(point)[0]);
-    let width = xs().fold(f64::NEG_INFINITY, f64::max) - xs().fold(f64::INFINITY, f64::min);
+    let [left, right] = extent(found.points.iter().map(|point| place(point)[0]));
+    let width = right - left;
     let [x, y] = place(knee);
     let end = |by: f64| [x + by, y + steepness * by];
     Some(Layer::Line {

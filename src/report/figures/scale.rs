@@ -11,13 +11,6 @@ pub(super) enum Grows {
     Up,
 }
 
-/// The range of some coordinates along an axis.
-pub(super) fn extent(points: impl Iterator<Item = f64>) -> [f64; 2] {
-    points.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| {
-        [low.min(at), high.max(at)]
-    })
-}
-
 /// A range with margins, as fractions of its size.
 pub(super) fn with_margin([low, high]: [f64; 2], below: f64, above: f64) -> [f64; 2] {
     let size = high - low;

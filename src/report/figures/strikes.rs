@@ -4,6 +4,7 @@ use super::style::field;
 use crate::drive::Outcome;
 use crate::report::plot::{Field, Figure, Hue, Layer, Measure};
 use crate::report::shown;
+use crate::statistics::largest_magnitude;
 use crate::study::Face;
 use crate::units::{Quantity, System};
 
@@ -15,11 +16,8 @@ const THINNED: usize = 5;
 /// front at true scale. Each design has its own views, with common levels and colours. `None`
 /// without a design.
 pub fn strikes_figure(designs: &[(&str, &Face)], system: System) -> Option<Figure> {
-    let largest = designs
-        .iter()
-        .flat_map(|(_, face)| &face.tilts)
-        .map(|(_, tilt)| tilt.abs())
-        .fold(0.0, f64::max);
+    let tilts = designs.iter().flat_map(|(_, face)| &face.tilts);
+    let largest = largest_magnitude(tilts.map(|(_, tilt)| tilt));
     let mut views = vec![];
     for (i, of) in Face::OUTCOMES.into_iter().enumerate() {
         let fields: Vec<Field> = designs

@@ -1,4 +1,4 @@
-use super::scale::{Grows, extent, to_scale, with_margin};
+use super::scale::{Grows, to_scale, with_margin};
 use super::style::{clear_names, style};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -6,6 +6,7 @@ use crate::number::Vector;
 use crate::report::drive::RUN_WITHIN;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::shown;
+use crate::statistics::extent;
 use crate::study::NamedDrive;
 use crate::units::{Quantity, System, significant};
 

@@ -168,13 +168,11 @@ impl OptimumRow {
             };
             (vary.parameter.name, multipliers)
         });
-        let active = row.active.iter();
+        let active = row.best.active().into_iter();
         Self {
             at: row.exact(),
             multipliers: multipliers.collect(),
-            active: active
-                .map(|active| (active.name.clone(), active.end))
-                .collect(),
+            active: active.map(|active| (active.name, active.end)).collect(),
         }
     }
 }

@@ -2,10 +2,10 @@
 
 use super::tables::degrees;
 use crate::report::document::{Document, Table};
-use crate::report::published::Published;
-use crate::report::shown::{ratio, stated};
+use crate::report::published::{LENGTH, Published, SPEED};
+use crate::report::shown::{NONE, ratio, stated};
 use crate::reproduce::{ByLaunch, Launched, Mae494};
-use crate::units::{Quantity, fixed, signed};
+use crate::units::{fixed, signed};
 
 pub(super) fn energy(document: &mut Document, found: &Mae494, shown: Published) {
     let energy = &found.energy;
@@ -24,13 +24,7 @@ pub(super) fn energy(document: &mut Document, found: &Mae494, shown: Published) 
         shown.length(energy.farthest.carry),
         degrees(energy.farthest.angle),
         spin(&energy.farthest),
-        ratio(
-            (Quantity::LENGTH, "m"),
-            (Quantity::SPEED, "m/s"),
-            energy.price_of_speed,
-            shown.system,
-            4
-        ),
+        ratio(LENGTH, SPEED, energy.price_of_speed, shown.system, 4),
         shown.printed_length(longest),
         shown.speed(energy.needed.speed),
         energy.ball_needed,
@@ -165,7 +159,7 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Publish
     let rows = study.changes.iter().map(|changed| {
         let value = found.optimum.best.setup.value(changed.parameter);
         let part = changed.change / value.unwrap_or(f64::NAN);
-        let carry = |carry: Option<f64>| carry.map_or("–".into(), |carry| shown.length(carry));
+        let carry = |carry: Option<f64>| carry.map_or(NONE.into(), |carry| shown.length(carry));
         vec![
             carry(changed.predicted.value),
             carry(changed.resolved.value),

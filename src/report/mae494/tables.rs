@@ -29,7 +29,10 @@ pub(super) fn optimum(document: &mut Document, found: &Mae494, shown: Published)
 }
 
 pub(super) fn tables(document: &mut Document, found: &Mae494, shown: Published) {
-    let active = |rows: &[Row]| rows.iter().filter(|row| !row.active.is_empty()).count();
+    let active = |rows: &[Row]| {
+        let is_at_a_bound = |row: &&Row| !row.best.active().is_empty();
+        rows.iter().filter(is_at_a_bound).count()
+    };
     document.heading("Its tables");
     document.paragraph(format!(
         "The report says that no constraint was active. In its model the bound of loft is active \
@@ -121,7 +124,7 @@ fn carried(row: &Row, shown: Published) -> String {
 /// The active bounds in words, such as "club.loft at its upper bound, 0.52 m per deg beyond it".
 fn held(row: &Row, shown: Published) -> String {
     let solution = &row.best.solution;
-    let bounds = row.active.iter().filter_map(|active| {
+    let bounds = row.best.active().into_iter().filter_map(|active| {
         let i = row
             .best
             .search

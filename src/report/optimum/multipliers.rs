@@ -4,13 +4,13 @@ use super::super::limits::{self, Objective, gain};
 use super::super::shown;
 use crate::optimize::Status;
 use crate::parameters::Vary;
-use crate::study::{Optimum, Sense};
+use crate::study::Optimum;
 use crate::units::{System, signed};
 
 fn objective(optimum: &Optimum) -> Objective {
     let goal = &optimum.search.of;
     Objective {
-        of: (goal.quantity, goal.unit),
+        of: goal.into(),
         value: optimum.value().unwrap_or_default(),
         sense: optimum.search.sense,
         is_converged: optimum.solution.status == Status::Converged,
@@ -41,17 +41,12 @@ pub(in crate::report) fn bound_in_words(optimum: &Optimum, i: usize, system: Sys
     let lower = optimum.solution.lower_multipliers[i];
     let upper = optimum.solution.upper_multipliers[i];
     let value = optimum.value().unwrap_or_default();
-    let sign = if optimum.search.sense == Sense::Maximize {
-        1.0
-    } else {
-        -1.0
-    };
-    let of = (goal.quantity, goal.unit);
     let by = vary.parameter;
     let price = |amount: f64| {
-        let amount = shown::settled(sign * amount, value, of, &[by]);
-        let text = shown::price(of, amount, (by.quantity, by.unit), system);
-        signed(amount, text)
+        // for a minimized objective, a decrease is a gain
+        let amount = -optimum.search.sense.sign() * amount;
+        let amount = shown::settled(amount, value, goal, &[by]);
+        signed(amount, shown::price(goal, amount, by, system))
     };
     let is_corner = optimum.solution.kink.is_some_and(|kink| kink.variable == i);
     if vary.low == vary.high {

@@ -173,7 +173,7 @@ impl StartReport {
         if !optimum.search.scenarios.is_one_drive() {
             return None;
         }
-        let vary = optimum.search.vary.iter().map(|vary| vary.parameter);
+        let vary = optimum.search.parameters();
         let parameters = vary.map(|parameter| (parameter.name, optimum.start.value(parameter)));
         let drive = optimum.start_drive.as_ref();
         let outcome = |of: Outcome| Number(drive.and_then(|drive| of.value(drive)));

@@ -1,6 +1,6 @@
 //! The setup at an optimum as a setup file.
 
-use super::super::setup_file::{remarks_on_varied, setup_toml};
+use super::super::setup_file::{about_constraint, remarks_on_varied, setup_toml};
 use super::super::shown;
 use super::super::uncertainty::distribution_text;
 use crate::error::Result;
@@ -35,10 +35,9 @@ pub fn optimum_toml(
         }
     };
     let mut about = vec![format!(
-        "{}, {} {}{over}: {value}",
+        "{}, {}{over}: {value}",
         file.name,
-        search.sense.adjective(),
-        search.of.expression
+        search.sense.best_of(&search.of)
     )];
     match swings {
         None => {}
@@ -48,8 +47,7 @@ pub fn optimum_toml(
             format!("over swings: {} {distribution}", input.parameter.name)
         })),
     }
-    let limits = search.subject_to.iter();
-    about.extend(limits.map(|constraint| format!("subject to {}", constraint.expression)));
+    about.extend(search.subject_to.iter().map(about_constraint));
     about.extend(
         interrupted.map(|interrupted| format!("interrupted: {interrupted}; the best so far:")),
     );

@@ -9,7 +9,7 @@ use super::multipliers::{bound_in_words, constraint_in_words};
 use super::surroundings::Surroundings;
 use crate::optimize::{Iteration, Status};
 use crate::study::{Optima, Optimum, Sample, Search};
-use crate::units::{Quantity, System, counted, counted_of, fixed, with_unit};
+use crate::units::{DisplayUnit, System, counted, counted_of, fixed, with_unit};
 
 /// The optimum for readers: the varied parameters with the gains of their bounds, the constraints,
 /// the drive or the goals over the swings, and for several starts the results of all searches.
@@ -236,7 +236,7 @@ fn sample_line(optimum: &Optimum) -> Option<Line> {
 pub fn optima_document(optima: &Optima, system: System) -> Document {
     let search = &optima.best.search;
     let all = optima.starts;
-    let names = search.vary.iter().map(|vary| vary.parameter.name);
+    let names = search.parameters().map(|parameter| parameter.name);
     let head: Vec<&str> = [search.of.expression.as_str()]
         .into_iter()
         .chain(names)
@@ -245,9 +245,7 @@ pub fn optima_document(optima: &Optima, system: System) -> Document {
     let rows: Vec<Vec<String>> = optima
         .ended()
         .map(|local| {
-            let value = local.value.map_or(shown::NONE.into(), |value| {
-                shown::goal(&search.of, value, system)
-            });
+            let value = shown::goal_or_dash(&search.of, local.value, system);
             let x = search.vary.iter().zip(&local.solution.x);
             let x = x.map(|(vary, x)| shown::parameter(vary.parameter, *x, system));
             let starts = format!("{} of {all}", local.starts.len());
@@ -271,17 +269,13 @@ pub fn optima_document(optima: &Optima, system: System) -> Document {
 
 /// The progress line of an iteration.
 pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) -> String {
-    let number = |quantity: Quantity, unit: &'static str, value: f64| {
-        let unit = system.unit(unit);
-        with_unit(
-            &fixed(value / quantity.size_of(unit).unwrap_or(1.0), 6),
-            unit,
-        )
+    let number = |of: DisplayUnit, value: f64| {
+        let number = fixed(value / of.size_in(system), 6);
+        with_unit(&number, system.unit(of.unit))
     };
     let x = search.vary.iter().zip(&iteration.x).map(|(vary, x)| {
-        let parameter = vary.parameter;
-        let value = number(parameter.quantity, parameter.unit, *x);
-        format!("{} {value}", parameter.name)
+        let value = number(vary.parameter.into(), *x);
+        format!("{} {value}", vary.parameter.name)
     });
     let of = &search.of;
     let violation = if search.subject_to.is_empty() {
@@ -293,7 +287,7 @@ pub fn iteration_line(search: &Search, iteration: &Iteration, system: System) ->
         "{:>3}  {} {}  KKT {:.1e}{violation}  trust region {:.1e}{}  {}",
         iteration.number,
         of.expression,
-        number(of.quantity, of.unit, search.sense.sign() * iteration.value),
+        number(of.into(), search.sense.sign() * iteration.value),
         iteration.kkt_residual,
         iteration.radius,
         if iteration.accepted {

@@ -11,7 +11,7 @@ use crate::report::frame::both;
 use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
 use crate::report::shown;
 use crate::study::{Effects, Optimum, Sense};
-use crate::units::{System, leading_number, one, signed, significant, with_unit};
+use crate::units::{DisplayUnit, System, leading_number, one, signed, significant, with_unit};
 use maud::{Markup, html};
 
 /// Maximum number of parameters named as sources of the uncertainty.
@@ -70,7 +70,7 @@ fn headline(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Marku
 /// that the numbers add up.
 fn change(of: Outcome, from: f64, to: f64, system: System) -> String {
     let unit = system.unit(of.unit());
-    let size = of.quantity().size_of(unit).unwrap_or(1.0);
+    let size = DisplayUnit::from(of).size_in(system);
     let printed = |value: f64| {
         let text = of.quantity().read_off(value, unit);
         leading_number(&text)
@@ -86,9 +86,8 @@ fn tiles(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Markup {
     let [at_yours, at_best] = [findings.effects_of(of), findings.at_best.as_ref()];
     // two significant digits: "7.4 yd"
     let two_digits = |size: f64, system: System| {
-        let unit = system.unit(of.unit());
-        let number = size / of.quantity().size_of(unit).unwrap_or(1.0);
-        with_unit(&significant(number, 2), unit)
+        let number = size / DisplayUnit::from(of).size_in(system);
+        with_unit(&significant(number, 2), system.unit(of.unit()))
     };
     let known = |uncertainty: Option<f64>| {
         let uncertainty = uncertainty.filter(|uncertainty| *uncertainty > 0.0);
@@ -164,11 +163,8 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
         return Some(bound_in_words(best, i, system));
     }
     let one = one(unit);
-    let amount = shown::spread(
-        of,
-        price * parameter.quantity.size_of(unit).unwrap_or(1.0),
-        system,
-    );
+    let step = DisplayUnit::from(parameter).size_in(system);
+    let amount = shown::spread(of, price * step, system);
     let each = if upper > 0.0 {
         format!("each further {one}")
     } else {

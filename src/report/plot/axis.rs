@@ -69,9 +69,13 @@ impl Measure {
         units.head(&self.label, self.quantity, self.unit)
     }
 
-    /// An SI value as a number in the units of a table.
-    pub fn number(&self, value: f64, units: TableUnits) -> f64 {
-        units.number(value, self.quantity, self.unit)
+    /// An SI value as a number in the units of a table, with all digits; empty without a finite
+    /// value.
+    pub(in crate::report) fn cell(&self, value: Option<f64>, units: TableUnits) -> String {
+        let number = value.map(|value| units.number(value, self.quantity, self.unit));
+        number
+            .filter(|number| number.is_finite())
+            .map_or(String::new(), |number| format!("{number:?}"))
     }
 }
 

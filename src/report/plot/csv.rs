@@ -93,23 +93,19 @@ impl Columns {
     }
 
     fn cells(&self, figure: &Figure, row: &Row<'_>) -> Vec<String> {
-        let text = |number: Option<f64>| {
-            number
-                .filter(|number| number.is_finite())
-                .map_or(String::new(), |number| format!("{number:?}"))
-        };
         let number = |(column, _): &(usize, String)| {
             let axis = [&figure.x, &figure.y][column % 2];
-            text(row.numbers[*column].map(|value| axis.measure.number(value, self.units)))
+            axis.measure.cell(row.numbers[*column], self.units)
         };
-        let value = |head: &String| {
-            let (field, value) = row.value?;
-            (field.measure.head(self.units) == *head)
-                .then(|| field.measure.number(value, self.units))
+        let value = |head: &String| match row.value {
+            Some((field, value)) if field.measure.head(self.units) == *head => {
+                field.measure.cell(Some(value), self.units)
+            }
+            _ => String::new(),
         };
         let mut cells = vec![row.kind.to_owned(), row.name.clone()];
         cells.extend(self.numbers.iter().map(number));
-        cells.extend(self.values.iter().map(|head| text(value(head))));
+        cells.extend(self.values.iter().map(value));
         cells
     }
 }

@@ -1,13 +1,11 @@
 //! Hatching of regions.
 
+use crate::statistics::extent;
+
 /// Hatching lines inside some rings (even-odd rule), parallel to the falling diagonal, at a
 /// distance `apart`. The hatchings of all regions in a picture are aligned.
 pub(super) fn hatching(rings: &[Vec<[f64; 2]>], apart: f64) -> Vec<[[f64; 2]; 2]> {
-    let sums = || rings.iter().flatten().map(|[x, y]| x + y);
-    let (low, high) = (
-        sums().fold(f64::INFINITY, f64::min),
-        sums().fold(f64::NEG_INFINITY, f64::max),
-    );
+    let [low, high] = extent(rings.iter().flatten().map(|[x, y]| x + y));
     // two lines x + y = c have the distance |Δc|/√2
     let step = apart * std::f64::consts::SQRT_2;
     if !(low < high && step > 0.0) {

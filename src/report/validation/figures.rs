@@ -4,8 +4,9 @@ use crate::drive::Outcome;
 use crate::parameters::Law;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::report::shots::instrument_deviation;
+use crate::statistics::extent;
 use crate::study::validation::{Case, Compared, Computation, LawScores, SetScores};
-use crate::units::Quantity;
+use crate::units::{DisplayUnit, Quantity};
 
 /// The independent law for comparison with the default law.
 pub(super) const ALTERNATIVE: &str = "ferguson";
@@ -92,7 +93,7 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure
         true => case.club_speed,
         false => case.ball_speed,
     };
-    let (quantity, unit) = of.unit();
+    let DisplayUnit { quantity, unit } = of.unit();
     let words = of.words();
     let series = |law: &&'static str| -> Vec<[f64; 2]> {
         let points = sets.iter().flat_map(|set| {
@@ -148,11 +149,9 @@ fn of_law(law: Option<&LawScores>, of: Compared) -> &[crate::study::validation::
 
 /// The smallest and the largest value; both are 0 without data.
 fn ends(of: impl Iterator<Item = f64>) -> [f64; 2] {
-    let found = of.fold(None, |ends: Option<[f64; 2]>, at| {
-        let [low, high] = ends.unwrap_or([at; 2]);
-        Some([low.min(at), high.max(at)])
-    });
-    found.unwrap_or([0.0; 2])
+    Some(extent(of))
+        .filter(|[low, high]| low <= high)
+        .unwrap_or_default()
 }
 
 /// The standard deviation of the difference between two launch monitors in a quantity, SI; `None`

@@ -49,7 +49,7 @@ impl ValidationReport<'_> {
                             &case.name,
                             law.law,
                             score.of.name(),
-                            score.of.unit().0.si,
+                            score.of.unit().quantity.si,
                         ];
                         let row = words
                             .into_iter()

@@ -162,9 +162,8 @@ fn first(set: &SetScores) -> Compared {
 
 /// A number without its unit, with the digits of the data.
 fn shown(of: Compared, value: f64, system: System) -> String {
-    let (quantity, unit) = of.unit();
-    let size = quantity.size_of(system.unit(unit)).unwrap_or(f64::NAN);
-    fixed(value / size, if of == Compared::Spin { 0 } else { 1 })
+    let number = value / of.unit().size_in(system);
+    fixed(number, if of == Compared::Spin { 0 } else { 1 })
 }
 
 fn difference(of: Compared, value: f64, system: System) -> String {

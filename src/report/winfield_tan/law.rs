@@ -3,10 +3,10 @@
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Layer, Measure};
-use crate::report::published::Published;
-use crate::report::shown::stated;
+use crate::report::published::{Published, SPEED};
+use crate::report::shown::{NONE, stated};
 use crate::reproduce::{FittedNumber, WinfieldTan};
-use crate::units::{Quantity, System, significant, typed};
+use crate::units::{DisplayUnit, Quantity, System, significant, typed};
 
 /// Speeds of the displayed values, m/s. The flights of the paper have these speeds.
 const METRES_PER_SECOND: [f64; 4] = [30.0, 40.0, 50.0, 65.0];
@@ -80,7 +80,7 @@ impl Speeds {
                 System::Us => MILES_PER_HOUR,
             },
             unit,
-            size: Quantity::SPEED.size_of(unit).unwrap_or(f64::NAN),
+            size: SPEED.size_in(system),
         }
     }
 }
@@ -108,17 +108,17 @@ fn fit(document: &mut Document, found: &WinfieldTan, shown: Published) {
     let rows = fit.estimates.iter().map(|estimate| {
         let parameter = estimate.parameter;
         let show = |value: Option<f64>| {
-            value.map_or("–".into(), |value| stated(parameter, value, shown.system))
+            value.map_or(NONE.into(), |value| stated(parameter, value, shown.system))
         };
         let unit = shown.system.unit(parameter.unit);
-        let size = parameter.quantity.size_of(unit).unwrap_or(1.0);
+        let size = DisplayUnit::from(parameter).size_in(shown.system);
         let error = estimate
             .standard_error
             .map(|error| typed(&significant(error * scale / size, 2), unit));
         vec![
             show(found.setup.value(parameter)),
             show(Some(estimate.value)),
-            error.unwrap_or("–".into()),
+            error.unwrap_or(NONE.into()),
             parameter.name.into(),
         ]
     });
@@ -153,7 +153,7 @@ fn values(document: &mut Document, found: &WinfieldTan, speeds: &Speeds) {
             let speed = number * speeds.size;
             is_flown(found, s, speed).then(|| coefficients(found, s, speed))
         });
-        let cell = |value: Option<f64>| value.map_or("–".into(), |value| format!("{value:.3}"));
+        let cell = |value: Option<f64>| value.map_or(NONE.into(), |value| format!("{value:.3}"));
         let drag = at.iter().map(|c| cell(c.map(|(drag, _)| drag)));
         let lift = at.iter().map(|c| cell(c.map(|(_, lift)| lift)));
         std::iter::once(format!("{s:.2}"))

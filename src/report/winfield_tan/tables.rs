@@ -2,55 +2,54 @@
 
 use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
-use crate::report::published::{Published, angles};
+use crate::report::published::{ANGLE, LENGTH, Published, SPEED, angles};
 use crate::reproduce::{Best, LoftCarry, MISPRINTS, WinfieldTan};
-use crate::units::{Quantity, fixed};
+use crate::statistics::largest_magnitude;
+use crate::units::{DisplayUnit, Quantity, fixed};
 
 pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Published) {
     let (ours, theirs) = (&found.shot.computed, &found.shot.printed);
-    let row = |what: &str, (quantity, unit): (Quantity, &'static str), ours: f64, theirs: f64| {
+    let row = |what: &str, of: DisplayUnit, ours: f64, theirs: f64| {
         vec![
-            shown.printed(quantity, unit, theirs),
-            shown.computed(quantity, unit, ours),
-            shown.difference(quantity, unit, ours - theirs),
+            shown.printed(of, theirs),
+            shown.computed(of, ours),
+            shown.difference(of, ours - theirs),
             what.into(),
         ]
     };
     document.heading("The single shot");
-    let speed = (Quantity::SPEED, "mph");
-    let [at, in_other] = [shown.paper, shown.paper.other()].map(|system| {
-        speed
-            .0
-            .read_off(found.shot.club_speed, system.unit(speed.1))
-    });
+    let [at, in_other] = [shown.paper, shown.paper.other()]
+        .map(|system| Quantity::SPEED.read_off(found.shot.club_speed, system.unit(SPEED.unit)));
     document.paragraph(format!("Loft 10°, attack angle 0°, {at} ({in_other})."));
-    let (length, time) = ((Quantity::LENGTH, "yd"), (Quantity::TIME, "s"));
+    let rate = DisplayUnit {
+        quantity: Quantity::ANGULAR_VELOCITY,
+        unit: "rev/s",
+    };
+    let time = DisplayUnit {
+        quantity: Quantity::TIME,
+        unit: "s",
+    };
     document.add(Table::new(
         ["printed", "computed", "difference", "what"],
         [
-            row("ball upwards", speed, ours.up, theirs.up),
-            row("ball downrange", speed, ours.downrange, theirs.downrange),
-            row(
-                "backspin",
-                (Quantity::ANGULAR_VELOCITY, "rev/s"),
-                ours.backspin,
-                theirs.backspin,
-            ),
+            row("ball upwards", SPEED, ours.up, theirs.up),
+            row("ball downrange", SPEED, ours.downrange, theirs.downrange),
+            row("backspin", rate, ours.backspin, theirs.backspin),
             row(
                 "club downrange after impact",
-                speed,
+                SPEED,
                 ours.club_after,
                 theirs.club_after,
             ),
             row(
                 "launch angle",
-                (Quantity::ANGLE, "deg"),
+                ANGLE,
                 ours.launch_angle,
                 theirs.launch_angle,
             ),
-            row("carry", length, ours.carry, theirs.carry),
+            row("carry", LENGTH, ours.carry, theirs.carry),
             row("flight time", time, ours.flight_time, theirs.flight_time),
-            row("apex", length, ours.apex_height, theirs.apex_height),
+            row("apex", LENGTH, ours.apex_height, theirs.apex_height),
             row("time of the apex", time, ours.apex_time, theirs.apex_time),
         ],
     ));
@@ -197,7 +196,7 @@ fn line(row: &Best, is_by_loft: bool, shown: Published) -> Vec<String> {
         degrees(ours),
         shown.printed_length(printed.carry),
         shown.length(computed.carry),
-        shown.difference(Quantity::LENGTH, "yd", computed.carry - printed.carry),
+        shown.difference(LENGTH, computed.carry - printed.carry),
     ]
 }
 
@@ -324,8 +323,5 @@ fn degrees(radians: f64) -> String {
 fn spread(numbers: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
     let n = numbers.clone().count() as f64;
     let square: f64 = numbers.clone().map(|number| number * number).sum();
-    (
-        (square / n).sqrt(),
-        numbers.map(f64::abs).fold(0.0, f64::max),
-    )
+    ((square / n).sqrt(), largest_magnitude(numbers))
 }

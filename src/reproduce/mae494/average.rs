@@ -58,13 +58,10 @@ impl Average {
         let rows = rows.collect::<Result<_>>()?;
 
         let problem = |x: &[f64]| {
-            let objective = average(x).map_err(|error| error.to_string())?.negated();
-            Ok(Evaluation {
-                objective,
-                constraints: vec![],
-            })
+            let mean = average(x).map_err(|error| error.to_string())?;
+            Ok(Evaluation::unconstrained(mean.negated()))
         };
-        let [low, high] = printed::LOFT.map(f64::to_radians);
+        let [low, high] = printed::RANGES.loft.map(f64::to_radians);
         let printed = printed_loft.to_radians();
         let found = minimize(
             &problem,

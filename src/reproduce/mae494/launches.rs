@@ -1,4 +1,4 @@
-use super::{Row, tables};
+use super::Row;
 use crate::derivative::{self, Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -7,7 +7,7 @@ use crate::optimize::{
     Domain, Evaluation, Observers, Options, Problem, Status, minimize_from, starts,
 };
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT, delivered};
+use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
 
@@ -26,6 +26,18 @@ pub struct Launched {
     pub spin: f64,
     /// The carry, m.
     pub carry: f64,
+}
+
+impl Launched {
+    /// A launch x = (ball speed, launch angle, backspin) with its carry.
+    fn new(x: &[f64], carry: f64) -> Self {
+        Self {
+            speed: x[0],
+            angle: x[1],
+            spin: x[2],
+            carry,
+        }
+    }
 }
 
 /// Energy argument against the report's distances: maximum ball speed, and maximum carry at that
@@ -167,20 +179,10 @@ impl Subsystems {
             |parameter: usize| [0, 1, 2].map(|q| slopes[q] * impact[q].gradient[parameter]);
         let (own_choice, _) = alone.best([launch[0], launch[0]])?;
         let attack_angle = optimum.exact().attack_angle;
-        let square = Delivery {
-            loft: 0.0,
-            attack_angle,
-            carry: tables::carried(&delivered(setup, 0.0, attack_angle))?,
-        };
         Ok(Self {
-            whole: Launched {
-                speed: launch[0],
-                angle: launch[1],
-                spin: launch[2],
-                carry: flight.value,
-            },
+            whole: Launched::new(&launch, flight.value),
             flight: own_choice,
-            impact: square,
+            impact: Delivery::flown(setup, 0.0, attack_angle)?,
             slopes: slopes.into(),
             by_loft: through(0).into(),
             by_attack_angle: through(1).into(),
@@ -247,15 +249,7 @@ impl FlightAlone {
             None => -best.value.unwrap_or_default(),
             Some(_) => best.constraints[0].value,
         };
-        Ok((
-            Launched {
-                speed: best.x[0],
-                angle: best.x[1],
-                spin: best.x[2],
-                carry,
-            },
-            best.upper_multipliers,
-        ))
+        Ok((Launched::new(&best.x, carry), best.upper_multipliers))
     }
 }
 
@@ -267,10 +261,7 @@ impl Problem for FlightAlone {
             .map_err(|error| error.to_string())?
             .swap_remove(0);
         Ok(match self.least_carry {
-            None => Evaluation {
-                objective: carry.negated(),
-                constraints: vec![],
-            },
+            None => Evaluation::unconstrained(carry.negated()),
             Some(_) => {
                 let speed = Taylor {
                     value: x[0],

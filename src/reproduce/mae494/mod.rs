@@ -30,7 +30,7 @@ pub use while_loop::{LoopLanding, LoopRow, loop_landing, while_loop};
 
 use crate::error::Result;
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT, delivered};
+use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
 use crate::units::System;
 
 /// Reproduction of the report.
@@ -71,13 +71,8 @@ pub fn mae494(mut progress: impl FnMut(&str)) -> Result<Mae494> {
     let setup = Setup::preset("mae494")?;
     progress("the regression");
     let regression = Regression::new()?;
-    let loft = regression.slipped.loft;
     let attack_angle = printed::REGRESSION_ATTACK.to_radians();
-    let slipped = Delivery {
-        loft,
-        attack_angle,
-        carry: tables::carried(&delivered(&setup, loft, attack_angle))?,
-    };
+    let slipped = Delivery::flown(&setup, regression.slipped.loft, attack_angle)?;
     progress("the tables");
     let optimum = tables::row(&setup, printed::OPTIMUM, &[LOFT, ATTACK_ANGLE])?;
     let by_attack = printed::TABLE_1.map(|[attack, loft, carry]| [loft, attack, carry]);

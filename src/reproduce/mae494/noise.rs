@@ -1,11 +1,10 @@
 use super::searches::{Searches, searches};
-use super::tables;
 use super::while_loop::{LoopLanding, fly_past_the_ground};
 use crate::derivative;
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{LOFT, delivered};
+use crate::reproduce::delivery::{LOFT, carried, delivered};
 use serde::Serialize;
 
 /// The "noise" of the report's flight loop: carry is a sawtooth function of loft, and finite
@@ -121,7 +120,7 @@ impl Noise {
     /// Studies the noise, with the air and the club of `setup`.
     pub(super) fn new(setup: &Setup<f64>, progress: &mut impl FnMut(&str)) -> Result<Self> {
         let (step, difference) = (setup.flight.step, f64::EPSILON.sqrt());
-        let smooth_at = |loft: f64| tables::carried(&delivered(setup, loft, 0.0));
+        let smooth_at = |loft: f64| carried(&delivered(setup, loft, 0.0));
         let ten = 10.0_f64.to_radians();
 
         let zoom = (0..=ZOOM).map(|k| {
@@ -177,7 +176,7 @@ impl Landings {
             loft,
             overshot,
             interpolated,
-            smooth: tables::carried(&level)?,
+            smooth: carried(&level)?,
         })
     }
 }

@@ -1,14 +1,13 @@
 //! Objective of the searches on the report's problem.
 
 use super::printed;
-use super::tables::carried;
 use super::while_loop::fly_past_the_ground;
 use crate::derivative::{Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::optimize::{Domain, Taylor};
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{ATTACK_ANGLE, LOFT, delivered};
+use crate::reproduce::delivery::{ATTACK_ANGLE, LOFT, Ranges, carried, delivered};
 use serde::Serialize;
 use std::cell::Cell;
 
@@ -46,8 +45,9 @@ pub enum Method {
 
 /// The report's ranges of loft and attack angle.
 pub(super) fn domain() -> Result<Domain> {
-    let [loft, attack] = [printed::LOFT, printed::ATTACK].map(|ends| ends.map(f64::to_radians));
-    Domain::new(vec![loft[0], attack[0]], vec![loft[1], attack[1]])
+    let Ranges { loft, attack_angle } = printed::RANGES;
+    let ends = |end: usize| vec![loft[end].to_radians(), attack_angle[end].to_radians()];
+    Domain::new(ends(0), ends(1))
 }
 
 /// −carry as a function of loft and attack angle, with a count of the flights.

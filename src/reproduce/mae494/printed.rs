@@ -1,6 +1,8 @@
 //! Values printed in the MAE 494 report, in its units. No other results are stored: a reproduction
 //! computes them.
 
+use crate::reproduce::delivery::Ranges;
+
 /// Table 1: swing elevation, deg; optimal loft, deg; distance, m.
 pub const TABLE_1: [[f64; 3]; 13] = [
     [-10.0, 11.5713, 131.08],
@@ -35,11 +37,11 @@ pub const TABLE_2: [[f64; 3]; 9] = [
 /// longest distance of Table 1, m.
 pub const OPTIMUM: [f64; 3] = [17.68, 7.3, 248.48];
 
-/// Range of loft, deg.
-pub const LOFT: [f64; 2] = [0.0, 20.0];
-
-/// Range of swing elevation, deg, as in Table 1.
-pub const ATTACK: [f64; 2] = [-10.0, 10.0];
+/// Ranges of loft and swing elevation, the latter as in Table 1.
+pub const RANGES: Ranges = Ranges {
+    loft: [0.0, 20.0],
+    attack_angle: [-10.0, 10.0],
+};
 
 /// Data of the regression in the listing, at swing elevation 10°: loft, deg, and distance, m.
 pub const REGRESSION: [[f64; 2]; 5] = [

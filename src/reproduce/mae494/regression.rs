@@ -82,7 +82,7 @@ fn through_the_data(powers: [u32; 5]) -> Result<SVector<f64, 5>> {
 
 impl Polynomial {
     fn peak(self) -> Result<Peak> {
-        let [low, high] = printed::LOFT.map(f64::to_radians);
+        let [low, high] = printed::RANGES.loft.map(f64::to_radians);
         let domain = Domain::new(vec![low], vec![high])?;
         // start at the report's start, 10°, and at other lofts: a quintic may have two maxima
         let starts = starts(&domain, &[10.0_f64.to_radians()], 8)?;
@@ -116,9 +116,7 @@ impl Functions for Polynomial {
             .iter()
             .zip(self.powers)
             .map(|(beta, power)| x[0].powi(power) * *beta);
-        Ok(Evaluation {
-            objective: -terms.fold(T::zero(), |sum, term| sum + term),
-            constraints: vec![],
-        })
+        let sum = terms.fold(T::zero(), |sum, term| sum + term);
+        Ok(Evaluation::unconstrained(-sum))
     }
 }

@@ -88,10 +88,7 @@ fn search(objective: &Objective<'_>, start: Delivery) -> Result<End> {
         Method::QuasiNewton | Method::Exact => {
             let problem = |x: &[f64]| {
                 let objective = objective.taylor(x).map_err(|error| error.to_string())?;
-                Ok(Evaluation {
-                    objective,
-                    constraints: vec![],
-                })
+                Ok(Evaluation::unconstrained(objective))
             };
             let found = minimize(&problem, &objective.domain, &x, &Options::default())?;
             (found.x, format!("{}: {}", found.status, found.message))

@@ -1,10 +1,9 @@
 use super::printed;
-use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::optimize::Observers;
-use crate::parameters::{Setup, Vary};
-use crate::reproduce::delivery::{Delivery, LOFT};
-use crate::study::{Active, Optimum, Search, optima};
+use crate::parameters::Setup;
+use crate::reproduce::delivery::{Delivery, carried};
+use crate::study::{Optimum, optima};
 
 /// A row of a printed table compared with the exact optimum of the same model.
 #[derive(Clone, Debug)]
@@ -13,8 +12,6 @@ pub struct Row {
     pub printed: Delivery,
     /// The exact optimum of the varied parameters.
     pub best: Optimum,
-    /// Active bounds.
-    pub active: Vec<Active>,
     /// Carry that the same model gives for the printed optimum, m; `None` if the ball does not fly.
     pub at_printed: Option<f64>,
 }
@@ -27,12 +24,7 @@ impl Row {
 
     /// Delivery and carry of the exact optimum.
     pub fn exact(&self) -> Delivery {
-        let setup = &self.best.setup;
-        Delivery {
-            loft: setup.club.loft,
-            attack_angle: setup.swing.attack_angle,
-            carry: self.best.value().unwrap_or_default(),
-        }
+        Delivery::of(&self.best)
     }
 }
 
@@ -50,39 +42,14 @@ pub(super) fn row(setup: &Setup<f64>, printed: [f64; 3], names: &[&str]) -> Resu
     let [loft, attack_angle, distance] = printed;
     let printed = Delivery::in_degrees(loft, attack_angle, distance);
     let at = printed.set(setup);
-    let vary = names
-        .iter()
-        .map(|name| range(setup, name))
-        .collect::<Result<_>>()?;
-    let search = Search {
-        vary,
-        ..Search::largest(Outcome::Carry)
-    };
+    let search = printed::RANGES.longest_carry(setup, names)?;
     // the ball does not fly at some printed optima, and carry may have several maxima: use several
     // starts
-    let best = optima(&at, &search, 8, &Observers::default())?.best;
     Ok(Row {
         printed,
-        active: best.active(),
-        best,
+        best: optima(&at, &search, 8, &Observers::default())?.best,
         at_printed: carried_if_flown(&at)?,
     })
-}
-
-/// The report's range of a parameter.
-fn range(setup: &Setup<f64>, name: &str) -> Result<Vary> {
-    let ends = if name == LOFT {
-        printed::LOFT
-    } else {
-        printed::ATTACK
-    };
-    let [low, high] = ends.map(f64::to_radians);
-    Vary::new(setup.variable(name)?, low, high)
-}
-
-/// Carry of a drive, m.
-pub(super) fn carried(setup: &Setup<f64>) -> Result<f64> {
-    Ok(Drive::new(setup)?.landed()?.carry)
 }
 
 /// Carry of a drive, m; `None` if the ball does not fly.

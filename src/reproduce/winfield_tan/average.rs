@@ -3,7 +3,6 @@ use crate::error::{Error, Result};
 use crate::parameters::Setup;
 use crate::reproduce::Average;
 use crate::reproduce::delivery::LoftCarry;
-use crate::units::Quantity;
 use nalgebra::{DMatrix, DVector};
 
 /// Mean carry over attack angles of 0, 1 … 10°, and its best loft.
@@ -27,7 +26,7 @@ impl Mean {
         let average = Average::new(setup, &printed::AVERAGED_LOFTS, loft)?;
         let printed = LoftCarry {
             loft: loft.to_radians(),
-            carry: carry * Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN),
+            carry: carry * printed::YARD,
         };
         let through = Polynomial::through(&average.rows).ok_or_else(refused)?;
         let by_polynomial = through.top(average.best.loft)?;

@@ -1,9 +1,8 @@
-use super::printed;
+use super::printed::{self, MPH, YARD};
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::impact::strike;
 use crate::parameters::Setup;
-use crate::units::Quantity;
 use serde::Serialize;
 
 /// Values of the single shot, computed or printed, SI. JSON contains only the values of the flight.
@@ -50,11 +49,9 @@ pub struct ShotComparison {
 
 impl ShotComparison {
     pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
-        let unit = |quantity: Quantity, unit: &str| quantity.size_of(unit).unwrap_or(f64::NAN);
-        let (mph, yard) = (unit(Quantity::SPEED, "mph"), unit(Quantity::LENGTH, "yd"));
         let [speed, loft, attack] = printed::SHOT_DELIVERY;
         let mut at = *setup;
-        at.swing.speed = speed * mph;
+        at.swing.speed = speed * MPH;
         (at.club.loft, at.swing.attack_angle) = (loft.to_radians(), attack.to_radians());
         let drive = Drive::new(&at)?;
         let of = |outcome: Outcome| outcome.of(&drive);
@@ -75,14 +72,14 @@ impl ShotComparison {
             [carry, flight_time, apex, apex_time],
         ) = (printed::IMPACT, printed::SHOT);
         let printed = SingleShot {
-            up: up * mph,
-            downrange: downrange * mph,
+            up: up * MPH,
+            downrange: downrange * MPH,
             backspin: revolutions * std::f64::consts::TAU,
-            club_after: club_after * mph,
+            club_after: club_after * MPH,
             launch_angle: angle.to_radians(),
-            carry: carry * yard,
+            carry: carry * YARD,
             flight_time,
-            apex_height: apex * yard,
+            apex_height: apex * YARD,
             apex_time,
         };
         let [mean, deviation] = printed::ROBOT;
@@ -90,7 +87,7 @@ impl ShotComparison {
             club_speed: at.swing.speed,
             computed,
             printed,
-            robot: (mean * yard, deviation * yard),
+            robot: (mean * YARD, deviation * YARD),
         })
     }
 }

@@ -1,17 +1,17 @@
 //! The printed optima, recomputed.
 
-use crate::drive::{Drive, Outcome};
-use crate::error::{Error, Result};
-use crate::optimize::{Observer, Status};
-use crate::parameters::{Setup, Vary};
-use crate::reproduce::delivery::{Delivery, LOFT};
-use crate::study::{Search, optimum as search};
-use crate::units::Quantity;
+use super::printed;
+use crate::error::Result;
+use crate::optimize::Observer;
+use crate::parameters::Setup;
+use crate::reproduce::delivery::{Delivery, LOFT, Ranges, carried};
+use crate::study::optimum;
 
-/// Search range of the loft, deg, far beyond the printed values.
-const LOFTS: [f64; 2] = [-10.0, 40.0];
-/// Search range of the attack angle, deg, far beyond the printed values.
-const ATTACKS: [f64; 2] = [-20.0, 50.0];
+/// Search ranges far beyond the printed values.
+const RANGES: Ranges = Ranges {
+    loft: [-10.0, 40.0],
+    attack_angle: [-20.0, 50.0],
+};
 
 /// An optimum, computed and printed.
 #[derive(Clone, Copy, Debug)]
@@ -49,9 +49,8 @@ pub(super) fn ridge(setup: &Setup<f64>, top: &Best) -> Result<Vec<Delivery>> {
 /// deg; carry, yd.
 pub(super) fn best(setup: &Setup<f64>, printed: [f64; 3], names: &[&str]) -> Result<Best> {
     let [loft, attack_angle, carry] = printed;
-    let yard = Quantity::LENGTH.size_of("yd").unwrap_or(f64::NAN);
-    let printed = Delivery::in_degrees(loft, attack_angle, carry * yard);
-    let at_printed = Drive::new(&printed.set(setup))?.landed()?.carry;
+    let printed = Delivery::in_degrees(loft, attack_angle, carry * printed::YARD);
+    let at_printed = carried(&printed.set(setup))?;
     Ok(Best {
         computed: searched(setup, printed, names)?,
         printed,
@@ -61,25 +60,7 @@ pub(super) fn best(setup: &Setup<f64>, printed: [f64; 3], names: &[&str]) -> Res
 
 /// The optimum over the parameters `names`, searched from the delivery `from`.
 fn searched(setup: &Setup<f64>, from: Delivery, names: &[&str]) -> Result<Delivery> {
-    let range = |name: &&str| {
-        let [low, high] = if *name == LOFT { LOFTS } else { ATTACKS };
-        Vary::new(setup.variable(name)?, low.to_radians(), high.to_radians())
-    };
-    let vary = names.iter().map(range).collect::<Result<Vec<_>>>()?;
-    let asked = Search {
-        vary,
-        ..Search::largest(Outcome::Carry)
-    };
-    let found = search(&from.set(setup), asked, Observer::default())?;
-    match found.value() {
-        Some(carry) if found.solution.status == Status::Converged => Ok(Delivery {
-            loft: found.setup.club.loft,
-            attack_angle: found.setup.swing.attack_angle,
-            carry,
-        }),
-        _ => Err(Error::NotConverged {
-            status: found.status(),
-            message: found.message(),
-        }),
-    }
+    let search = RANGES.longest_carry(setup, names)?;
+    let found = optimum(&from.set(setup), search, Observer::default())?;
+    Ok(Delivery::of(&found.converged()?))
 }

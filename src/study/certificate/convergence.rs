@@ -6,6 +6,7 @@ use crate::derivative::{Taylor, jacobian};
 use crate::drive::{ComputedFrom, Drive, Outcome};
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
+use crate::statistics::largest_magnitude;
 use serde::Serialize;
 
 /// Step sizes for a smooth law. The errors of an outcome evaluated within a single step (the apex)
@@ -212,12 +213,8 @@ impl<'a> Comparison<'a> {
             })
         };
         let samples: Vec<[Errors; 2]> = self.flown.iter().map(sample).collect();
-        let largest = |errors: &Vec<f64>| {
-            errors
-                .iter()
-                .fold(0.0_f64, |largest, error| largest.max(error.abs()))
-        };
-        let rounding = errors_of(&self.beside).map(|errors| ROUNDING_FACTOR * largest(&errors));
+        let rounding =
+            errors_of(&self.beside).map(|errors| ROUNDING_FACTOR * largest_magnitude(&errors));
         let of_smooth_law = orders_of_smooth_law(self.setup, of);
         let law_derivatives = self.setup.law.continuous_derivatives();
         // a join of a law with k continuous derivatives gives an error h^(k+2) times a function of

@@ -10,6 +10,7 @@
 //! Therefore the lower-order term d is fitted to the signed errors, and must be negligible.
 
 use crate::derivative::check::line_slope;
+use crate::statistics::largest_magnitude;
 use nalgebra::{DMatrix, DVector};
 
 /// Minimum number of levels.
@@ -40,9 +41,7 @@ pub(super) struct Errors {
 impl Errors {
     /// Largest absolute error.
     pub fn largest(&self) -> f64 {
-        self.errors
-            .iter()
-            .fold(0.0, |most, error| most.max(error.abs()))
+        largest_magnitude(&self.errors)
     }
 }
 
@@ -126,11 +125,10 @@ fn has_lower_term(samples: &[&Errors], power: i32) -> bool {
         .fold(f64::INFINITY, f64::min);
     let scaled = |it: &Errors, entry: usize| it.errors[entry] / (it.step / finest).powi(power);
     let entries = last.errors.len();
-    let at_finest = samples
-        .iter()
-        .filter(|it| it.level == last.level)
-        .flat_map(|it| (0..entries).map(move |entry| scaled(it, entry).abs()))
-        .fold(0.0, f64::max);
+    let finest_samples = samples.iter().filter(|it| it.level == last.level);
+    let at_finest = largest_magnitude(
+        finest_samples.flat_map(|it| (0..entries).map(move |entry| scaled(it, entry))),
+    );
     // omit one term if there are only three levels
     let terms = if samples.iter().any(|it| it.level + MEASURED <= last.level) {
         4

@@ -1,7 +1,7 @@
 use crate::drive::{Drive, Outcome};
 use crate::flight::Flight;
 use crate::parameters::{Parameter, Setup};
-use crate::units::Quantity;
+use crate::units::{DisplayUnit, Quantity};
 
 /// Characteristic size of a parameter, which scales the steps of differences: the magnitude of the
 /// parameter's value. If the value is 0, or if the parameter may be negative: the larger of this
@@ -38,7 +38,7 @@ fn usual(parameter: &Parameter) -> f64 {
         (_, "") => 0.1,
         _ => 1.0,
     };
-    units * parameter.quantity.size_of(parameter.unit).unwrap_or(1.0)
+    units * DisplayUnit::from(parameter).size()
 }
 
 /// Magnitude of the terms that an outcome is computed from, SI; the outcome's rounding error is

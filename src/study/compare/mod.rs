@@ -9,6 +9,8 @@ pub use path::{Cause, CauseValue, Share, Shares};
 use crate::drive::{Drive, Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::parameters::{LaunchConditions, Setup};
+use crate::statistics::largest_magnitude;
+use crate::units::DisplayUnit;
 use path::{Path, value};
 use split::Split;
 use std::f64::consts::FRAC_PI_2;
@@ -164,10 +166,8 @@ impl Comparison {
             value(&self.setups[side], of).map_err(|error| error.of_drive(NAMES[side]))
         };
         let values = [at(0)?, at(1)?];
-        let unit = of.quantity().size_of(of.unit()).unwrap_or(1.0);
-        let size = values
-            .iter()
-            .fold(unit, |most, value| most.max(value.abs()));
+        let unit = DisplayUnit::from(of).size();
+        let size = largest_magnitude(values).max(unit);
         let amount = of.change(values[0], values[1]);
         let shares = |split: &mut Split<'_>| {
             let found = split.shares(of, amount, size);

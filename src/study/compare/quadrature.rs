@@ -1,4 +1,5 @@
 use crate::error::Result;
+use crate::statistics::largest_magnitude;
 
 /// Positive nodes and weights of the 8-point Gauss–Legendre rule on [−1, 1], exact for polynomials
 /// of degree 15 (Abramowitz & Stegun 1964, table 25.4).
@@ -62,10 +63,7 @@ pub(super) fn integrals(
     let mut halved = 0;
     loop {
         let found = sum(&parts);
-        let size = found
-            .values
-            .iter()
-            .fold(size, |most, value| most.max(value.abs()));
+        let size = largest_magnitude(&found.values).max(size);
         let is_enough = |part: f64| found.error <= part * size;
         let worst = (0..parts.len()).max_by(|a, b| parts[*a].error.total_cmp(&parts[*b].error));
         let (Some(worst), true) = (worst, halved < MOST) else {

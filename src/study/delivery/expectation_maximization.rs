@@ -188,10 +188,7 @@ impl SwingInformation {
             let wider = left + between;
             // remove the asymmetry of rounding
             let wider = (&wider + wider.transpose()) * 0.5;
-            let change = (&middle - &mean)
-                .iter()
-                .chain((&wider - &spread).iter())
-                .fold(0.0, |largest: f64, x| largest.max(x.abs()));
+            let change = (&middle - &mean).amax().max((&wider - &spread).amax());
             (mean, spread) = (middle, wider);
             if change < TOLERANCE {
                 break;

@@ -2,7 +2,7 @@
 
 use super::rules::GolfRule;
 use crate::study::Optimum;
-use crate::units::Quantity;
+use crate::units::DisplayUnit;
 
 /// A constraint counts as met if it is violated by at most this fraction of its `step`.
 const MET: f64 = 1e-6;
@@ -20,10 +20,8 @@ pub struct DesignConstraint {
     pub by: Enforcement,
     /// Lower and upper limit, SI; may be infinite.
     pub range: [f64; 2],
-    /// Physical quantity of the value.
-    pub quantity: Quantity,
-    /// Display unit.
-    pub unit: &'static str,
+    /// Physical quantity of the value, with its display unit.
+    pub unit: DisplayUnit,
     /// Change of the limit for which the multiplier is stated, SI.
     pub step: f64,
 }

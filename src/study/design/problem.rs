@@ -8,7 +8,7 @@ use crate::impact::Head;
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::swings::Scenarios;
 use crate::study::{Constraint, Optimum, Search};
-use crate::units::{Amount, Quantity, counted};
+use crate::units::{Amount, DisplayUnit, Quantity, counted};
 
 /// Default variables: the face.
 const USUAL: [&str; 3] = [
@@ -85,18 +85,16 @@ impl Design {
             {
                 let limit = &design.search.subject_to[k];
                 let (name, goal) = (limit.goal.expression.clone(), &limit.goal);
-                let step = goal.quantity.size_of(goal.unit).unwrap_or(1.0);
+                let unit = DisplayUnit::from(goal);
                 let (expression, range) = (limit.expression.clone(), [limit.low, limit.high]);
-                let (quantity, unit) = (goal.quantity, goal.unit);
                 design.constraints.push(DesignConstraint {
                     name,
                     expression,
                     rule: None,
                     by: Enforcement::Limit(k),
                     range,
-                    quantity,
                     unit,
-                    step,
+                    step: unit.size(),
                 });
             }
         }
@@ -167,8 +165,7 @@ impl Design {
             rule: Some(rule),
             by,
             range,
-            quantity: rule.quantity(),
-            unit: rule.limit.split_once(' ').map_or("", |(_, unit)| unit),
+            unit: rule.unit(),
             step: rule.quantity().read(rule.step).unwrap_or(1.0),
         });
     }
@@ -381,19 +378,15 @@ impl Design {
             low,
             high,
         });
-        let (quantity, unit) = (of.quantity(), of.unit());
-        let step = rule.map_or(unit, |rule| rule.step);
-        let step = Amount::read(step).map_or_else(
-            |_| quantity.size_of(unit).unwrap_or(1.0),
-            |amount| amount.value,
-        );
+        let unit = DisplayUnit::from(of);
+        let step = rule.map_or(unit.unit, |rule| rule.step);
+        let step = Amount::read(step).map_or_else(|_| unit.size(), |amount| amount.value);
         self.constraints.push(DesignConstraint {
             name: name.into(),
             expression,
             rule,
             by,
             range: [low, high],
-            quantity,
             unit,
             step,
         });

@@ -2,7 +2,7 @@
 
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup};
-use crate::units::Quantity;
+use crate::units::{DisplayUnit, Quantity};
 
 /// A rule: a limit on one number.
 #[derive(Debug)]
@@ -163,10 +163,17 @@ impl GolfRule {
         format!("{} {sign} {}{tolerance}", self.limited(), self.limit)
     }
 
+    /// The limited quantity with the unit of the limit.
+    pub fn unit(&self) -> DisplayUnit {
+        DisplayUnit {
+            quantity: self.quantity(),
+            unit: self.limit.split_once(' ').map_or("", |(_, unit)| unit),
+        }
+    }
+
     /// A value in the unit of the limit.
     pub fn show(&self, value: f64) -> String {
-        let unit = self.limit.split_once(' ').map_or("", |(_, unit)| unit);
-        self.quantity().show(value, unit)
+        self.unit().show(value)
     }
 }
 

@@ -83,9 +83,9 @@ impl Robust {
     /// is true, no more swings are checked.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let of = self.search.outcomes();
+        let design: Vec<_> = self.search.parameters().collect();
         let mut all: Vec<Message> = vec![];
         for (model, _) in &self.models {
-            let design: Vec<_> = self.search.vary.iter().map(|vary| vary.parameter).collect();
             let Ok(setup) = model.setup.with_values(&design, &self.design) else {
                 continue;
             };

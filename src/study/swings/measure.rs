@@ -3,7 +3,8 @@ use crate::derivative::Order;
 use crate::drive::Outcome;
 use crate::number::Taylor;
 use crate::parameters::Parameter;
-use crate::units::Quantity;
+use crate::statistics::extent;
+use crate::units::{DisplayUnit, Quantity};
 
 /// A statistic of the drives of all scenarios.
 #[derive(Clone, Debug, PartialEq)]
@@ -117,7 +118,7 @@ impl Measure {
     ) -> Taylor {
         let first = drives.iter().filter_map(|outcomes| outcomes.first());
         let each: Vec<(&Taylor, f64)> = first.copied().zip(weights.iter().copied()).collect();
-        let one = |of: &Outcome| of.quantity().size_of(of.unit()).unwrap_or(1.0);
+        let one = |of: &Outcome| DisplayUnit::from(*of).size();
         let is_second = order == Order::Second;
         let sum = |h: &dyn Fn(f64) -> [f64; 3]| {
             let terms = each
@@ -290,9 +291,8 @@ impl LowestShare<'_> {
                 |(f, weight): &(&Taylor, f64)| weight * self.plus(t - self.sign * f.value)[1];
             self.drives.iter().map(weighted).sum::<f64>() - self.share
         };
-        let values = || self.drives.iter().map(|(f, _)| self.sign * f.value);
-        let mut low = values().fold(f64::INFINITY, f64::min);
-        let mut high = values().fold(f64::NEG_INFINITY, f64::max);
+        let values = self.drives.iter().map(|(f, _)| self.sign * f.value);
+        let [mut low, mut high] = extent(values);
         let mut reach = self.smoothing;
         while excess(low) > 0.0 {
             low -= reach;

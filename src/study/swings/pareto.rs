@@ -226,6 +226,6 @@ fn named(none: FrontError, search: &ParetoSearch, problem: &SearchProblem) -> Er
     };
     Error::NotConverged {
         status: status_name(found.status),
-        message: format!("for the {} {}: {why}", sense.adjective(), goal.expression).into(),
+        message: format!("for the {}: {why}", sense.best_of(goal)).into(),
     }
 }

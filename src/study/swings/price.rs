@@ -8,6 +8,7 @@ use crate::statistics::Moments;
 use crate::study::problem::SearchProblem;
 use crate::study::uncertainty::Interval;
 use crate::study::{Goal, Optimum, Search};
+use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -46,12 +47,22 @@ pub struct Nominal {
 pub enum GoalError {
     /// The error of the quadrature: twice the change of the goal with 1.5 times as many nodes.
     Quadrature(f64),
-    /// The 99 % interval of the goal over all swings, and the number of independent sequences of
-    /// swings whose scatter gives the interval. The interval contains the reported value.
-    Sampling(Interval, usize),
+    /// The error of a sequence of swings.
+    Sampling(SamplingError),
     /// Unknown, because the ball does not fly in a swing of the other scenarios. The text names the
     /// swing and the reason.
     Unknown(String),
+}
+
+/// A confidence interval of the objective, from independent sequences of swings.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "SamplingReport"))]
+pub struct SamplingError {
+    /// The 99 % interval, extended to the reported `value` if this lies outside.
+    pub interval: Interval,
+    /// The number of sequences.
+    pub sequences: usize,
 }
 
 /// The quantile of Student's distribution for an interval of 99 %.
@@ -163,7 +174,10 @@ fn errors_of(
         Some(finer) if !goal.has_edge() => GoalError::Quadrature(2.0 * (finer[k] - value).abs()),
         _ => {
             let others: Vec<f64> = replications.iter().map(|values| values[k]).collect();
-            GoalError::Sampling(interval(goal, *value, &others), others.len())
+            GoalError::Sampling(SamplingError {
+                interval: interval(goal, *value, &others),
+                sequences: others.len(),
+            })
         }
     };
     if finer.is_none() && replications.is_empty() {

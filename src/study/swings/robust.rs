@@ -8,7 +8,8 @@ use crate::parameters::{LAW, NO_CLUB, Parameter, Setup};
 use crate::study::cancellable::stopped;
 use crate::study::optimum::{local_optima, stopped_of};
 use crate::study::problem::SearchProblem;
-use crate::study::{Optimum, Search};
+use crate::study::{Constraint, Optimum, Search};
+use crate::units::DisplayUnit;
 use std::sync::atomic::Ordering;
 
 /// One of several models of impact and flight: the setup with some changes.
@@ -159,11 +160,25 @@ pub struct Robust {
     pub stopped: usize,
 }
 
+/// A constraint of a model, with the minimax design.
+#[derive(Clone, Debug)]
+pub struct ModelLimit<'a> {
+    /// Number of the model.
+    pub model: usize,
+    /// The constraint.
+    pub constraint: &'a Constraint,
+    /// Exact value of the limited goal, with the multiplier.
+    pub at: ConstraintValue,
+    /// Gradient of the limited goal by the design parameters and the greatest loss.
+    pub slopes: &'a [f64],
+    /// Decrease of the greatest loss per unit by which the limit is relaxed. For an equality
+    /// constraint: per unit by which its limit is raised.
+    pub gain: f64,
+}
+
 impl Robust {
-    /// Constraints of each model at the end of the search: number of the model, number of the
-    /// constraint, its exact value, its multiplier, and its gradient by the design parameters and
-    /// the greatest loss.
-    pub fn limits(&self) -> impl Iterator<Item = (usize, usize, ConstraintValue, &[f64])> {
+    /// Constraints of each model at the end of the search.
+    pub fn limits(&self) -> impl Iterator<Item = ModelLimit<'_>> {
         // each model's first constraint is its loss
         let each = 1 + self.search.subject_to.len();
         let all = self
@@ -175,18 +190,15 @@ impl Robust {
         let limits = all.filter(move |(i, _)| i % each > 0);
         limits.map(move |(i, (at, slopes))| {
             let (model, limit) = (i / each, i % each - 1);
-            let value = self.goals[model][1 + limit];
-            let violation = self.search.subject_to[limit].violation(value);
-            (
+            let constraint = &self.search.subject_to[limit];
+            let at = constraint.exactly(self.goals[model][1 + limit], at);
+            ModelLimit {
                 model,
-                limit,
-                ConstraintValue {
-                    value,
-                    violation,
-                    ..*at
-                },
-                &slopes[..],
-            )
+                constraint,
+                at,
+                slopes,
+                gain: self.gain(model, limit, &at),
+            }
         })
     }
 
@@ -206,19 +218,15 @@ impl Robust {
         ]
     }
 
-    /// Decrease of the greatest loss per unit by which a limit of a model is relaxed. For an
-    /// equality constraint: per unit by which its limit is raised. `limit` is the number of the
-    /// constraint in [`limits`](Self::limits).
-    pub fn limit_price(&self, model: usize, limit: usize, at: &ConstraintValue) -> f64 {
-        let is_equation = self.search.subject_to[limit].low == self.search.subject_to[limit].high;
-        let of_best = self.models[model]
-            .1
-            .solution
-            .constraints
-            .get(limit)
-            .map_or(0.0, |best| best.multiplier);
+    /// The gain of [`ModelLimit`] for constraint `limit` of a model.
+    fn gain(&self, model: usize, limit: usize, at: &ConstraintValue) -> f64 {
+        let (_, best) = &self.models[model];
+        let of_best = best.solution.constraints.get(limit);
+        let of_best = of_best.map_or(0.0, |best| best.multiplier);
         match at.multiplier {
-            own if is_equation => own - self.shares[model] * of_best,
+            own if self.search.subject_to[limit].is_equation() => {
+                own - self.shares[model] * of_best
+            }
             // at the model's own best design the opposite limit is active
             own if own * of_best < 0.0 => own.abs(),
             own => own.abs() - self.shares[model] * of_best.abs(),
@@ -434,8 +442,7 @@ impl<'a> Losses<'a> {
     /// spread over the ranges, each with t above the greatest loss of x by at least a tenth of a
     /// unit. Designs for which a goal has no value are omitted.
     fn starts(&self, designs: &[&[f64]], count: usize) -> Result<Vec<Vec<f64>>> {
-        let of = &self.search.of;
-        let margin = 0.1 * of.quantity.size_of(of.unit).unwrap_or(1.0);
+        let margin = 0.1 * DisplayUnit::from(&self.search.of).size();
         let models = self.problems.len();
         let first = &self.problems[0];
         let mean: Vec<f64> = (0..self.search.vary.len())

@@ -3,6 +3,7 @@ use super::quadrature::{REACH, rule};
 use crate::error::{Error, Result};
 use crate::optimize::sobol;
 use crate::parameters::{Parameter, Vary};
+use crate::statistics::extent;
 use crate::study::uncertainty::{Distribution, Uncertain};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -140,11 +141,11 @@ impl Scenarios {
     /// The range of each parameter's values.
     pub fn ranges(&self) -> Vec<Vary> {
         let range = |(i, parameter): (usize, &&'static Parameter)| {
-            let values = self.points.iter().map(|point| point[i]);
+            let [low, high] = extent(self.points.iter().map(|point| point[i]));
             Vary {
                 parameter,
-                low: values.clone().fold(f64::INFINITY, f64::min),
-                high: values.fold(f64::NEG_INFINITY, f64::max),
+                low,
+                high,
             }
         };
         self.parameters.iter().enumerate().map(range).collect()

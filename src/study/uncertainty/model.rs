@@ -3,7 +3,7 @@
 
 use super::Distribution;
 use crate::error::Result;
-use crate::statistics::Moments;
+use crate::statistics::{Moments, extent};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 use rayon::prelude::*;
@@ -329,11 +329,7 @@ const SAME: f64 = 64.0 * f64::EPSILON;
 
 /// Reports whether values differ by more than rounding.
 fn varies(values: &[f64]) -> bool {
-    let (low, high) = values
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| {
-            (low.min(v), high.max(v))
-        });
+    let [low, high] = extent(values.iter().copied());
     high - low > SAME * low.abs().max(high.abs())
 }
 

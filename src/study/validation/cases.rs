@@ -106,7 +106,7 @@ pub(super) fn cases(set: &str) -> Result<Vec<Case>> {
         };
         let mut published = [None; Compared::ALL.len()];
         for (of, value) in Compared::ALL.into_iter().zip(&mut published) {
-            *value = number(of.name(), of.unit().0)?;
+            *value = number(of.name(), of.unit().quantity)?;
         }
         cases.push(Case {
             name: words("case").unwrap_or_default(),

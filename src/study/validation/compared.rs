@@ -1,4 +1,4 @@
-use crate::units::Quantity;
+use crate::units::{DisplayUnit, Quantity};
 
 /// A quantity in which laws are compared with published drives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -42,12 +42,13 @@ impl Compared {
         }
     }
 
-    /// Physical quantity and display unit.
-    pub fn unit(self) -> (Quantity, &'static str) {
-        match self {
+    /// Physical quantity with its display unit.
+    pub fn unit(self) -> DisplayUnit {
+        let (quantity, unit) = match self {
             Self::Carry | Self::Apex | Self::Curve | Self::Gain => (Quantity::LENGTH, "yd"),
             Self::Descent | Self::LaunchAngle => (Quantity::ANGLE, "deg"),
             Self::Spin => (Quantity::ANGULAR_VELOCITY, "rpm"),
-        }
+        };
+        DisplayUnit { quantity, unit }
     }
 }

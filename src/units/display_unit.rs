@@ -1,0 +1,29 @@
+use super::{Quantity, System};
+
+/// A quantity with its display unit. Texts in the units of the other system have the counterpart of
+/// this unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DisplayUnit {
+    /// Physical quantity.
+    pub quantity: Quantity,
+    /// Display unit.
+    pub unit: &'static str,
+}
+
+impl DisplayUnit {
+    /// Size of the unit, SI.
+    pub fn size(self) -> f64 {
+        self.quantity.size_of(self.unit).unwrap_or(1.0)
+    }
+
+    /// An SI value as text in the unit, as [`Quantity::show`] writes it.
+    pub fn show(self, value: f64) -> String {
+        self.quantity.show(value, self.unit)
+    }
+
+    /// Size of the unit of a system, SI.
+    pub fn size_in(self, system: System) -> f64 {
+        let unit = system.unit(self.unit);
+        self.quantity.size_of(unit).unwrap_or(1.0)
+    }
+}
