@@ -121,7 +121,8 @@ pub fn run_to_answer<R: Send + 'static>(
         // the receiver does not exist any more if Python did not wait
         let _ = finished.send(unpanicked(|| work(&stopped)));
     });
-    // the exception of the interruption, and the time until which the answer is awaited
+    // after an interruption: its exception, and the time until which the function waits for the
+    // answer
     let mut ending: Option<(PyErr, Instant)> = None;
     loop {
         let heard;

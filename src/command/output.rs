@@ -147,7 +147,8 @@ fn value_of(answer: &impl Serialize) -> Value {
     serde_json::to_value(answer).unwrap_or_default()
 }
 
-/// Formats the arguments in the strings of a JSON value with the syntax of the command's `Host`.
+/// Writes the arguments that the texts of a JSON value mention as its user types them: as options
+/// in a shell, as keyword arguments in Python.
 fn put_in_words_of_the_host(value: &mut Value) {
     match value {
         Value::String(text) if text.contains('`') => *text = in_words_of_the_host(text),

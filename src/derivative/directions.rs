@@ -20,7 +20,8 @@ pub(super) enum Entries {
     Last,
 }
 
-/// Pairs of variables for these entries of the lower triangle of a Hessian.
+/// The two variables of each of these entries of the lower triangle of a Hessian, one entry after
+/// the other.
 pub(super) fn pairs(variables: &[usize], entries: Entries) -> Vec<usize> {
     let row = |i: usize| {
         variables[..=i]

@@ -24,7 +24,7 @@ pub(super) struct Point<'a> {
     pub wrt: &'a [&'static Parameter],
     /// Values of the parameters.
     pub x: &'a [f64],
-    /// Number of parameters of differentiation: all parameters, or 0 if only values are computed.
+    /// Number of parameters to differentiate by: all of `wrt`, or 0 if only values are computed.
     pub columns: usize,
     /// Computed entries of the Hessians; `None` for first order.
     pub entries: Option<Entries>,

@@ -248,7 +248,7 @@ struct Hop<T: Numbers> {
     rising: Vector<T>,
     /// Duration T, s.
     time: T,
-    /// `drag` v T: relative slowdown along the plane, x in eq. 22.
+    /// Relative slowdown along the plane by drag during the hop: x in eq. 22 of docs/model.md.
     slowdown: T,
     /// g, m/s².
     gravity: T,

@@ -106,8 +106,8 @@ pub struct ResolvedOptimum {
 }
 
 impl SensitivityReport {
-    /// The answer of `optimum-sensitivity`. If the search or the analysis failed, there is no
-    /// `analysis`; `why` is the error of the analysis.
+    /// The answer of `optimum-sensitivity`. There is no `analysis` if the search or the analysis
+    /// failed; if the analysis failed, `why` is its error.
     pub fn reply(
         optima: &Optima,
         analysis: Option<&Analysis>,

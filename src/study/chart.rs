@@ -77,7 +77,7 @@ impl ChartEvent {
         }
     }
 
-    /// Description of the event; `name` formats each bound and constraint.
+    /// The event in words, such as "club.loft begins"; `name` formats each bound and constraint.
     pub fn words(&self, name: impl Fn(&Active) -> String) -> String {
         match self {
             Self::Changed { begins, ends } => {

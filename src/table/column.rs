@@ -473,7 +473,7 @@ impl Column {
             return format!(
                 "'{cell}' is {what}: a comma marks decimals only in tables whose cells are \
                  separated by semicolons or tabs; write {whole}.{decimals}, or separate the cells \
-                 so"
+                 by one of these"
             );
         }
         format!(

@@ -90,7 +90,7 @@ pub(crate) enum Entry {
     Row(Record),
     /// A row that the filter excludes.
     Excluded,
-    /// The line of column heads of another section.
+    /// The line of column heads with which the next section of the table begins.
     Head(Record),
 }
 

@@ -536,7 +536,7 @@ fn ambiguous_decimal_and_thousands_marks_are_refused() {
     let reason = &all[0].shots[0].refusal().unwrap().reason;
     let says = "Ball Speed: '165,5' is not a number: a comma marks decimals only in tables \
                 whose cells are separated by semicolons or \
-                tabs; write 165.5, or separate the cells so";
+                tabs; write 165.5, or separate the cells by one of these";
     assert_eq!(reason, says);
     let (_, flown, _) = file("decimal-commas.csv");
     let refusal = flown.shots[1].refusal().unwrap();

@@ -187,7 +187,7 @@ fn of_lofted(tally: &ShotStatistics, law: &Law<f64>) -> Option<String> {
         format!(
             "{} of clubs with more loft than a driver (spin ratio above 0.12): launch monitors \
              predict carries 4 to 8 yd longer there; \
-             `set aero.law=ferguson` halves that",
+             `set aero.law=ferguson` halves this difference",
             counted(tally.lofted, "shot")
         )
     })

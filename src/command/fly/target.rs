@@ -13,7 +13,7 @@ use std::path::Path;
 pub struct Target {
     destination: Option<Destination>,
     pub format: FlyFormat,
-    /// True if no rows are written: JSON without a file has the summary only.
+    /// True if no rows are written: without an output file, an answer in JSON has the summary only.
     pub is_silent: bool,
 }
 

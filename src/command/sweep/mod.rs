@@ -72,7 +72,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         say_error(nothing);
     }
     let is_answered = is_complete && nothing.is_none();
-    // if the rows go to a file, the answer on standard output has the counts
+    // rows on standard output leave no place there for the counts of drives that did not land
     if is_answered && !all_landed(counts) && target.is_standard_output() {
         tell(&summary.text(None));
     }

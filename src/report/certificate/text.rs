@@ -252,8 +252,9 @@ pub(in crate::report) fn settled(row: &Row) -> f64 {
     shown::settled(row.first.exact, row.ladder.size, row.of, &[row.parameter])
 }
 
-/// The agreement of derivatives at the landing with finite differences at a fixed time; `None`
-/// without a derivative to compare.
+/// A sentence on the agreement of the derivatives at the landing with finite differences of the
+/// state at a fixed time, which are moved to the ground along the velocity. `None` if there is no
+/// derivative to compare.
 fn landing(certificate: &Certificate) -> Option<String> {
     let landing = &certificate.landing;
     let worst = landing

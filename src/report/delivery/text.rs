@@ -106,7 +106,8 @@ fn unidentified(unidentified: &Unidentified, system: System) -> String {
     )
 }
 
-/// The deliveries of the shots of a table, their mean and spread, and their population.
+/// The deliveries of the shots of a table, their mean and spread, and the `population`: the
+/// distribution of the swings.
 pub(super) fn of_table(
     all: &[Delivery],
     population: Option<&Population>,

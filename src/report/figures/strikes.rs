@@ -118,7 +118,7 @@ fn note(designs: &[(&str, &Face)], system: System) -> String {
         ),
     };
     format!(
-        "{slopes}Arrows: how far the spin axis tilts further than from {from}, by bulge, roll and \
+        "{slopes}Arrows: the tilt of the spin axis beyond that of a strike at {from}, by bulge, roll and \
          gear effect together. {}. Seen from the front, so that right of the target line is on the \
          left. The \
          outline is that of a usual driver, for scale only.",

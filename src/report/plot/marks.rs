@@ -248,7 +248,7 @@ fn beside(
         let mut others = others.iter();
         others.all(|other| distance(other.at, extent) > least)
     };
-    // the first of the positions with the lowest cost
+    // the first position of the lowest cost, among the positions with room and clear of other marks
     all.filter(|(middle, _)| has_room(labels, plane, name, *middle, 0.0) && is_clear(middle))
         .min_by_key(|(middle, cost)| 2 * hidden(middle) + cost)
         .map(|(middle, _)| middle)

@@ -32,6 +32,8 @@ impl Columns {
         Self([batch.parameters().len(), outcomes, outcomes * wrt])
     }
 
+    /// Checks that a block of rows has these columns.
+    ///
     /// # Panics
     /// If the block differs from these columns in the number of parameters, outcomes or
     /// derivatives.

@@ -151,7 +151,7 @@ pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
     if setup.launch.is_given() || !is_modelled(setup) {
         return Err(Error::Undefined {
             what: "the while-loop".into(),
-            reason: "it has a swing, and neither wind, spin damping nor a ground below the tee; \
+            reason: "it models a swing, without wind, spin damping or a ground below the tee; \
                      reset wind.*, aero.spin_damping and ground.height"
                 .into(),
         });

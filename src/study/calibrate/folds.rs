@@ -96,7 +96,7 @@ pub fn check_folds(table: &ShotTable, plan: &FitPlan, folds: usize) -> Result<()
     );
     if least < parameters {
         return refuse(format!(
-            "a fit without a fold has {} of {}, fewer than the {} to fit; use more folds, more \
+            "the rows outside of a fold have {} of {}, fewer than the {} to fit; use more folds, more \
              rows, or fewer parameters",
             counted(least as u64, "measured value"),
             table.file,

@@ -149,10 +149,11 @@ impl Rows {
         self.shots.push(row.shot);
     }
 
-    /// Rejects an incomplete row, or any faulty row of an export.
+    /// Skips a row with the fault `wrong`, and notes the fault for a message: an incomplete row of
+    /// any table, and every faulty row of an export.
     ///
     /// # Errors
-    /// An error in a table that is not an export.
+    /// Any other fault of a row in a table that is not an export.
     fn reject(&mut self, reading: &Reading, wrong: RowError) -> Result<()> {
         let row = self.row;
         let place = wrong

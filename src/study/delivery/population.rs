@@ -208,7 +208,8 @@ struct Solution {
     prior_factor: f64,
 }
 
-/// Computes the distribution for one prior factor, iterated until the linearization point is the
+/// Computes the distribution of the swings, with the standard deviations of the prior multiplied by
+/// `prior_factor`. Repeats the linearization of the launches until they are linearized about the
 /// mean of the distribution.
 fn converged(
     setup: &Setup<f64>,

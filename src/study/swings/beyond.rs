@@ -92,7 +92,7 @@ impl Robust {
             let of_drives = warnings(&setup, &self.search.scenarios, &of, stop);
             let of_setup = setup.warnings();
             for message in of_drives {
-                // a warning about the setup concerns every model
+                // a warning about the setup does not name a model: it concerns all models
                 let message = match of_setup.contains(&message) || message == NOT_LOOKED_AT.into() {
                     true => message,
                     false => {

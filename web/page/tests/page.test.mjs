@@ -264,7 +264,7 @@ function exhaustWhenTold() {
 /** Asserts that the page reports a trap, keeps the typed values, and answers the next move. */
 async function recovers(page) {
   await page.locator('.notices .message').waitFor();
-  assert.match(await page.locator('.notices').textContent(), /Internal error in the core, which has begun anew; your values are as they were\. RuntimeError: unreachable/);
+  assert.match(await page.locator('.notices').textContent(), /Internal error in the core, which was restarted; your values are unchanged\. RuntimeError: unreachable/);
   await settle(page);
   assert.equal(await field(page, 'club.loft').inputValue(), '11');
   const before = await answer(page, 'carry', 1);

@@ -9,7 +9,7 @@ export function Notices() {
     <div class="notices">
       {trap.value && (
         <p class="message" role="alert">
-          Internal error in the core, which has begun anew; your values are as they were. {trap.value.split('\n')[0]}{' '}
+          Internal error in the core, which was restarted; your values are unchanged. {trap.value.split('\n')[0]}{' '}
           <button type="button" onClick={() => { trap.value = null; }}>close</button>
         </p>
       )}
