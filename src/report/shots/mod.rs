@@ -100,8 +100,7 @@ impl ShotWriter {
         }
     }
 
-    /// A line for each row. In [`ShotFormat::Csv`], column heads precede the rows if a section of
-    /// the table begins.
+    /// A line for each row. In CSV, column heads precede the rows if a section of the table begins.
     pub fn rows(&self, flown: &Flown) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(flown.rows() * 400);
         let section = flown.section.as_ref();
