@@ -4,7 +4,7 @@ use crate::parameters::WinfieldTan;
 
 /// v₀, m/s: middle of the speeds of the paper's flights.
 const MIDDLE: f64 = 50.0;
-/// Scale of the speed in u, m/s: about half the range of the speeds of the paper's flights.
+/// Difference of speeds for which u = 1, m/s: about half the range of the speeds of the paper's flights.
 const SPREAD: f64 = 20.0;
 
 /// With x = s √(v/v₀) and u = (v − v₀)/20 m/s: C_D = (cd0 + cd1 x + cd2 x² + cd3 x³)(1 + cd_v1 u +

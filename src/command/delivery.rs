@@ -317,9 +317,9 @@ impl Outputs {
         Ok(false)
     }
 
-    /// Writes the swings that explain the shots; `setup_words` are the arguments that give the
-    /// setup of the shots to another command. Returns false if the swings were requested but not
-    /// written.
+    /// Writes the swings that explain the shots. `setup_words` are the command-line arguments for
+    /// the setup of the shots, for the command `optimize` that a remark suggests. Returns false if the
+    /// swings were requested but not written.
     fn write_swings(
         &self,
         found: &Deliveries,

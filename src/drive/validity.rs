@@ -203,8 +203,9 @@ impl ExceededLimits<f64> {
 }
 
 impl ExceededLimits<Option<String>> {
-    /// Warnings with these subjects, such as "3 of 10 drives"; `None` for a limit that no drive
-    /// exceeds. `is_one_flat` is true if exactly one drive lands flat.
+    /// The warnings. For each limit, `self` has the subject of its warning, such as "3 of 10
+    /// drives", or `None` if no drive exceeds the limit. `is_one_flat` is true if exactly one drive
+    /// lands flat.
     fn warnings(self, law: &Law<f64>, scope: CheckScope, is_one_flat: bool) -> Vec<Message> {
         let mut warnings = vec![];
         if let Some(subject) = &self.law {

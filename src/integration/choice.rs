@@ -140,7 +140,7 @@ impl StepChoice {
                 largest_defect: found.largest_defect,
                 warning: None,
             }),
-            // no drive lands, so there is no length with an error
+            // no drive lands: there is no carry whose error could limit the step
             Err(Error::NoFlight { .. }) => Ok(Integration::own(setup, None)),
             Err(Error::Tolerance { reason, .. }) if self == Self::Micrometre => {
                 let warning = format!(

@@ -273,7 +273,7 @@ impl Model<'_> {
         }
     }
 
-    /// Gradient of constraint j, in scaled variables and units of γ.
+    /// Gradient of constraint j by the scaled variables, divided by the constraint's scale γⱼ.
     fn normal(&self, j: usize) -> DVector<f64> {
         let gradient = &self.point.f.constraints[j].gradient;
         DVector::from_fn(gradient.len(), |i, _| {

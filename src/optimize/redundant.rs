@@ -1,6 +1,7 @@
-//! Bounds that a constraint makes redundant. If the gradient of a constraint is parallel to the
-//! normal of an active bound, huge multipliers of both can balance any gradient of f: the KKT
-//! residual vanishes although f falls along the constraint.
+//! Bounds that a constraint makes redundant. If the gradient of a constraint is almost parallel to
+//! the normal of an active bound, huge multipliers of both make a force out of their small
+//! difference, which balances a gradient of f along the constraint: the KKT residual vanishes
+//! although f falls along the constraint.
 
 use super::least_squares;
 use super::state::{Evaluate, State};

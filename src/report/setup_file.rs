@@ -225,7 +225,7 @@ mod tests {
                 let mut setup = Setup::preset(preset.name).unwrap();
                 setup.set_law(law).unwrap();
                 for (i, parameter) in setup.variables().into_iter().enumerate() {
-                    // an irrational value within every range
+                    // change each value a little, to a value with many digits, within its range
                     let value = setup.value(parameter).unwrap()
                         * (1.0 + 1e-3 * ((i + 50 * k) as f64).sin());
                     setup.set_value(parameter, Some(value)).unwrap();

@@ -468,8 +468,8 @@ impl Request {
         }
     }
 
-    /// Prints a note on the spin values of the setup that a setting of another spin condition
-    /// replaces.
+    /// Prints a note if the setting `by` states the spin in another form than the setup, such as
+    /// spin axis instead of sidespin: the setting then replaces the setup's values of the spin.
     fn note_replaced(&self, setup: &Setup<f64>, before: &[&'static Parameter], by: &Setting) {
         let after = setup.given_launch_conditions();
         let gone: Vec<_> = before

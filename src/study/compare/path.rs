@@ -127,8 +127,8 @@ pub struct Shares {
     /// The setups at the ends of the path.
     #[serde(skip)]
     pub setups: [Setup<f64>; 2],
-    /// The share of each cause, in the order of the parameters; causes without intermediate values
-    /// come last.
+    /// The share of each cause, in the order of the parameters. The shares of causes that change at
+    /// once, such as another law, come last.
     pub shares: Vec<Share>,
     /// The difference minus the sum of the shares, SI. It is at most `integration_error`, unless
     /// the model has a corner between the drives.
