@@ -12,12 +12,9 @@ use crate::optimize::Observers;
 use crate::report::{RobustReport, robust_toml};
 use crate::study::swings::{Model, robust};
 use crate::study::{Goal, Search};
-use crate::units::Quantity;
+use crate::units::{Quantity, YARD};
 use crate::{Error, Result, Setup};
 use std::path::PathBuf;
-
-/// The default allowed loss of a distance: 1 yd, m.
-const YARD: f64 = 0.9144;
 
 #[derive(clap::Args)]
 pub struct Args {

@@ -7,12 +7,12 @@ use crate::flight::{Inputs, Landed};
 use crate::ground::angle_of_impact;
 use crate::number::Number;
 use crate::parameters::{Law, Setup};
-use crate::units::{Digits, Message, Quantity, counted_of};
+use crate::units::{Digits, Message, Quantity, YARD, counted_of};
 use std::sync::atomic::AtomicBool;
 
 /// Smallest change of the carry, m, that causes a warning: 0.3 yd. The change is the effect of a
 /// variable outside the range of the law, or of the temperature of the ball.
-pub(super) const LEAST_WARNED_CHANGE: f64 = 0.3 * 0.9144;
+pub(super) const LEAST_WARNED_CHANGE: f64 = 0.3 * YARD;
 
 /// Width and height of the largest conforming head, m: 5 in from heel to toe, 2.8 in from sole to
 /// crown (R&A and USGA, Equipment Rules, part 2, 4b).

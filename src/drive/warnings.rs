@@ -9,7 +9,7 @@ use crate::aerodynamics::{AerodynamicLaw, FittedRange, range_in_words};
 use crate::atmosphere::{AirState, WindField};
 use crate::flight::{Flight, Inputs, Landed, carry_by_holding, stays_within, trajectory_until};
 use crate::parameters::Setup;
-use crate::units::{Digits, Message, Quantity};
+use crate::units::{Digits, Message, Quantity, YARD};
 use serde::Serialize;
 use std::sync::atomic::AtomicBool;
 
@@ -30,7 +30,7 @@ struct Extrapolated {
 
 /// Published changes of a driver's carry by the temperature of air and ball, m per 10 °F: 1.3 to
 /// 2 yd (docs/limitations.md).
-const PUBLISHED_PER_TEN_DEGREES: [f64; 2] = [1.3 * 0.9144, 2.0 * 0.9144];
+const PUBLISHED_PER_TEN_DEGREES: [f64; 2] = [1.3 * YARD, 2.0 * YARD];
 
 /// 10 °F, K.
 const TEN_DEGREES: f64 = 10.0 / 1.8;

@@ -1,7 +1,6 @@
 //! Bounds that a constraint makes redundant. If the gradient of a constraint is almost parallel to
-//! the normal of an active bound, huge multipliers of both make a force out of their small
-//! difference, which balances a gradient of f along the constraint: the KKT residual vanishes
-//! although f falls along the constraint.
+//! the normal of an active bound, their small difference times huge multipliers can balance a
+//! gradient of f along the constraint: the KKT residual vanishes although f falls there.
 
 use super::least_squares;
 use super::state::{Evaluate, State};

@@ -9,12 +9,12 @@ use crate::ground::Rest;
 use crate::impact::Grip;
 use crate::number::Vector;
 use crate::parameters::Setup;
-use crate::units::{Digits, Message, Quantity, System};
+use crate::units::{Digits, Message, Quantity, System, YARD};
 use serde::Serialize;
 
 /// Minimum uncertainty of the total, m. It covers the differences between grounds
 /// (docs/limitations.md).
-pub(super) const RUN_WITHIN: f64 = 10.0 * 0.9144;
+pub(super) const RUN_WITHIN: f64 = 10.0 * YARD;
 
 /// A drive: setup, launch, head after impact and flight.
 #[derive(Clone, Debug, Serialize)]

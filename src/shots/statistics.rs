@@ -7,15 +7,12 @@ use super::unit_checks::Comparison;
 use crate::batch::Status;
 use crate::drive::{ExceededCount, Outcome};
 use crate::table::Refusal;
-use crate::units::Message;
+use crate::units::{MPH, Message};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// Limits of the ball speed bands, mph.
 pub const BANDS: [f64; 6] = [80.0, 100.0, 120.0, 140.0, 160.0, 180.0];
-
-/// One mile per hour, m/s.
-const MPH: f64 = 0.44704;
 
 /// Standard deviation of the difference between two instruments on the same drives, with its unit:
 /// a TrackMan 4 and a FlightScope Mevo+ on 58 drives (Bliss & Langdown 2026).

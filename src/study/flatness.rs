@@ -10,7 +10,7 @@ use crate::optimize::Domain;
 use crate::optimize::sensitivity::{ActiveSet, reduced_hessian};
 use crate::parameters::Parameter;
 use crate::statistics::extent;
-use crate::units::Quantity;
+use crate::units::{Quantity, YARD};
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::brent::BrentRoot;
 use nalgebra::DMatrix;
@@ -117,9 +117,6 @@ pub struct Ellipse {
     // only drives that meet the ranges and constraints count
     pub losses: Option<(f64, f64)>,
 }
-
-/// A yard, m.
-const YARD: f64 = 0.9144;
 
 /// Note on the allowed loss of a [short drive](short_drive).
 const OF_SHORT_DRIVE: &str = "1 yd is more than a tenth of the carry of the best drive, so the \

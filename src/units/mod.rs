@@ -24,6 +24,7 @@ pub(crate) use expression::Unit;
 pub use message::{Digits, Message};
 pub(crate) use spelling::{leading_number, typed, with_unit};
 pub use spelling::{one, per, printed, ratio, typeset};
+pub(crate) use symbols::{MPH, YARD};
 pub use system::{System, TableUnits};
 
 use expression::read_unit;

@@ -1,6 +1,11 @@
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
+/// A yard, m.
+pub const YARD: f64 = 0.9144;
+/// A mile per hour, m/s.
+pub const MPH: f64 = 0.44704;
+
 /// Powers of length, mass, time, angle and temperature. The angle is a dimension, so that 10 rpm
 /// are not 10 per minute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,7 +86,7 @@ fn symbols() -> Vec<Symbol> {
         symbol(&["km"], 1e3, D::LENGTH),
         symbol(&["in", "inch", "inches"], 0.0254, D::LENGTH),
         symbol(&["ft", "foot", "feet"], 0.3048, D::LENGTH),
-        symbol(&["yd", "yard", "yards"], 0.9144, D::LENGTH),
+        symbol(&["yd", "yard", "yards"], YARD, D::LENGTH),
         symbol(&["mi", "mile", "miles"], 1609.344, D::LENGTH),
         symbol(&["L", "l"], 1e-3, D::NONE.times(D::LENGTH, 3)),
         symbol(&["kg"], 1.0, D::MASS),
@@ -98,7 +103,7 @@ fn symbols() -> Vec<Symbol> {
         symbol(&["deg", "°", "degree", "degrees"], TAU / 360.0, D::ANGLE),
         symbol(&["rev"], TAU, D::ANGLE),
         symbol(&["rpm"], TAU / 60.0, D::ANGLE.times(D::TIME, -1)),
-        symbol(&["mph"], 0.44704, speed),
+        symbol(&["mph"], MPH, speed),
         symbol(&["kph", "kmh"], 1.0 / 3.6, speed),
         symbol(&["kn", "kt", "knot", "knots"], 1852.0 / 3600.0, speed),
         symbol(&["N"], 1.0, force),

@@ -3,6 +3,7 @@ use crate::error::{Error, Result};
 use crate::parameters::Setup;
 use crate::reproduce::Average;
 use crate::reproduce::delivery::LoftCarry;
+use crate::units::YARD;
 use nalgebra::{DMatrix, DVector};
 
 /// Mean carry over attack angles of 0, 1 … 10°, and its best loft.
@@ -26,7 +27,7 @@ impl Mean {
         let average = Average::new(setup, &printed::AVERAGED_LOFTS, loft)?;
         let printed = LoftCarry {
             loft: loft.to_radians(),
-            carry: carry * printed::YARD,
+            carry: carry * YARD,
         };
         let through = Polynomial::through(&average.rows).ok_or_else(refused)?;
         let by_polynomial = through.top(average.best.loft)?;

@@ -1,11 +1,6 @@
 //! Values printed by Winfield & Tan (1994), in their units, with misprints corrected. No other
 //! results are stored: a reproduction computes them.
 
-/// A yard, m.
-pub const YARD: f64 = 0.9144;
-/// A mile per hour, m/s.
-pub const MPH: f64 = 0.44704;
-
 /// Single shot: carry, yd; flight time, s; apex, yd; time of apex, s.
 pub const SHOT: [f64; 4] = [197.31, 4.75, 14.18, 2.48];
 /// Impact of the single shot: ball speed upwards and downrange, mph; backspin, rev/s; club speed

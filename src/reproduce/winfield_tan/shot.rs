@@ -1,8 +1,9 @@
-use super::printed::{self, MPH, YARD};
+use super::printed;
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::impact::strike;
 use crate::parameters::Setup;
+use crate::units::{MPH, YARD};
 use serde::Serialize;
 
 /// Values of the single shot, computed or printed, SI. JSON contains only the values of the flight.

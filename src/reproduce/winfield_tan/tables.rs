@@ -1,11 +1,11 @@
 //! The printed optima, recomputed.
 
-use super::printed;
 use crate::error::Result;
 use crate::optimize::Observer;
 use crate::parameters::Setup;
 use crate::reproduce::delivery::{Delivery, LOFT, Ranges, carried};
 use crate::study::optimum;
+use crate::units::YARD;
 
 /// Search ranges far beyond the printed values.
 const RANGES: Ranges = Ranges {
@@ -49,7 +49,7 @@ pub(super) fn ridge(setup: &Setup<f64>, top: &Best) -> Result<Vec<Delivery>> {
 /// deg; carry, yd.
 pub(super) fn best(setup: &Setup<f64>, printed: [f64; 3], names: &[&str]) -> Result<Best> {
     let [loft, attack_angle, carry] = printed;
-    let printed = Delivery::in_degrees(loft, attack_angle, carry * printed::YARD);
+    let printed = Delivery::in_degrees(loft, attack_angle, carry * YARD);
     let at_printed = carried(&printed.set(setup))?;
     Ok(Best {
         computed: searched(setup, printed, names)?,

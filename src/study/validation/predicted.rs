@@ -7,6 +7,7 @@ use crate::error::Result;
 use crate::optimize::{Observer, Status};
 use crate::parameters::{Law, Method, Setup, Vary};
 use crate::study::{Search, optimum};
+use crate::units::MPH;
 use std::collections::HashMap;
 
 /// Values of the quantities of a case, SI, computed with a law in the stated air, or else at sea
@@ -86,7 +87,7 @@ fn launched(mut setup: Setup<f64>, case: &Case) -> Setup<f64> {
 /// Assumed standard deviations of drives behind an average, SI: ball speed 5.5 mph, launch angle
 /// 2°, spin 400 rpm, spin axis 9°, and wind 4 m/s from any direction.
 pub const SCATTER: [(&str, f64); 6] = [
-    ("launch.ball_speed", 5.5 * 0.44704),
+    ("launch.ball_speed", 5.5 * MPH),
     ("launch.launch_angle", 2.0 * DEGREE),
     ("launch.spin", 400.0 * std::f64::consts::TAU / 60.0),
     ("launch.spin_axis", 9.0 * DEGREE),
