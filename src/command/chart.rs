@@ -4,7 +4,7 @@ use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{
     Answer, once_a_second, spinner, stated_system, system, tell, tell_detail, tell_error, warn,
 };
-use crate::command::ranges::origin;
+use crate::command::ranges::{DefaultRanges, held};
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
 use crate::statistics::extent;
@@ -64,7 +64,12 @@ pub fn run(args: &Args) -> Result<Answer> {
     if !at.is_sorted_by(|a, b| a < b) {
         tell("the values of `at` are used in ascending order, each once");
     }
-    let origin = origin(&request, &args.search.vary, &setup, &search.vary)?;
+    let held = held(&args.search.vary, || {
+        DefaultRanges::longest_drive(&request, &setup)
+    })?;
+    let origin = request
+        .origin_of_search(&search.vary)
+        .with_held(&held, &setup);
     let chart = follow(&setup, &search, along, &at, &stop);
     interrupt::ends();
     let chart = match chart {

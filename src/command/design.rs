@@ -3,7 +3,7 @@
 use crate::command::args::OptimizeArgs;
 use crate::command::interrupt;
 use crate::command::output::Answer;
-use crate::command::ranges::DefaultRanges;
+use crate::command::ranges::{DefaultRanges, held};
 use crate::command::request::Request;
 use crate::command::swings::{found, sought};
 use crate::parameters::Parameter;
@@ -95,10 +95,9 @@ pub fn run(args: &Args) -> Result<Answer> {
         vec![]
     };
     interrupt::ends();
-    let held = match search.search.vary.as_slice() {
-        [] => DefaultRanges::new(usual_vary(&found.setup)?, &request).held,
-        _ => vec![],
-    };
+    let held = held(&search.search.vary, || {
+        Ok(DefaultRanges::new(usual_vary(&found.setup)?, &request))
+    })?;
     let origin = request.origin().with_held(&held, &found.setup);
     let designed = Designed {
         design: &design,

@@ -3,7 +3,7 @@ pub use crate::command::args::OptimizeArgs as Args;
 use crate::Result;
 use crate::command::files::{Destination, Rule};
 use crate::command::output::{Answer, tell, warn};
-use crate::command::ranges::origin;
+use crate::command::ranges::{DefaultRanges, held};
 use crate::command::request::Request;
 use crate::command::search::write;
 use crate::optimize::Status;
@@ -30,7 +30,12 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(best.warnings(&AtomicBool::new(false)));
     let written = write(output.as_ref(), &request, &optima, None)?;
     let over = OverSwings::default();
-    let origin = origin(&request, &args.search.vary, &setup, &best.search.vary)?;
+    let held = held(&args.search.vary, || {
+        DefaultRanges::longest_drive(&request, &setup)
+    })?;
+    let origin = request
+        .origin_of_search(&best.search.vary)
+        .with_held(&held, &setup);
     let is_converged = best.solution.status == Status::Converged;
     let loss = usual_loss(best);
     let windows = is_converged.then(|| windows(best, loss)).transpose()?;

@@ -1,7 +1,7 @@
 use crate::command::args::{OptimizeArgs, SwingsArgs};
 use crate::command::names::variables;
 use crate::command::output::{Answer, spinner, tell, tell_error, warn, with_bar};
-use crate::command::ranges::origin;
+use crate::command::ranges::{DefaultRanges, held};
 use crate::command::search::write;
 use crate::parameters::Parameter;
 use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_document};
@@ -53,8 +53,12 @@ pub fn run(args: &Args) -> Result<Answer> {
     let setup = request.for_many(own, &search.vary)?;
     let asked = AnalysisRequest::new(args, &setup, &search)?;
     let output = args.optimize.destination(&request)?;
-    let given = &args.optimize.search.vary;
-    let origin = origin(&request, given, &setup, &search.vary)?;
+    let held = held(&args.optimize.search.vary, || {
+        DefaultRanges::longest_drive(&request, &setup)
+    })?;
+    let origin = request
+        .origin_of_search(&search.vary)
+        .with_held(&held, &setup);
     let optima = args.optimize.optima(&setup, &search)?;
     let best = &optima.best;
     let written = write(output.as_ref(), &request, &optima, None)?;

@@ -6,7 +6,7 @@ use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, once_a_second, spinner, stated_system, system, tell, warn};
 use crate::command::picture::{Drawing, Target};
-use crate::command::ranges::{DefaultRanges, origin, varied};
+use crate::command::ranges::{DefaultRanges, held, varied};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::search::{of_a_drive, options};
@@ -111,7 +111,14 @@ pub fn run(args: &Args) -> Result<Answer> {
     report.lacks_file = output.is_some() && written.is_none();
     report.file = written;
     let is_whole = report.ending().status == "done";
-    let origin = origin(&request, &args.asked.vary, &setup, &found.search.vary)?;
+    let usual = match args.asked.swings.is_given() {
+        true => DefaultRanges::loft,
+        false => DefaultRanges::longest_drive,
+    };
+    let held = held(&args.asked.vary, || usual(&request, &setup))?;
+    let origin = request
+        .origin_of_search(&found.search.vary)
+        .with_held(&held, &setup);
     let answer = Answer::report(&report, &origin, request.is_json);
     Ok(answer.found(is_whole))
 }

@@ -2,7 +2,6 @@
 
 use crate::command::request::Request;
 use crate::parameters::{Parameter, Vary};
-use crate::report::Origin;
 use crate::study::Search;
 use crate::{Error, Result, Setup};
 
@@ -21,31 +20,26 @@ pub fn varied(
     }
 }
 
-/// The setup that the answer of a search is about. Without `--vary`, the origin also names the
-/// parameters that have a default range but a value on the command line: the search does not vary
-/// them.
+/// The parameters that a search keeps at their stated values: those of the ranges that `usual`
+/// gives, without `--vary`.
 ///
 /// # Errors
-/// The errors of [`Search::longest_drive`].
-pub fn origin(
-    request: &Request,
+/// The errors of `usual`.
+pub fn held(
     given: &[String],
-    setup: &Setup<f64>,
-    vary: &[Vary],
-) -> Result<Origin> {
-    let origin = request.origin_of_search(vary);
-    if !given.is_empty() {
-        return Ok(origin);
+    usual: impl FnOnce() -> Result<DefaultRanges>,
+) -> Result<Vec<&'static Parameter>> {
+    match given {
+        [] => Ok(usual()?.held),
+        _ => Ok(vec![]),
     }
-    let held = DefaultRanges::longest_drive(request, setup)?.held;
-    Ok(origin.with_held(&held, setup))
 }
 
 /// The default ranges of a command. A parameter that the command line states is not varied.
 pub struct DefaultRanges {
     vary: Vec<Vary>,
     /// The parameters that the command line states.
-    pub held: Vec<&'static Parameter>,
+    held: Vec<&'static Parameter>,
 }
 
 impl DefaultRanges {

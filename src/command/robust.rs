@@ -5,7 +5,7 @@ use crate::command::files::Rule;
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, tell, tell_detail, warn};
-use crate::command::ranges::origin;
+use crate::command::ranges::{DefaultRanges, held};
 use crate::command::request::Request;
 use crate::command::swings::{searched, swing_ranges};
 use crate::optimize::Observers;
@@ -99,7 +99,14 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(warnings);
     let mut report = RobustReport::new(&found, within);
     report.file = written;
-    let origin = origin(&request, &args.search.vary, &setup, &found.search.vary)?;
+    let usual = match args.swings.is_given() {
+        true => DefaultRanges::loft,
+        false => DefaultRanges::longest_drive,
+    };
+    let held = held(&args.search.vary, || usual(&request, &setup))?;
+    let origin = request
+        .origin_of_search(&found.search.vary)
+        .with_held(&held, &setup);
     let answer = Answer::report(&report, &origin, request.is_json);
     Ok(answer.found(is_found))
 }

@@ -4,7 +4,7 @@ use crate::command::args::{OptimizeArgs, SearchArgs, SwingsArgs, stated};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, warn};
-use crate::command::ranges::{DefaultRanges, origin, varied};
+use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::search::{options, write};
 use crate::optimize::Status;
@@ -158,8 +158,8 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     request.note_starts(&setup, &search.vary);
     let found = found(args, &request, setup, swings, search)?;
     interrupt::ends();
-    let vary = &found.optima.best.search.vary;
-    let origin = origin(&request, &args.search.vary, &found.setup, vary)?;
+    // the default search varies the loft alone, and refuses a stated loft: nothing is held
+    let origin = request.origin_of_search(&found.optima.best.search.vary);
     let answer = Answer::of(
         request.is_json,
         &origin,

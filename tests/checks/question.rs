@@ -85,6 +85,27 @@ fn a_stated_value_is_held_in_every_search() {
     assert_eq!(names(&chart["points"][0]["optimum"]), ["club.loft"]);
 }
 
+/// Over swings the default search varies the loft alone, so a stated attack angle is not held.
+#[test]
+fn over_swings_a_stated_attack_angle_is_no_held_parameter() {
+    let words = [
+        "robust",
+        "--maximize",
+        "mean(carry)",
+        "--distribution",
+        "swing.face_angle=normal(0deg,1deg)",
+        "--scenarios",
+        "16",
+        "--model",
+        "impact.friction=0.3",
+        "--set",
+        "swing.attack_angle=-2deg",
+    ];
+    let (_, robust) = json(&words);
+    assert_eq!(names(&robust["optimum"]), ["club.loft"]);
+    assert!(robust.get("held").is_none());
+}
+
 /// The default ranges of a design include the loft. A stated loft is held.
 #[test]
 fn a_design_holds_a_stated_loft() {
