@@ -89,7 +89,7 @@ def test_same_results_in_degrees_and_radians() -> None:
 
 
 @pytest.mark.parametrize("truth", [True, np.True_])
-def test_a_truth_is_no_radian(truth: Any) -> None:
+def test_a_boolean_is_refused_as_an_angle(truth: Any) -> None:
     with pytest.raises(InputError, match="club.loft"):
         Setup({"club.loft": truth})
     with pytest.raises(InputError, match="club.loft"):

@@ -90,7 +90,7 @@ def test_a_loss_without_a_unit_is_si() -> None:
         ({"maximize": "within(lateral, 20yd)", "vary": LOFT, "distribution": SPREAD}, 0.1),
     ],
 )
-def test_a_within_without_a_unit_is_si(goal: dict[str, Any], within: float) -> None:
+def test_a_within_value_without_a_unit_is_si(goal: dict[str, Any], within: float) -> None:
     found = longdrive.robust("mae494", model="aero.law=ferguson", **goal, within=within)
     assert found.reply["within"] == within
 
@@ -200,7 +200,7 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
 
 
 @pytest.mark.parametrize(("call", "words"), REFUSED)
-def test_refused_arguments_are_named_with_the_accepted_ones(
+def test_messages_on_refused_arguments_list_the_accepted_ones(
     call: Callable[[], Any], words: str
 ) -> None:
     with pytest.raises(InputError, match=words):
@@ -255,7 +255,7 @@ def test_an_angle_with_a_unit_has_no_warning() -> None:
         assert "did you mean" not in str(raised.value)
 
 
-def test_what_is_no_attribute_says_where_it_is() -> None:
+def test_a_missing_attribute_names_where_it_is() -> None:
     drive, table = longdrive.simulate("mae494", of="spin"), longdrive.batch(
         "mae494", {"club.loft": [0.2]}
     )
@@ -303,7 +303,7 @@ def test_quantities_of_pint_are_points_of_a_batch(unit: Any) -> None:
         longdrive.batch("mae494", {"swing.speed": speeds}, tolerance=True)
 
 
-def test_a_column_of_a_table_that_is_a_quantity_of_pint_says_what_names_its_unit(unit: Any) -> None:
+def test_a_pint_column_of_a_table_is_refused_with_the_way_to_name_its_unit(unit: Any) -> None:
     speeds = np.array([70.0]) * unit.meter
     with pytest.raises(
         InputError,

@@ -212,7 +212,7 @@ def test_same_bits_for_any_number_of_threads(table: Table) -> None:
         ) == bits(table)
 
 
-def test_a_row_that_cannot_be_flown_has_a_status_and_nothing_else_is_nan() -> None:
+def test_only_rows_that_do_not_fly_have_a_failed_status_and_nan() -> None:
     nan, inf = math.nan, math.inf
     given = {
         "club.loft": [0.2, nan, inf, 2.0, 0.2, 0.2, 0.2],
@@ -274,12 +274,12 @@ def test_a_landed_drive_without_a_direction_has_the_status_undefined() -> None:
         ([1.0], "points is a list; expected a dict of parameters with arrays"),
     ],
 )
-def test_wrong_points_are_refused_in_words(given: Any, message: str) -> None:
+def test_wrong_points_have_a_message(given: Any, message: str) -> None:
     with pytest.raises(InputError, match=message):
         longdrive.batch(Setup(), given)
 
 
-def test_a_wrong_question_is_refused_in_words() -> None:
+def test_wrong_arguments_have_a_message() -> None:
     given = {"club.loft": [0.2]}
     for asked, message in [
         (dict(of="carri"), "did you mean 'carry'"),
@@ -350,7 +350,7 @@ def test_polars_and_pandas_read_a_table(table: Table) -> None:
     assert pandas.DataFrame.from_arrow(table)["carry"].tolist() == table["carry"].tolist()
 
 
-def test_progress_goes_from_none_to_all() -> None:
+def test_progress_begins_at_zero_and_ends_at_all_rows() -> None:
     told: list[tuple[int, int]] = []
     table = longdrive.batch(
         "tour-average", points(200_000), progress=lambda done, total: told.append((done, total))
@@ -365,7 +365,7 @@ def test_progress_goes_from_none_to_all() -> None:
         longdrive.batch("tour-average", points(200_000), progress=refuse)
 
 
-def test_a_line_of_progress_ends_whole(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_progress_line_ends_with_a_line_break(capsys: pytest.CaptureFixture[str]) -> None:
     longdrive.batch("tour-average", points(10), progress=True)
     assert capsys.readouterr().err.endswith("drives: 10 of 10   \n")
 
@@ -401,7 +401,7 @@ def test_same_bits_after_ctrl_c_and_another_batch() -> None:
     assert np.array_equal(Table.concatenate([done, rest])["carry"][-1024:], one["carry"])
 
 
-def test_other_threads_of_python_run_meanwhile(at_work: threading.Event) -> None:
+def test_other_threads_of_python_run_during_a_batch(at_work: threading.Event) -> None:
     # in steps of 4 ms, a minute of work
     with pytest.raises(Interrupted):
         longdrive.batch(

@@ -30,7 +30,7 @@ def program(*words: str) -> tuple[int, dict[str, object]]:
     return done.returncode, json.loads(done.stdout)
 
 
-def test_functions_are_as_the_commands_say_of_their_options():
+def test_functions_have_the_options_of_the_commands():
     done = subprocess.run(
         [sys.executable, FOLDER / "make_commands.py", "--check"],
         capture_output=True,
@@ -55,6 +55,13 @@ def test_same_optimum_as_the_program():
     assert (found.fun, dict(zip(found.names, found.x))) == (said["value"], said["optimum"])
     assert found.success and found.status == 0 and found.ended == "converged"
     assert found.nit == said["iterations"] and found.nfev == said["evaluations"]
+
+
+def test_held_parameters_are_those_that_are_stated():
+    setup = {"swing.attack_angle": "2 deg"}
+    assert longdrive.optimize(setup).held == ["swing.attack_angle"]
+    nothing_held = longdrive.optimize(setup, vary={"club.loft": ("4 deg", "20 deg")})
+    assert "held" not in nothing_held.reply and nothing_held.reply.held == []
 
 
 def test_differences_of_new_searches_confirm_the_price_of_a_constraint():
@@ -138,13 +145,13 @@ def test_bad_input_gets_the_programs_message(call, words, renamed):
     assert str(raised.value) == message
 
 
-def test_a_question_without_an_answer_is_an_error_with_its_status():
+def test_a_request_without_an_answer_raises_with_its_status():
     with pytest.raises(longdrive.NoAnswerError) as raised:
         longdrive.sensitivity({"preset": "tour-average", "swing.attack_angle": "-40 deg"})
     assert raised.value.status == "no-flight"
 
 
-def test_an_infeasible_search_says_so_and_raises_nothing():
+def test_an_infeasible_search_has_its_status_and_raises_nothing():
     found = longdrive.optimize(subject_to=["carry >= 500 m"])
     assert (found.success, found.ended) == (False, "infeasible")
     assert found.message
@@ -161,7 +168,7 @@ def test_exact_maxcv_is_the_constraint_violation():
     assert longdrive.optimize("mae494").maxcv == 0.0
 
 
-def test_a_setup_of_ones_own_is_asked_about_to_the_last_digit():
+def test_a_setup_object_keeps_every_digit():
     setup = longdrive.Setup("tour-average").replace(
         {"swing.speed": 50.123456789012345, "club.loft": 0.1718281828459045}
     )
@@ -180,7 +187,7 @@ def test_a_setup_of_ones_own_is_asked_about_to_the_last_digit():
     assert (status, longdrive.optimize(setup).reply) == (0, said)
 
 
-def test_a_step_that_was_set_is_kept():
+def test_a_stated_step_is_kept_in_a_command():
     setup = longdrive.Setup(
         {"preset": "modern-driver", "flight.method": "rk4", "flight.step": 0.05}
     )
@@ -188,7 +195,7 @@ def test_a_step_that_was_set_is_kept():
     assert found.fun == longdrive.gradient(found.setup, wrt="club.loft").value
 
 
-def test_numbers_pairs_and_texts_say_the_same():
+def test_same_request_from_numbers_pairs_and_texts():
     texts = longdrive.optimize(vary=["club.loft=0.1 rad..0.3 rad"])
     numbers = longdrive.optimize(vary={"club.loft": (0.1, 0.3)})
     assert texts.reply == numbers.reply
@@ -282,7 +289,7 @@ def test_pictures_are_svg_and_are_saved(tmp_path):
     assert image._repr_png_().startswith(b"\x89PNG")
 
 
-def test_warnings_point_at_the_line_that_asked():
+def test_warnings_point_at_the_calling_line():
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         said = longdrive.chart(
@@ -295,7 +302,7 @@ def test_warnings_point_at_the_line_that_asked():
     assert {warning.category for warning in caught} == {longdrive.LongdriveWarning}
 
 
-def test_progress_is_told_to_whoever_asks():
+def test_a_progress_function_is_called():
     told: list[tuple[int, int]] = []
     longdrive.uncertainty(samples=4096, progress=lambda done, of: told.append((done, of)))
     assert told and all(0 <= done <= of for done, of in told)
@@ -322,7 +329,7 @@ def test_answers_show_themselves_in_notebooks():
         found.nothing_of_this_name
 
 
-def test_ctrl_c_ends_a_search_long_before_it_would_end():
+def test_ctrl_c_ends_a_search_early():
     is_at_work = threading.Event()
 
     def press() -> None:
@@ -373,7 +380,7 @@ def test_two_searches_at_once_do_not_disturb_each_other():
     assert found == {name: longdrive.optimize(name, starts=4).fun for name in found}
 
 
-def test_the_program_is_there_too():
+def test_the_package_contains_the_program():
     done = subprocess.run(
         [sys.executable, "-m", "longdrive", "presets"], capture_output=True, text=True, check=False
     )

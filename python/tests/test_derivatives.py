@@ -130,19 +130,19 @@ def test_a_drive_is_a_mapping_that_pickles_and_shows_itself() -> None:
     ("carry", "aero.law", "it is a choice, not a number"),
     ("all", "club.loft", "name one"),
 ])
-def test_a_wrong_question_is_refused_in_words(of: str, wrt: Any, message: str) -> None:
+def test_wrong_arguments_have_a_message(of: str, wrt: Any, message: str) -> None:
     with pytest.raises(InputError, match=message):
         longdrive.gradient(Setup(), of=of, wrt=wrt)
 
 
-def test_a_derivative_that_does_not_exist_is_no_answer() -> None:
+def test_a_missing_derivative_raises() -> None:
     launch = {"launch": {"ball_speed": "150 mph", "launch_angle": "12 deg", "backspin": 0}}
     with pytest.raises(NoAnswerError) as caught:
         longdrive.gradient(launch, of="spin_axis", wrt="launch.launch_angle")
     assert caught.value.status == "undefined"
 
 
-def test_several_outcomes_of_a_gradient_are_refused_with_what_takes_them() -> None:
+def test_several_outcomes_of_a_gradient_are_refused_with_the_function_to_use() -> None:
     for derivative in (longdrive.gradient, longdrive.hessian):
         with pytest.raises(longdrive.InputError, match="of is a list; expected one name"):
             derivative("tour-average", of=["carry", "spin"])  # type: ignore[arg-type]

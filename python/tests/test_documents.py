@@ -23,7 +23,7 @@ NEEDS = {"longdrive.jax": "jax", "longdrive.torch": "torch"}
 
 
 @pytest.mark.parametrize("name", ["longdrive", *MODULES])
-def test_examples_in_docstrings(name: str) -> None:
+def test_examples_of_docstrings_run(name: str) -> None:
     if name in NEEDS:
         pytest.importorskip(NEEDS[name])
     module = importlib.import_module(name)

@@ -26,7 +26,7 @@ def test_a_panic_is_an_internal_error_that_except_exception_catches(
     capfd.readouterr()
 
 
-def test_a_drive_that_does_not_fly_has_no_gradient_and_says_why() -> None:
+def test_the_gradient_of_a_drive_that_does_not_fly_raises_with_the_reason() -> None:
     with pytest.raises(NoAnswerError, match="no flight") as caught:
         longdrive.gradient(NO_FLIGHT)
     assert caught.value.status == "no-flight"
@@ -60,7 +60,7 @@ def test_errors_come_back_from_another_process(method: str) -> None:
             pool.submit(bad_input, 0).result()
 
 
-def test_a_free_threaded_python_is_refused_with_what_to_use() -> None:
+def test_a_free_threaded_python_is_refused_with_the_python_to_use() -> None:
     # version strings of such a build, in 3.13 and in 3.14
     for version in (
         "3.13.5 experimental free-threading build (main, Jun 11 2025)",

@@ -76,7 +76,7 @@ def pressing_at() -> Iterator[Callable[[str], None]]:
         log.removeHandler(handler)
 
 
-def test_a_search_has_the_best_so_far_and_says_how_far_it_was() -> None:
+def test_an_interrupted_search_has_its_best_point_and_iterations() -> None:
     with pytest.raises(Interrupted) as caught:
         longdrive.optimize(
             "mae494",
@@ -103,7 +103,7 @@ def test_a_search_has_the_best_so_far_and_says_how_far_it_was() -> None:
     assert str(again) == str(error) and again.answer.fun == found.fun
 
 
-def test_a_search_that_is_stopped_within_an_iteration_has_the_point_before(
+def test_a_search_interrupted_within_an_iteration_has_the_previous_point(
     pressing_at: Callable[[str], None]
 ) -> None:
     # after the first iteration is reported, the next one is in progress: an evaluation of 8000
@@ -125,7 +125,7 @@ def test_a_search_that_is_stopped_within_an_iteration_has_the_point_before(
     )
 
 
-def test_a_search_that_has_finished_no_point_has_no_answer_and_says_so() -> None:
+def test_a_search_interrupted_before_its_first_point_raises() -> None:
     looks: list[int] = []
 
     def look(done: int, of: int) -> None:
@@ -142,7 +142,7 @@ def test_a_search_that_has_finished_no_point_has_no_answer_and_says_so() -> None
     assert "0 of 2 searches ended" in str(error) or "stopped before" in str(error)
 
 
-def test_a_search_goes_on_from_its_checkpoint(
+def test_a_search_resumes_from_its_checkpoint(
     pressing_at: Callable[[str], None], tmp_path: Path
 ) -> None:
     file = tmp_path / "search.json"
@@ -173,7 +173,7 @@ def test_a_search_goes_on_from_its_checkpoint(
         ),
     ],
 )
-def test_every_command_is_interrupted_in_its_own_words(
+def test_the_message_of_every_interrupted_command_names_its_work(
     call: Callable[[Any], Any], words: str
 ) -> None:
     with pytest.raises(Interrupted, match="interrupted") as caught:
@@ -182,7 +182,7 @@ def test_every_command_is_interrupted_in_its_own_words(
     assert "batch" not in str(caught.value) and caught.value.table is None
 
 
-def test_shots_that_were_not_written_anywhere_name_no_file(
+def test_interrupted_shots_in_memory_name_no_file(
     pressing_at: Callable[[str], None], tmp_path: Path
 ) -> None:
     file = tmp_path / "shots.csv"
@@ -198,7 +198,7 @@ def test_shots_that_were_not_written_anywhere_name_no_file(
 
 
 @pytest.mark.parametrize("function", ["_checked", "warn_of"])
-def test_ctrl_c_once_the_work_is_done_says_so(
+def test_ctrl_c_after_the_work_has_its_own_message(
     function: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     from longdrive import run_command
@@ -228,7 +228,7 @@ def test_ctrl_c_with_the_last_row_keeps_all_rows() -> None:
     assert caught.value.table is not None and caught.value.table.counts() == {"landed": 5}
 
 
-def test_progress_of_a_batch_is_never_of_no_rows() -> None:
+def test_progress_of_a_batch_never_has_a_total_of_zero_rows() -> None:
     told: list[tuple[int, int]] = []
 
     def look(done: int, of: int) -> None:
@@ -240,7 +240,7 @@ def test_progress_of_a_batch_is_never_of_no_rows() -> None:
     assert told[-1] == (2, 2)
 
 
-def test_a_line_of_what_cannot_be_counted_is_one_line(capsys: pytest.CaptureFixture[str]) -> None:
+def test_uncounted_progress_is_one_line(capsys: pytest.CaptureFixture[str]) -> None:
     bar = Bar("compare")
     for _ in range(5):
         bar(0, 0)
@@ -250,7 +250,7 @@ def test_a_line_of_what_cannot_be_counted_is_one_line(capsys: pytest.CaptureFixt
 
 
 @pytest.mark.parametrize("module", [commands, plot])
-def test_every_function_says_when_its_progress_is_not_counted(module: Any) -> None:
+def test_the_docstring_of_every_function_names_uncounted_progress(module: Any) -> None:
     for name in module.__all__:
         assert "0 of 0 while they cannot be counted" in " ".join(
             getattr(module, name).__doc__.split()
@@ -266,7 +266,7 @@ def test_a_front_has_the_points_so_far(pressing_at: Callable[[str], None]) -> No
         )
 
 
-def test_a_fit_has_the_values_that_it_had_come_to(pressing_at: Callable[[str], None]) -> None:
+def test_an_interrupted_fit_has_its_latest_values(pressing_at: Callable[[str], None]) -> None:
     draw, rows = np.random.default_rng(3), 2000
     # fmt: skip
     shots = {
@@ -289,7 +289,7 @@ def test_a_fit_has_the_values_that_it_had_come_to(pressing_at: Callable[[str], N
     assert "begins again" in str(caught.value)
 
 
-def test_work_that_was_left_writes_no_file(tmp_path: Path) -> None:
+def test_interrupted_work_writes_no_file(tmp_path: Path) -> None:
     with pytest.raises(Interrupted):
         longdrive.plot.contour(
             "mae494", output=tmp_path / "left.svg", progress=when(lambda done: True)
@@ -345,7 +345,7 @@ def test_ctrl_c_before_the_first_row_is_interrupted_too() -> None:
         longdrive.optimize(Pressing(preset="mae494"))
 
 
-def test_functions_of_numpy_are_known_before_ctrl_c_can_come_between() -> None:
+def test_functions_of_numpy_are_loaded_before_ctrl_c_is_handled() -> None:
     # functions of NumPy that are looked up later than at the import of longdrive would fail
     code = (
         "import longdrive, numpy; del numpy._core.multiarray._ARRAY_API; "
@@ -355,7 +355,7 @@ def test_functions_of_numpy_are_known_before_ctrl_c_can_come_between() -> None:
     assert done.stdout == "3\n", done.stderr
 
 
-def test_what_progress_raises_is_raised_as_it_is() -> None:
+def test_an_exception_of_a_progress_function_is_raised_unchanged() -> None:
     def refuse(done: int, of: int) -> None:
         raise RuntimeError("enough")
 

@@ -38,7 +38,7 @@ def agree(ours: Any, theirs: Any) -> None:
     np.testing.assert_allclose(ours, theirs, rtol=1e-12, atol=1e-12 * np.abs(theirs).max())
 
 
-def test_derivatives_are_those_of_one_drive_in_every_way() -> None:
+def test_same_derivatives_as_a_single_drive_in_every_mode() -> None:
     carry = outcome(SETUP, "carry", WRT)
     value, gradient, hessian = longdrive.hessian(SETUP, "carry", WRT)
     for function in (carry, jax.jit(carry)):
@@ -88,7 +88,7 @@ def test_a_batch_calls_longdrive_once(monkeypatch: pytest.MonkeyPatch) -> None:
     assert len(asked) == 1
 
 
-def test_it_can_be_part_of_a_users_function() -> None:
+def test_an_objective_composes_with_a_users_function() -> None:
     carry, x = outcome(SETUP, "carry", WRT), jnp.asarray(X)
     value, gradient, hessian = longdrive.hessian(SETUP, "carry", WRT)
     agree(
@@ -114,7 +114,7 @@ def test_a_point_without_a_drive_is_nan() -> None:
     assert np.isnan(found).tolist() == [False, True, True]
 
 
-def test_third_derivatives_and_wrong_shapes_are_refused_in_words() -> None:
+def test_third_derivatives_and_wrong_shapes_have_a_message() -> None:
     carry = outcome(SETUP, "carry", WRT)
     with pytest.raises(
         InputError,

@@ -79,7 +79,7 @@ def test_a_table_is_not_equal_to_an_array() -> None:
     assert (table["carry"] == table) is False
 
 
-def test_same_rows_of_tables_that_go_round() -> None:
+def test_same_rows_of_tables_after_a_round_trip() -> None:
     polars, pyarrow = pytest.importorskip("polars"), pytest.importorskip("pyarrow")
     pandas = pytest.importorskip("pandas")
     table = longdrive.batch("tour-average", POINTS, ["carry", "spin"], "points")

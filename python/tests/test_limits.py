@@ -148,7 +148,7 @@ MOST = r"or more \(at most 9223372036854775807\)$"
         ),
     ],
 )
-def test_a_number_that_is_too_large_is_told_with_its_argument(
+def test_the_message_on_a_number_that_is_too_large_names_the_argument(
     call: Callable[[], Any], words: str
 ) -> None:
     with pytest.raises(InputError, match=words):
@@ -184,14 +184,14 @@ def test_a_number_that_is_too_large_is_told_with_its_argument(
         (lambda: longdrive.sweep("mae494", OVER, of=HALF), "of = "),
     ],
 )
-def test_a_text_with_half_a_character_is_told_with_its_argument(
+def test_the_message_on_a_lone_surrogate_names_the_argument(
     call: Callable[[], Any], name: str
 ) -> None:
     with pytest.raises(InputError, match=rf"^{name}'carry\\ud800' has half a character"):
         call()
 
 
-def test_what_is_no_name_is_not_in_a_setup_nor_in_a_table() -> None:
+def test_objects_other_than_names_are_not_in_a_setup_or_table() -> None:
     setup = longdrive.Setup()
     assert HALF not in setup and 3 not in setup and None not in setup
     for look in (
@@ -203,7 +203,7 @@ def test_what_is_no_name_is_not_in_a_setup_nor_in_a_table() -> None:
             look()
 
 
-def test_a_batch_that_does_not_fit_into_memory_is_refused_before_its_rows_are_looked_at() -> None:
+def test_a_batch_larger_than_memory_is_refused_before_its_rows_are_read() -> None:
     with pytest.raises(
         InputError, match="100000000000 drives with 2 numbers each do not fit into memory"
     ):

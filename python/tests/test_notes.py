@@ -55,7 +55,7 @@ def test_exact_drag_recovered_without_warnings(shots: dict[str, Any]) -> None:
     assert told == [] and found.estimates["aero.cd0"]["value"] == pytest.approx(0.27, abs=1e-6)
 
 
-def test_a_club_beside_launches_that_changes_what_is_fitted_is_told(shots: dict[str, Any]) -> None:
+def test_club_values_that_change_a_fit_of_launches_have_a_warning(shots: dict[str, Any]) -> None:
     _, told = fitted({**shots, "swing.speed [m/s]": np.full(ALL, 47.0)})
     assert (
         "ball_speed, launch_angle, backspin are measured values that it is compared with" in told[0]
@@ -63,7 +63,7 @@ def test_a_club_beside_launches_that_changes_what_is_fitted_is_told(shots: dict[
     )
 
 
-def test_values_that_the_fit_does_not_describe_are_told(shots: dict[str, Any]) -> None:
+def test_values_far_from_the_fit_have_a_warning(shots: dict[str, Any]) -> None:
     found, told = fitted(
         {
             **shots,
@@ -89,7 +89,7 @@ def test_values_that_the_fit_does_not_describe_are_told(shots: dict[str, Any]) -
         )
 
 
-def test_a_value_on_its_bound_is_told(shots: dict[str, Any]) -> None:
+def test_a_value_at_its_bound_has_a_warning(shots: dict[str, Any]) -> None:
     assert any(
         "aero.cd0 ended at 0.3, the end of its range" in one
         for one in fitted(shots, "aero.cd0=0.3..0.6")[1]
@@ -100,7 +100,7 @@ def test_a_value_on_its_bound_is_told(shots: dict[str, Any]) -> None:
     )
 
 
-def test_an_interval_that_reaches_below_no_drag_is_told(shots: dict[str, Any]) -> None:
+def test_an_interval_with_negative_drag_has_a_warning(shots: dict[str, Any]) -> None:
     found, told = fitted(
         {**shots, "carry [m]": carries(0.01), "sigma carry [m]": np.full(ALL, 150.0)}
     )
@@ -112,7 +112,7 @@ def test_an_interval_that_reaches_below_no_drag_is_told(shots: dict[str, Any]) -
     )
 
 
-def test_a_spin_that_is_not_used_is_told(shots: dict[str, Any]) -> None:
+def test_an_unused_spin_has_a_warning(shots: dict[str, Any]) -> None:
     _, told = fitted({**shots, "spin [rpm]": shots["backspin [rpm]"] * 1.2})
     assert "the backspin (2600 rpm) is not used" in told[0] and "(so in 4 other rows)" in told[0]
     assert fitted({**shots, "spin [rpm]": shots["backspin [rpm]"]})[1] == []
@@ -144,7 +144,7 @@ def test_a_blank_last_row_is_omitted(shots: dict[str, Any]) -> None:
     assert len(told) == 1 and "row 6" in told[0] and found.estimates == fitted(shots)[0].estimates
 
 
-def test_a_refused_trial_of_a_fit_does_not_blame_the_step(shots: dict[str, Any]) -> None:
+def test_the_message_on_a_refused_trial_point_does_not_name_the_step(shots: dict[str, Any]) -> None:
     found, told = fitted({**shots, "carry [m]": np.full(ALL, 27.0)})
     assert found.refused["count"] > 0 and "drag or lift is far too large" in found.refused["last"]
     assert "flight.step" not in found.refused["last"] + " ".join(told)
@@ -178,13 +178,13 @@ def test_a_column_without_a_value_for_each_row_is_named(
         ),
     ],
 )
-def test_some_degrees_among_radians_are_told(points: Any, words: str) -> None:
+def test_some_degrees_among_radians_have_a_warning(points: Any, words: str) -> None:
     with pytest.warns(LongdriveWarning, match="these look like degrees") as caught:
         longdrive.batch("tour-average", points)
     assert words in str(caught[0].message)
 
 
-def test_angles_with_their_unit_are_not_taken_for_degrees_by_mistake() -> None:
+def test_angles_with_a_unit_have_no_warning_about_degrees() -> None:
     with pytest.warns(LongdriveWarning) as caught:
         longdrive.sweep("tour-average", points={"club.loft [deg]": [10.0, 100.0, 120.0]})
         longdrive.sweep("tour-average", points={"club.loft [deg]": [100.0, 120.0]})
@@ -194,7 +194,7 @@ def test_angles_with_their_unit_are_not_taken_for_degrees_by_mistake() -> None:
     )
 
 
-def test_a_batch_of_which_nothing_flies_says_why_the_first_does_not() -> None:
+def test_a_batch_without_a_flight_names_the_reason_of_its_first_row() -> None:
     with pytest.warns(
         LongdriveWarning,
         match="no drive has the requested outcome: 2 no-flight; row 0: no flight: the ball leaves at",
@@ -307,7 +307,7 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
 
 
 @pytest.mark.parametrize(("call", "words"), REFUSED)
-def test_what_looks_like_a_mistake_is_refused_with_what_is_wanted(
+def test_likely_mistakes_are_refused_with_the_expected_value(
     call: Callable[[], Any], words: str
 ) -> None:
     with pytest.raises(InputError) as raised:
@@ -319,7 +319,7 @@ def test_an_empty_list_of_constraints_is_no_constraint() -> None:
     assert longdrive.optimize("mae494", subject_to=[]).fun == longdrive.optimize("mae494").fun
 
 
-def test_a_table_of_swings_is_told_the_columns_that_it_may_have(tmp_path: Path) -> None:
+def test_the_message_on_a_table_of_swings_lists_the_known_columns(tmp_path: Path) -> None:
     (tmp_path / "swings.csv").write_text("swing.speed [mph],tempo\n110,3\n")
     with pytest.raises(InputError, match="unknown column 'tempo'") as raised:
         longdrive.optimize(swings=tmp_path / "swings.csv")
@@ -362,7 +362,7 @@ def test_a_data_frame_of_a_table_has_its_columns() -> None:
     assert list(frame) == TABLE.keys() and (frame["carry"].to_numpy() == TABLE["carry"]).all()
 
 
-def test_rows_without_any_value_are_left_out_of_deliveries_and_named() -> None:
+def test_rows_without_a_value_are_omitted_from_deliveries_and_named() -> None:
     shots = {
         "ball_speed [mph]": [150.0, np.nan, 155.0],
         "launch_angle [deg]": [12.0, np.nan, 12.5],
@@ -378,7 +378,7 @@ def test_rows_without_any_value_are_left_out_of_deliveries_and_named() -> None:
 
 
 @pytest.mark.parametrize("off", [0, "no", np.float64(0)])
-def test_switches_take_true_and_false_alone(off: Any, tmp_path: Path) -> None:
+def test_switches_take_only_true_and_false(off: Any, tmp_path: Path) -> None:
     kept = tmp_path / "kept.toml"
     kept.write_text("mine")
     with pytest.raises(InputError, match="overwrite = .*; expected True or False"):
@@ -390,7 +390,7 @@ def test_switches_take_true_and_false_alone(off: Any, tmp_path: Path) -> None:
     assert kept.read_text() == "mine"
 
 
-def test_switches_of_numpy_are_on_and_off(tmp_path: Path) -> None:
+def test_switches_take_booleans_of_numpy(tmp_path: Path) -> None:
     kept = tmp_path / "kept.toml"
     kept.write_text("mine")
     with pytest.raises(InputError, match="exists"):
@@ -423,7 +423,7 @@ def test_a_masked_array_is_no_point_of_an_objective() -> None:
         longdrive.objective("tour-average", "carry", "club.loft").fun(np.ma.array([0.2], mask=[1]))
 
 
-def test_arguments_of_parts_are_told_by_name(tmp_path: Path) -> None:
+def test_messages_of_parts_name_the_argument(tmp_path: Path) -> None:
     import longdrive.parts
 
     good: dict[str, Any] = {

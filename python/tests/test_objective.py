@@ -19,7 +19,7 @@ from longdrive import InputError, NoAnswerError, Setup
 WRT = ["club.loft", "swing.attack_angle"]
 
 
-def test_value_gradient_and_hessian_are_those_of_the_drive_in_any_order() -> None:
+def test_same_value_gradient_and_hessian_as_the_drive_in_any_order() -> None:
     value, gradient, hessian = longdrive.hessian("mae494", "carry", WRT)
     for order in [["fun", "jac", "hess"], ["hess", "jac", "fun"], ["jac", "fun"], ["fun", "hess"]]:
         carry = longdrive.objective("mae494", "carry", WRT)
@@ -64,7 +64,7 @@ def test_exact_opposite_signs_with_the_sense_max() -> None:
     assert down.fun_and_jac(up.x0)[0] == down.fun(up.x0)
 
 
-def test_what_it_is_of_and_its_physical_bounds() -> None:
+def test_an_objective_has_its_outcome_variables_and_physical_bounds() -> None:
     carry = longdrive.objective(Setup(), "carry", ["club.loft", "swing.speed"])
     assert (carry.names, carry.of, carry.setup) == (["club.loft", "swing.speed"], "carry", Setup())
     assert carry.x0.tolist() == [Setup()["club.loft"], Setup()["swing.speed"]]
@@ -129,7 +129,7 @@ def test_one_variable_may_be_a_number() -> None:
     assert abs(carry.jac(found.x)[0]) < 1e-4 and 0.06 < found.x < 0.39
 
 
-def test_ctrl_c_ends_a_goal_over_many_swings_in_the_midst() -> None:
+def test_ctrl_c_ends_the_evaluation_of_a_goal_over_many_swings() -> None:
     swings: dict[str, Any] = {
         "distribution": {"swing.speed": ("normal", 50.0, 1.5), "swing.path": ("normal", 0.0, 0.04)}
     }
@@ -162,14 +162,14 @@ def test_ctrl_c_ends_a_goal_over_many_swings_in_the_midst() -> None:
     assert mean.fun([0.19]) == pytest.approx(alone.fun([0.19]), rel=1e-3)
 
 
-def test_wrong_words_are_refused() -> None:
+def test_wrong_names_are_refused() -> None:
     with pytest.raises(InputError, match="sense = 'up'; expected 'max', 'min' or None"):
         longdrive.objective(Setup(), "carry", WRT, "up")  # type: ignore[arg-type]
     with pytest.raises(InputError, match="invalid = 'zero'; expected 'raise' or 'nan'"):
         longdrive.objective(Setup(), "carry", WRT, invalid="zero")  # type: ignore[arg-type]
 
 
-def test_it_pickles_and_copies() -> None:
+def test_an_objective_pickles_and_copies() -> None:
     carry = longdrive.objective({"club.loft": 0.19}, "carry", WRT, "max", invalid="nan")
     for other in (pickle.loads(pickle.dumps(carry)), copy.copy(carry), copy.deepcopy(carry)):
         assert repr(other) == repr(carry) == "<longdrive.Objective carry of club.loft, swing.attack_angle, max>"
@@ -225,7 +225,7 @@ def test_same_goals_over_swings_as_the_search() -> None:
     assert again.fun(best.x) == goal.fun(best.x) and repr(again) == repr(goal)
 
 
-def test_swings_that_are_wrong_are_refused() -> None:
+def test_wrong_swings_are_refused() -> None:
     cases: list[tuple[dict[str, Any], str]] = [
         ({"distribution": "swing.speed=normal(100mph)"}, "normal"),
         ({"scenarios": 64}, "scenarios: it is about many swings"),
@@ -344,7 +344,7 @@ def test_same_optimum_by_every_method_of_scipy_that_takes_derivatives(method: st
         "Newton-CG",
     ],
 )
-def test_scipy_steps_back_from_a_point_without_a_drive_or_says_that_it_ended_there(
+def test_scipy_steps_back_from_a_point_without_a_drive_or_reports_it(
     method: str
 ) -> None:
     optimize = pytest.importorskip("scipy.optimize")

@@ -88,7 +88,7 @@ def test_independent_hash_and_summary_of_a_check(
     assert all(found[name] == merged[name] for name in merged)
 
 
-def test_a_missing_part_is_named_and_other_questions_are_refused(tmp_path: Path) -> None:
+def test_a_missing_part_is_named_and_parts_of_other_sweeps_are_refused(tmp_path: Path) -> None:
     asked = Question.of(**QUESTION, output=tmp_path)
     asked.write(2)
     found = asked.check()
@@ -149,7 +149,7 @@ UNSOUND: list[tuple[dict[str, Any], str]] = [
 
 
 @pytest.mark.parametrize(("change", "words"), UNSOUND)
-def test_a_question_that_is_unsound_is_told_before_any_part_is_begun(
+def test_an_invalid_sweep_is_refused_before_its_first_part(
     change: dict[str, Any], words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def begun(*arguments: Any) -> None:
@@ -162,7 +162,7 @@ def test_a_question_that_is_unsound_is_told_before_any_part_is_begun(
     assert not folder.exists() and not list(tmp_path.iterdir())
 
 
-def test_a_sound_question_is_asked_and_nothing_is_written(tmp_path: Path) -> None:
+def test_a_valid_sweep_is_planned_without_a_file(tmp_path: Path) -> None:
     asked = Question.of(
         "mae494",
         **GOOD,
@@ -208,7 +208,7 @@ def test_a_relative_folder_is_that_of_the_caller(
     assert not list(elsewhere.iterdir())
 
 
-def test_an_engine_is_told_as_an_argument_is() -> None:
+def test_the_message_on_an_engine_names_the_argument() -> None:
     pytest.importorskip("distributed")
     import longdrive.dask
 

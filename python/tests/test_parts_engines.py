@@ -143,7 +143,7 @@ def test_a_part_that_always_fails_is_named_by_dask(client: Any, tmp_path: Path) 
     client.run(empty_the_disk)
 
 
-def test_what_comes_back_of_a_part_does_not_grow_with_its_rows(tmp_path: Path) -> None:
+def test_the_result_of_a_part_does_not_grow_with_its_rows(tmp_path: Path) -> None:
     sizes = []
     for rows in (2, 200):
         question = {
@@ -222,7 +222,7 @@ def test_same_set_from_ray(many: tuple[dict[str, Any], str], tmp_path: Path) -> 
         ("spark", "pyspark.errors", "pyspark pandas pyarrow"),
     ],
 )
-def test_an_engine_that_is_not_there_says_how_to_get_it(
+def test_the_message_on_a_missing_engine_has_the_command_to_install_it(
     module: str, engine: str, said: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     import importlib

@@ -116,7 +116,7 @@ def test_a_point_of_an_objective_may_have_quantities(unit: Any) -> None:
         [b"0.2"],
     ],
 )
-def test_a_point_of_an_objective_is_of_numbers(x: Any) -> None:
+def test_a_point_of_an_objective_has_only_numbers(x: Any) -> None:
     loft = longdrive.objective("mae494", "carry", "club.loft")
     for call in (loft.fun, loft.jac, loft.hess, loft.fun_and_jac):
         with pytest.raises(
@@ -126,7 +126,7 @@ def test_a_point_of_an_objective_is_of_numbers(x: Any) -> None:
             call(x)
 
 
-def test_a_truth_among_numbers_is_no_number() -> None:
+def test_a_boolean_among_numbers_is_refused() -> None:
     with pytest.raises(
         InputError, match="^points: club.loft has the truth value True as element 1; expected a number or"
     ):
@@ -162,7 +162,7 @@ ANGLES: list[Callable[[Any], Any]] = [
 
 
 @pytest.mark.parametrize("call", ANGLES)
-def test_an_angle_is_no_plain_number(call: Callable[[Any], Any], unit: Any) -> None:
+def test_an_angle_is_refused_as_a_plain_number(call: Callable[[Any], Any], unit: Any) -> None:
     with pytest.raises(
         InputError,
         match="impact.restitution: 20 degree is an angle; expected a number without a unit",

@@ -135,7 +135,7 @@ def test_a_setup_cannot_be_changed_and_replace_makes_another() -> None:
         setup.preset = "mae494"  # type: ignore[misc]
 
 
-def test_its_names_are_gone_through_as_those_of_a_dict() -> None:
+def test_iteration_over_a_setup_gives_its_names() -> None:
     setup = longdrive.Setup("modern-driver")
     assert list(setup) == list(setup.keys()) == list(dict(setup)) and len(setup) == len(dict(setup)) > 40
     assert {name: setup[name] for name in setup} == dict(setup)
@@ -232,7 +232,7 @@ def test_an_empty_group_changes_nothing() -> None:
     ) == Setup("mae494")
 
 
-def test_what_was_given_is_not_replaced_in_silence() -> None:
+def test_a_stated_value_is_never_replaced_without_a_message() -> None:
     dense = Setup({"air.density": 1.1})
     with pytest.raises(InputError, match="air.density and air.temperature are both given"):
         dense.replace({"air.temperature": "20 degC"})
@@ -243,7 +243,7 @@ def test_what_was_given_is_not_replaced_in_silence() -> None:
     )["carry"]
 
 
-def test_a_file_that_is_wrong_names_line_and_column(tmp_path: Path) -> None:
+def test_the_message_on_a_wrong_file_has_line_and_column(tmp_path: Path) -> None:
     file = tmp_path / "mine.toml"
     file.write_text("[club]\nloft = '10 kg'\n")
     with pytest.raises(InputError, match=r"mine.toml:2:8: club.loft"):

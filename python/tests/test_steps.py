@@ -103,7 +103,7 @@ def test_a_tolerance_is_checked_as_in_batch(function: Callable[..., Any]) -> Non
         function("tour-average", own_step=1)
 
 
-def test_the_report_of_a_drive_is_made_when_it_is_asked_for() -> None:
+def test_the_report_of_a_drive_is_made_at_the_first_access() -> None:
     drive = longdrive.simulate("tour-average", of="carry")
     assert drive.report is drive.report
     assert drive.report["flight"]["carry"] == drive["carry"]

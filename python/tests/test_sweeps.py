@@ -42,7 +42,7 @@ def test_same_rows_in_memory_and_in_a_file(question, tmp_path):
         np.testing.assert_array_equal(read, table[name], err_msg=name)
 
 
-def test_points_of_a_table_are_flown():
+def test_a_table_of_points_is_flown():
     loft = np.radians([8.0, 9.0, 10.0])
     table = longdrive.sweep("tour-average", points={"club.loft [rad]": loft}, wrt="club.loft")
     np.testing.assert_array_equal(table["club.loft"], loft)

@@ -104,7 +104,7 @@ def test_a_point_without_a_drive_is_nan() -> None:
     assert found.isnan().tolist() == [False, True, True]
 
 
-def test_third_derivatives_and_wrong_shapes_are_refused_in_words() -> None:
+def test_third_derivatives_and_wrong_shapes_have_a_message() -> None:
     carry, x = outcome(SETUP, "carry", WRT), at()
     (slope,) = torch.autograd.grad(carry(x), x, create_graph=True)
     (curvature,) = torch.autograd.grad(slope[0], x, create_graph=True)

@@ -30,7 +30,7 @@ CALLS: list[Callable[[], Any]] = [
 
 
 @pytest.mark.parametrize("call", CALLS)
-def test_a_call_warns_once_of_all_that_its_answer_warns_of(call: Callable[[], Any]) -> None:
+def test_a_call_warns_once_of_each_warning_of_its_answer(call: Callable[[], Any]) -> None:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         found = call()
@@ -75,7 +75,7 @@ def test_a_warning_raised_as_an_error_has_the_optimum() -> None:
     assert LongdriveWarning("alone").answer is None
 
 
-def test_degrees_given_for_radians_are_told() -> None:
+def test_degrees_in_place_of_radians_have_a_warning() -> None:
     degrees = {"club.loft": [8.0, 10.0, 12.0], "swing.attack_angle": np.radians([1.0, 2.0, 3.0])}
     with pytest.warns(
         LongdriveWarning,
@@ -107,14 +107,14 @@ def test_swings_that_leave_the_law_warn() -> None:
         longdrive.optimize(FAST, vary="club.loft=4deg..20deg", distribution=fast)
 
 
-def test_a_drive_without_warnings_warns_of_nothing() -> None:
+def test_a_usual_drive_has_no_warnings() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert not longdrive.simulate("winfield-tan").warnings
         assert not longdrive.batch("winfield-tan", {"club.loft": [0.19, 0.2]}).warnings
 
 
-def test_what_an_optimizer_calls_warns_of_nothing() -> None:
+def test_calls_of_an_optimizer_have_no_warnings() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert longdrive.objective(FAST, "carry", "club.loft").fun([0.15]) > 0
@@ -141,7 +141,7 @@ def test_a_fit_without_a_minimum_warns() -> None:
     assert found.status == "undetermined"
 
 
-def test_shots_of_which_none_flies_warn_with_the_units_that_were_taken() -> None:
+def test_shots_without_a_flight_warn_with_the_assumed_units() -> None:
     shots = {
         "Ball Speed": [7000.0, 6800.0], "Launch Angle": [12.0, 11.0], "Spin Rate": [2600.0, 2500.0]
     }
@@ -182,7 +182,7 @@ def test_a_measurement_that_no_drive_has_is_refused(head: str, value: float, wor
     assert str(raised.value).startswith(f"data, row 2, column {head.split()[0]}: ")
 
 
-def test_a_fit_names_the_value_that_no_drive_has_and_the_swing_that_all_rows_have() -> None:
+def test_a_fit_names_the_impossible_value_and_the_swing_of_all_rows() -> None:
     launch = {
         "ball_speed [mph]": [150.0, 160.0],
         "launch_angle [deg]": [12.0, 12.0],

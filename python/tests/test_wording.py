@@ -115,7 +115,7 @@ def test_no_message_of_a_command_names_an_option_of_the_command_line(
         lambda: longdrive.verify(wrt="swing.shaft_droop"),
     ],
 )
-def test_a_value_that_is_lacking_is_given_by_replace(call: Callable[[], Any]) -> None:
+def test_the_message_on_a_missing_value_names_replace(call: Callable[[], Any]) -> None:
     with pytest.raises(
         InputError, match=r"swing.shaft_droop.*; give it a value with setup\.replace\(\{…\}\)"
     ):
@@ -129,7 +129,7 @@ SHOTS = {
 }
 
 
-def test_no_answer_names_a_file_that_is_not_there(
+def test_no_answer_names_a_missing_file(
     tmp_path: Path, caplog: pytest.LogCaptureFixture
 ) -> None:
     caplog.set_level(logging.INFO)
@@ -185,7 +185,7 @@ def test_no_answer_names_a_file_that_is_not_there(
         (lambda: longdrive.sweep(points={"club.lofft [rad]": [0.1]}, output="never.csv"), "^points"),
     ],
 )
-def test_a_table_in_a_message_is_called_as_its_argument(
+def test_messages_name_a_table_by_its_argument(
     call: Callable[[], Any], words: str
 ) -> None:
     with pytest.raises(InputError, match=words) as raised:
@@ -241,7 +241,7 @@ def test_a_table_in_a_message_is_called_as_its_argument(
         ),
     ],
 )
-def test_none_where_a_value_is_needed_names_the_argument_and_what_is_wanted(
+def test_the_message_on_none_names_the_argument_and_the_expected_value(
     call: Callable[[], Any], words: str
 ) -> None:
     with pytest.raises(InputError, match=words):
@@ -297,7 +297,7 @@ def test_none_where_a_value_is_needed_names_the_argument_and_what_is_wanted(
         ),
     ],
 )
-def test_an_unknown_key_is_a_key_error_with_the_nearest(
+def test_an_unknown_key_is_a_key_error_with_the_nearest_name(
     look: Callable[[], Any], words: str
 ) -> None:
     with pytest.raises(KeyError, match=words) as raised:
@@ -338,14 +338,14 @@ def test_an_unknown_key_is_a_key_error_with_the_nearest(
         ),
     ],
 )
-def test_a_wrong_element_of_a_sequence_is_told_with_its_place(
+def test_the_message_on_a_wrong_element_has_its_index(
     call: Callable[[], Any], words: str
 ) -> None:
     with pytest.raises(InputError, match=words):
         call()
 
 
-def test_every_outcome_that_goes_by_name_is_listed() -> None:
+def test_the_message_on_an_unknown_outcome_lists_all_outcomes() -> None:
     rows = {row["name"]: row for row in longdrive.outcomes()}
     assert {row["part"] for row in rows.values()} == {"launch", "flight", "head"}
     drive = longdrive.simulate("modern-driver", of=list(rows))
@@ -364,7 +364,7 @@ def test_get_of_a_mapping_has_its_default() -> None:
     assert drive.get("cary") is None and drive.get("cary", 3.0) == 3.0 and "cary" not in drive
 
 
-def test_a_file_given_as_a_preset_is_told_how_to_be_read() -> None:
+def test_the_message_on_a_file_as_preset_names_the_function_that_reads_it() -> None:
     with pytest.raises(
         InputError,
         match=r'"mine.toml" is a file, not a preset; Setup.read\("mine.toml"\) reads it',
@@ -382,7 +382,7 @@ def test_outcomes_of_a_drive_cannot_be_changed() -> None:
     assert (hash(drive), drive["carry"]) == kept
 
 
-def test_tables_of_different_questions_are_not_joined() -> None:
+def test_tables_with_different_columns_are_not_joined() -> None:
     points = {"club.loft": [0.15, 0.16]}
     table = longdrive.batch("tour-average", points)
     others = {
@@ -456,12 +456,12 @@ ATTACK = "swing.attack_angle=truncated(-1deg,2deg,-5deg,3deg)"
         ),
     ],
 )
-def test_what_would_have_no_effect_is_refused(call: Callable[[], Any], words: str) -> None:
+def test_arguments_without_effect_are_refused_by_a_search(call: Callable[[], Any], words: str) -> None:
     with pytest.raises(InputError, match=words):
         call()
 
 
-def test_what_is_empty_by_its_own_right_is_taken() -> None:
+def test_empty_lists_are_accepted_where_they_have_a_meaning() -> None:
     # no constraints, no correlations
     assert longdrive.optimize("mae494", subject_to=[], correlation=[]).success
     assert len(longdrive.sweep("mae494", {"club.loft": (0.1, 0.2)}, sample=4, seed=4)) == 4
@@ -490,7 +490,7 @@ def test_a_range_is_any_sequence_of_two_numbers(shape: Callable[[Any], Any]) -> 
 @pytest.mark.parametrize(
     "given", [{4.0, 20.0}, 3, [0.1], [0.1, 0.2, 0.3, 0.4], [0.1, None], [0.1, 0.2, 2.5]]
 )
-def test_what_is_no_range_is_refused(given: Any) -> None:
+def test_wrong_ranges_are_refused(given: Any) -> None:
     with pytest.raises(InputError, match="club.loft|expected"):
         longdrive.sweep("mae494", {"club.loft": given})
 

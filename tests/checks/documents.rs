@@ -504,28 +504,19 @@ fn numbers_of_the_robust_example_of_swings_md_are_the_programs() {
     );
 }
 
-/// The number of derivatives of every outcome by every parameter of every preset. After a new
-/// outcome or parameter, the page must be written again.
+/// Every preset has a row, and in none did a derivative fail or a planted error stay unnoticed. The
+/// test of `verify.rs` that certifies every preset has the same result for the code of today.
 #[test]
-fn number_of_certified_derivatives_in_verification_md() {
-    let rows = table(
-        &document("docs/verification.md"),
-        "| preset | derivatives | pass |",
-    );
-    for (row, preset) in rows.iter().zip(PRESETS) {
-        let all = Outcome::ALL.len() * Setup::preset(preset.name).unwrap().variables().len();
-        let expected = [
-            format!("`{}`", preset.name),
-            all.to_string(),
-            all.to_string(),
-        ];
-        assert_eq!(
-            row[..3],
-            expected,
-            "write docs/verification.md again: see examples/verification.rs"
-        );
-    }
+fn verification_md_lists_every_preset_without_a_failure() {
+    let rows = table(&document("docs/verification.md"), "| preset | not passed |");
     assert_eq!(rows.len(), PRESETS.len());
+    for (row, preset) in rows.iter().zip(PRESETS) {
+        let [name, not_passed, _, _, _, landing_not_passed, missed] = &row[..] else {
+            panic!("{row:?}");
+        };
+        assert_eq!(name, &format!("`{}`", preset.name));
+        assert_eq!([not_passed, landing_not_passed, missed], ["0", "0", "0"]);
+    }
 }
 
 /// The estimates of docs/scale.md follow from the measured rate and size of docs/performance.md.

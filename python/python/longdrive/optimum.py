@@ -152,6 +152,7 @@ def optimum(reply: Reply, request: Request) -> Optimum:
         maxcv=max(violations, default=0.0) if has_violations else None,
         kkt_residual=reply.get("kkt_residual"),
         warnings=reply["warnings"],
+        held=reply.held,
         started=request.setup,
         reply=reply,
     )

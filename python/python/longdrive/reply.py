@@ -25,10 +25,6 @@ class Reply(dict[str, Any]):
     """The end of the work in a sentence; None if there is nothing to say."""
     warnings: list[str]
     """Warnings about the request or the answer."""
-    held: list[str]
-    """Parameters that a search would vary, but keeps at the stated values; left out if there are
-    none."""
-
     if not TYPE_CHECKING:  # type checkers know the attributes of each answer
 
         def __getattr__(self, name: str) -> Any:
@@ -37,6 +33,12 @@ class Reply(dict[str, Any]):
             except KeyError:
                 kind, keys = type(self).__name__, ", ".join(self)
                 raise AttributeError(f"this {kind} has no {name!r}; it has {keys}") from None
+
+    @property
+    def held(self) -> list[str]:
+        """Parameters that a search would vary, but keeps at the stated values."""
+        held: list[str] = self.get("held", [])
+        return held
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self]
