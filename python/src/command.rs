@@ -33,6 +33,8 @@ struct Caller {
     files: Mutex<Files>,
     /// The setup, as the text of a setup file.
     setup: String,
+    /// The parameters that the call states in a dict.
+    stated: Vec<String>,
     /// The input files in memory.
     inputs: MemoryFiles,
     /// The output files in memory, with their contents once they are complete.
@@ -178,6 +180,10 @@ impl Host for Caller {
         Ok(self.setup.clone())
     }
 
+    fn stated(&self) -> Vec<String> {
+        self.stated.clone()
+    }
+
     fn files(&self) -> MemoryFiles {
         self.inputs.clone()
     }
@@ -254,12 +260,14 @@ type Ran<'py> = (
 /// progress
 ///     Called now and then from the calling thread with the number of completed parts and the
 ///     number of all parts. The second number is 0 if the parts cannot be counted.
+/// stated
+///     The names of the parameters that the call states in a dict.
 #[pyfunction]
 #[expect(
     clippy::too_many_arguments,
     reason = "only longdrive.run_command calls it"
 )]
-#[pyo3(signature = (command, arguments, setup, files, outputs, say, progress = None))]
+#[pyo3(signature = (command, arguments, setup, files, outputs, say, progress = None, stated = None))]
 pub fn command<'py>(
     py: Python<'py>,
     command: String,
@@ -269,6 +277,7 @@ pub fn command<'py>(
     outputs: Vec<PathBuf>,
     say: &Bound<'py, PyAny>,
     progress: Option<&Bound<'py, PyAny>>,
+    stated: Option<Vec<String>>,
 ) -> PyResult<Ran<'py>> {
     answer(|| {
         let call = Call {
@@ -277,6 +286,7 @@ pub fn command<'py>(
         };
         let caller = Caller {
             setup,
+            stated: stated.unwrap_or_default(),
             inputs: files
                 .into_iter()
                 .map(|(name, content)| (name, content.into()))

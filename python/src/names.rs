@@ -1,6 +1,7 @@
 //! Outcomes and parameters by name, and the lists of both.
 
 use crate::boundary::{Answer, Failure, answer, kind_of, text_of};
+use crate::given::flattened;
 use crate::json::to_python;
 use crate::setup::PySetup;
 use longdrive::command::{quantity_of, quantity_of_goal};
@@ -92,9 +93,20 @@ fn refuse_repeated(what: &str, names: &[&str]) -> Answer<()> {
     }
 }
 
+/// The dotted names of the parameters in a dict that describes a setup.
+#[pyfunction]
+pub fn names_in(dict: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
+    answer(|| {
+        Ok(flattened(dict)?
+            .into_iter()
+            .map(|given| given.name)
+            .collect())
+    })
+}
+
 /// The names of the outcomes and of the parameters to differentiate by.
 #[pyfunction]
-pub fn asked<'py>(
+pub fn requested_names<'py>(
     setup: &Bound<'py, PyAny>,
     of: &Bound<'py, PyAny>,
     wrt: Option<&Bound<'py, PyAny>>,

@@ -624,7 +624,7 @@ impl PySetup {
 
     /// The setup for a command: the name of its preset or the text of a setup file, and true for a
     /// text. The text has method and step if they were stated.
-    fn _asked(&self) -> PyResult<(String, bool)> {
+    fn _for_command(&self) -> PyResult<(String, bool)> {
         answer(|| {
             if self.setup == longdrive::Setup::preset(self.file.preset.name)? {
                 return Ok((self.file.preset.name.to_owned(), false));

@@ -57,11 +57,22 @@ def test_same_optimum_as_the_program():
     assert found.nit == said["iterations"] and found.nfev == said["evaluations"]
 
 
-def test_held_parameters_are_those_that_are_stated():
-    setup = {"swing.attack_angle": "2 deg"}
-    assert longdrive.optimize(setup).held == ["swing.attack_angle"]
-    nothing_held = longdrive.optimize(setup, vary={"club.loft": ("4 deg", "20 deg")})
-    assert "held" not in nothing_held.reply and nothing_held.reply.held == []
+def test_a_search_keeps_what_a_dict_states_as_the_program_keeps_what_set_states():
+    found = longdrive.optimize({"swing": {"attack_angle": "-2 deg"}})
+    status, answer = program("optimize", "--set", "swing.attack_angle=-2deg")
+    assert status == 0 and found.held == answer["held"] == ["swing.attack_angle"]
+    assert found.optimum == answer["optimum"] and found.names == ["club.loft"]
+
+
+def test_a_search_without_stated_parameters_keeps_none():
+    setup = longdrive.Setup({"swing.attack_angle": "-2 deg"})
+    for found in (
+        longdrive.optimize(setup),
+        longdrive.optimize(
+            {"swing.attack_angle": "-2 deg"}, vary={"swing.attack_angle": ("-5 deg", "5 deg")}
+        ),
+    ):
+        assert found.held == [] and "swing.attack_angle" in found.names
 
 
 def test_differences_of_new_searches_confirm_the_price_of_a_constraint():

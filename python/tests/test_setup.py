@@ -288,14 +288,14 @@ def test_a_users_table_pickles_by_its_file_and_a_changed_file_is_refused(tmp_pat
 @pytest.mark.parametrize("seed", range(10))
 def test_a_setup_without_a_step_lets_the_command_choose(seed: int) -> None:
     setup = random_setup(seed).replace({"swing.speed": 47.0 + seed})
-    text, is_text = setup._asked()
+    text, is_text = setup._for_command()
     keys = {line.split(" = ")[0] for line in text.splitlines() if " = " in line}
     chosen = setup.replace({"flight.step": setup["flight.step"]})
-    assert is_text and Setup.from_toml(chosen._asked()[0]) == chosen
+    assert is_text and Setup.from_toml(chosen._for_command()[0]) == chosen
     if "method" not in keys:
         # a reader of the text uses method and step of the preset
         assert "step" not in keys and Setup.from_toml(text) == setup
-    assert {"method", "step"} <= {line.split(" = ")[0] for line in chosen._asked()[0].splitlines()}
+    assert {"method", "step"} <= {line.split(" = ")[0] for line in chosen._for_command()[0].splitlines()}
 
 
 def test_a_dict_keeps_the_point_of_the_club_speed() -> None:

@@ -144,7 +144,7 @@ def test_no_answer_names_a_missing_file(
         longdrive.compare("tour-average", mine),
         longdrive.plot.trajectory(mine),
         longdrive.optimize(
-            mine,
+            longdrive.Setup(mine),
             swings={
                 "swing.speed [m/s]": list(np.linspace(48, 52, 12)),
                 "swing.path [rad]": list(np.linspace(-0.02, 0.02, 12)),

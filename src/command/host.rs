@@ -77,6 +77,12 @@ pub trait Host: Send + Sync {
         Err(io::Error::other("no text was given"))
     }
 
+    /// The names of the parameters that the setup named `-` states as part of this request, as
+    /// `--set` does on a command line. A search keeps their values, unless it is told to vary them.
+    fn stated(&self) -> Vec<String> {
+        vec![]
+    }
+
     /// The input files in memory. A command reads other files from disk.
     fn files(&self) -> MemoryFiles {
         MemoryFiles::new()

@@ -26,7 +26,6 @@ __all__ = [
     "__version__",
     "_panic_for_a_test",
     "arrow_stream",
-    "asked",
     "batch",
     "command",
     "described",
@@ -37,10 +36,12 @@ __all__ = [
     "jacobian",
     "main",
     "merge_parts",
+    "names_in",
     "outcomes",
     "parameters",
     "plan",
     "presets",
+    "requested_names",
     "simulate",
     "text_of",
     "unit_of",
@@ -60,7 +61,7 @@ class Setup(Mapping[str, Any]):
     def read(path: str | PathLike[str]) -> Setup: ...
     @staticmethod
     def from_toml(text: str, file: str = "setup.toml") -> Setup: ...
-    def _asked(self) -> tuple[str, bool]: ...
+    def _for_command(self) -> tuple[str, bool]: ...
     @staticmethod
     def _from_state(differences: Mapping[str, Any], table: str | None) -> Setup: ...
     def _with_values(self, values: Mapping[str, Any]) -> Setup: ...
@@ -219,7 +220,8 @@ def arrow_stream(
     at: int,
     metadata: Mapping[str, str],
 ) -> Any: ...
-def asked(
+def names_in(dict: Mapping[str, Any]) -> list[str]: ...
+def requested_names(
     setup: SetupLike, of: Names, wrt: Names | None
 ) -> tuple[list[str], list[str]]: ...
 def unknown_key(
@@ -248,6 +250,7 @@ def command(
     outputs: Sequence[str],
     say: Callable[[str, str], object],
     progress: Callable[[int, int], object] | None = None,
+    stated: Sequence[str] | None = None,
 ) -> tuple[int | None, Any, dict[str, bytes], BaseException | None]: ...
 def text_of(value: Value) -> str: ...
 def words_of(command: str, arguments: dict[str, Value]) -> list[str]: ...

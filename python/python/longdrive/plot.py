@@ -144,7 +144,7 @@ def contour(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg].
+        and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
@@ -234,7 +234,7 @@ def chart(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg].
+        and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
@@ -335,7 +335,7 @@ def pareto(
         A goal to minimize, e.g. "std(lateral)".
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg;
-        for one drive also attack angle -5 to 5 deg].
+        for one drive also attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on a goal, e.g. "apex_height <= 35 yd", over many swings "mean(carry) >= 240
         yd"; every limit with its unit.
@@ -773,7 +773,7 @@ def fairway(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg].
+        and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
@@ -938,7 +938,7 @@ def strike(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg].
+        and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
@@ -1030,7 +1030,7 @@ def launch(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg].
+        and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a

@@ -43,7 +43,7 @@ class Pointwise:
     ) -> None:
         self.setup = setup if isinstance(setup, _longdrive.Setup) else _longdrive.Setup(setup)
         self.is_single = isinstance(of, str) and of != "all"
-        names = _longdrive.asked(self.setup, of, wrt)
+        names = _longdrive.requested_names(self.setup, of, wrt)
         self.of: list[str] = names[0]
         self.wrt: list[str] = names[1]
         self.step = (tolerance_of(tolerance), switch_of("own_step", own_step))

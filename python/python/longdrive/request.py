@@ -49,6 +49,8 @@ class Request:
         self.setup: Setup | None = None
         self.setup_text = ""
         """The text of the setup file that the command reads for the setup ``-``."""
+        self.stated: list[str] = []
+        """The parameters that a dict in place of a setup states. A search keeps their values."""
         self.files: dict[str, bytes] = {}
         """Tables and setups in memory by name."""
         self.output = ""
@@ -118,7 +120,9 @@ class Request:
     def _take_setup(self, given: Any, option: Option) -> None:
         given = option.default if given is None else given
         self.setup = self._setup_of(given)
-        text, is_file = self.setup._asked()
+        if isinstance(given, Mapping) and not isinstance(given, Setup):
+            self.stated = _longdrive.names_in(given)
+        text, is_file = self.setup._for_command()
         self.setup_text = text if is_file else ""
         self.values[option.name] = "-" if is_file else text
 

@@ -90,6 +90,7 @@ def _reply_to(
             [request.output] if request.output else [],
             say,
             show,
+            request.stated,
         )
     if raised is not None and not isinstance(raised, KeyboardInterrupt):
         raise raised

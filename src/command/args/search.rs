@@ -16,7 +16,7 @@ pub struct SearchArgs {
     pub minimize: Option<String>,
 
     /// A parameter to vary, with its range, e.g. club.loft=4deg..20deg. Repeatable [default: loft 4
-    /// to 20 deg and attack angle -5 to 5 deg].
+    /// to 20 deg and attack angle -5 to 5 deg, except a parameter that the request states].
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub vary: Vec<String>,
 

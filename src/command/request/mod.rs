@@ -12,6 +12,7 @@ pub use source::Source;
 
 use crate::command::args::{DriveArgs, OwnLaw, SetupArgs};
 use crate::command::output::{system, tell};
+use crate::command::running::running;
 use crate::integration::StepChoice;
 use crate::parameters::{GOLFER, Law, Parameter, SPEED_OF, TABLE, Vary, follows_from};
 use crate::report::{Origin, parameter_text};
@@ -223,9 +224,10 @@ impl Request {
             .map(|setting| setting.parameter.as_str())
     }
 
-    /// True if the command line states the parameter.
+    /// True if the request states the parameter: an option of the command line, or the host.
     pub fn states(&self, parameter: &Parameter) -> bool {
-        self.stated().any(|name| name == parameter.name)
+        let is = |name: &str| name == parameter.name;
+        self.stated().any(is) || running().host.stated().iter().any(|name| is(name))
     }
 
     /// The setup as a title: "tour-average, swing.speed=95mph".
