@@ -72,7 +72,7 @@ class Scaled:
         self.points: set[bytes] = set()
         self.spent = 0.0
 
-    def asked(self, what: Any, u: Any) -> Any:
+    def evaluated(self, what: Any, u: Any) -> Any:
         self.points.add(np.asarray(u).tobytes())
         began = time.perf_counter()
         found = what(LOW + np.asarray(u) * WIDTH)
@@ -80,15 +80,15 @@ class Scaled:
         return found
 
     def fun(self, u: Any) -> float:
-        value = float(self.asked(self.goal.fun, u))
+        value = float(self.evaluated(self.goal.fun, u))
         # trust-constr also evaluates points outside of the ranges, where the head may be impossible
         return value if np.isfinite(value) else np.inf
 
     def jac(self, u: Any) -> Any:
-        return np.nan_to_num(self.asked(self.goal.jac, u) * WIDTH)
+        return np.nan_to_num(self.evaluated(self.goal.jac, u) * WIDTH)
 
     def hess(self, u: Any) -> Any:
-        return np.nan_to_num(self.asked(self.goal.hess, u) * np.outer(WIDTH, WIDTH))
+        return np.nan_to_num(self.evaluated(self.goal.hess, u) * np.outer(WIDTH, WIDTH))
 
     def residual(self, x: Any) -> tuple[float, float]:
         u = np.clip((np.asarray(x) - LOW) / WIDTH, 0.0, 1.0)
@@ -155,10 +155,10 @@ def theirs(scaled: Scaled, method: str, start: Any) -> dict[str, Any]:
     )
     took, spent = time.perf_counter() - began, time.process_time() - cpu
     x = LOW + np.clip(found.x, 0.0, 1.0) * WIDTH
-    said = re.sub(r"[\s.]+$", "", str(found.message)).replace("|", "/")
+    output = re.sub(r"[\s.]+$", "", str(found.message)).replace("|", "/")
     return {
         "x": x,
-        "status": said,
+        "status": output,
         "iterations": found.nit,
         "evaluations": len(scaled.points),
         "wall": took,

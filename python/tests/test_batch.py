@@ -281,7 +281,7 @@ def test_wrong_points_have_a_message(given: Any, message: str) -> None:
 
 def test_wrong_arguments_have_a_message() -> None:
     given = {"club.loft": [0.2]}
-    for asked, message in [
+    for requested, message in [
         (dict(of="carri"), "did you mean 'carry'"),
         (dict(of=["carry", "carry"]), "of names 'carry' twice"),
         (dict(wrt=["club.loft", "club.loft"]), "wrt names 'club.loft' twice"),
@@ -293,7 +293,7 @@ def test_wrong_arguments_have_a_message() -> None:
         (dict(first_row=1024), "first_row = 1024"),
     ]:
         with pytest.raises(InputError, match=message):
-            longdrive.batch(Setup(), given, **asked)  # type: ignore[arg-type]
+            longdrive.batch(Setup(), given, **requested)  # type: ignore[arg-type]
 
 
 def test_the_step_of_the_setup_is_used_on_request() -> None:
@@ -351,12 +351,12 @@ def test_polars_and_pandas_read_a_table(table: Table) -> None:
 
 
 def test_progress_begins_at_zero_and_ends_at_all_rows() -> None:
-    told: list[tuple[int, int]] = []
+    sentence: list[tuple[int, int]] = []
     table = longdrive.batch(
-        "tour-average", points(200_000), progress=lambda done, total: told.append((done, total))
+        "tour-average", points(200_000), progress=lambda done, total: sentence.append((done, total))
     )
-    assert told[-1] == (200_000, 200_000) and len(table) == 200_000
-    assert [done for done, _ in told] == sorted(done for done, _ in told)
+    assert sentence[-1] == (200_000, 200_000) and len(table) == 200_000
+    assert [done for done, _ in sentence] == sorted(done for done, _ in sentence)
 
     def refuse(done: int, total: int) -> None:
         raise RuntimeError("enough")

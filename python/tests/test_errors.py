@@ -66,13 +66,13 @@ def test_a_free_threaded_python_is_refused_with_the_python_to_use() -> None:
         "3.13.5 experimental free-threading build (main, Jun 11 2025)",
         "3.14.0 free-threading build (main, Oct 7 2025)",
     ):
-        said = subprocess.run(
+        output = subprocess.run(
             [sys.executable, "-c", f"import sys; sys.version = {version!r}; import longdrive"],
             capture_output=True,
             text=True,
         )
-        assert said.returncode == 1 and "Traceback" in said.stderr
+        assert output.returncode == 1 and "Traceback" in output.stderr
         assert (
-            "ImportError: longdrive needs Python with the global interpreter lock" in said.stderr
-            and "use the ordinary build" in said.stderr
+            "ImportError: longdrive needs Python with the global interpreter lock" in output.stderr
+            and "use the ordinary build" in output.stderr
         )

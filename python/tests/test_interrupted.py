@@ -109,17 +109,17 @@ def test_a_search_interrupted_within_an_iteration_has_the_previous_point(
     # after the first iteration is reported, the next one is in progress: an evaluation of 8000
     # swings
     pressing_at(r"  1  mean\(carry\)")
-    asked: dict[str, Any] = {**SWINGS, "scenarios": 8000}
+    requested: dict[str, Any] = {**SWINGS, "scenarios": 8000}
     with pytest.raises(Interrupted) as caught:
-        longdrive.optimize("tour-average", **asked)
+        longdrive.optimize("tour-average", **requested)
     found = caught.value.answer
     assert isinstance(found, longdrive.Optimum) and found.ended == "interrupted"
     assert found.nit >= 1 and found.message.startswith(f"stopped after {found.nit} iteration")
     # the reported value is the goal at the reported point
-    goal, wrt = asked.pop("maximize"), list(asked.pop("vary"))
+    goal, wrt = requested.pop("maximize"), list(requested.pop("vary"))
     assert (
         found.names == wrt
-        and longdrive.objective("tour-average", goal, wrt, **asked).fun(found.x) == pytest.approx(
+        and longdrive.objective("tour-average", goal, wrt, **requested).fun(found.x) == pytest.approx(
             found.fun, rel=1e-6
         )
     )
@@ -229,15 +229,15 @@ def test_ctrl_c_with_the_last_row_keeps_all_rows() -> None:
 
 
 def test_progress_of_a_batch_never_has_a_total_of_zero_rows() -> None:
-    told: list[tuple[int, int]] = []
+    sentence: list[tuple[int, int]] = []
 
     def look(done: int, of: int) -> None:
-        told.append((done, of))
+        sentence.append((done, of))
 
     longdrive.batch("mae494", {"club.loft": []}, progress=look)
-    assert told == []
+    assert sentence == []
     longdrive.batch("mae494", {"club.loft": [0.1, 0.2]}, progress=look)
-    assert told[-1] == (2, 2)
+    assert sentence[-1] == (2, 2)
 
 
 def test_uncounted_progress_is_one_line(capsys: pytest.CaptureFixture[str]) -> None:
@@ -315,18 +315,18 @@ def test_an_interrupted_sweep_in_memory_has_its_finished_rows_and_advice() -> No
 
 
 def test_same_file_of_an_interrupted_and_resumed_sweep(tmp_path: Path) -> None:
-    asked: dict[str, Any] = {
+    requested: dict[str, Any] = {
         "over": {"club.loft": (0.1, 0.2, 1000), "swing.speed": (40.0, 50.0, 100)},
         "output": tmp_path / "rows.csv",
     }
     with pytest.raises(
         Interrupted, match="rows so far are kept, and the same call with resume=True goes on"
     ) as caught:
-        longdrive.sweep("mae494", **asked, progress=when(lambda done: done > 0))
+        longdrive.sweep("mae494", **requested, progress=when(lambda done: done > 0))
     assert "--" not in str(caught.value)
-    longdrive.sweep("mae494", **asked, resume=True)
+    longdrive.sweep("mae494", **requested, resume=True)
     whole = tmp_path / "whole.csv"
-    longdrive.sweep("mae494", **{**asked, "output": whole})
+    longdrive.sweep("mae494", **{**requested, "output": whole})
     assert whole.read_bytes() == (tmp_path / "rows.csv").read_bytes()
 
 

@@ -41,8 +41,8 @@ def sha256_of_the_set(folder: Path) -> str:
 def one_worker(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[dict[str, Any]]]:
     """All parts, in order and in this process."""
     folder = tmp_path_factory.mktemp("parts")
-    asked = Question.of(**QUESTION, output=folder)
-    return folder, [asked.write(part) for part in range(1, asked.parts + 1)]
+    requested = Question.of(**QUESTION, output=folder)
+    return folder, [requested.write(part) for part in range(1, requested.parts + 1)]
 
 
 def test_same_set_from_processes_and_from_one_worker(
@@ -66,13 +66,13 @@ def test_same_set_from_the_program_and_from_python(
     one_worker: tuple[Path, list[dict[str, Any]]], tmp_path: Path, program: Callable[..., str]
 ) -> None:
     folder, _ = one_worker
-    asked = Question.of(**QUESTION, output=tmp_path / "drives")
+    requested = Question.of(**QUESTION, output=tmp_path / "drives")
     setup = tmp_path / "setup.toml"
-    setup.write_text(asked.setup)
+    setup.write_text(requested.setup)
     for part in (3, 1, 4, 2):
-        words = [str(setup) if word == "-" else word for word in asked.words]
-        program(*words, f"--output={asked.output}", f"--part={part}/{asked.parts}")
-    assert sha256_of_the_set(Path(asked.output)) == sha256_of_the_set(folder)
+        words = [str(setup) if word == "-" else word for word in requested.words]
+        program(*words, f"--output={requested.output}", f"--part={part}/{requested.parts}")
+    assert sha256_of_the_set(Path(requested.output)) == sha256_of_the_set(folder)
 
 
 def test_independent_hash_and_summary_of_a_check(
@@ -89,9 +89,9 @@ def test_independent_hash_and_summary_of_a_check(
 
 
 def test_a_missing_part_is_named_and_parts_of_other_sweeps_are_refused(tmp_path: Path) -> None:
-    asked = Question.of(**QUESTION, output=tmp_path)
-    asked.write(2)
-    found = asked.check()
+    requested = Question.of(**QUESTION, output=tmp_path)
+    requested.write(2)
+    found = requested.check()
     assert (found["status"], found["missing"]) == ("partial", [1, 3, 4])
     other = Question.of(**{**QUESTION, "wrt": ()}, output=tmp_path)
     with pytest.raises(PartError, match="part 2 of 4: .*different derivatives") as caught:
@@ -111,13 +111,13 @@ def test_a_missing_part_is_named_and_parts_of_other_sweeps_are_refused(tmp_path:
 
 
 def test_numbers_are_si_and_texts_carry_their_unit() -> None:
-    asked = Question.of(
+    requested = Question.of(
         over={"swing.speed": (40.0, "50 m/s", 3), "aero.cd0": (0.2, 0.3)}, output="a", parts=1
     )
-    assert [word for word in asked.words if word.startswith("--over")] == [
+    assert [word for word in requested.words if word.startswith("--over")] == [
         "--over=swing.speed=40.0 m/s..50 m/s:3", "--over=aero.cd0=0.2..0.3"
     ]
-    assert pickle.loads(pickle.dumps(asked)) == asked
+    assert pickle.loads(pickle.dumps(requested)) == requested
 
 
 GOOD: dict[str, Any] = {"over": {"club.loft": (0.1, 0.3, 3000)}, "parts": 2}
@@ -163,17 +163,17 @@ def test_an_invalid_sweep_is_refused_before_its_first_part(
 
 
 def test_a_valid_sweep_is_planned_without_a_file(tmp_path: Path) -> None:
-    asked = Question.of(
+    requested = Question.of(
         "mae494",
         **GOOD,
         output=tmp_path / "drives",
         tolerance=1e-3,
         histogram={"carry": (100.0, 300.0, 20)},
     )
-    asked.refuse_unsound()
+    requested.refuse_unsound()
     assert (
-        "--tolerance=0.001 m" in asked.words
-        and "--histogram=carry=100.0 m..300.0 m:20" in asked.words
+        "--tolerance=0.001 m" in requested.words
+        and "--histogram=carry=100.0 m..300.0 m:20" in requested.words
     )
     assert not list(tmp_path.iterdir())
 
@@ -187,7 +187,7 @@ def test_a_relative_folder_is_that_of_the_caller(
     begun = parts._in_processes
 
     def moved(
-        asked: Question,
+        requested: Question,
         left: list[int],
         tries: dict[int, int],
         manifests: dict[int, dict[str, Any]],
@@ -196,7 +196,7 @@ def test_a_relative_folder_is_that_of_the_caller(
     ) -> None:
         # change the folder, as for workers of a cluster that were started in another folder
         monkeypatch.chdir(elsewhere)
-        begun(asked, left, tries, manifests, processes, retries)
+        begun(requested, left, tries, manifests, processes, retries)
         monkeypatch.chdir(tmp_path)
 
     monkeypatch.setattr(parts, "_in_processes", moved)

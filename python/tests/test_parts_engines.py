@@ -28,9 +28,9 @@ def many(tmp_path_factory: pytest.TempPathFactory) -> tuple[dict[str, Any], str]
         **QUESTION, "over": {**QUESTION["over"], "club.loft": "-4deg..15deg:205"}, "parts": 40
     }
     folder = tmp_path_factory.mktemp("many")
-    asked = Question.of(**question, output=folder)
-    for part in range(asked.parts, 0, -1):
-        asked.write(part)
+    requested = Question.of(**question, output=folder)
+    for part in range(requested.parts, 0, -1):
+        requested.write(part)
     return question, sha256_of_the_set(folder)
 
 
@@ -215,7 +215,7 @@ def test_same_set_from_ray(many: tuple[dict[str, Any], str], tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize(
-    ("module", "engine", "said"),
+    ("module", "engine", "answered"),
     [
         ("dask", "distributed", "dask\\[distributed\\]"),
         ("ray", "ray", "pip install ray"),
@@ -223,12 +223,12 @@ def test_same_set_from_ray(many: tuple[dict[str, Any], str], tmp_path: Path) -> 
     ],
 )
 def test_the_message_on_a_missing_engine_has_the_command_to_install_it(
-    module: str, engine: str, said: str, monkeypatch: pytest.MonkeyPatch
+    module: str, engine: str, answered: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     import importlib
 
     monkeypatch.setitem(sys.modules, engine, None)
     sweep = importlib.import_module(f"longdrive.{module}").sweep
     first = () if module == "ray" else (None,)
-    with pytest.raises(ImportError, match=said):
+    with pytest.raises(ImportError, match=answered):
         sweep(*first, **QUESTION, output="drives")

@@ -88,13 +88,13 @@ def test_a_batch_is_equal_to_its_rows() -> None:
 def test_a_batch_calls_longdrive_once(monkeypatch: pytest.MonkeyPatch) -> None:
     import longdrive.pointwise
 
-    asked: list[int] = []
+    requested: list[int] = []
     batch = longdrive.pointwise.computed
     monkeypatch.setattr(
-        longdrive.pointwise, "computed", lambda *a, **k: asked.append(1) or batch(*a, **k)
+        longdrive.pointwise, "computed", lambda *a, **k: requested.append(1) or batch(*a, **k)
     )
     torch.func.vmap(torch.func.grad(outcome(SETUP, "carry", WRT)))(xs(100))
-    assert len(asked) == 1
+    assert len(requested) == 1
 
 
 def test_a_point_without_a_drive_is_nan() -> None:

@@ -152,7 +152,7 @@ def test_no_answer_names_a_missing_file(
         ),
     ]
     for answer in answers:
-        told = json.dumps(
+        message = json.dumps(
             {
                 name: value for name, value in answer.items() if isinstance(
                     value, (str, dict, list, type(None))
@@ -160,7 +160,7 @@ def test_no_answer_names_a_missing_file(
             },
             default=str,
         )
-        assert "longdrive-" not in told, told
+        assert "longdrive-" not in message, message
     assert answers[0].file is None and answers[4].file is None
     assert answers[1].data["file"] == "data"
     assert not [

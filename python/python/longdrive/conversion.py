@@ -117,13 +117,13 @@ class Converter:
             return self.number(name, value, _longdrive.unit_of_goal(self._goal))
         if option.is_named:
             return self._only(option, value)
-        told = _EXPECTED.get(expected, "one text").format(name)
+        message = _EXPECTED.get(expected, "one text").format(name)
         if isinstance(value, (Mapping, Set)) or elements_of(value) is not None:
-            raise InputError(f"{name} is {kind_of(value)}; expected {told}")
+            raise InputError(f"{name} is {kind_of(value)}; expected {message}")
         try:
             text = str(value)
         except ValueError:  # Python does not write whole numbers of more than 4300 digits
-            raise InputError(f"{name} = {shown(value)}; expected {told}") from None
+            raise InputError(f"{name} = {shown(value)}; expected {message}") from None
         whole: int | None = value if type(value) is int else None
         return text if whole is None else whole
 

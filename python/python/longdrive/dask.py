@@ -67,10 +67,10 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
             "longdrive.dask.sweep(Client(), 'tour-average', …)"
         )
     count_of("retries", retries)
-    asked = question_of(setup, question)
+    plan = question_of(setup, question)
     # not pure: Dask would reuse the results of an earlier sweep, although the folder may have
     # changed
-    futures = client.map(asked.write, range(1, asked.parts + 1), pure=False, retries=retries)
+    futures = client.map(plan.write, range(1, plan.parts + 1), pure=False, retries=retries)
     part_of = {future.key: part for part, future in enumerate(futures, start=1)}
     manifests: list[dict[str, Any]] = []
     try:
@@ -83,10 +83,10 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
             else:
                 part = part_of[future.key]
                 raise PartError(
-                    f"part {part} of {asked.parts}: {type(failure).__name__}: {failure}", part
+                    f"part {part} of {plan.parts}: {type(failure).__name__}: {failure}", part
                 ) from failure
             # free the result on the cluster: this process has a copy of the manifest row
             future.release()
     finally:
         client.cancel(futures)
-    return Parts.of(asked, manifests)
+    return Parts.of(plan, manifests)

@@ -472,16 +472,16 @@ def sweep(
 
     count_of("processes", processes)
     count_of("retries", retries)
-    asked = question_of(setup, question)
+    plan = question_of(setup, question)
     manifests: dict[int, dict[str, Any]] = {}
-    tries = dict.fromkeys(range(1, asked.parts + 1), 0)
-    while len(manifests) < asked.parts:
+    tries = dict.fromkeys(range(1, plan.parts + 1), 0)
+    while len(manifests) < plan.parts:
         # the death of a process ends the pool: another pool computes the missing parts
         left = [part for part in tries if part not in manifests]
         try:
-            _in_processes(asked, left, tries, manifests, processes or os.cpu_count() or 1, retries)
+            _in_processes(plan, left, tries, manifests, processes or os.cpu_count() or 1, retries)
         except KeyboardInterrupt as raised:
-            done = f"{len(manifests)} of {asked.parts} parts are complete in {asked.output}"
+            done = f"{len(manifests)} of {plan.parts} parts are complete in {plan.output}"
             raise Interrupted(
                 f"longdrive.parts.sweep was interrupted: {done}; the same call writes the others"
             ) from raised
@@ -490,13 +490,13 @@ def sweep(
             tries[part] += 1
             if tries[part] > retries:
                 raise PartError(
-                    f"part {part} of {asked.parts}: its process died, {retries + 1} times", part
+                    f"part {part} of {plan.parts}: its process died, {retries + 1} times", part
                 ) from error
-    return Parts.of(asked, manifests.values())
+    return Parts.of(plan, manifests.values())
 
 
 def _in_processes(
-    asked: Question,
+    plan: Question,
     left: list[int],
     tries: dict[int, int],
     manifests: dict[int, dict[str, Any]],
@@ -513,7 +513,7 @@ def _in_processes(
 
         def begin(part: int | None) -> None:
             if part is not None:
-                running[pool.submit(asked.write, part)] = part
+                running[pool.submit(plan.write, part)] = part
 
         for _ in range(2 * processes):
             begin(next(waiting, None))

@@ -56,12 +56,12 @@ def sweep(setup: SetupLike = None, *, retries: int = 3, **question: Any) -> Part
     except ImportError as error:
         raise ImportError("longdrive.ray needs Ray: pip install ray") from error
     count_of("retries", retries)
-    asked = question_of(setup, question)
-    write = ray.remote(num_cpus=asked.threads, max_retries=retries, retry_exceptions=True)(
+    plan = question_of(setup, question)
+    write = ray.remote(num_cpus=plan.threads, max_retries=retries, retry_exceptions=True)(
         Question.write
     )
-    shared = ray.put(asked)
-    waiting = iter(range(1, asked.parts + 1))
+    shared = ray.put(plan)
+    waiting = iter(range(1, plan.parts + 1))
     ahead = _AHEAD * max(1, int(ray.cluster_resources().get("CPU", 1)))
     running: dict[Any, int] = {}
     manifests: list[dict[str, Any]] = []
@@ -69,7 +69,7 @@ def sweep(setup: SetupLike = None, *, retries: int = 3, **question: Any) -> Part
         while len(running) < ahead and (part := next(waiting, None)) is not None:
             running[write.remote(shared, part)] = part
         if not running:
-            return Parts.of(asked, manifests)
+            return Parts.of(plan, manifests)
         for done in ray.wait(list(running))[0]:
             part = running.pop(done)
             try:
@@ -81,6 +81,6 @@ def sweep(setup: SetupLike = None, *, retries: int = 3, **question: Any) -> Part
                 text = (
                     str(cause)
                     if isinstance(cause, PartError)
-                    else f"part {part} of {asked.parts}: {cause}"
+                    else f"part {part} of {plan.parts}: {cause}"
                 )
                 raise PartError(text, part) from error

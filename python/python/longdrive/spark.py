@@ -24,7 +24,7 @@ _COLUMNS = "part long, file string, rows long, bytes long, sha256 string, manife
 
 
 def _writer(
-    asked: Question,
+    plan: Question,
 ) -> Callable[[Iterable[pyarrow.RecordBatch]], Iterable[pyarrow.RecordBatch]]:
     def write(batches: Iterable[pyarrow.RecordBatch]) -> Iterable[pyarrow.RecordBatch]:
         import json
@@ -33,14 +33,14 @@ def _writer(
 
         for batch in batches:
             for part in batch.column(0).to_numpy().tolist():
-                row = asked.write(part)
+                row = plan.write(part)
                 of_row = {name: [row[name]] for name in ("part", "file", "rows", "bytes", "sha256")}
                 yield pyarrow.RecordBatch.from_pydict({**of_row, "manifest": [json.dumps(row)]})
 
     return write
 
 
-def manifests(spark: SparkSession, asked: Question) -> DataFrame:
+def manifests(spark: SparkSession, plan: Question) -> DataFrame:
     """The parts as a DataFrame, which writes them when it is computed.
 
     Its columns are `part`, `file`, `rows`, `bytes`, `sha256`, and the row of the manifest as JSON.
@@ -49,7 +49,7 @@ def manifests(spark: SparkSession, asked: Question) -> DataFrame:
     ----------
     spark : SparkSession
         The session. Every executor must have longdrive, and the folder under the same name.
-    asked : Question
+    plan : Question
         The sweep.
 
     Returns
@@ -58,7 +58,7 @@ def manifests(spark: SparkSession, asked: Question) -> DataFrame:
         The DataFrame.
     """
     # a partition for each part: a task that fails loses one part
-    return spark.range(1, asked.parts + 1, 1, asked.parts).mapInArrow(_writer(asked), _COLUMNS)
+    return spark.range(1, plan.parts + 1, 1, plan.parts).mapInArrow(_writer(plan), _COLUMNS)
 
 
 def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Parts:
@@ -114,19 +114,19 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
             f"spark is {kind_of(spark)}; expected a SparkSession, as "
             "SparkSession.builder.getOrCreate() gives it"
         )
-    asked = question_of(setup, question)
+    plan = question_of(setup, question)
     try:
-        rows = manifests(spark, asked).select("manifest").collect()
+        rows = manifests(spark, plan).select("manifest").collect()
     except (PySparkException, Py4JError) as error:
-        raise _named(asked, error) from error
-    return Parts.of(asked, (json.loads(row.manifest) for row in rows))
+        raise _named(plan, error) from error
+    return Parts.of(plan, (json.loads(row.manifest) for row in rows))
 
 
-def _named(asked: Question, error: Exception) -> PartError:
+def _named(plan: Question, error: Exception) -> PartError:
     """Converts the error of a worker. Spark keeps only the text, which names the part."""
-    mark = f" of {asked.parts}: "
+    mark = f" of {plan.parts}: "
     line = next((line for line in str(error).splitlines() if "part " in line and mark in line), "")
     number = line.partition(mark)[0].rpartition(" ")[2]
     if number.isdigit():
         return PartError(line[line.index(f"part {number}{mark}") :], int(number))
-    return PartError(f"a part of {asked.output}: {error}", 0)
+    return PartError(f"a part of {plan.output}: {error}", 0)
