@@ -215,7 +215,7 @@ def test_same_set_from_ray(many: tuple[dict[str, Any], str], tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize(
-    ("module", "engine", "answered"),
+    ("module", "engine", "expected"),
     [
         ("dask", "distributed", "dask\\[distributed\\]"),
         ("ray", "ray", "pip install ray"),
@@ -223,12 +223,12 @@ def test_same_set_from_ray(many: tuple[dict[str, Any], str], tmp_path: Path) -> 
     ],
 )
 def test_the_message_on_a_missing_engine_has_the_command_to_install_it(
-    module: str, engine: str, answered: str, monkeypatch: pytest.MonkeyPatch
+    module: str, engine: str, expected: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     import importlib
 
     monkeypatch.setitem(sys.modules, engine, None)
     sweep = importlib.import_module(f"longdrive.{module}").sweep
     first = () if module == "ray" else (None,)
-    with pytest.raises(ImportError, match=answered):
+    with pytest.raises(ImportError, match=expected):
         sweep(*first, **QUESTION, output="drives")
