@@ -42,7 +42,7 @@ def test_functions_have_the_options_of_the_commands():
 
 def test_same_optimum_as_the_program():
     found = longdrive.optimize("tour-average", **SEARCH)
-    status, answered = program(
+    status, answer = program(
         "optimize",
         "tour-average",
         "--vary",
@@ -51,10 +51,10 @@ def test_same_optimum_as_the_program():
         "descent_angle >= 38 deg",
     )
     assert status == 0
-    assert found.reply == answered
-    assert (found.fun, dict(zip(found.names, found.x))) == (answered["value"], answered["optimum"])
+    assert found.reply == answer
+    assert (found.fun, dict(zip(found.names, found.x))) == (answer["value"], answer["optimum"])
     assert found.success and found.status == 0 and found.ended == "converged"
-    assert found.nit == answered["iterations"] and found.nfev == answered["evaluations"]
+    assert found.nit == answer["iterations"] and found.nfev == answer["evaluations"]
 
 
 def test_a_search_keeps_what_a_dict_states_as_the_program_keeps_what_set_states():
@@ -145,9 +145,9 @@ def test_differences_confirm_the_hessian_at_an_optimum():
     ],
 )
 def test_bad_input_gets_the_programs_message(call, words, renamed):
-    status, answered = program(*words)
-    assert (status, answered["status"]) == (2, "error")
-    message = answered["message"]
+    status, answer = program(*words)
+    assert (status, answer["status"]) == (2, "error")
+    message = answer["message"]
     for option, argument in renamed.items():
         assert option in message
         message = message.replace(option, argument)
@@ -185,7 +185,7 @@ def test_a_setup_object_keeps_every_digit():
     )
     (row,) = longdrive.sensitivity(setup, of="carry").outcomes
     assert row["value"] == longdrive.gradient(setup, wrt="all", own_step=True).value
-    status, answered = program(
+    status, answer = program(
         "optimize",
         "tour-average",
         "--set=swing.speed=50.123456789012345 m/s",
@@ -194,8 +194,8 @@ def test_a_setup_object_keeps_every_digit():
         "--vary=swing.attack_angle=-5deg..5deg",
     )
     # the answer of the program also names the setup as stated on the command line
-    del answered["from"]
-    assert (status, longdrive.optimize(setup).reply) == (0, answered)
+    del answer["from"]
+    assert (status, longdrive.optimize(setup).reply) == (0, answer)
 
 
 def test_a_stated_step_is_kept_in_a_command():
@@ -279,15 +279,15 @@ def test_columns_of_different_length_are_named():
 
 
 def test_shots_come_back_row_by_row():
-    answered = longdrive.fly(
+    answer = longdrive.fly(
         {
             "ball speed [mph]": [160.0, 150.0],
             "launch angle [deg]": [12.0, 13.0],
             "spin [rpm]": [2600.0, None],
         }
     )
-    assert [shot["flight"] for shot in answered.shots] == ["landed", "refused"]
-    assert "every launch needs a spin" in answered.shots[1]["reason"]
+    assert [shot["flight"] for shot in answer.shots] == ["landed", "refused"]
+    assert "every launch needs a spin" in answer.shots[1]["reason"]
 
 
 def test_pictures_are_svg_and_are_saved(tmp_path):
@@ -303,13 +303,13 @@ def test_pictures_are_svg_and_are_saved(tmp_path):
 def test_warnings_point_at_the_calling_line():
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        answered = longdrive.chart(
+        answer = longdrive.chart(
             {"aero.law": "smits-smith"},
             along={"swing.speed": ("80 mph", "90 mph")},
             vary={"club.loft": (0.1, 0.3)},
         )
-    assert [str(warning.message) for warning in caught] == ["\n".join(answered.warnings)]
-    assert answered.warnings and {warning.filename for warning in caught} == {__file__}
+    assert [str(warning.message) for warning in caught] == ["\n".join(answer.warnings)]
+    assert answer.warnings and {warning.filename for warning in caught} == {__file__}
     assert {warning.category for warning in caught} == {longdrive.LongdriveWarning}
 
 
@@ -326,8 +326,8 @@ def test_answers_pickle_and_copy():
         assert (
             again.reply == found.reply and again.setup == found.setup and (again.x == found.x).all()
         )
-    answered = longdrive.sensitivity()
-    assert pickle.loads(pickle.dumps(answered)) == answered
+    answer = longdrive.sensitivity()
+    assert pickle.loads(pickle.dumps(answer)) == answer
     picture = longdrive.plot.trajectory()
     assert pickle.loads(pickle.dumps(picture)).svg == picture.svg
 
