@@ -6,7 +6,7 @@ use crate::command_line::{json, longdrive, number};
 use crate::common::panic_of;
 use longdrive::derivative::{Order, evaluate};
 use longdrive::launch::Launch;
-use longdrive::optimize::least_squares::{FitObserver, Loss, Rows, Status};
+use longdrive::optimize::least_squares::{FitObserver, FitStatus, Loss, Rows};
 use longdrive::report::{CalibrationReport, Reply, Report};
 use longdrive::study::calibrate::{
     Calibration, FitPlan, Fitted, Shot, ShotTable, Statistics, Uncertainties, calibrate, held_out,
@@ -907,7 +907,7 @@ fn interrupted_folds_are_omitted_and_counted() {
     let whole = held_out(&setup, &table, &plan, 4, &FitObserver::default()).unwrap();
     assert_eq!(
         (
-            whole.count(Status::Converged),
+            whole.count(FitStatus::Converged),
             whole.is_interrupted(),
             whole.remainders.len()
         ),
@@ -916,13 +916,13 @@ fn interrupted_folds_are_omitted_and_counted() {
 
     let at_once = held_out(&setup, &table, &plan, 4, &interrupting(1)).unwrap();
     assert_eq!(
-        (at_once.count(Status::Interrupted), at_once.mean_square()),
+        (at_once.count(FitStatus::Interrupted), at_once.mean_square()),
         (4, None)
     );
     let mut partly = 0;
     for after in 2..40 {
         let part = held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap();
-        let done = 4 - part.count(Status::Interrupted);
+        let done = 4 - part.count(FitStatus::Interrupted);
         assert_eq!(part.remainders.len(), 6 * done, "after {after}");
         // the result equals the result of the uninterrupted fit
         for remainder in &part.remainders {
@@ -939,7 +939,7 @@ fn interrupted_folds_are_omitted_and_counted() {
     let found = calibrate(&setup, &table, &plan, &interrupting(2)).unwrap();
     assert_eq!(
         found.fit.status,
-        Status::Interrupted,
+        FitStatus::Interrupted,
         "{}",
         found.fit.message
     );
@@ -1034,7 +1034,7 @@ fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
         .find(|found| found.is_minimum && found.stopped > 0)
         .unwrap();
     let ended = 60 - found.stopped;
-    assert_eq!(found.fit.status, Status::Interrupted);
+    assert_eq!(found.fit.status, FitStatus::Interrupted);
     assert!(
         found.starts.same <= ended,
         "{:?} of {ended}",
@@ -1062,7 +1062,7 @@ fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
     // the result is interrupted if the best search is a stopped one
     let at_once = calibrate(&setup, &table, &plan, &interrupting(1)).unwrap();
     assert!(
-        !at_once.is_minimum && at_once.fit.status == Status::Interrupted,
+        !at_once.is_minimum && at_once.fit.status == FitStatus::Interrupted,
         "{}",
         at_once.fit.message
     );
@@ -1079,9 +1079,9 @@ fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
         (2..60).map(|after| held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap());
     let held = partly
         .into_iter()
-        .find(|held| (1..4).contains(&held.count(Status::Interrupted)))
+        .find(|held| (1..4).contains(&held.count(FitStatus::Interrupted)))
         .unwrap();
-    let stopped = held.count(Status::Interrupted);
+    let stopped = held.count(FitStatus::Interrupted);
     let never = held_out(&setup, &table, &plan, 4, &interrupting(1)).unwrap();
     let held = [
         ("linear, fitted as above".to_owned(), held),

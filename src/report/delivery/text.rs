@@ -1,4 +1,4 @@
-use crate::optimize::least_squares::Status;
+use crate::optimize::least_squares::FitStatus;
 use crate::parameters::Parameter;
 use crate::report::document::{Document, Line, Table};
 use crate::report::shown;
@@ -245,7 +245,7 @@ fn percent(fraction: Option<f64>) -> String {
 
 /// The status of the search for a delivery, with a sentence if it failed.
 pub(super) fn verdict(delivered: &Delivered) -> (&'static str, Option<String>) {
-    if delivered.status != Status::Converged {
+    if delivered.status != FitStatus::Converged {
         return (delivered.status.name(), Some(delivered.message.clone()));
     }
     let Some(worst) = delivered.unexplained() else {

@@ -5,7 +5,7 @@ use super::residuals::at_shot;
 use super::shot_table::{Shot, ShotTable};
 use super::statistics::Uncertainties;
 use crate::drive::{CheckScope, ExceededCount, exceeded_in_flight};
-use crate::optimize::least_squares::Status;
+use crate::optimize::least_squares::FitStatus;
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
 use crate::units::{Digits, Message, counted, significant};
@@ -55,7 +55,7 @@ impl Calibration {
         // no warning if the status already reports a misfit or an outlier
         let is_told = !matches!(
             self.fit.status,
-            Status::DominatedByOneResidual | Status::Misfit
+            FitStatus::DominatedByOneResidual | FitStatus::Misfit
         );
         let is_told = is_told && table.uncertainties != Uncertainties::Weights;
         let off = self

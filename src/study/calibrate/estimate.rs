@@ -6,7 +6,9 @@ use super::statistics::{Fitted, Statistics};
 use super::verdict;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::optimize::least_squares::{Fit, FitObserver, Options, Residuals, Status, fit_from};
+use crate::optimize::least_squares::{
+    Fit, FitObserver, FitOptions, FitStatus, Residuals, fit_from,
+};
 use crate::optimize::{Domain, starts};
 use crate::parameters::{Parameter, Setup, Vary, refuse_replaced};
 use crate::study::cancellable::stopped;
@@ -21,7 +23,7 @@ pub struct FitPlan {
     /// Number of searches, spread over the ranges. The first starts at the setup's values.
     pub starts: usize,
     /// Loss function and limits of the search.
-    pub options: Options,
+    pub options: FitOptions,
 }
 
 impl FitPlan {
@@ -75,7 +77,7 @@ impl FitPlan {
         Ok(Self {
             fit,
             starts: 1,
-            options: Options::default(),
+            options: FitOptions::default(),
         })
     }
 
@@ -205,7 +207,7 @@ pub fn calibrate(
         curvatures: vec![],
         stop: &observer.interrupt,
     };
-    let options = Options {
+    let options = FitOptions {
         rounding: table.rounding(),
         ..plan.options.clone()
     };
@@ -283,7 +285,7 @@ impl Searches {
         domain: &Domain,
         own: &[f64],
         mut from: Vec<Vec<f64>>,
-        options: &Options,
+        options: &FitOptions,
         observer: &FitObserver,
     ) -> Result<Self> {
         /// Maximum number of renewals.
@@ -338,9 +340,9 @@ impl Searches {
         let (same, others): (Vec<&Fit>, Vec<_>) = self
             .fits
             .iter()
-            .filter(|fit| fit.status != Status::Interrupted)
+            .filter(|fit| fit.status != FitStatus::Interrupted)
             .partition(is_same);
-        let mut elsewhere: Vec<(Status, usize)> = vec![];
+        let mut elsewhere: Vec<(FitStatus, usize)> = vec![];
         for Fit { status, .. } in others {
             match elsewhere.iter_mut().find(|(other, _)| other == status) {
                 Some((_, count)) => *count += 1,
@@ -382,7 +384,7 @@ fn finished(
     table: &ShotTable,
     own: &[f64],
     fits: Vec<Fit>,
-    options: &Options,
+    options: &FitOptions,
 ) -> Result<Calibration> {
     let fit = fits.into_iter().next().ok_or(Error::Nothing {
         doing: "fit",
