@@ -2,7 +2,7 @@
 //! law held at the ends of its range.
 
 use super::inputs::Inputs;
-use super::motion::Node;
+use super::motion::StepNode;
 use super::result::RequestedOutputs;
 use crate::aerodynamics::{AerodynamicLaw, Coefficients, Published, Stream};
 use crate::launch::Launch;
@@ -68,7 +68,7 @@ pub(crate) fn stays_within(
 ) -> bool {
     let inputs = Inputs::new(setup, launch, false);
     let h = setup.flight.step;
-    let holds = |node: &Node<f64>| {
+    let holds = |node: &StepNode<f64>| {
         let speed = node.rate.speed;
         let stream = [
             node.spin * inputs.radius / speed,

@@ -9,7 +9,8 @@ use longdrive::launch::Launch;
 use longdrive::optimize::least_squares::{FitObserver, FitStatus, Loss, Rows};
 use longdrive::report::{CalibrationReport, Reply, Report};
 use longdrive::study::calibrate::{
-    Calibration, FitPlan, Fitted, Shot, ShotTable, Statistics, Uncertainties, calibrate, held_out,
+    Calibration, FitPlan, FitRange, FitStatistics, MeasuredShot, ShotTable, Uncertainties,
+    calibrate, held_out,
 };
 use longdrive::units::System;
 use longdrive::{Drive, Outcome, Setup};
@@ -97,7 +98,7 @@ fn fitted(text: &str, setup: &Setup<f64>, names: &[&str], loss: Loss) -> Calibra
 }
 
 /// Launch of the ball of a shot.
-fn launch(shot: &Shot) -> Launch<f64> {
+fn launch(shot: &MeasuredShot) -> Launch<f64> {
     let mut setup = Setup::default();
     for (parameter, value) in &shot.inputs {
         setup.set_value(parameter, Some(*value)).unwrap();
@@ -1375,7 +1376,7 @@ fn impossible_measured_values_are_refused_with_their_row() {
 /// error value.
 #[test]
 fn statistics_of_a_ragged_jacobian_panic_and_of_nan_are_refused() {
-    let fitted = [Fitted {
+    let fitted = [FitRange {
         is_free: true,
         width: 1.0,
     }; 2];
@@ -1385,7 +1386,7 @@ fn statistics_of_a_ragged_jacobian_panic_and_of_nan_are_refused() {
             residuals: residuals.to_vec(),
             jacobian,
         };
-        Statistics::new(&rows, &fitted, Uncertainties::Stated, 0.0, Loss::Squares)
+        FitStatistics::new(&rows, &fitted, Uncertainties::Stated, 0.0, Loss::Squares)
     };
     for (jacobian, rows) in [
         (&[&[1.0, 0.0][..]][..], "[2]"),

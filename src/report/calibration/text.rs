@@ -2,7 +2,7 @@ use crate::optimize::least_squares::FitStatus;
 use crate::report::document::{Document, Table};
 use crate::report::shown;
 use crate::study::calibrate::{
-    Calibration, Estimate, HeldOut, Remainder, ShotTable, Starts, Statistics, Uncertainties,
+    Calibration, Estimate, FitStatistics, HeldOut, Remainder, ShotTable, Starts, Uncertainties,
     Undetermined,
 };
 use crate::units::{
@@ -200,7 +200,7 @@ fn estimated(estimate: &Estimate, system: System) -> Vec<String> {
 }
 
 /// χ² in words, and the origin of the standard errors.
-fn chi_square(statistics: &Statistics, stated: Uncertainties) -> String {
+fn chi_square(statistics: &FitStatistics, stated: Uncertainties) -> String {
     let chi = significant(statistics.chi_square, 5);
     let dof = statistics.degrees_of_freedom;
     let freedom = match dof {

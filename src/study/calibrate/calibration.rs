@@ -1,6 +1,6 @@
 //! Result of a calibration.
 
-use super::statistics::Statistics;
+use super::statistics::FitStatistics;
 use crate::drive::Outcome;
 use crate::json::{by_name, number};
 use crate::optimize::least_squares::{Fit, FitStatus};
@@ -91,7 +91,7 @@ pub struct Calibration {
     /// The fitted parameters.
     pub estimates: Vec<Estimate>,
     /// Covariance, degrees of freedom and χ².
-    pub statistics: Statistics,
+    pub statistics: FitStatistics,
     /// The residuals, row by row.
     pub remainders: Vec<Remainder>,
     /// Number of times that the curvatures of carry in the stationary parameters were computed

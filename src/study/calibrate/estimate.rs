@@ -1,8 +1,8 @@
 use super::calibration::{Calibration, Estimate, Remainder, Starts};
 use super::refusal::no_answer;
 use super::residuals::ShotResiduals;
-use super::shot_table::{Shot, ShotTable};
-use super::statistics::{Fitted, Statistics};
+use super::shot_table::{MeasuredShot, ShotTable};
+use super::statistics::{FitRange, FitStatistics};
 use super::verdict;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -98,7 +98,7 @@ impl FitPlan {
                     parameter.name, table.file
                 ));
             }
-            let is_stationary = |shot: &Shot| {
+            let is_stationary = |shot: &MeasuredShot| {
                 shot.stationary
                     .iter()
                     .any(|stationary| stationary.parameter == *parameter)
@@ -134,7 +134,7 @@ impl FitPlan {
 }
 
 /// Refuses measured values that are not finite, and standard uncertainties that are not positive.
-fn check_measurements(shots: &[Shot]) -> Result<()> {
+fn check_measurements(shots: &[MeasuredShot]) -> Result<()> {
     let refuse = |reason: String| Err(Error::Calibration { reason });
     for (row, measured) in shots
         .iter()
@@ -212,7 +212,8 @@ pub fn calibrate(
         ..plan.options.clone()
     };
     let from = starting_points(&mut problem, &domain, &own, plan.starts, observer)?;
-    let mut searches = Searches::run(&mut problem, &domain, &own, from, &options, observer)?;
+    let mut searches =
+        RepeatedSearches::run(&mut problem, &domain, &own, from, &options, observer)?;
     let starts = searches.by_end(plan.starts);
     let (stopped, is_minimum) = verdict::of_searches(
         &mut searches.fits,
@@ -269,7 +270,7 @@ fn no_start(problem: &ShotResiduals<'_>, own: &[f64], observer: &FitObserver) ->
 }
 
 /// Searches from several starting points, repeated with renewed [`ShotResiduals::curvatures`].
-struct Searches {
+struct RepeatedSearches {
     /// Fits in ascending order of the sum of squares.
     fits: Vec<Fit>,
     /// True if the curvatures no longer change.
@@ -278,7 +279,7 @@ struct Searches {
     renewals: usize,
 }
 
-impl Searches {
+impl RepeatedSearches {
     /// Runs the searches; renews the curvatures at the best point until they no longer change.
     fn run(
         problem: &mut ShotResiduals<'_>,
@@ -391,7 +392,7 @@ fn finished(
         what: "start",
     })?;
     let fitted = ranges_of(&fit.x, own, domain);
-    let statistics = Statistics::new(
+    let statistics = FitStatistics::new(
         &fit.rows,
         &fitted,
         table.uncertainties,
@@ -434,7 +435,7 @@ fn finished(
 
 /// For each fitted parameter: true if its value in `x` lies inside its range, and the width of the
 /// range.
-fn ranges_of(x: &[f64], own: &[f64], domain: &Domain) -> Vec<Fitted> {
+fn ranges_of(x: &[f64], own: &[f64], domain: &Domain) -> Vec<FitRange> {
     /// Width of an unbounded range, as a multiple of the parameter's magnitude (at least 0.001).
     const ENDLESS: f64 = 1e6;
     let bounds = &domain.variables;
@@ -442,7 +443,7 @@ fn ranges_of(x: &[f64], own: &[f64], domain: &Domain) -> Vec<Fitted> {
         let (x, low, high) = (x[i], bounds.low[i], bounds.high[i]);
         let width = high - low;
         let size = x.abs().max(own[i].abs()).max(1e-3);
-        Fitted {
+        FitRange {
             is_free: low < x && x < high,
             width: if width.is_finite() {
                 width
@@ -455,8 +456,8 @@ fn ranges_of(x: &[f64], own: &[f64], domain: &Domain) -> Vec<Fitted> {
 }
 
 /// The residuals with their rows and outcomes.
-pub(super) fn remainders(shots: &[Shot], residuals: &[f64]) -> Vec<Remainder> {
-    let of = |shot: &Shot| {
+pub(super) fn remainders(shots: &[MeasuredShot], residuals: &[f64]) -> Vec<Remainder> {
+    let of = |shot: &MeasuredShot| {
         let row = shot.row;
         let measured = shot
             .measured
@@ -485,7 +486,7 @@ pub(super) fn remainders(shots: &[Shot], residuals: &[f64]) -> Vec<Remainder> {
 /// Residuals of shots flown with a given setup, without a fit; `None` once `stop` is true.
 pub(super) fn flown(
     setup: &Setup<f64>,
-    shots: &[Shot],
+    shots: &[MeasuredShot],
     stop: &AtomicBool,
 ) -> Result<Option<Vec<Remainder>>> {
     let mut problem = ShotResiduals {

@@ -1,4 +1,4 @@
-use super::order::{Errors, MEASURED, Measured, measure, measure_largest};
+use super::order::{Errors, MEASURED, MeasuredOrder, measure, measure_largest};
 use super::scale::{scale, size};
 use crate::aerodynamics::AerodynamicLaw;
 use crate::derivative::check::{NEXT_TO_NOTHING, Verdict};
@@ -128,14 +128,14 @@ pub(super) fn convergence(
         if !is_short || !goes_on() {
             return None;
         }
-        Some(Flown {
+        Some(SteppedDrive {
             level,
             step: setup.flight.step,
             taylors: jacobian(&setup, of, wrt).ok()?,
         })
     };
     let scales = wrt.iter().map(|parameter| scale(setup, parameter));
-    let comparison = Comparison::new(setup, &drive, scales.collect(), &at);
+    let comparison = StepComparison::new(setup, &drive, scales.collect(), &at);
     let Some(comparison) = comparison.filter(|_| goes_on()) else {
         return Ok(vec![]);
     };
@@ -146,7 +146,7 @@ pub(super) fn convergence(
 }
 
 /// Outcomes with derivatives, computed with one time step.
-struct Flown {
+struct SteppedDrive {
     /// Level to which the number of steps belongs; see [`Levels`].
     level: usize,
     /// Time step, s.
@@ -155,25 +155,25 @@ struct Flown {
 }
 
 /// A flight at several time steps, and the reference flights.
-struct Comparison<'a> {
+struct StepComparison<'a> {
     setup: &'a Setup<f64>,
     drive: &'a Drive<f64>,
     scales: Vec<f64>,
     reference: Vec<Taylor>,
     /// Outcomes of a second reference flight, which differ from `reference` mainly by rounding.
     beside: Vec<Taylor>,
-    flown: Vec<Flown>,
-    measure: fn(&[Errors], u32, f64, f64) -> Option<Measured>,
+    flown: Vec<SteppedDrive>,
+    measure: fn(&[Errors], u32, f64, f64) -> Option<MeasuredOrder>,
 }
 
-impl<'a> Comparison<'a> {
+impl<'a> StepComparison<'a> {
     /// Flies with the step sizes of all levels, after the reference flights. `None` if a reference
     /// flight fails, or if flights succeed at too few levels to measure an order.
     fn new(
         setup: &'a Setup<f64>,
         drive: &'a Drive<f64>,
         scales: Vec<f64>,
-        fly: &dyn Fn(usize, u32) -> Option<Flown>,
+        fly: &dyn Fn(usize, u32) -> Option<SteppedDrive>,
     ) -> Option<Self> {
         let reference = fly(0, REFERENCE);
         let beside = fly(0, BESIDE_THE_REFERENCE);
@@ -184,7 +184,7 @@ impl<'a> Comparison<'a> {
         } else {
             LEVELS
         };
-        let flown: Vec<Flown> = (0..levels.count)
+        let flown: Vec<SteppedDrive> = (0..levels.count)
             .flat_map(|level| levels.steps(level).map(move |steps| (level, steps)))
             .filter_map(|(level, steps)| fly(level, steps))
             .collect();
@@ -205,7 +205,7 @@ impl<'a> Comparison<'a> {
         let size = size(of, self.setup, self.drive);
         let errors_of =
             |taylors: &[Taylor]| errors(&taylors[i], &self.reference[i], size, &self.scales);
-        let sample = |flown: &Flown| {
+        let sample = |flown: &SteppedDrive| {
             errors_of(&flown.taylors).map(|errors| Errors {
                 level: flown.level,
                 step: flown.step,

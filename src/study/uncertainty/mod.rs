@@ -15,7 +15,7 @@ mod model;
 pub use delta::{Moments, delta_method};
 pub use distribution::{Distribution, Uncertain};
 pub use ellipse::{EllipseSource, LandingEllipse, LandingPoint, SampledEllipse};
-pub use model::{Design, Indices, Interval, SamplePlan, Statistics};
+pub use model::{Indices, Interval, SaltelliDesign, SamplePlan, Statistics};
 
 use crate::batch::{Batch, Block, CHUNK, Status, StatusCounts};
 use crate::derivative::{Order, Taylor, evaluate};
@@ -212,7 +212,7 @@ pub fn uncertainty(
     let values = Batch::new(setup, &parameters, of, &[])?;
     let gradients = Batch::new(setup, &parameters, of, &parameters)?;
 
-    let design = Design::new(&distributions, plan)?;
+    let design = SaltelliDesign::new(&distributions, plan)?;
     let total = design.points.len() * plan.samples;
     let done = AtomicUsize::new(0);
     let fly = |(set, points): (usize, &Vec<Vec<f64>>)| {
@@ -269,12 +269,12 @@ fn check(inputs: &[Uncertain], plan: SamplePlan) -> Result<()> {
     inputs.iter().try_for_each(Uncertain::check)
 }
 
-/// The results of the drives at the points of a [`Design`].
+/// The results of the drives at the points of a [`SaltelliDesign`].
 struct SampledDrives<'a> {
     of: &'a [Outcome],
     inputs: &'a [Uncertain],
     distributions: Vec<Distribution>,
-    design: Design,
+    design: SaltelliDesign,
     at_means: Vec<Option<Taylor>>,
     /// Results of each set of points, in blocks.
     blocks: Vec<Vec<Block>>,
