@@ -89,7 +89,8 @@ fn find_optimum(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Op
     }
     let search = args.search.search(request, setup)?;
     let setup = request.for_many(*setup, &search.vary)?;
-    let found = optimum(&setup, search, Observer::default())?.converged()?;
+    let found = optimum(&setup, search, Observer::default())?;
+    found.check_converged()?;
     tell(&found.message().in_units(system()));
     Ok(Some(found))
 }

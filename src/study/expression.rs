@@ -366,7 +366,13 @@ impl Scope<'_> {
 
     fn goal(&self, piece: Piece<'_>) -> Result<Goal> {
         let expression = match self {
-            Self::Drive => return Ok(outcome_of_drive(piece)?.into()),
+            Self::Drive => {
+                let of = Outcome::named(piece.text).map_err(|error| {
+                    piece
+                        .error(advice_on_parameter(piece.text).unwrap_or_else(|| error.to_string()))
+                })?;
+                return Ok(of.into());
+            }
             Self::Swings(_) => piece.text,
             Self::Relation { name, .. } => name,
         };
@@ -460,12 +466,6 @@ impl Scope<'_> {
         }
         Ok(Limit { value, unit: None })
     }
-}
-
-fn outcome_of_drive(piece: Piece<'_>) -> Result<Outcome> {
-    Outcome::named(piece.text).map_err(|error| {
-        piece.error(advice_on_parameter(piece.text).unwrap_or_else(|| error.to_string()))
-    })
 }
 
 /// Advice for a text that is the name of a parameter: limit the parameter's range instead.

@@ -7,7 +7,7 @@
 //! One drive is one scenario. If its goals are outcomes they need no measures, and the drive's
 //! derivatives are the derivatives of the goals.
 
-use super::cancellable::{each_until, stopped, stopped_before};
+use super::cancellable::{each_until, stopped};
 use super::goal::Goal;
 use super::search::{Search, Sense};
 use super::swings::flown::{columns, no_flight};
@@ -210,7 +210,7 @@ impl SearchProblem {
             self.drives[*k].at_order(x, order, Some(stop))
         });
         let flown = flown
-            .ok_or_else(|| stopped_before("all swings were flown"))?
+            .ok_or_else(|| "stopped before all swings were flown".to_owned())?
             .into_iter()
             .zip(scenarios);
         let scenarios_of_search = &self.search.scenarios;

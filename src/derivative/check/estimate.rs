@@ -20,8 +20,15 @@ impl Side {
     }
 }
 
-/// A step h, and the difference quotient over this step with its rounding error.
-pub(super) type Difference = (f64, DerivativeEstimate);
+/// The difference quotient over a step.
+#[derive(Clone, Copy)]
+pub(super) struct DifferenceQuotient {
+    /// The step h.
+    pub step: f64,
+    pub value: f64,
+    /// Rounding error of the value.
+    pub rounding: f64,
+}
 
 /// Highest order of the remaining error term; it limits the number of differences combined.
 const MOST_POWER: u8 = 8;
@@ -39,7 +46,7 @@ pub struct DerivativeEstimate {
 /// steps. The search ends when an estimate is as accurate as `enough`, or when two estimates differ
 /// by more than twice the sum of their uncertainties.
 pub(super) fn estimate(
-    differences: &[Option<Difference>],
+    differences: &[Option<DifferenceQuotient>],
     side: Side,
     enough: f64,
 ) -> Option<DerivativeEstimate> {
@@ -71,7 +78,7 @@ pub(super) fn estimate(
 
 /// Extrapolates `differences` to step 0. The estimate of the truncation error is the change of the
 /// result if one difference is omitted.
-fn extrapolated(differences: &[Difference], side: Side) -> DerivativeEstimate {
+fn extrapolated(differences: &[DifferenceQuotient], side: Side) -> DerivativeEstimate {
     let all = at_zero(differences, side);
     let but_one = [&differences[1..], &differences[..differences.len() - 1]];
     let truncation = but_one
@@ -86,21 +93,22 @@ fn extrapolated(differences: &[Difference], side: Side) -> DerivativeEstimate {
 
 /// Value at 0 of Lagrange's polynomial in hᵖ through the differences, and the propagated rounding
 /// error.
-fn at_zero(differences: &[Difference], side: Side) -> DerivativeEstimate {
+fn at_zero(differences: &[DifferenceQuotient], side: Side) -> DerivativeEstimate {
     let power = |step: f64| step.powi(side.power().into());
     let mut found = DerivativeEstimate {
         value: 0.0,
         uncertainty: 0.0,
     };
-    for (j, (step, this)) in differences.iter().enumerate() {
+    for (j, this) in differences.iter().enumerate() {
         let others = differences
             .iter()
             .enumerate()
             .filter(|(k, _)| *k != j)
-            .map(|(_, (step, _))| power(*step));
-        let weight: f64 = others.map(|other| other / (other - power(*step))).product();
+            .map(|(_, other)| power(other.step));
+        let own = power(this.step);
+        let weight: f64 = others.map(|other| other / (other - own)).product();
         found.value += weight * this.value;
-        found.uncertainty += weight.abs() * this.uncertainty;
+        found.uncertainty += weight.abs() * this.rounding;
     }
     found
 }

@@ -89,21 +89,19 @@ mod tests {
     use super::{Fit, FitObserver, FitOptions, FitStatus, Residuals, Rows, fit, fit_from};
     use crate::optimize::{Domain, starts};
 
-    /// A model function with its gradient by the parameters.
-    type Model = fn(x: f64, b: &[f64]) -> (f64, Vec<f64>);
-
     /// A problem of NIST's Statistical Reference Datasets, nonlinear regression
     /// (itl.nist.gov/div898/strd/nls), with its certified parameters and residual sum of squares.
-    struct Dataset {
+    struct NistProblem {
         name: &'static str,
         data: &'static [(f64, f64)],
-        model: Model,
+        /// The model function with its gradient by the parameters.
+        model: fn(x: f64, b: &[f64]) -> (f64, Vec<f64>),
         starts: [&'static [f64]; 2],
         certified: &'static [f64],
         sum: f64,
     }
 
-    impl Residuals for Dataset {
+    impl Residuals for NistProblem {
         fn evaluate(&self, b: &[f64]) -> Result<Rows, String> {
             let rows = self.data.iter().map(|(y, x)| {
                 let (value, gradient) = (self.model)(*x, b);
@@ -117,8 +115,8 @@ mod tests {
         }
     }
 
-    const SETS: [Dataset; 3] = [
-        Dataset {
+    const SETS: [NistProblem; 3] = [
+        NistProblem {
             name: "Misra1a",
             data: &[
                 (10.07, 77.6),
@@ -144,7 +142,7 @@ mod tests {
             certified: &[2.389_421_291_8e2, 5.501_564_318_1e-4],
             sum: 1.245_513_889_4e-1,
         },
-        Dataset {
+        NistProblem {
             name: "BoxBOD",
             data: &[
                 (109.0, 1.0),
@@ -164,7 +162,7 @@ mod tests {
             certified: &[2.138_094_088_9e2, 5.472_374_854_2e-1],
             sum: 1.168_008_876_6e3,
         },
-        Dataset {
+        NistProblem {
             name: "MGH09",
             data: &[
                 (0.1957, 4.0),
@@ -203,7 +201,7 @@ mod tests {
         },
     ];
 
-    fn fitted(set: &Dataset, start: &[f64], low: f64, high: f64) -> Fit {
+    fn fitted(set: &NistProblem, start: &[f64], low: f64, high: f64) -> Fit {
         let n = set.certified.len();
         let domain = Domain::new(vec![low; n], vec![high; n]).unwrap();
         fit(

@@ -274,15 +274,7 @@ struct CertificateProgress<'a> {
 impl CertificateProgress<'_> {
     /// Reports the progress; true once the work is stopped.
     fn is_stopped(&self) -> bool {
-        self.is_stopped_after(self.done.load(Ordering::Relaxed))
-    }
-
-    /// Counts a finished parameter and reports the progress.
-    fn finish_parameter(&self) {
-        self.is_stopped_after(self.done.fetch_add(1, Ordering::Relaxed) + 1);
-    }
-
-    fn is_stopped_after(&self, done: usize) -> bool {
+        let done = self.done.load(Ordering::Relaxed);
         // once stopped, stay stopped
         if !self.is_interrupted() && !(self.progress)(done, self.all) {
             self.stopped.store(true, Ordering::Relaxed);
@@ -314,7 +306,9 @@ fn rows_by_parameter(
         let Some(rows) = rows else {
             return Ok(vec![]);
         };
-        work.finish_parameter();
+        work.done.fetch_add(1, Ordering::Relaxed);
+        // report the progress
+        work.is_stopped();
         Ok(rows)
     });
     Ok(by_parameter.collect::<Result<Vec<_>>>()?.concat())

@@ -1,7 +1,7 @@
 //! Numerical limits of the Rules of Golf for head and ball.
 
 use crate::drive::Outcome;
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::Setup;
 use crate::units::{DisplayUnit, Quantity};
 
 /// A rule: a limit on one number.
@@ -108,9 +108,9 @@ impl GolfRule {
         match self.of {
             LimitedQuantity::Outcome(of) => of.quantity(),
             LimitedQuantity::Relation(_, quantity) => quantity,
-            LimitedQuantity::Parameter(name) => {
-                parameter(name).map_or(Quantity::NUMBER, |parameter| parameter.quantity)
-            }
+            LimitedQuantity::Parameter(name) => Setup::<f64>::default()
+                .parameter(name)
+                .map_or(Quantity::NUMBER, |parameter| parameter.quantity),
         }
     }
 
@@ -175,10 +175,6 @@ impl GolfRule {
     pub fn show(&self, value: f64) -> String {
         self.unit().show(value)
     }
-}
-
-fn parameter(name: &str) -> Option<&'static Parameter> {
-    Setup::default().parameter(name).ok()
 }
 
 #[cfg(test)]

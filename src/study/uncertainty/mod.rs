@@ -12,7 +12,7 @@ mod distribution;
 mod ellipse;
 mod model;
 
-pub use delta::{Moments, delta_method};
+pub use delta::{DeltaMoments, delta_method};
 pub use distribution::{Distribution, Uncertain};
 pub use ellipse::{EllipseSource, LandingEllipse, LandingPoint, SampledEllipse};
 pub use model::{Indices, Interval, SaltelliDesign, SamplePlan, Statistics};
@@ -113,9 +113,9 @@ pub struct OutcomeUncertainty {
     #[serde(skip)]
     pub at_means: Option<Taylor>,
     /// The moments from the gradient at the means; `null` if the gradient does not exist.
-    pub delta: Option<Moments>,
+    pub delta: Option<DeltaMoments>,
     /// The moments from gradient and Hessian at the means; `null` if these do not exist.
-    pub second_order: Option<Moments>,
+    pub second_order: Option<DeltaMoments>,
     /// The statistics of the sample; `null` if fewer than two drives of the sample have the
     /// outcome.
     #[serde(rename = "monte_carlo")]
@@ -315,7 +315,8 @@ impl SampledDrives<'_> {
             .map(|slopes| slopes.into_iter().map(squared).collect())
             .collect();
         let sampled = self.design.statistics(&values);
-        let exists = |moments: &Moments| moments.mean.is_finite() && moments.deviation.is_finite();
+        let exists =
+            |moments: &DeltaMoments| moments.mean.is_finite() && moments.deviation.is_finite();
         let at_means = self.at_means[i].clone();
         let moments = at_means
             .as_ref()
