@@ -4,7 +4,7 @@
 use super::inputs::Inputs;
 use super::motion::StepNode;
 use super::result::RequestedOutputs;
-use crate::aerodynamics::{AerodynamicLaw, Coefficients, Published, Stream};
+use crate::aerodynamics::{AerodynamicLaw, Coefficients, LawProperties, Stream};
 use crate::launch::Launch;
 use crate::parameters::{Law, Setup};
 use std::sync::atomic::AtomicBool;
@@ -29,8 +29,8 @@ impl AerodynamicLaw<f64> for HeldLaw {
             .coefficients(hold(stream, self.variable, self.range))
     }
 
-    fn published(&self) -> Published {
-        self.law.published()
+    fn properties(&self) -> LawProperties {
+        self.law.properties()
     }
 }
 

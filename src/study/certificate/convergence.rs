@@ -178,7 +178,7 @@ impl<'a> StepComparison<'a> {
         let reference = fly(0, REFERENCE);
         let beside = fly(0, BESIDE_THE_REFERENCE);
         let (reference, beside) = (reference?.taylors, beside?.taylors);
-        let has_joins = setup.law.continuous_derivatives().is_some();
+        let has_joins = setup.law.properties().continuous_derivatives.is_some();
         let levels = if has_joins {
             LEVELS_ACROSS_JOINS
         } else {
@@ -216,7 +216,7 @@ impl<'a> StepComparison<'a> {
         let rounding =
             errors_of(&self.beside).map(|errors| ROUNDING_FACTOR * largest_magnitude(&errors));
         let of_smooth_law = orders_of_smooth_law(self.setup, of);
-        let law_derivatives = self.setup.law.continuous_derivatives();
+        let law_derivatives = self.setup.law.properties().continuous_derivatives;
         // a join of a law with k continuous derivatives gives an error h^(k+2) times a function of
         // the join's position in the step; this position moves at a rate 1/h, so the derivative has
         // an error h^(k+1)

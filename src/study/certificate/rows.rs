@@ -68,7 +68,8 @@ impl DerivativeRow {
 /// heights in a logarithmic wind. In these cases the required accuracy is a tenth of the detectable
 /// error.
 pub(super) fn demand(setup: &Setup<f64>) -> Demand {
-    let is_rough = setup.wind.roughness.is_some() || setup.law.continuous_derivatives().is_some();
+    let is_rough =
+        setup.wind.roughness.is_some() || setup.law.properties().continuous_derivatives.is_some();
     if is_rough {
         Demand {
             least_bar: 1e-7,
