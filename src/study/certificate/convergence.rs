@@ -117,14 +117,14 @@ pub(super) fn convergence(
     let Some(time) = fine_flight_time(setup, drive.landed()?.flight_time) else {
         return Ok(vec![]);
     };
-    let fading = fading(setup, &drive);
+    let decay_rate = initial_spin_decay_rate(setup, &drive);
     let at = |level: usize, steps: u32| {
         let mut setup = *setup;
         // the landing lies in the middle of the last step, so that no step ends close to the
         // landing
         setup.flight.step = time / (f64::from(steps) - 0.5);
         // a flight that fails at too coarse a step is skipped
-        let is_short = setup.flight.step <= 1.0 && setup.flight.step * fading <= 1.0;
+        let is_short = setup.flight.step <= 1.0 && setup.flight.step * decay_rate <= 1.0;
         if !is_short || !goes_on() {
             return None;
         }
@@ -289,7 +289,7 @@ fn orders_of_smooth_law(setup: &Setup<f64>, of: Outcome) -> [u32; 2] {
 }
 
 /// Initial decay rate of spin, 1/s: δ + κ |v|/R (docs/model.md, eq. 13).
-fn fading(setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
+fn initial_spin_decay_rate(setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
     let by_way = setup.aero.spin_damping.unwrap_or_default() / setup.ball.radius;
     setup.aero.spin_decay + by_way * drive.launch.ball_speed()
 }
