@@ -56,7 +56,7 @@ fn main() -> Result<()> {
 
 fn row(name: &str, certificate: &Certificate) -> String {
     let rows = &certificate.rows;
-    let is_something = |row: &&longdrive::study::certificate::Row| {
+    let is_something = |row: &&longdrive::study::certificate::DerivativeRow| {
         row.first.exact.abs() > row.ladder.next_to_nothing()
     };
     let first = rows

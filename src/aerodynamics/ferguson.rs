@@ -1,5 +1,5 @@
 use super::origin::{horner, polynomial};
-use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above};
 use crate::parameters::Ferguson;
 
@@ -29,25 +29,22 @@ impl<T: Numbers> AerodynamicLaw<T> for Ferguson<T> {
         }))
     }
 
-    fn continuous_derivatives(&self) -> Option<u32> {
-        Some(2)
-    }
-
-    fn fitted(&self) -> Fitted {
-        Fitted {
-            spin_ratio: Some(MEASURED),
-            to: "1040 radar flights, Ferguson, McNally & McPhee 2022",
-            held: [[false, true], [false; 2], [false; 2], [false; 2]],
-            ..Fitted::UNKNOWN
-        }
-    }
-
-    fn published(&self) -> Published {
-        Published {
-            authors: "Ferguson, McNally & McPhee",
-            year: Some(2022),
-            ball: Some("Pro V1 (2021)"),
-            source: "ISEA 2022, doi 10.5703/1288284317493",
+    fn properties(&self) -> LawProperties {
+        LawProperties {
+            published: Published {
+                authors: "Ferguson, McNally & McPhee",
+                year: Some(2022),
+                ball: Some("Pro V1 (2021)"),
+                source: "ISEA 2022, doi 10.5703/1288284317493",
+            },
+            fitted: Fitted {
+                spin_ratio: Some(MEASURED),
+                to: "1040 radar flights, Ferguson, McNally & McPhee 2022",
+                held: [[false, true], [false; 2], [false; 2], [false; 2]],
+                ..Fitted::UNKNOWN
+            },
+            continuous_derivatives: Some(2),
+            has_corner_at_zero_spin: true,
         }
     }
 }

@@ -1,4 +1,4 @@
-use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
 use crate::number::Numbers;
 use crate::parameters::LaunchMonitor;
 
@@ -21,21 +21,22 @@ impl<T: Numbers> AerodynamicLaw<T> for LaunchMonitor<T> {
         }
     }
 
-    fn fitted(&self) -> Fitted {
-        Fitted {
-            spin_ratio: Some([0.06, 0.33]),
-            reynolds: Some([7e4, 2.3e5]),
-            to: "what a launch monitor predicts of 400 shots",
-            ..Fitted::UNKNOWN
-        }
-    }
-
-    fn published(&self) -> Published {
-        Published {
-            authors: "longdrive",
-            year: None,
-            ball: None,
-            source: "fit to 400 shots of TrackMan's indoor flight model, docs/sources.md",
+    fn properties(&self) -> LawProperties {
+        LawProperties {
+            published: Published {
+                authors: "longdrive",
+                year: None,
+                ball: None,
+                source: "fit to 400 shots of TrackMan's indoor flight model, docs/sources.md",
+            },
+            fitted: Fitted {
+                spin_ratio: Some([0.06, 0.33]),
+                reynolds: Some([7e4, 2.3e5]),
+                to: "what a launch monitor predicts of 400 shots",
+                ..Fitted::UNKNOWN
+            },
+            continuous_derivatives: None,
+            has_corner_at_zero_spin: true,
         }
     }
 }

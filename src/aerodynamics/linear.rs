@@ -1,4 +1,4 @@
-use super::{AerodynamicLaw, Coefficients, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
 use crate::number::Numbers;
 use crate::parameters::Linear;
 
@@ -12,16 +12,17 @@ impl<T: Numbers> AerodynamicLaw<T> for Linear<T> {
         }
     }
 
-    fn has_corner_at_zero_spin(&self) -> bool {
-        false
-    }
-
-    fn published(&self) -> Published {
-        Published {
-            authors: "longdrive",
-            year: None,
-            ball: None,
-            source: "round figures for teaching, fitted to nothing",
+    fn properties(&self) -> LawProperties {
+        LawProperties {
+            published: Published {
+                authors: "longdrive",
+                year: None,
+                ball: None,
+                source: "round figures for teaching, fitted to nothing",
+            },
+            fitted: Fitted::UNKNOWN,
+            continuous_derivatives: None,
+            has_corner_at_zero_spin: false,
         }
     }
 }

@@ -1,4 +1,4 @@
-use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above};
 use crate::parameters::Lyu;
 
@@ -40,30 +40,23 @@ impl<T: Numbers> AerodynamicLaw<T> for Lyu<T> {
         }))
     }
 
-    fn has_corner_at_zero_spin(&self) -> bool {
-        false
-    }
-
-    fn continuous_derivatives(&self) -> Option<u32> {
-        Some(2)
-    }
-
-    fn fitted(&self) -> Fitted {
-        Fitted {
-            spin_ratio: Some(MEASURED),
-            reynolds: Some([5.1e4, 2e5]),
-            to: "balls shot through still air, Lyu, Kensrud, Smith & Tosaya 2018",
-            held: [[false, true], [false; 2], [false; 2], [false; 2]],
-            ..Fitted::UNKNOWN
-        }
-    }
-
-    fn published(&self) -> Published {
-        Published {
-            authors: "Lyu, Kensrud, Smith & Tosaya",
-            year: Some(2018),
-            ball: Some("lift: mean of 13 balls; drag: one of them (KK)"),
-            source: "Proceedings 2(6), 238; transcribed by others, docs/sources.md",
+    fn properties(&self) -> LawProperties {
+        LawProperties {
+            published: Published {
+                authors: "Lyu, Kensrud, Smith & Tosaya",
+                year: Some(2018),
+                ball: Some("lift: mean of 13 balls; drag: one of them (KK)"),
+                source: "Proceedings 2(6), 238; transcribed by others, docs/sources.md",
+            },
+            fitted: Fitted {
+                spin_ratio: Some(MEASURED),
+                reynolds: Some([5.1e4, 2e5]),
+                to: "balls shot through still air, Lyu, Kensrud, Smith & Tosaya 2018",
+                held: [[false, true], [false; 2], [false; 2], [false; 2]],
+                ..Fitted::UNKNOWN
+            },
+            continuous_derivatives: Some(2),
+            has_corner_at_zero_spin: false,
         }
     }
 }

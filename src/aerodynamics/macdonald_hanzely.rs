@@ -1,5 +1,5 @@
 use super::origin::polynomial;
-use super::{AerodynamicLaw, Coefficients, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
 use crate::number::{Numbers, inlined};
 use crate::parameters::MacdonaldHanzely;
 
@@ -26,21 +26,18 @@ impl<T: Numbers> AerodynamicLaw<T> for MacdonaldHanzely<T> {
         }))
     }
 
-    fn has_corner_at_zero_spin(&self) -> bool {
-        false
-    }
-
-    fn continuous_derivatives(&self) -> Option<u32> {
-        Some(2)
-    }
-
-    fn published(&self) -> Published {
-        Published {
-            authors: "MacDonald & Hanzely",
-            year: Some(1991),
-            ball: None,
-            source: "The physics of the drive in golf, Am. J. Phys. 59; as golfmodel \
-                     (golf_ballstics.py) quotes it",
+    fn properties(&self) -> LawProperties {
+        LawProperties {
+            published: Published {
+                authors: "MacDonald & Hanzely",
+                year: Some(1991),
+                ball: None,
+                source: "The physics of the drive in golf, Am. J. Phys. 59; as golfmodel \
+                         (golf_ballstics.py) quotes it",
+            },
+            fitted: Fitted::UNKNOWN,
+            continuous_derivatives: Some(2),
+            has_corner_at_zero_spin: false,
         }
     }
 }

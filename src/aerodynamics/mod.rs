@@ -96,7 +96,21 @@ pub struct Published {
     pub source: &'static str,
 }
 
-/// A law of drag and lift. Two methods are required.
+/// The source of a law, and where it holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LawProperties {
+    /// The source.
+    pub published: Published,
+    /// The ranges that the law was fitted to.
+    pub fitted: Fitted,
+    /// Number of continuous derivatives of C_D and C_L where pieces of the law join; `None` for a
+    /// law without joins. A step across a join limits the order of the integration.
+    pub continuous_derivatives: Option<u32>,
+    /// True if C_D has a slope in |ω| at zero spin, so that outcomes have a corner there.
+    pub has_corner_at_zero_spin: bool,
+}
+
+/// A law of drag and lift.
 pub trait AerodynamicLaw<T: Numbers> {
     /// C_D and C_L in this flow. C_L must tend to 0 with the spin, because the lift has no
     /// direction without spin.
@@ -106,24 +120,8 @@ pub trait AerodynamicLaw<T: Numbers> {
     /// "Pipelines").
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T>;
 
-    /// True if C_D has a slope in |ω| at zero spin, so that outcomes have a corner there.
-    fn has_corner_at_zero_spin(&self) -> bool {
-        true
-    }
-
-    /// Number of continuous derivatives of C_D and C_L where pieces of the law join; `None` for a
-    /// law without joins. A step across a join limits the order of the integration.
-    fn continuous_derivatives(&self) -> Option<u32> {
-        None
-    }
-
-    /// The ranges that the law was fitted to.
-    fn fitted(&self) -> Fitted {
-        Fitted::UNKNOWN
-    }
-
-    /// The source of the law.
-    fn published(&self) -> Published;
+    /// The source of the law, and where it holds.
+    fn properties(&self) -> LawProperties;
 }
 
 /// Delegates to the law of each variant.
@@ -139,20 +137,8 @@ impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
         Coefficients { drag, lift }
     }
 
-    fn has_corner_at_zero_spin(&self) -> bool {
-        with_law!(self, |law| law.has_corner_at_zero_spin())
-    }
-
-    fn continuous_derivatives(&self) -> Option<u32> {
-        with_law!(self, |law| law.continuous_derivatives())
-    }
-
-    fn fitted(&self) -> Fitted {
-        with_law!(self, |law| law.fitted())
-    }
-
-    fn published(&self) -> Published {
-        with_law!(self, |law| law.published())
+    fn properties(&self) -> LawProperties {
+        with_law!(self, |law| law.properties())
     }
 }
 

@@ -1,5 +1,5 @@
 use super::origin::{horner, polynomial};
-use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above};
 use crate::parameters::NaruoMizota;
 
@@ -26,26 +26,23 @@ impl<T: Numbers> AerodynamicLaw<T> for NaruoMizota<T> {
         }))
     }
 
-    fn continuous_derivatives(&self) -> Option<u32> {
-        Some(2)
-    }
-
-    fn fitted(&self) -> Fitted {
-        Fitted {
-            spin_ratio: Some(MEASURED),
-            reynolds: Some([7.1e4, f64::INFINITY]),
-            to: "a wind tunnel, Naruo, Mizota & Shimozono 2004",
-            held: [[false, true], [false; 2], [false; 2], [false; 2]],
-            ..Fitted::UNKNOWN
-        }
-    }
-
-    fn published(&self) -> Published {
-        Published {
-            authors: "Naruo, Mizota & Shimozono",
-            year: Some(2004),
-            ball: Some("Bridgestone Skyway SD432"),
-            source: "wind tunnel; the polynomials are transcribed by others, docs/sources.md",
+    fn properties(&self) -> LawProperties {
+        LawProperties {
+            published: Published {
+                authors: "Naruo, Mizota & Shimozono",
+                year: Some(2004),
+                ball: Some("Bridgestone Skyway SD432"),
+                source: "wind tunnel; the polynomials are transcribed by others, docs/sources.md",
+            },
+            fitted: Fitted {
+                spin_ratio: Some(MEASURED),
+                reynolds: Some([7.1e4, f64::INFINITY]),
+                to: "a wind tunnel, Naruo, Mizota & Shimozono 2004",
+                held: [[false, true], [false; 2], [false; 2], [false; 2]],
+                ..Fitted::UNKNOWN
+            },
+            continuous_derivatives: Some(2),
+            has_corner_at_zero_spin: true,
         }
     }
 }

@@ -1,5 +1,5 @@
 use super::origin::power;
-use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
 use crate::parameters::Nathan;
 
@@ -32,26 +32,23 @@ impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
         }))
     }
 
-    fn continuous_derivatives(&self) -> Option<u32> {
-        Some(2)
-    }
-
-    fn fitted(&self) -> Fitted {
-        // spin ratios at launch from a driver to a 5-iron
-        Fitted {
-            spin_ratio: Some([0.07, 0.2]),
-            to: "the averages of seven clubs, driver to 5-iron",
-            ..Fitted::UNKNOWN
-        }
-    }
-
-    fn published(&self) -> Published {
-        Published {
-            authors: "Nathan",
-            year: Some(2023),
-            ball: Some("an average of several"),
-            source: "TrajectoryCalculatorGolf-v2, a worksheet; transcribed by others, \
-                     docs/sources.md",
+    fn properties(&self) -> LawProperties {
+        LawProperties {
+            published: Published {
+                authors: "Nathan",
+                year: Some(2023),
+                ball: Some("an average of several"),
+                source: "TrajectoryCalculatorGolf-v2, a worksheet; transcribed by others, \
+                         docs/sources.md",
+            },
+            // spin ratios at launch from a driver to a 5-iron
+            fitted: Fitted {
+                spin_ratio: Some([0.07, 0.2]),
+                to: "the averages of seven clubs, driver to 5-iron",
+                ..Fitted::UNKNOWN
+            },
+            continuous_derivatives: Some(2),
+            has_corner_at_zero_spin: true,
         }
     }
 }

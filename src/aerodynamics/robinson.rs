@@ -1,4 +1,4 @@
-use super::{AerodynamicLaw, Coefficients, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
 use crate::number::Numbers;
 use crate::parameters::Robinson;
 
@@ -14,12 +14,17 @@ impl<T: Numbers> AerodynamicLaw<T> for Robinson<T> {
         }
     }
 
-    fn published(&self) -> Published {
-        Published {
-            authors: "Robinson & Robinson",
-            year: Some(2013),
-            ball: None,
-            source: "as the student report MAE 494 uses it",
+    fn properties(&self) -> LawProperties {
+        LawProperties {
+            published: Published {
+                authors: "Robinson & Robinson",
+                year: Some(2013),
+                ball: None,
+                source: "as the student report MAE 494 uses it",
+            },
+            fitted: Fitted::UNKNOWN,
+            continuous_derivatives: None,
+            has_corner_at_zero_spin: true,
         }
     }
 }

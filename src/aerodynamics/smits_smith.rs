@@ -1,5 +1,5 @@
 use super::origin::power;
-use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
 use crate::number::Numbers;
 use crate::parameters::SmitsSmith;
 use std::f64::consts::PI;
@@ -18,25 +18,22 @@ impl<T: Numbers> AerodynamicLaw<T> for SmitsSmith<T> {
         }
     }
 
-    fn continuous_derivatives(&self) -> Option<u32> {
-        Some(2)
-    }
-
-    fn fitted(&self) -> Fitted {
-        Fitted {
-            spin_ratio: Some([0.08, 0.2]),
-            reynolds: Some([7e4, 2.1e5]),
-            to: "a wind tunnel, Smits & Smith 1994",
-            ..Fitted::UNKNOWN
-        }
-    }
-
-    fn published(&self) -> Published {
-        Published {
-            authors: "Smits & Smith",
-            year: Some(1994),
-            ball: None,
-            source: "wind tunnel; docs/sources.md",
+    fn properties(&self) -> LawProperties {
+        LawProperties {
+            published: Published {
+                authors: "Smits & Smith",
+                year: Some(1994),
+                ball: None,
+                source: "wind tunnel; docs/sources.md",
+            },
+            fitted: Fitted {
+                spin_ratio: Some([0.08, 0.2]),
+                reynolds: Some([7e4, 2.1e5]),
+                to: "a wind tunnel, Smits & Smith 1994",
+                ..Fitted::UNKNOWN
+            },
+            continuous_derivatives: Some(2),
+            has_corner_at_zero_spin: true,
         }
     }
 }

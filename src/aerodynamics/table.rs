@@ -1,5 +1,5 @@
 use super::gridded::grid_coefficients;
-use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
 use crate::number::Numbers;
 use crate::parameters::{AxisVariable, Table};
 
@@ -14,39 +14,32 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
         )
     }
 
-    fn has_corner_at_zero_spin(&self) -> bool {
-        // C_D is constant below the least spin of a table, so it has a corner only if the least
-        // spin is 0
-        self.table.grid.full_lift.is_none()
-    }
-
-    fn continuous_derivatives(&self) -> Option<u32> {
-        Some(2)
-    }
-
-    fn fitted(&self) -> Fitted {
+    fn properties(&self) -> LawProperties {
         let range = |variable| {
             self.table
                 .axes()
                 .find(|axis| axis.variable == variable)
                 .map(|axis| axis.ends)
         };
-        Fitted {
-            spin_ratio: range(AxisVariable::SpinRatio),
-            spin: range(AxisVariable::Spin),
-            reynolds: range(AxisVariable::Reynolds),
-            speed: range(AxisVariable::Speed),
-            to: &self.table.description,
-            held: [[true; 2]; 4],
-        }
-    }
-
-    fn published(&self) -> Published {
-        Published {
-            authors: "your own table",
-            year: None,
-            ball: None,
-            source: &self.table.file,
+        LawProperties {
+            published: Published {
+                authors: "your own table",
+                year: None,
+                ball: None,
+                source: &self.table.file,
+            },
+            fitted: Fitted {
+                spin_ratio: range(AxisVariable::SpinRatio),
+                spin: range(AxisVariable::Spin),
+                reynolds: range(AxisVariable::Reynolds),
+                speed: range(AxisVariable::Speed),
+                to: &self.table.description,
+                held: [[true; 2]; 4],
+            },
+            continuous_derivatives: Some(2),
+            // C_D is constant below the least spin of a table, so it has a corner only if the
+            // least spin is 0
+            has_corner_at_zero_spin: self.table.grid.full_lift.is_none(),
         }
     }
 }

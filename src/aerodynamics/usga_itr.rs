@@ -1,5 +1,5 @@
 use super::origin::polynomial;
-use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
 use crate::parameters::UsgaItr;
 
@@ -38,25 +38,22 @@ impl<T: Numbers> AerodynamicLaw<T> for UsgaItr<T> {
         }))
     }
 
-    fn continuous_derivatives(&self) -> Option<u32> {
-        Some(2)
-    }
-
-    fn fitted(&self) -> Fitted {
-        Fitted {
-            spin_ratio: Some([0.042, 0.22]),
-            reynolds: Some([8e4, 2e5]),
-            to: "42 shots in the USGA's Indoor Test Range",
-            ..Fitted::UNKNOWN
-        }
-    }
-
-    fn published(&self) -> Published {
-        Published {
-            authors: "USGA, Indoor Test Range",
-            year: Some(2001),
-            ball: Some("the test ball of the patent"),
-            source: "US patent 6186002; fit to its table as transcribed by others, docs/sources.md",
+    fn properties(&self) -> LawProperties {
+        LawProperties {
+            published: Published {
+                authors: "USGA, Indoor Test Range",
+                year: Some(2001),
+                ball: Some("the test ball of the patent"),
+                source: "US patent 6186002; fit to its table as transcribed by others, docs/sources.md",
+            },
+            fitted: Fitted {
+                spin_ratio: Some([0.042, 0.22]),
+                reynolds: Some([8e4, 2e5]),
+                to: "42 shots in the USGA's Indoor Test Range",
+                ..Fitted::UNKNOWN
+            },
+            continuous_derivatives: Some(2),
+            has_corner_at_zero_spin: true,
         }
     }
 }

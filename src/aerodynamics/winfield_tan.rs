@@ -1,4 +1,4 @@
-use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
 use crate::number::Numbers;
 use crate::parameters::WinfieldTan;
 
@@ -34,21 +34,22 @@ impl<T: Numbers> AerodynamicLaw<T> for WinfieldTan<T> {
         }
     }
 
-    fn fitted(&self) -> Fitted {
-        Fitted {
-            spin_ratio: Some([0.02, 0.35]),
-            speed: Some([25.0, 68.0]),
-            to: "the tables of Winfield & Tan 1994",
-            ..Fitted::UNKNOWN
-        }
-    }
-
-    fn published(&self) -> Published {
-        Published {
-            authors: "Winfield & Tan, from curves by Aoyama (1990)",
-            year: Some(1994),
-            ball: None,
-            source: "longdrive: recovered from the paper's tables, docs/validation.md",
+    fn properties(&self) -> LawProperties {
+        LawProperties {
+            published: Published {
+                authors: "Winfield & Tan, from curves by Aoyama (1990)",
+                year: Some(1994),
+                ball: None,
+                source: "longdrive: recovered from the paper's tables, docs/validation.md",
+            },
+            fitted: Fitted {
+                spin_ratio: Some([0.02, 0.35]),
+                speed: Some([25.0, 68.0]),
+                to: "the tables of Winfield & Tan 1994",
+                ..Fitted::UNKNOWN
+            },
+            continuous_derivatives: None,
+            has_corner_at_zero_spin: true,
         }
     }
 }

@@ -68,7 +68,7 @@ impl OverNumbers for LaneBatch<'_> {
         let apex = any(|outcome| outcome.needs_apex());
         let has_run = any(|outcome| outcome.needs_run());
         let has_head = any(|outcome| outcome.group() == OutcomeGroup::Head);
-        let fitted = batch.setup.law.fitted();
+        let fitted = batch.setup.law.properties().fitted;
         // parameters that are not swept are equal in all rows; the swept parameters are set for
         // each group
         let mut setup = batch.setup.constant::<J>();

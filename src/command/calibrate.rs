@@ -8,7 +8,7 @@ use crate::command::output::{Answer, system, tell, warn};
 use crate::command::reproduce::{DOCUMENT, write};
 use crate::command::request::Request;
 use crate::command::running::running;
-use crate::optimize::least_squares::{FitObserver, Loss, Status};
+use crate::optimize::least_squares::{FitObserver, FitStatus, Loss};
 use crate::parameters::{Law, Vary};
 use crate::report::CalibrationReport;
 use crate::study::calibrate::{
@@ -301,7 +301,7 @@ fn is_fitted(found: &Calibration) -> bool {
     found.is_minimum
         || !matches!(
             found.fit.status,
-            Status::Interrupted | Status::IterationLimit
+            FitStatus::Interrupted | FitStatus::IterationLimit
         )
 }
 

@@ -11,7 +11,7 @@ use crate::report::{
 };
 use crate::study::calibrate::ShotTable;
 use crate::study::delivery::{
-    Delivery, Population, Unknown, deliveries, delivery, launches, unknowns,
+    Population, ShotDelivery, Unknown, deliveries, delivery, launches, unknowns,
 };
 use crate::table::RowFilter;
 use crate::units::{Message, counted};
@@ -131,7 +131,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 
 /// The deliveries found; for several deliveries, also the population of their swings.
 struct Deliveries {
-    all: Vec<Delivery>,
+    all: Vec<ShotDelivery>,
     population: Option<Result<Population>>,
     /// The name of the measurement, for the first line of a setup file.
     from: String,
@@ -142,7 +142,7 @@ struct Deliveries {
 impl Deliveries {
     /// The number of deliveries that explain their measured launch.
     fn explained(&self) -> usize {
-        self.all.iter().filter_map(Delivery::explained).count()
+        self.all.iter().filter_map(ShotDelivery::explained).count()
     }
 
     /// The warnings about the deliveries.
@@ -167,7 +167,7 @@ fn of_launch(
 ) -> Result<Deliveries> {
     let found = delivery(setup, &launches(launched), unknowns)?;
     Ok(Deliveries {
-        all: vec![Delivery {
+        all: vec![ShotDelivery {
             row: 1,
             found: Ok(found),
         }],

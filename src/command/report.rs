@@ -14,7 +14,7 @@ use crate::optimize::Observer;
 use crate::report::page::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE, report_documents};
 use crate::report::{Origin, Reply, TextFile, explorer_state};
 use crate::reproduce::while_loop;
-use crate::study::certificate::{Row, certify};
+use crate::study::certificate::{DerivativeRow, certify};
 use crate::study::{
     Chart, Face, Fineness, Landing, Launches, Map, NamedDrive, Region, Search, Sigma, Vary, chart,
     club_alone, effects, flatness, lofts, map, optimum, short_drive, usual_loss, with_defaults,
@@ -456,7 +456,7 @@ fn add_pictures(
 
 /// Derivatives of the outcome by the varied (or default) parameters and by the club or ball speed,
 /// compared with finite differences.
-fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<Row>> {
+fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<DerivativeRow>> {
     let mut wrt = match search {
         Some(search) => search.parameters().collect(),
         None => usual(setup)?,

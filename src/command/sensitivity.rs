@@ -6,7 +6,8 @@ use crate::optimize::Observer;
 use crate::parameters::Parameter;
 use crate::report::{EffectsReport, by_reason};
 use crate::study::{
-    Bar, Effects, Optimum, Sensitivity, effects, flown_off, optimum, sensitivities, with_defaults,
+    Effects, Optimum, Sensitivity, SigmaEffect, effects, flown_off, optimum, sensitivities,
+    with_defaults,
 };
 use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
@@ -88,7 +89,8 @@ fn find_optimum(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Op
     }
     let search = args.search.search(request, setup)?;
     let setup = request.for_many(*setup, &search.vary)?;
-    let found = optimum(&setup, search, Observer::default())?.converged()?;
+    let found = optimum(&setup, search, Observer::default())?;
+    found.check_converged()?;
     tell(&found.message().in_units(system()));
     Ok(Some(found))
 }
@@ -120,11 +122,11 @@ fn missing_slopes(slopes: &[(&'static Parameter, Result<Sensitivity>)]) -> Vec<M
 
 /// A warning for each end of an uncertainty range at which there is no drive, with the reason.
 fn unflown(setup: &Setup<f64>, of: &[Outcome], effects: &Effects) -> Vec<Message> {
-    let why = |bar: &Bar, sign: f64| flown_off(setup, of, &bar.sigma, sign).err();
+    let why = |bar: &SigmaEffect, sign: f64| flown_off(setup, of, &bar.sigma, sign).err();
     let ends = effects
         .effects
         .iter()
-        .filter_map(|effect| effect.bar)
+        .filter_map(|effect| effect.sigma_effect)
         .flat_map(|bar| {
             let ends = bar
                 .flown

@@ -4,7 +4,7 @@
 //! the derivatives of impact and flight.
 
 use super::Taylor;
-use super::pass::{COMPONENTS, Point, Stage};
+use super::pass::{COMPONENTS, EvaluationPoint, Stage};
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::number::{Level, MOST_PER_LANE};
@@ -13,14 +13,14 @@ use crate::parameters::Parameter;
 /// Division of the parameters, for the chain rule, into parameters that affect the launch and
 /// parameters that affect the flight at fixed launch.
 #[derive(Clone, Debug)]
-pub(super) struct Split {
+pub(super) struct ParameterSplit {
     /// Indices of the parameters of the launch: club, strike and ball, or a given launch.
     pub of_launch: Vec<usize>,
     /// Indices of the parameters of the flight at fixed launch: ball, air, wind, law and ground.
     pub of_flight: Vec<usize>,
 }
 
-impl Split {
+impl ParameterSplit {
     /// Divides the parameters. Parameters of the run are included only if an outcome depends on the
     /// run (`runs`).
     pub fn of(wrt: &[&'static Parameter], runs: bool) -> Self {
@@ -62,8 +62,8 @@ impl Split {
 /// the number of completed passes (evaluations of a drive in all lanes) and the number of all
 /// passes.
 pub(super) fn derivatives(
-    point: &Point<'_>,
-    split: Option<&Split>,
+    point: &EvaluationPoint<'_>,
+    split: Option<&ParameterSplit>,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Vec<Taylor>> {
     let Some(split) = split else {
@@ -114,7 +114,7 @@ pub(super) fn derivatives(
 }
 
 /// Zero polynomial in `columns` variables, up to the order of `point`.
-fn zero(point: &Point<'_>, columns: usize) -> Taylor {
+fn zero(point: &EvaluationPoint<'_>, columns: usize) -> Taylor {
     Taylor::zero(columns, point.entries.map_or(0, |_| columns))
 }
 
@@ -124,7 +124,11 @@ fn is_of_flight(outcome: &Outcome) -> bool {
 
 /// Variables of the flight: components of the launch that depend on a parameter, then the flight's
 /// own parameters.
-fn flight_variables(point: &Point<'_>, split: &Split, launch: &[Taylor]) -> Vec<usize> {
+fn flight_variables(
+    point: &EvaluationPoint<'_>,
+    split: &ParameterSplit,
+    launch: &[Taylor],
+) -> Vec<usize> {
     let is_nonzero = |component: &Taylor| {
         component
             .gradient

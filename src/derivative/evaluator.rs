@@ -1,7 +1,7 @@
 use super::Taylor;
-use super::chain::{self, Split};
+use super::chain::{self, ParameterSplit};
 use super::directions::Entries;
-use super::pass::Point;
+use super::pass::EvaluationPoint;
 use crate::drive::{Outcome, OutcomeGroup, with_accepted_step};
 use crate::error::{Error, Result};
 use crate::number::Level;
@@ -40,7 +40,7 @@ pub struct Evaluator {
     order: Order,
     /// Entries of the Hessians to compute.
     entries: Entries,
-    split: Split,
+    split: ParameterSplit,
     /// Largest accepted defect of the integration, m; infinity keeps the setup's step.
     largest_defect: f64,
     level: Level,
@@ -78,7 +78,7 @@ impl Evaluator {
             }?;
         }
         refuse_twice(wrt)?;
-        let split = Split::of(wrt, of.iter().any(|outcome| outcome.needs_run()));
+        let split = ParameterSplit::of(wrt, of.iter().any(|outcome| outcome.needs_run()));
         let (of, wrt) = (of.to_vec(), wrt.to_vec());
         Ok(Self {
             setup: *setup,
@@ -206,7 +206,7 @@ impl Evaluator {
     ) -> Result<Vec<Taylor>> {
         let is_second = order == Order::Second;
         let any = |is: fn(&Outcome) -> bool| self.of.iter().any(is);
-        let point = Point {
+        let point = EvaluationPoint {
             setup,
             of: &self.of,
             wrt: &self.wrt,

@@ -17,7 +17,7 @@ pub(super) const COMPONENTS: usize = 6;
 
 /// Point of evaluation. Variables are numbered: parameters first, then the components of the
 /// launch.
-pub(super) struct Point<'a> {
+pub(super) struct EvaluationPoint<'a> {
     /// Setup at this point.
     pub setup: &'a Setup<f64>,
     pub of: &'a [Outcome],
@@ -62,7 +62,7 @@ impl Stage<'_> {
     }
 }
 
-impl Point<'_> {
+impl EvaluationPoint<'_> {
     /// Writes the derivatives by `variables` to `taylors`. `progress` receives the number of
     /// completed passes and the number of all passes.
     pub fn differentiate(
@@ -104,7 +104,7 @@ impl Point<'_> {
 
 /// One pass: derivatives of the outcomes in the directions of all lanes.
 struct Pass<'a> {
-    point: &'a Point<'a>,
+    point: &'a EvaluationPoint<'a>,
     stage: Stage<'a>,
     directions: Directions<'a>,
     taylors: &'a mut [Taylor],

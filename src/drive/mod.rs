@@ -207,7 +207,7 @@ impl Drive<f64> {
         let mut corners = Vec::new();
         let spin = self.launch.total_spin();
         let has_air = AirState::of(&setup.air).density > 0.0;
-        if self.is_without_spin() && setup.law.has_corner_at_zero_spin() && has_air {
+        if self.is_without_spin() && setup.law.properties().has_corner_at_zero_spin && has_air {
             corners.push(format!(
                 "the spin is {} rad/s: with the law {} outcomes have a corner at zero spin, and \
                  derivatives here lie between the two one-sided derivatives",

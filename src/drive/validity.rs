@@ -97,7 +97,8 @@ impl Drive<f64> {
         let law = match scope {
             CheckScope::Launch => !setup
                 .law
-                .fitted()
+                .properties()
+                .fitted
                 .holds(Inputs::new(setup, &self.launch, false).stream()),
             CheckScope::Flight => !self.law_warnings(setup, &AtomicBool::new(false)).is_empty(),
         };
@@ -233,7 +234,7 @@ impl ExceededLimits<Option<String>> {
 
 /// Warning about drives outside the ranges of the law.
 fn law_range_warning(subject: &str, law: &Law<f64>, scope: CheckScope) -> Message {
-    let fitted = law.fitted();
+    let fitted = law.properties().fitted;
     let beginning = Message::from(format!("{subject}: "));
     let (beginning, rest) = match scope {
         CheckScope::Launch => {

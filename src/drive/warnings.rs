@@ -206,7 +206,7 @@ impl Drive<f64> {
     /// variable that the law itself holds, the share of the flight time outside the range counts
     /// instead ([`LEAST_WARNED_SHARE`]).
     fn extrapolated(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<Extrapolated> {
-        let fitted = setup.law.fitted();
+        let fitted = setup.law.properties().fitted;
         let ranges = fitted.ranges().map(|(.., range)| range);
         if stays_within(setup, &self.launch, ranges, stop) {
             return vec![];
@@ -242,7 +242,7 @@ impl Drive<f64> {
 
     /// Warnings about the variables that [`extrapolated`](Self::extrapolated) returns.
     pub(super) fn law_warnings(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<Message> {
-        let fitted = setup.law.fitted();
+        let fitted = setup.law.properties().fitted;
         let name = setup.law.name();
         let ranges = fitted.ranges();
         let warning = |Extrapolated {
@@ -283,7 +283,12 @@ impl Drive<f64> {
     }
 
     fn flown_ranges_until(&self, setup: &Setup<f64>, stop: &AtomicBool) -> [Option<FlownRange>; 4] {
-        let ranges = setup.law.fitted().ranges().map(|(.., range)| range);
+        let ranges = setup
+            .law
+            .properties()
+            .fitted
+            .ranges()
+            .map(|(.., range)| range);
         if AirState::of(&setup.air).density == 0.0 || ranges == [None; 4] {
             return [None; 4];
         }

@@ -2,9 +2,9 @@
 //! law held at the ends of its range.
 
 use super::inputs::Inputs;
-use super::motion::Node;
+use super::motion::StepNode;
 use super::result::RequestedOutputs;
-use crate::aerodynamics::{AerodynamicLaw, Coefficients, Published, Stream};
+use crate::aerodynamics::{AerodynamicLaw, Coefficients, LawProperties, Stream};
 use crate::launch::Launch;
 use crate::parameters::{Law, Setup};
 use std::sync::atomic::AtomicBool;
@@ -29,8 +29,8 @@ impl AerodynamicLaw<f64> for HeldLaw {
             .coefficients(hold(stream, self.variable, self.range))
     }
 
-    fn published(&self) -> Published {
-        self.law.published()
+    fn properties(&self) -> LawProperties {
+        self.law.properties()
     }
 }
 
@@ -68,7 +68,7 @@ pub(crate) fn stays_within(
 ) -> bool {
     let inputs = Inputs::new(setup, launch, false);
     let h = setup.flight.step;
-    let holds = |node: &Node<f64>| {
+    let holds = |node: &StepNode<f64>| {
         let speed = node.rate.speed;
         let stream = [
             node.spin * inputs.radius / speed,

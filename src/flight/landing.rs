@@ -2,13 +2,13 @@
 //! (docs/model.md, eqs. 16a–18).
 
 use super::inputs::Inputs;
-use super::motion::Node;
+use super::motion::StepNode;
 use super::result::{FlightResult, Landed, RequestedOutputs};
-use super::septic::Path;
-use super::step::{Observer, Step, Stepper};
+use super::septic::StepPath;
+use super::step::{Step, StepObserver, Stepper};
 use super::tableau::Tableau;
 use crate::aerodynamics::AerodynamicLaw;
-use crate::ground::Landing;
+use crate::ground::LandingState;
 use crate::number::{Mask, Numbers, Vector, inlined};
 
 /// Additional weight of the last step's defect (eq. 16a): the path is interpolated within the last
@@ -18,7 +18,7 @@ const INTERPOLATION_WEIGHT: f64 = 100.0;
 
 /// State of the lanes between two steps.
 #[derive(Clone, Copy)]
-struct Lanes<M> {
+struct LaneStates<M> {
     /// Lanes in flight.
     flying: M,
     /// Lanes that have been above the ground.
@@ -47,7 +47,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         &self,
         lanes: T::Mask,
         outputs: RequestedOutputs<'_>,
-        mut observer: Observer<'_, T>,
+        mut observer: StepObserver<'_, T>,
     ) -> FlightResult<T> {
         T::not_inlined(inlined!(|| self.integrate_inlined(
             lanes,
@@ -61,14 +61,14 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         &self,
         lanes: T::Mask,
         outputs: RequestedOutputs<'_>,
-        observer: &mut Observer<'_, T>,
+        observer: &mut StepObserver<'_, T>,
     ) -> FlightResult<T> {
         let (tableau, h, ground) = (Tableau::of(self.method), self.step, self.ground);
         let mut stepper = Stepper::new(self, tableau, h);
         let mut nodes = [self.launch(); 2];
         let mut step = Step::before_first(&mut nodes);
         let has_been_above = ground.below(0.0);
-        let mut lanes = Lanes {
+        let mut lanes = LaneStates {
             flying: lanes & (has_been_above | is_rising(step.to)),
             has_been_above,
         };
@@ -148,12 +148,12 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     fn step_events(
         &self,
         step: &Step<'_, T>,
-        lanes: Lanes<T::Mask>,
+        lanes: LaneStates<T::Mask>,
         is_above: T::Mask,
         is_apex_requested: bool,
         end: f64,
     ) -> StepEvents<T::Mask> {
-        let Lanes {
+        let LaneStates {
             flying,
             has_been_above,
         } = lanes;
@@ -174,11 +174,11 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     fn locate_events(
         &self,
         step: &Step<'_, T>,
-        mut lanes: Lanes<T::Mask>,
+        mut lanes: LaneStates<T::Mask>,
         events: StepEvents<T::Mask>,
         result: &mut FlightResult<T>,
-    ) -> Lanes<T::Mask> {
-        let path = Path::new(self, step, self.step);
+    ) -> LaneStates<T::Mask> {
+        let path = StepPath::new(self, step, self.step);
         if events.has_time_limit {
             let s = T::constant((self.time_limit - result.time) / self.step);
             result.height = path.up.value(s).select(result.height, lanes.flying);
@@ -204,12 +204,12 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     fn record_apex(
         &self,
         step: &Step<'_, T>,
-        path: &Path<T>,
+        path: &StepPath<T>,
         s: T,
-        mut lanes: Lanes<T::Mask>,
+        mut lanes: LaneStates<T::Mask>,
         has_apex: T::Mask,
         result: &mut FlightResult<T>,
-    ) -> Lanes<T::Mask> {
+    ) -> LaneStates<T::Mask> {
         let h = self.step;
         let top = path.position(s);
         if let Some(apex) = &mut result.landed.apex {
@@ -242,7 +242,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     fn record_landing(
         &self,
         step: &Step<'_, T>,
-        path: &Path<T>,
+        path: &StepPath<T>,
         s: T,
         lands: T::Mask,
         result: &mut FlightResult<T>,
@@ -275,8 +275,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
 
     /// State of the ball at landing, with `spin`, rad/s.
     #[inline(always)]
-    pub(super) fn landing(&self, landed: &Landed<T>, spin: T) -> Landing<T> {
-        Landing {
+    pub(super) fn landing(&self, landed: &Landed<T>, spin: T) -> LandingState<T> {
+        LandingState {
             downrange: landed.carry,
             right: landed.lateral,
             velocity: landed.velocity,
@@ -290,7 +290,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     /// Lanes in which a step `h` resolves the forces: within the step, drag and lift change the
     /// airspeed by less than the fraction `largest_relative_change`.
     #[inline(always)]
-    fn is_resolved(&self, node: &Node<T>, h: f64, largest_relative_change: f64) -> T::Mask {
+    fn is_resolved(&self, node: &StepNode<T>, h: f64, largest_relative_change: f64) -> T::Mask {
         let a = node.rate.acceleration;
         let largest_change = node.rate.speed * largest_relative_change;
         let aerodynamic = Vector::new(a.x + self.gravity, a.y, a.z);
@@ -299,6 +299,6 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
 }
 
 #[inline(always)]
-fn is_rising<T: Numbers>(node: &Node<T>) -> T::Mask {
+fn is_rising<T: Numbers>(node: &StepNode<T>) -> T::Mask {
     (-node.velocity.x).below(0.0)
 }

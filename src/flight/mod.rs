@@ -22,7 +22,7 @@ use crate::launch::Launch;
 use crate::number::Number;
 use crate::parameters::Setup;
 use std::sync::atomic::AtomicBool;
-use step::Observer;
+use step::StepObserver;
 
 /// Flies the ball from launch to landing (docs/model.md, eqs. 12–18). Allocates no heap memory.
 ///
@@ -46,7 +46,7 @@ impl<T: Number> Inputs<T> {
     pub(crate) fn fly(
         &self,
         stop: Option<&AtomicBool>,
-        observer: Observer<'_, T>,
+        observer: StepObserver<'_, T>,
     ) -> Result<Flight<T>> {
         let all = RequestedOutputs {
             apex: true,

@@ -35,7 +35,7 @@ impl<T: Numbers> Rate<T> {
 
 /// State of the ball at a node of the integration, and its rate of change.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Node<T> {
+pub(crate) struct StepNode<T> {
     /// Position, m.
     pub position: Vector<T>,
     /// Velocity, m/s.
@@ -92,8 +92,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
 
     /// The node at launch.
     #[inline(always)]
-    pub(super) fn launch(&self) -> Node<T> {
-        let mut node = Node {
+    pub(super) fn launch(&self) -> StepNode<T> {
+        let mut node = StepNode {
             position: Vector::zero(),
             velocity: self.velocity,
             spin: self.spin,
@@ -109,7 +109,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     /// interpolants of neighbouring steps join C³. A derivative by dual numbers would double the
     /// code size of a flight.
     #[inline(always)]
-    pub(super) fn rate_per_time(&self, node: &Node<T>) -> Rate<T> {
+    pub(super) fn rate_per_time(&self, node: &StepNode<T>) -> Rate<T> {
         let Rate {
             acceleration,
             speed,
@@ -142,7 +142,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     /// Hermite polynomial of degree 5 through the spin and its first two derivatives at both ends;
     /// neighbouring polynomials join C².
     #[inline(always)]
-    pub(super) fn spin_within(&self, [from, to]: [&Node<T>; 2], s: T) -> T {
+    pub(super) fn spin_within(&self, [from, to]: [&StepNode<T>; 2], s: T) -> T {
         let Some(damping) = self.damping else {
             return T::not_inlined(inlined!(
                 || from.spin * (-(self.decay * s * self.step)).exp()
@@ -166,7 +166,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
 
     /// The spin at a node with its first and second derivative by s.
     #[inline(always)]
-    fn spin_and_derivatives(&self, node: &Node<T>, damping: T) -> [T; 3] {
+    fn spin_and_derivatives(&self, node: &StepNode<T>, damping: T) -> [T; 3] {
         let (spin, h) = (node.spin, self.step);
         let decay_rate = damping.mul_add(node.rate.speed, self.decay);
         let decay_rate_change = damping * self.rate_per_time(node).speed;

@@ -150,7 +150,7 @@ fn falling_root<T: Numbers>(low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> 
 }
 
 /// Path of the ball within a step.
-pub(super) struct Path<T> {
+pub(super) struct StepPath<T> {
     /// Step, s.
     h: f64,
     pub up: Septic<T>,
@@ -158,7 +158,7 @@ pub(super) struct Path<T> {
     downrange: Septic<T>,
 }
 
-impl<T: Numbers> Path<T> {
+impl<T: Numbers> StepPath<T> {
     /// The path within a step.
     #[inline(always)]
     pub fn new<L: AerodynamicLaw<T>>(inputs: &Inputs<T, L>, step: &Step<'_, T>, h: f64) -> Self {

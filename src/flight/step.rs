@@ -1,7 +1,7 @@
 //! One step of an explicit Runge–Kutta method (docs/model.md, eq. 16).
 
 use super::inputs::Inputs;
-use super::motion::{Node, Rate};
+use super::motion::{Rate, StepNode};
 use super::tableau::{MOST_STAGES, Tableau};
 use crate::aerodynamics::AerodynamicLaw;
 use crate::number::{Numbers, Vector, inlined};
@@ -24,8 +24,8 @@ pub(super) struct Stepper<'a, T, L> {
 pub(crate) struct Step<'n, T> {
     /// Start and end node. They are swapped at each step instead of copied: copies take 16 to 24 %
     /// of a drive with rk4 (`src/number/mod.rs`, "Pipelines").
-    pub from: &'n mut Node<T>,
-    pub to: &'n mut Node<T>,
+    pub from: &'n mut StepNode<T>,
+    pub to: &'n mut StepNode<T>,
     /// Position increment x₁ − x₀ − h v₀, before its addition to the position rounds it.
     pub position_increment: Vector<T>,
     /// Velocity increment v₁ − v₀, before its addition to the velocity rounds it.
@@ -33,12 +33,12 @@ pub(crate) struct Step<'n, T> {
 }
 
 /// Callback that receives the start time of each step, and the step.
-pub(crate) type Observer<'o, T> = Option<&'o mut dyn FnMut(f64, &Step<'_, T>)>;
+pub(crate) type StepObserver<'o, T> = Option<&'o mut dyn FnMut(f64, &Step<'_, T>)>;
 
 impl<'n, T: Numbers> Step<'n, T> {
     /// The state before the first step, when both nodes are the launch.
     #[inline(always)]
-    pub fn before_first([from, to]: &'n mut [Node<T>; 2]) -> Self {
+    pub fn before_first([from, to]: &'n mut [StepNode<T>; 2]) -> Self {
         Self {
             from,
             to,
@@ -90,7 +90,7 @@ impl<'a, T: Numbers, L: AerodynamicLaw<T>> Stepper<'a, T, L> {
     pub fn advance(&mut self, step: &mut Step<'_, T>) {
         std::mem::swap(&mut step.from, &mut step.to);
         let (inputs, tableau, h) = (self.inputs, self.tableau, self.h);
-        let Node {
+        let StepNode {
             position: x,
             velocity: v,
             spin,

@@ -1,6 +1,6 @@
 use super::inputs::Inputs;
 use super::result::Flight;
-use super::septic::Path;
+use super::septic::StepPath;
 use crate::error::Result;
 use crate::ground::Turf;
 use crate::launch::Launch;
@@ -79,7 +79,7 @@ pub fn trajectory_until(
         Some(&mut |begin, step| {
             last_step = Some((begin, [*step.from, *step.to]));
             if intervals > 1.0 {
-                let path = Path::new(&inputs, step, h);
+                let path = StepPath::new(&inputs, step, h);
                 let within = (1..intervals as u32).map(|k| f64::from(k) / intervals);
                 points.extend(within.map(|s| TrajectoryPoint {
                     time: begin + s * h,

@@ -39,7 +39,7 @@ impl<T: Copy> Rest<T> {
 
 /// State of the ball at landing.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Landing<T> {
+pub(crate) struct LandingState<T> {
     /// Downrange distance, m.
     pub downrange: T,
     /// Distance to the right of the target line, m.
@@ -98,7 +98,7 @@ impl<T: Numbers> Turf<T> {
 
     /// Position at rest, in `lanes`.
     #[inline(always)]
-    pub fn rest(&self, ball: &Landing<T>, lanes: T::Mask) -> Rest<T> {
+    pub fn rest(&self, ball: &LandingState<T>, lanes: T::Mask) -> Rest<T> {
         let Some(restitution) = self.restitution else {
             return Rest {
                 downrange: ball.downrange,
@@ -119,23 +119,23 @@ impl<T: Numbers> Turf<T> {
     #[inline(always)]
     fn run(
         &self,
-        ball: &Landing<T>,
+        ball: &LandingState<T>,
         restitution: T,
         lanes: T::Mask,
         observe: &mut impl FnMut(Vector<T>, &Hop<T>),
     ) -> Rest<T> {
-        let slope = Slope::new(self.slope, self.side_slope, ball.gravity);
+        let plane = LandingPlane::new(self.slope, self.side_slope, ball.gravity);
         let mut motion = Motion {
             velocity: ball.velocity,
             spin: ball.spin,
         };
         let mut position = Vector::zero();
-        let comes_down = slope.normal.dot(motion.velocity).below(0.0);
+        let comes_down = plane.normal.dot(motion.velocity).below(0.0);
         let mut bouncing = lanes & comes_down;
         let mut bounces = 0;
         while bouncing.any() && bounces < MOST_BOUNCES {
-            let after = self.bounce(&motion, slope.normal, ball.radius, restitution);
-            let hop = slope.hop(after.velocity, ball.force_per_mass * HOP_DRAG);
+            let after = self.bounce(&motion, plane.normal, ball.radius, restitution);
+            let hop = plane.hop(after.velocity, ball.force_per_mass * HOP_DRAG);
             observe(position, &hop);
             position = (position + hop.displacement(1.0)).select(position, bouncing);
             motion = Motion {
@@ -145,7 +145,7 @@ impl<T: Numbers> Turf<T> {
             bouncing = bouncing & hop.leaves;
             bounces += 1;
         }
-        position = position + self.roll_out(&motion, &slope, ball.radius);
+        position = position + self.roll_out(&motion, &plane, ball.radius);
         let or_nan = |start: T, more: T| (start + more).select(T::constant(f64::NAN), comes_down);
         Rest {
             downrange: or_nan(ball.downrange, position.z),
@@ -157,13 +157,13 @@ impl<T: Numbers> Turf<T> {
     /// Displacement of a ball that stays on the ground: it slides until it rolls, and rolls to rest
     /// (eq. 24).
     #[inline(always)]
-    fn roll_out(&self, ball: &Motion<T>, slope: &Slope<T>, radius: T) -> Vector<T> {
-        let (normal, pull, k) = (slope.normal, slope.pull, self.sticking_factor());
+    fn roll_out(&self, ball: &Motion<T>, plane: &LandingPlane<T>, radius: T) -> Vector<T> {
+        let (normal, pull, k) = (plane.normal, plane.pull, self.sticking_factor());
         let velocity = ball.velocity - normal * normal.dot(ball.velocity);
         let slip = ball.slip(velocity, normal, radius);
         // the slip s decelerates by μ_g g n_x/k and is accelerated by G, like a sliding body
         let sliding = Sliding {
-            deceleration: self.friction * slope.press / k,
+            deceleration: self.friction * plane.press / k,
             pull,
         };
         let (time, slip_distance) = sliding.stop(slip);
@@ -173,7 +173,7 @@ impl<T: Numbers> Turf<T> {
         let slid = (velocity + half) * time - ((slip + half) * time - slip_distance) * k;
         let rolling_velocity = velocity + pulled - (slip + pulled) * k;
         let rolling = Sliding {
-            deceleration: self.rolling * slope.press,
+            deceleration: self.rolling * plane.press,
             pull: pull * (T::constant(1.0) - k),
         };
         let (_, rolled) = rolling.stop(rolling_velocity);
@@ -184,12 +184,12 @@ impl<T: Numbers> Turf<T> {
 /// Angle between the `velocity` of a landing ball and ground with `slope` and `side_slope`, rad;
 /// negative if the ball moves away from the ground.
 pub(crate) fn angle_of_impact([slope, side_slope]: [f64; 2], velocity: Vector<f64>) -> f64 {
-    let Slope { normal, .. } = Slope::new(slope, side_slope, 1.0);
+    let LandingPlane { normal, .. } = LandingPlane::new(slope, side_slope, 1.0);
     (-normal.dot(velocity) / velocity.norm()).asin()
 }
 
 /// Plane of the landing area under gravity.
-struct Slope<T> {
+struct LandingPlane<T> {
     /// Unit normal n, upwards.
     normal: Vector<T>,
     /// Gravity into the plane, g n_x, m/s².
@@ -200,7 +200,7 @@ struct Slope<T> {
     gravity: T,
 }
 
-impl<T: Numbers> Slope<T> {
+impl<T: Numbers> LandingPlane<T> {
     #[inline(always)]
     fn new(downrange: T, right: T, gravity: T) -> Self {
         let tangent = |angle: T| {
@@ -283,7 +283,7 @@ impl<T: Numbers> Hop<T> {
 impl Turf<f64> {
     /// Path from the landing to rest: the hops, then a straight line. Empty if the ball embeds. If
     /// the ball does not come to rest, the path contains the hops only.
-    pub fn path(&self, ball: &Landing<f64>) -> Vec<Vector<f64>> {
+    pub fn path(&self, ball: &LandingState<f64>) -> Vec<Vector<f64>> {
         let Some(restitution) = self.restitution else {
             return vec![];
         };
@@ -298,7 +298,8 @@ impl Turf<f64> {
         });
         let [right, downrange] = [rest.right - ball.right, rest.downrange - ball.downrange];
         if right.is_finite() && downrange.is_finite() {
-            let Slope { normal, .. } = Slope::new(self.slope, self.side_slope, ball.gravity);
+            let LandingPlane { normal, .. } =
+                LandingPlane::new(self.slope, self.side_slope, ball.gravity);
             let up = -(normal.y * right + normal.z * downrange) / normal.x;
             points.push(Vector::new(up, right, downrange));
         }
@@ -308,7 +309,7 @@ impl Turf<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{HOP_DRAG, Slope};
+    use super::{HOP_DRAG, LandingPlane};
     use crate::number::Vector;
 
     /// Compares a hop with an integration of the drag along the ground in small steps, at usual air
@@ -316,9 +317,9 @@ mod tests {
     #[test]
     fn independent_hop_by_integration_in_small_steps_within_a_hundredth() {
         let (g, drag) = (9.81, 0.0184 * HOP_DRAG);
-        let slope = Slope::new(0.0, 0.0, g);
+        let plane = LandingPlane::new(0.0, 0.0, g);
         for (rise, along) in [(3.0, 8.0), (6.0, 14.0), (4.0, 28.0)] {
-            let hop = slope.hop(Vector::new(rise, 0.0, along), drag);
+            let hop = plane.hop(Vector::new(rise, 0.0, along), drag);
             let (back, way, hops) = (hop.final_velocity(), hop.displacement(1.0), hop.leaves);
             let (mut v, mut far, h) = (along, 0.0, 1e-4);
             for _ in 0..(2.0 * rise / g / h) as usize {

@@ -15,7 +15,7 @@ pub enum Grip {
 }
 
 /// Impulse under the limit of friction.
-pub(super) struct Limited<T: Numbers> {
+pub(super) struct LimitedImpulse<T: Numbers> {
     pub impulse: Vector<T>,
     /// |J_t|² of the sticking contact, N² s².
     needed_squared: T,
@@ -36,14 +36,14 @@ pub(super) fn limited<T: Numbers>(
     system: &ContactSystem<T>,
     sticking: Vector<T>,
     friction: T,
-) -> Limited<T> {
+) -> LimitedImpulse<T> {
     let normal = collision.normal;
     let push = sticking.dot(normal);
     let tangential = sticking - normal * push;
     let (needed_squared, limit) = (tangential.dot(tangential), friction * push);
     let slips = (limit * limit - needed_squared).below(0.0);
     if !slips.any() {
-        return Limited {
+        return LimitedImpulse {
             impulse: sticking,
             needed_squared,
             limit,
@@ -56,7 +56,7 @@ pub(super) fn limited<T: Numbers>(
     let separating = normal.dot(x * direction.x + y * direction.y + z * direction.z);
     let size = collision.approach().dot(normal) * (collision.restitution + 1.0) / separating;
     let impulse = (direction * size).select(sticking, slips);
-    Limited {
+    LimitedImpulse {
         impulse,
         needed_squared,
         limit,
@@ -65,7 +65,7 @@ pub(super) fn limited<T: Numbers>(
     }
 }
 
-impl<T: Numbers> Limited<T> {
+impl<T: Numbers> LimitedImpulse<T> {
     /// Lanes in which the impulse separates the bodies. They include all lanes in which the ball
     /// sticks.
     #[inline(always)]
@@ -74,7 +74,7 @@ impl<T: Numbers> Limited<T> {
     }
 }
 
-impl<T: Number> Limited<T> {
+impl<T: Number> LimitedImpulse<T> {
     /// The impulse, and the state of the contact.
     ///
     /// # Errors

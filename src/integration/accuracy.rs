@@ -98,7 +98,7 @@ pub(super) fn accuracy_until(
             reason: "give a length above 0, for example 1 um".into(),
         });
     }
-    let mut sample = Sample::new(setup, ranges, of, stop)?;
+    let mut sample = TestedDrives::new(setup, ranges, of, stop)?;
     let mut step = LONGEST_STEP;
     let mut worst = None;
     for _ in 0..STEPS {
@@ -127,7 +127,7 @@ pub(super) fn accuracy_until(
 type FailingDrive = (usize, Option<(Outcome, f64)>);
 
 /// The compared drives with their reference flights.
-struct Sample<'s> {
+struct TestedDrives<'s> {
     /// The batch with the lengths as outcomes, and with the integration method [`METHOD`].
     batch: Batch,
     points: Vec<f64>,
@@ -140,7 +140,7 @@ struct Sample<'s> {
     stop: &'s AtomicBool,
 }
 
-impl<'s> Sample<'s> {
+impl<'s> TestedDrives<'s> {
     fn new(
         setup: &Setup<f64>,
         ranges: &[Vary],

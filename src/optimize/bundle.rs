@@ -4,7 +4,7 @@
 //! piecewise model: its second-order expansion, at most one term per side.
 
 use super::qp::MaxTerm;
-use super::scaling::{Point, Scaling};
+use super::scaling::{EvaluatedPoint, Scaling};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +18,7 @@ const CLOSE: f64 = 1e-4;
 /// Points on the other sides of kinks near the iterate: the nearest known point of each side.
 /// Sorted by distance, nearest first.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub(super) struct Bundle(Vec<Point>);
+pub(super) struct Bundle(Vec<EvaluatedPoint>);
 
 impl Bundle {
     /// True if the dimensions fit `n` variables and `m` constraints.
@@ -28,8 +28,13 @@ impl Bundle {
 
     /// Adds `candidate` if it lies on another side of a kink near `at`. Keeps only the nearest
     /// point of each side.
-    pub fn update(&mut self, scaling: &Scaling, at: &Point, candidate: Option<Point>) {
-        let is_side = |point: &Point| {
+    pub fn update(
+        &mut self,
+        scaling: &Scaling,
+        at: &EvaluatedPoint,
+        candidate: Option<EvaluatedPoint>,
+    ) {
+        let is_side = |point: &EvaluatedPoint| {
             scaling.distance(point, at) <= NEARBY && are_sides_of_a_kink(scaling, at, point)
         };
         let mut points = std::mem::take(&mut self.0);
@@ -48,7 +53,7 @@ impl Bundle {
     }
 
     /// Removes the farthest side if it is not [close](CLOSE). Returns true if a side was removed.
-    pub fn drop_farthest(&mut self, scaling: &Scaling, at: &Point) -> bool {
+    pub fn drop_farthest(&mut self, scaling: &Scaling, at: &EvaluatedPoint) -> bool {
         let too_far = self
             .0
             .last()
@@ -63,13 +68,18 @@ impl Bundle {
     /// side, rewritten as an expansion about `at`. Its value at `at` is limited to f(at): at a kink
     /// that stalls a search, f is the maximum of its sides, so a larger value is an error of the
     /// expansion.
-    pub fn max_terms(&self, scaling: &Scaling, at: &Point, hessian: &DMatrix<f64>) -> Vec<MaxTerm> {
+    pub fn max_terms(
+        &self,
+        scaling: &Scaling,
+        at: &EvaluatedPoint,
+        hessian: &DMatrix<f64>,
+    ) -> Vec<MaxTerm> {
         if self.0.is_empty() {
             return vec![];
         }
         // use the smallest known curvature for all sides: the rounded tip of a smoothed kink has a
         // curvature that belongs to no side
-        let mildest = |least: DMatrix<f64>, other: &Point| {
+        let mildest = |least: DMatrix<f64>, other: &EvaluatedPoint| {
             let scale = &scaling.scale;
             let other = DMatrix::from_fn(scale.len(), scale.len(), |i, j| {
                 other.f.objective.hessian[i][j] * scale[i] * scale[j]
@@ -81,7 +91,7 @@ impl Bundle {
             }
         };
         let curvature = self.0.iter().fold(hessian.clone(), mildest);
-        let max_term = |other: &Point| {
+        let max_term = |other: &EvaluatedPoint| {
             let displacement =
                 DVector::from_fn(at.x.len(), |i, _| (at.x[i] - other.x[i]) / scaling.scale[i]);
             let slope = DVector::from_fn(at.x.len(), |i, _| {
@@ -102,14 +112,14 @@ impl Bundle {
 
 /// True if two points lie on different sides of a kink: neither Hessian, nor their mean, explains
 /// the change of the gradient between the points.
-fn are_sides_of_a_kink(scaling: &Scaling, a: &Point, b: &Point) -> bool {
-    let has_no_hessian = |p: &Point| p.f.objective.hessian.is_empty();
+fn are_sides_of_a_kink(scaling: &Scaling, a: &EvaluatedPoint, b: &EvaluatedPoint) -> bool {
+    let has_no_hessian = |p: &EvaluatedPoint| p.f.objective.hessian.is_empty();
     if has_no_hessian(a) || has_no_hessian(b) {
         // without Hessians a kink cannot be distinguished from curvature
         return false;
     }
     let jump = |i: usize| b.f.objective.gradient[i] - a.f.objective.gradient[i];
-    let curvature = |at: &Point, i: usize| -> f64 {
+    let curvature = |at: &EvaluatedPoint, i: usize| -> f64 {
         let displacement = b.x.iter().zip(&a.x).map(|(to, from)| to - from);
         at.f.objective.hessian[i]
             .iter()

@@ -15,7 +15,7 @@ use std::sync::Mutex;
 /// State of one search in a checkpoint.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Run {
+pub enum SavedSearch {
     /// The search has ended.
     Done(Box<Solution>),
     /// The search has not ended: its state between two iterations.
@@ -28,14 +28,14 @@ pub enum Run {
 #[derive(Debug)]
 pub struct Checkpoint {
     path: PathBuf,
-    content: Mutex<Content>,
+    content: Mutex<CheckpointContent>,
 }
 
 #[derive(Debug, Serialize, Deserialize)]
-struct Content {
+struct CheckpointContent {
     /// Identifies the problem: a text that is different for every problem.
     question: String,
-    runs: BTreeMap<usize, Run>,
+    runs: BTreeMap<usize, SavedSearch>,
 }
 
 impl Checkpoint {
@@ -68,7 +68,7 @@ impl Checkpoint {
                         .into(),
                 )
             })?,
-            None => Content {
+            None => CheckpointContent {
                 question: question.into(),
                 runs: BTreeMap::new(),
             },
@@ -89,7 +89,7 @@ impl Checkpoint {
     }
 
     /// Saved state of search `number`.
-    pub fn run(&self, number: usize) -> Option<Run> {
+    pub fn run(&self, number: usize) -> Option<SavedSearch> {
         self.lock().runs.get(&number).cloned()
     }
 
@@ -98,7 +98,7 @@ impl Checkpoint {
         self.lock()
             .runs
             .values()
-            .filter(|run| matches!(run, Run::Done(_)))
+            .filter(|run| matches!(run, SavedSearch::Done(_)))
             .count()
     }
 
@@ -106,13 +106,13 @@ impl Checkpoint {
     ///
     /// # Errors
     /// [`Error::Checkpoint`] if the file cannot be written.
-    pub fn save(&self, number: usize, run: Run) -> Result<()> {
+    pub fn save(&self, number: usize, run: SavedSearch) -> Result<()> {
         let mut content = self.lock();
         content.runs.insert(number, run);
         self.write(&content, true)
     }
 
-    fn write(&self, content: &Content, may_replace: bool) -> Result<()> {
+    fn write(&self, content: &CheckpointContent, may_replace: bool) -> Result<()> {
         let written = || -> std::io::Result<()> {
             let mut file = create_beside(&self.path)?;
             file.write_all(&serde_json::to_vec(content)?)?;
@@ -140,7 +140,7 @@ impl Checkpoint {
         })
     }
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, Content> {
+    fn lock(&self) -> std::sync::MutexGuard<'_, CheckpointContent> {
         // a poisoned lock is safe to use: the content only changes by whole entries
         self.content
             .lock()

@@ -1,7 +1,7 @@
 //! Detection of kinks (corners of the objective).
 
 use super::problem::Evaluation;
-use super::scaling::{Point, Scaling};
+use super::scaling::{EvaluatedPoint, Scaling};
 use argmin::core::Error;
 use serde::{Deserialize, Serialize};
 
@@ -36,17 +36,17 @@ const REACH: f64 = 1e-6;
 /// returns `None` where the functions are undefined.
 pub(super) fn find(
     scaling: &Scaling,
-    at: &Point,
+    at: &EvaluatedPoint,
     mut evaluate: impl FnMut(&[f64]) -> Result<Option<Evaluation>, Error>,
 ) -> Result<Option<Kink>, Error> {
     let bounds = &scaling.domain.variables;
     for i in (0..at.x.len()).filter(|&i| !bounds.is_fixed(i)) {
-        let mut side = |towards: f64| -> Result<Option<Side>, Error> {
+        let mut side = |towards: f64| -> Result<Option<KinkSide>, Error> {
             let mut moved = at.x.clone();
             let to = at.x[i] + towards * REACH * scaling.scale[i];
             moved[i] = to.clamp(bounds.low[i], bounds.high[i]);
             let objective = evaluate(&moved)?.map(|f| f.objective);
-            Ok(objective.map(|f| Side {
+            Ok(objective.map(|f| KinkSide {
                 x: moved[i],
                 slope: f.gradient[i],
                 hessian: f.hessian,
@@ -57,7 +57,7 @@ pub(super) fn find(
             return Ok(None);
         };
         if is_kink(scaling, at, i, &below, &above) {
-            let slope = |side: &Side| side.is_inside.then_some(side.slope);
+            let slope = |side: &KinkSide| side.is_inside.then_some(side.slope);
             return Ok(Some(Kink {
                 variable: i,
                 slope_below: slope(&below),
@@ -69,7 +69,7 @@ pub(super) fn find(
 }
 
 /// The derivatives of the objective just beside a point, on one side.
-struct Side {
+struct KinkSide {
     x: f64,
     slope: f64,
     hessian: Vec<Vec<f64>>,
@@ -77,7 +77,13 @@ struct Side {
     is_inside: bool,
 }
 
-fn is_kink(scaling: &Scaling, at: &Point, i: usize, below: &Side, above: &Side) -> bool {
+fn is_kink(
+    scaling: &Scaling,
+    at: &EvaluatedPoint,
+    i: usize,
+    below: &KinkSide,
+    above: &KinkSide,
+) -> bool {
     if below.hessian.is_empty() || above.hessian.is_empty() {
         return false;
     }
@@ -85,7 +91,7 @@ fn is_kink(scaling: &Scaling, at: &Point, i: usize, below: &Side, above: &Side) 
     let is_significant = jump.abs() * scaling.scale[i] > 1e-6 * scaling.size(at);
     // on a bound, one of the two points lies on the rounded tip of the kink itself, whose curvature
     // could explain any change
-    let is_unexplained = |side: &Side| {
+    let is_unexplained = |side: &KinkSide| {
         !side.is_inside || (side.hessian[i][i] * distance - jump).abs() > 0.5 * jump.abs()
     };
     let has_inner_side = below.is_inside || above.is_inside;
@@ -98,7 +104,7 @@ fn is_kink(scaling: &Scaling, at: &Point, i: usize, below: &Side, above: &Side) 
 
 /// True if a converged point may be a smoothed kink: over a thousandth of the variable's scale, the
 /// curvature changes the scaled derivative by as much as the objective's size.
-pub(super) fn is_suspected(scaling: &Scaling, at: &Point) -> bool {
+pub(super) fn is_suspected(scaling: &Scaling, at: &EvaluatedPoint) -> bool {
     let hessian = &at.f.objective.hessian;
     let curvature = |i: usize| hessian[i][i].abs() * scaling.scale[i] * scaling.scale[i];
     (0..hessian.len()).any(|i| curvature(i) > 1e3 * scaling.size(at))

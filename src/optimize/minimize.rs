@@ -7,7 +7,7 @@ use super::observer::{Observer, SaveSnapshot, Snapshot};
 use super::options::Options;
 use super::problem::Problem;
 use super::solution::Solution;
-use super::sqp::{Progress, Sqp, SqpState};
+use super::sqp::{SearchProgress, Sqp, SqpState};
 use super::status::Status;
 use crate::error::{Error, Result};
 use argmin::core::checkpointing::{Checkpoint, CheckpointingFrequency};
@@ -90,7 +90,7 @@ fn run(
         options: options.clone(),
         interrupt: observer.interrupt.clone(),
         has_models: observer.models,
-        progress: Progress::default(),
+        progress: SearchProgress::default(),
     };
     let fresh = SqpState::new()
         .param(start.to_vec())

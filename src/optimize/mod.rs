@@ -71,7 +71,7 @@ mod termination;
 mod trial_step;
 
 pub use crate::number::Taylor;
-pub use checkpoint::{Checkpoint, Run};
+pub use checkpoint::{Checkpoint, SavedSearch};
 pub use domain::{Bounds, Domain};
 pub use functions::{Exact, Functions, Gradients};
 pub use iteration::Iteration;
@@ -82,7 +82,7 @@ pub use observer::{Observer, SaveSnapshot, Snapshot};
 pub use options::Options;
 pub use problem::{Evaluation, Problem};
 pub use quadratic_model::QuadraticModel;
-pub use scaling::Residual;
+pub use scaling::KktResidual;
 pub use solution::{ConstraintValue, Solution};
 pub use state::Effort;
 pub use status::Status;

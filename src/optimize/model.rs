@@ -2,17 +2,20 @@
 
 use super::bundle::Bundle;
 use super::convex::{Convexified, convexify};
-use super::qp::{MaxTerm, QpSolver, QuadraticProgram, Row, Side, Step, StepSource, quadratic_form};
-use super::scaling::{Point, Scaling, norm};
+use super::qp::{
+    Activity, LinearConstraint, MaxTerm, QpSolver, QpStep, QuadraticProgram, StepSource,
+    quadratic_form,
+};
+use super::scaling::{EvaluatedPoint, Scaling, norm};
 use super::trial_step::{NORMAL_PART, TrialStep};
 use nalgebra::{DMatrix, DVector};
 
 /// Quadratic model ½ dᵀB d + ∇f·d with c + ∇c·d within its limits, x + d within its bounds and ‖d‖∞
 /// ≤ Δ, in scaled variables.
-pub(super) struct Model<'a> {
+pub(super) struct LagrangianModel<'a> {
     pub scaling: &'a Scaling,
     pub kink_sides: &'a Bundle,
-    pub point: &'a Point,
+    pub point: &'a EvaluatedPoint,
     pub multipliers: &'a [f64],
     /// Hessian of the Lagrangian in scaled variables, exact or quasi-Newton.
     pub hessian: &'a DMatrix<f64>,
@@ -37,7 +40,7 @@ const SHORT: f64 = 1e-8;
 /// Slack for rounding added to relaxed inequality rows.
 const ROUNDING: f64 = 1e-12;
 
-impl Model<'_> {
+impl LagrangianModel<'_> {
     /// Minimises the model. If the linearised constraints are inconsistent within bounds and trust
     /// region, they are relaxed by the smallest violation that a step can reach.
     pub fn trial_step(&self, solver: &mut QpSolver, workspace: &mut Workspace) -> TrialStep {
@@ -48,7 +51,7 @@ impl Model<'_> {
     /// trial step, which include the constraints' curvature.
     pub fn second_order_correction(
         &self,
-        tried: &Point,
+        tried: &EvaluatedPoint,
         solver: &mut QpSolver,
         workspace: &mut Workspace,
     ) -> TrialStep {
@@ -111,14 +114,14 @@ impl Model<'_> {
     }
 
     /// If a step has no multipliers, the multipliers of the previous iteration are used.
-    fn with_previous_multipliers(&self, step: Step) -> Step {
+    fn with_previous_multipliers(&self, step: QpStep) -> QpStep {
         let multipliers = self
             .multipliers
             .iter()
             .zip(&self.scaling.gamma)
             .map(|(m, gamma)| m * gamma)
             .collect();
-        Step {
+        QpStep {
             multipliers,
             weights: vec![1.0],
             ..step
@@ -191,7 +194,7 @@ impl Model<'_> {
     /// Step of least squared violation within the part [`NORMAL_PART`] of the trust region. If the
     /// second-order model of the violation rises along this step (across a narrow valley, for
     /// example), adds the curvature of the constraints and computes the step again.
-    fn least_violation(&self, program: &QuadraticProgram, solver: &mut QpSolver) -> Step {
+    fn least_violation(&self, program: &QuadraticProgram, solver: &mut QpSolver) -> QpStep {
         let (n, m) = (program.low.len(), program.rows.len());
         let mut elastic = elastic(program, NORMAL_PART * self.radius);
         let mut solve = |elastic: &QuadraticProgram| {
@@ -210,7 +213,7 @@ impl Model<'_> {
             step = solve(&elastic);
         }
         step.d = step.d.rows(0, n).into_owned();
-        step.sides.truncate(n);
+        step.activities.truncate(n);
         step
     }
 
@@ -319,15 +322,15 @@ impl Model<'_> {
 
     /// Coordinate i of the trial point x + d. A coordinate within rounding of a bound is set to the
     /// bound.
-    fn trial_coordinate(&self, step: &Step, i: usize) -> f64 {
+    fn trial_coordinate(&self, step: &QpStep, i: usize) -> f64 {
         let (bounds, scale) = (&self.scaling.domain.variables, self.scaling.scale[i]);
         let (x, d, low, high) = (self.point.x[i], step.d[i], bounds.low[i], bounds.high[i]);
         // bound / scale × scale may round to a value short of the bound
         let nearly = 1.0 - 4.0 * f64::EPSILON;
         let to = x + d * scale;
-        match step.sides[i] {
-            Side::Lower if d > -self.radius && d * scale <= nearly * (low - x) => low,
-            Side::Upper if d < self.radius && d * scale >= nearly * (high - x) => high,
+        match step.activities[i] {
+            Activity::Lower if d > -self.radius && d * scale <= nearly * (low - x) => low,
+            Activity::Upper if d < self.radius && d * scale >= nearly * (high - x) => high,
             _ => self.scaling.on_bound(i, to.clamp(low, high)),
         }
     }
@@ -341,10 +344,10 @@ impl Model<'_> {
 }
 
 /// Zero step.
-fn zero_step(variables: usize, rows: usize) -> Step {
-    Step {
+fn zero_step(variables: usize, rows: usize) -> QpStep {
+    QpStep {
         d: DVector::zeros(variables),
-        sides: vec![Side::Inactive; variables],
+        activities: vec![Activity::Inactive; variables],
         weights: vec![1.0],
         multipliers: vec![0.0; rows],
         source: StepSource::Unpolished,
@@ -359,9 +362,9 @@ fn elastic(program: &QuadraticProgram, radius: f64) -> QuadraticProgram {
         let row = &program.rows[j];
         let mut normal = row.normal.clone().resize_vertically(n + m, 0.0);
         normal[n + j] = 1.0;
-        Row { normal, ..*row }
+        LinearConstraint { normal, ..*row }
     };
-    let far = |row: &Row| {
+    let far = |row: &LinearConstraint| {
         row.low.max(0.0).max(-row.high.min(0.0)) + row.normal.abs().sum() * radius + 1.0
     };
     let farthest = program.rows.iter().map(far).fold(1.0, f64::max);
@@ -412,7 +415,7 @@ fn relaxed(program: &QuadraticProgram, d: &DVector<f64>) -> QuadraticProgram {
 /// Hessian of the Lagrangian in scaled variables; `None` if a function has no Hessian.
 pub(super) fn lagrangian_hessian(
     scaling: &Scaling,
-    at: &Point,
+    at: &EvaluatedPoint,
     multipliers: &[f64],
 ) -> Option<DMatrix<f64>> {
     let mut sum = DMatrix::default();
@@ -422,7 +425,7 @@ pub(super) fn lagrangian_hessian(
 /// Writes the Hessian of the Lagrangian to `sum`; returns `false` if a function has no Hessian.
 pub(super) fn write_lagrangian_hessian(
     scaling: &Scaling,
-    at: &Point,
+    at: &EvaluatedPoint,
     multipliers: &[f64],
     sum: &mut DMatrix<f64>,
 ) -> bool {

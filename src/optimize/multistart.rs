@@ -1,6 +1,6 @@
 //! Multistart: local searches from many starting points, and the distinct local optima.
 
-use super::checkpoint::{Checkpoint, Run};
+use super::checkpoint::{Checkpoint, SavedSearch};
 use super::domain::Domain;
 use super::iteration::Iteration;
 use super::minimize::{minimize_observed, other_problem};
@@ -144,14 +144,14 @@ fn one(
         .as_ref()
         .and_then(|checkpoint| checkpoint.run(number));
     let resume = match saved {
-        Some(Run::Done(solution)) if !solution.fits(domain) => return Err(other_problem()),
-        Some(Run::Done(solution)) => {
+        Some(SavedSearch::Done(solution)) if !solution.fits(domain) => return Err(other_problem()),
+        Some(SavedSearch::Done(solution)) => {
             if let Some(end) = &observers.end {
                 end(number, &solution);
             }
             return Ok(*solution);
         }
-        Some(Run::Unfinished(snapshot)) => Some(*snapshot),
+        Some(SavedSearch::Unfinished(snapshot)) => Some(*snapshot),
         None => None,
     };
     if observers.interrupt.load(Ordering::Relaxed) {
@@ -163,7 +163,7 @@ fn one(
     };
     if let Some(checkpoint) = observers.checkpoint.clone() {
         observer.save = Some(Box::new(move |snapshot| {
-            checkpoint.save(number, Run::Unfinished(Box::new(snapshot.clone())))
+            checkpoint.save(number, SavedSearch::Unfinished(Box::new(snapshot.clone())))
         }));
     }
     let solution = minimize_observed(problem, domain, start, options, observer)?;
@@ -173,7 +173,7 @@ fn one(
             Status::Interrupted | Status::IterationLimit
         )
     {
-        checkpoint.save(number, Run::Done(Box::new(solution.clone())))?;
+        checkpoint.save(number, SavedSearch::Done(Box::new(solution.clone())))?;
     }
     if let Some(end) = &observers.end {
         end(number, &solution);

@@ -2,7 +2,7 @@
 
 use super::domain::Domain;
 use super::iteration::Iteration;
-use super::sqp::Progress;
+use super::sqp::SearchProgress;
 use crate::error::Result;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -55,7 +55,7 @@ impl Default for Observer {
 pub struct Snapshot {
     /// Number of completed iterations.
     pub iterations: u64,
-    pub(super) progress: Progress,
+    pub(super) progress: SearchProgress,
 }
 
 impl Snapshot {

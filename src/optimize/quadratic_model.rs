@@ -1,7 +1,7 @@
 //! The quadratic model at an iterate, for observers of a search.
 
 use super::model::lagrangian_hessian;
-use super::state::State;
+use super::state::SearchState;
 
 /// Quadratic model of the Lagrangian at an iterate x, and the trial step that follows from it:
 ///
@@ -28,8 +28,8 @@ pub struct QuadraticModel {
 
 impl QuadraticModel {
     /// The model with which the next iteration begins.
-    pub(super) fn of(state: &State) -> Self {
-        let State {
+    pub(super) fn of(state: &SearchState) -> Self {
+        let SearchState {
             scaling,
             point,
             radius,
@@ -54,8 +54,8 @@ impl QuadraticModel {
 }
 
 /// Hessian of the Lagrangian in the problem's own units; empty if the problem has no Hessians.
-pub(super) fn unscaled_hessian(state: &State) -> Vec<Vec<f64>> {
-    let State {
+pub(super) fn unscaled_hessian(state: &SearchState) -> Vec<Vec<f64>> {
+    let SearchState {
         scaling,
         point,
         multipliers,

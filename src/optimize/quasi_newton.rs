@@ -1,4 +1,4 @@
-use super::scaling::{Point, Scaling};
+use super::scaling::{EvaluatedPoint, Scaling};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
@@ -12,7 +12,7 @@ pub(super) struct QuasiNewton {
 
 impl QuasiNewton {
     /// Initial Hessian: the identity times the largest scaled derivative of f.
-    pub fn initial(scaling: &Scaling, at: &Point) -> Self {
+    pub fn initial(scaling: &Scaling, at: &EvaluatedPoint) -> Self {
         let n = at.x.len();
         let slope = scaling
             .largest(&at.f.objective.gradient)
@@ -34,7 +34,13 @@ impl QuasiNewton {
     }
 
     /// Damped BFGS update after a step (Powell 1978; Nocedal & Wright 2006, procedure 18.2).
-    pub fn update(&mut self, scaling: &Scaling, from: &Point, to: &Point, multipliers: &[f64]) {
+    pub fn update(
+        &mut self,
+        scaling: &Scaling,
+        from: &EvaluatedPoint,
+        to: &EvaluatedPoint,
+        multipliers: &[f64],
+    ) {
         let n = from.x.len();
         let (start, end) = (
             from.lagrangian_gradient(multipliers),

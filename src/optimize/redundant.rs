@@ -3,7 +3,7 @@
 //! gradient of f along the constraint: the KKT residual vanishes although f falls there.
 
 use super::least_squares;
-use super::state::{Evaluate, State};
+use super::state::{Evaluate, SearchState};
 use argmin::core::Error;
 
 /// Limit for a multiplier, relative to the gradient of f. If the KKT conditions hold only with a
@@ -25,7 +25,7 @@ pub(super) struct RedundantBound {
     pub multiplier: f64,
 }
 
-impl State {
+impl SearchState {
     /// Finds the constraint with a huge multiplier and the active bound that balances most of it.
     pub fn redundant_bound(&self) -> Option<RedundantBound> {
         let slope = self.scaling.largest(&self.point.f.objective.gradient);
@@ -83,7 +83,7 @@ impl State {
             let moved = self.scaling.domain.variables.project(&moved);
             let restored = self.minimize_violation(
                 moved,
-                least_squares::Options::default().tolerance,
+                least_squares::FitOptions::default().tolerance,
                 evaluate,
             )?;
             if let Some((least, x)) = restored

@@ -9,9 +9,9 @@
 use super::domain::Domain;
 use super::least_squares::{self, Rows};
 use super::options::Options;
-use super::scaling::{Point, norm};
+use super::scaling::{EvaluatedPoint, norm};
 use super::start::spread;
-use super::state::{Evaluate, State};
+use super::state::{Evaluate, SearchState};
 use std::cell::RefCell;
 
 /// Number of starting points of one restoration.
@@ -19,7 +19,7 @@ const STARTS: u32 = 32;
 /// Number of iterations from each starting point.
 const ITERATIONS: u64 = 50;
 /// Convergence tolerance from each starting point, as
-/// [`tolerance`](least_squares::Options::tolerance). At a minimum of the violation above 0 the
+/// [`tolerance`](least_squares::FitOptions::tolerance). At a minimum of the violation above 0 the
 /// iterations converge slowly, and the search polishes the best result afterwards.
 const TOLERANCE: f64 = 1e-4;
 /// Maximum number of restorations in a search.
@@ -31,7 +31,7 @@ const CONTINUE_BELOW: f64 = 0.99;
 /// new point before it ends. A smaller reduction is rounding.
 const MOVE_BELOW: f64 = 1.0 - 1e-6;
 
-impl State {
+impl SearchState {
     /// Minimises the violation by least squares from points spread over the box, up to the first
     /// feasible result. If the violation fell, restarts the search at the best result and returns
     /// true.
@@ -73,7 +73,7 @@ impl State {
         let Ok(f) = evaluate(&x)? else {
             return Ok(false);
         };
-        self.restart_at(Point { x, f }, options.initial_radius);
+        self.restart_at(EvaluatedPoint { x, f }, options.initial_radius);
         Ok(true)
     }
 
@@ -87,7 +87,7 @@ impl State {
     ) -> Result<bool, argmin::core::Error> {
         let mut is_moved = false;
         for start in [self.point.x.clone(), initial_point.to_vec()] {
-            let tolerance = least_squares::Options::default().tolerance;
+            let tolerance = least_squares::FitOptions::default().tolerance;
             let Some((violation, x)) = self.minimize_violation(start, tolerance, evaluate)? else {
                 continue;
             };
@@ -96,7 +96,7 @@ impl State {
             }
             self.effort.evaluations += 1;
             if let Ok(f) = evaluate(&x)? {
-                self.restart_at(Point { x, f }, self.radius);
+                self.restart_at(EvaluatedPoint { x, f }, self.radius);
                 is_moved = true;
             }
         }
@@ -134,10 +134,10 @@ impl State {
                 jacobian,
             })
         };
-        let options = least_squares::Options {
+        let options = least_squares::FitOptions {
             max_iterations: ITERATIONS,
             tolerance,
-            ..least_squares::Options::default()
+            ..least_squares::FitOptions::default()
         };
         let variables = scaling.domain.variables.clone();
         let bounds = Domain {

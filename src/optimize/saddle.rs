@@ -3,8 +3,8 @@
 
 use super::model::lagrangian_hessian;
 use super::null_space::tangent_basis;
-use super::scaling::{Point, Scaling, norm};
-use super::state::{Evaluate, State};
+use super::scaling::{EvaluatedPoint, Scaling, norm};
+use super::state::{Evaluate, SearchState};
 use nalgebra::{DMatrix, DVector};
 
 /// Threshold for negative curvature, in units of the objective's size over the scale squared.
@@ -19,39 +19,39 @@ const MOST_SADDLES: u32 = 20;
 
 /// Function to be reduced along negative curvature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Goal {
+pub(super) enum ReducedFunction {
     /// The merit function, along the tangents of the active constraints.
     Merit,
     /// The violation of the constraints.
     Feasibility,
 }
 
-impl State {
+impl SearchState {
     /// Leaves a saddle point along the direction of most negative curvature. Returns true if it
     /// found a lower point and moved there.
     pub fn leave_saddle(
         &mut self,
-        goal: Goal,
+        reduced: ReducedFunction,
         evaluate: &mut Evaluate<'_>,
     ) -> Result<bool, argmin::core::Error> {
         let Some((direction, curvature)) = self
-            .negative_curvature(goal)
+            .negative_curvature(reduced)
             .filter(|_| self.counters.saddles < MOST_SADDLES)
         else {
             return Ok(false);
         };
         self.counters.saddles += 1;
-        let measure = |search: &Self, at: &Point| match goal {
+        let measure = |search: &Self, at: &EvaluatedPoint| match reduced {
             // use the Lagrangian, which falls along the tangents; the merit function falls only
             // after a further step back onto the constraints
-            Goal::Merit => search.lagrangian(at),
-            Goal::Feasibility => 0.5 * norm(search.scaling.violations(&at.f)).powi(2),
+            ReducedFunction::Merit => search.lagrangian(at),
+            ReducedFunction::Feasibility => 0.5 * norm(search.scaling.violations(&at.f)).powi(2),
         };
         let before = measure(self, &self.point);
         let mut length = self.radius.clamp(1e-3, 0.25);
         for _ in 0..6 {
             let expected = -0.5 * curvature * length * length;
-            let mut best: Option<(f64, Point)> = None;
+            let mut best: Option<(f64, EvaluatedPoint)> = None;
             for sign in [1.0, -1.0] {
                 let coordinate = |i: usize| {
                     self.point.x[i] + sign * length * direction[i] * self.scaling.scale[i]
@@ -60,7 +60,7 @@ impl State {
                 let x = self.scaling.domain.variables.project(&moved);
                 self.effort.evaluations += 1;
                 if let Ok(f) = evaluate(&x)? {
-                    let point = Point { x, f };
+                    let point = EvaluatedPoint { x, f };
                     let value = measure(self, &point);
                     if value
                         < best
@@ -84,15 +84,15 @@ impl State {
 
     /// Direction of most negative curvature, in scaled variables, with its curvature; `None` if
     /// no curvature is negative.
-    fn negative_curvature(&self, goal: Goal) -> Option<(DVector<f64>, f64)> {
+    fn negative_curvature(&self, reduced: ReducedFunction) -> Option<(DVector<f64>, f64)> {
         let Self {
             scaling,
             point: at,
             multipliers,
             ..
         } = self;
-        let (hessian, free, size) = match goal {
-            Goal::Merit => {
+        let (hessian, free, size) = match reduced {
+            ReducedFunction::Merit => {
                 let hessian = lagrangian_hessian(scaling, at, multipliers)?;
                 (
                     hessian,
@@ -100,7 +100,7 @@ impl State {
                     scaling.size(at),
                 )
             }
-            Goal::Feasibility => {
+            ReducedFunction::Feasibility => {
                 let bounds = &scaling.domain.variables;
                 let free: Vec<usize> = (0..at.x.len()).filter(|&i| !bounds.is_fixed(i)).collect();
                 let basis =
@@ -119,7 +119,7 @@ impl State {
 }
 
 /// Hessian of ½‖v‖² in scaled variables; `None` if a violated constraint has no Hessian.
-fn violation_hessian(scaling: &Scaling, at: &Point) -> Option<DMatrix<f64>> {
+fn violation_hessian(scaling: &Scaling, at: &EvaluatedPoint) -> Option<DMatrix<f64>> {
     let n = at.x.len();
     let mut sum = DMatrix::zeros(n, n);
     for (j, violation) in scaling
@@ -141,7 +141,11 @@ fn violation_hessian(scaling: &Scaling, at: &Point) -> Option<DMatrix<f64>> {
 }
 
 /// Orthonormal basis, in scaled variables, of the tangents of the active bounds and constraints.
-pub(super) fn tangents(scaling: &Scaling, at: &Point, multipliers: &[f64]) -> DMatrix<f64> {
+pub(super) fn tangents(
+    scaling: &Scaling,
+    at: &EvaluatedPoint,
+    multipliers: &[f64],
+) -> DMatrix<f64> {
     let n = at.x.len();
     let (is_active, active_rows) = active_constraints(scaling, at, multipliers);
     let free: Vec<usize> = (0..n).filter(|&i| !is_active[i]).collect();
@@ -156,7 +160,7 @@ pub(super) fn tangents(scaling: &Scaling, at: &Point, multipliers: &[f64]) -> DM
 /// above rounding.
 fn active_constraints(
     scaling: &Scaling,
-    at: &Point,
+    at: &EvaluatedPoint,
     multipliers: &[f64],
 ) -> (Vec<bool>, Vec<usize>) {
     let (size, gradient) = (scaling.size(at), at.lagrangian_gradient(multipliers));

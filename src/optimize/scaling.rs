@@ -6,12 +6,12 @@ use std::borrow::{Borrow, Cow};
 
 /// A point with the functions and their derivatives there.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(super) struct Point {
+pub(super) struct EvaluatedPoint {
     pub x: Vec<f64>,
     pub f: Evaluation,
 }
 
-impl Point {
+impl EvaluatedPoint {
     /// True if the dimensions fit `n` variables and `m` constraints.
     pub fn has_dimensions(&self, n: usize, m: usize) -> bool {
         self.x.len() == n && self.f.has_dimensions(n, m)
@@ -48,7 +48,7 @@ pub(super) struct Scaling {
 
 /// Relative residuals of the KKT conditions.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Residual {
+pub struct KktResidual {
     /// Stationarity maxᵢ sᵢ |pᵢ|/φ, with p the gradient of the Lagrangian projected on the bounds.
     pub stationarity: f64,
     /// Feasibility maxⱼ |vⱼ|/γⱼ, with vⱼ the violation of constraint j.
@@ -58,7 +58,7 @@ pub struct Residual {
     pub complementarity: f64,
 }
 
-impl Residual {
+impl KktResidual {
     /// The largest of the three residuals.
     pub fn largest(self) -> f64 {
         self.stationarity
@@ -98,7 +98,7 @@ pub(super) fn largest_scaled(
 
 impl Scaling {
     /// Scaling of a search that starts at `first`.
-    pub fn new(domain: Domain, scale: Vec<f64>, first: &Point) -> Self {
+    pub fn new(domain: Domain, scale: Vec<f64>, first: &EvaluatedPoint) -> Self {
         let initial_size = first
             .f
             .objective
@@ -121,13 +121,13 @@ impl Scaling {
     }
 
     /// Size φ of the objective at a point: |f|, but at least min(1, φ₀).
-    pub fn size(&self, at: &Point) -> f64 {
+    pub fn size(&self, at: &EvaluatedPoint) -> f64 {
         at.f.objective.value.abs().max(self.initial_size.min(1.0))
     }
 
     /// Component i of the Lagrangian's gradient projected on the bounds: 0 if a bound blocks
     /// descent.
-    fn projected(&self, at: &Point, slope: f64, i: usize) -> f64 {
+    fn projected(&self, at: &EvaluatedPoint, slope: f64, i: usize) -> f64 {
         let bounds = &self.domain.variables;
         match slope {
             _ if bounds.is_fixed(i) => 0.0,
@@ -139,7 +139,7 @@ impl Scaling {
 
     /// The variable with the largest [rate](Outward::rate), given the gradient of the Lagrangian.
     /// `None` at a stationary point.
-    pub fn outward(&self, at: &Point, gradient: &[f64]) -> Option<Outward> {
+    pub fn outward(&self, at: &EvaluatedPoint, gradient: &[f64]) -> Option<Outward> {
         let bounds = &self.domain.variables;
         let of = |variable: usize| {
             let (x, slope) = (
@@ -168,17 +168,17 @@ impl Scaling {
     }
 
     /// KKT residual at a point with these multipliers.
-    pub fn residual(&self, at: &Point, multipliers: &[f64]) -> Residual {
+    pub fn residual(&self, at: &EvaluatedPoint, multipliers: &[f64]) -> KktResidual {
         self.residual_from_gradient(at, multipliers, &at.lagrangian_gradient(multipliers))
     }
 
     /// KKT residual from a known gradient of the Lagrangian.
     pub fn residual_from_gradient(
         &self,
-        at: &Point,
+        at: &EvaluatedPoint,
         multipliers: &[f64],
         gradient: &[f64],
-    ) -> Residual {
+    ) -> KktResidual {
         let size = self.size(at);
         let limits = &self.domain.constraints;
         let distance = |(j, multiplier): (usize, &f64)| {
@@ -203,7 +203,7 @@ impl Scaling {
             .iter()
             .enumerate()
             .map(|(i, slope)| self.projected(at, *slope, i));
-        Residual {
+        KktResidual {
             stationarity: self.largest(projected) / size,
             feasibility: self
                 .violations(&at.f)
@@ -218,7 +218,7 @@ impl Scaling {
 
     /// True if moving x farther from 0, along the ray from 0 through x, approaches a finite limit
     /// of a constraint, to first order.
-    pub fn has_limit_ahead(&self, at: &Point) -> bool {
+    pub fn has_limit_ahead(&self, at: &EvaluatedPoint) -> bool {
         /// Relative rounding error of a constraint's change.
         const ROUNDING: f64 = 1e-9;
         let limits = &self.domain.constraints;
@@ -238,7 +238,7 @@ impl Scaling {
     }
 
     /// Sets φ₀ from a later point if value and gradient vanished at the start.
-    pub fn floor_size(&mut self, at: &Point) {
+    pub fn floor_size(&mut self, at: &EvaluatedPoint) {
         if self.initial_size <= f64::MIN_POSITIVE {
             let slope = self.largest(&at.f.objective.gradient);
             self.initial_size = at.f.objective.value.abs().max(slope).max(f64::MIN_POSITIVE);
@@ -272,7 +272,7 @@ impl Scaling {
     }
 
     /// Distance of two points in the maximum norm, in units of the scale.
-    pub fn distance(&self, a: &Point, b: &Point) -> f64 {
+    pub fn distance(&self, a: &EvaluatedPoint, b: &EvaluatedPoint) -> f64 {
         let distances =
             a.x.iter()
                 .zip(&b.x)
@@ -284,7 +284,7 @@ impl Scaling {
     /// Variables on a bound that blocks descent of the Lagrangian.
     pub fn active_bounds<'a>(
         &'a self,
-        at: &'a Point,
+        at: &'a EvaluatedPoint,
         multipliers: &[f64],
     ) -> impl Iterator<Item = usize> + 'a {
         let gradient = at.lagrangian_gradient(multipliers);
@@ -301,7 +301,7 @@ impl Scaling {
     }
 
     /// True if variable i lies on one of its bounds.
-    pub fn is_at_a_bound(&self, at: &Point, i: usize) -> bool {
+    pub fn is_at_a_bound(&self, at: &EvaluatedPoint, i: usize) -> bool {
         let bounds = &self.domain.variables;
         at.x[i] <= bounds.low[i] || at.x[i] >= bounds.high[i]
     }

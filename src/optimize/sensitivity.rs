@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// Derivatives of an optimum by a parameter p.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Response {
+pub struct OptimumResponse {
     /// df*/dp: by the envelope theorem, the partial derivative of the Lagrangian by p.
     pub value: f64,
     /// d²f*/dp².
@@ -166,7 +166,7 @@ fn check_shape(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<
 /// [`Error::NotConverged`] if the solution did not converge, and [`Error::Optimizer`] if it has no
 /// Hessians, if dimensions differ, or if the KKT system is singular, because an optimum that is not
 /// isolated has no derivative.
-pub fn response(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<Response> {
+pub fn response(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<OptimumResponse> {
     let n = solution.x.len();
     if solution.status != Status::Converged {
         return Err(Error::NotConverged {
@@ -205,7 +205,7 @@ struct KktSystem<'a> {
 
 impl KktSystem<'_> {
     /// Derivatives of the optimum by p.
-    fn response(&self) -> Result<Response> {
+    fn response(&self) -> Result<OptimumResponse> {
         let (n, at) = (self.solution.x.len(), self.at);
         let [x, multipliers] = self.solve()?;
         let direct = self.lagrangian_sum(at.objective.hessian[n][n], |j| {
@@ -217,7 +217,7 @@ impl KktSystem<'_> {
             .zip(&at.constraints)
             .map(|(change, c)| change * c.gradient[n])
             .sum();
-        Ok(Response {
+        Ok(OptimumResponse {
             value: self.lagrangian_sum(at.objective.gradient[n], |j| at.constraints[j].gradient[n]),
             curvature: direct + by_x + by_multipliers,
             constraints: self
@@ -343,7 +343,7 @@ fn solve_refined(matrix: DMatrix<f64>, right: &DVector<f64>) -> Result<DVector<f
 pub fn first_event(
     solution: &Solution,
     domain: &Domain,
-    response: &Response,
+    response: &OptimumResponse,
     delta: f64,
 ) -> Option<(f64, Event)> {
     let active_set = ActiveSet::new(solution, domain);
@@ -378,7 +378,7 @@ impl Margin {
 fn variable_margins(
     solution: &Solution,
     domain: &Domain,
-    response: &Response,
+    response: &OptimumResponse,
     active_set: &ActiveSet,
 ) -> Vec<Margin> {
     let mut margins = vec![];
@@ -409,7 +409,7 @@ fn variable_margins(
 fn constraint_margins(
     solution: &Solution,
     domain: &Domain,
-    response: &Response,
+    response: &OptimumResponse,
     active_set: &ActiveSet,
 ) -> Vec<Margin> {
     let mut margins = vec![];

@@ -1,10 +1,10 @@
 use super::domain::{Bounds, Domain};
 use super::kink::Kink;
 use super::quadratic_model::unscaled_hessian;
-use super::scaling::{Point, Residual};
-use super::sqp::Progress;
-use super::state::{Effort, State};
-use super::status::{Status, Verdict};
+use super::scaling::{EvaluatedPoint, KktResidual};
+use super::sqp::SearchProgress;
+use super::state::{Effort, SearchState};
+use super::status::{SearchVerdict, Status};
 use serde::{Deserialize, Serialize};
 
 /// Result of a search.
@@ -34,7 +34,7 @@ pub struct Solution {
     /// Relative KKT residual (see [`status`](super::status)): the largest of its three components.
     pub kkt_residual: f64,
     /// Components of the KKT residual.
-    pub residual: Residual,
+    pub residual: KktResidual,
     /// Kink of f at the point, if the search ended at a kink.
     pub kink: Option<Kink>,
     /// Iterations taken.
@@ -85,11 +85,11 @@ impl Solution {
     /// Result of a search that has ended.
     pub(super) fn new(
         domain: &Domain,
-        progress: Progress,
+        progress: SearchProgress,
         start: Vec<f64>,
         iterations: u64,
     ) -> Self {
-        let Progress {
+        let SearchProgress {
             state: search,
             verdict,
             undefined_at_start,
@@ -98,8 +98,8 @@ impl Solution {
             ..
         } = progress;
         let largest = search.as_ref().map(|search| search.residual.largest());
-        let Verdict { status, message } =
-            verdict.unwrap_or_else(|| Verdict::iteration_limit(iterations, largest));
+        let SearchVerdict { status, message } =
+            verdict.unwrap_or_else(|| SearchVerdict::iteration_limit(iterations, largest));
         let Some(search) = search else {
             return Self::without_evaluation(domain, status, message, start, undefined_at_start);
         };
@@ -108,13 +108,13 @@ impl Solution {
         let upper_multipliers = bound_multipliers(&search, -1.0, |i, x| x >= bounds.high[i]);
         let constraints = constraint_values(&search, &domain.constraints);
         let hessian = unscaled_hessian(&search);
-        let State {
+        let SearchState {
             point,
             residual,
             effort,
             ..
         } = search;
-        let Point { x, f } = point;
+        let EvaluatedPoint { x, f } = point;
         Self {
             status,
             message,
@@ -161,7 +161,7 @@ impl Solution {
         undefined_at_start: Option<String>,
     ) -> Self {
         let n = domain.variables.dimension();
-        let none = Residual {
+        let none = KktResidual {
             stationarity: f64::MAX,
             feasibility: f64::MAX,
             complementarity: f64::MAX,
@@ -192,7 +192,7 @@ impl Solution {
 /// Multipliers of the active bounds on one side, from the components of the Lagrangian's gradient.
 /// `inward` is 1 for lower bounds and −1 for upper bounds.
 fn bound_multipliers(
-    search: &State,
+    search: &SearchState,
     inward: f64,
     is_active: impl Fn(usize, f64) -> bool,
 ) -> Vec<f64> {
@@ -209,7 +209,7 @@ fn bound_multipliers(
 }
 
 /// Values, violations and multipliers of the constraints.
-fn constraint_values(search: &State, limits: &Bounds) -> Vec<ConstraintValue> {
+fn constraint_values(search: &SearchState, limits: &Bounds) -> Vec<ConstraintValue> {
     let constraint_value = |(j, multiplier): (usize, &f64)| {
         let value = search.point.f.constraints[j].value;
         ConstraintValue {

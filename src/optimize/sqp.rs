@@ -8,8 +8,8 @@ use super::problem::{Evaluation, Problem};
 use super::quadratic_model::QuadraticModel;
 use super::scaling::Scaling;
 use super::start::first_point;
-use super::state::{Evaluate, State};
-use super::status::{Status, Verdict};
+use super::state::{Evaluate, SearchState};
+use super::status::{SearchVerdict, Status};
 use argmin::core::{
     Error, IterState, KV, Problem as Counted, Solver, TerminationReason, TerminationStatus,
 };
@@ -28,15 +28,15 @@ pub struct Sqp {
     pub(super) interrupt: Arc<AtomicBool>,
     /// True if observers receive the quadratic model at each iterate.
     pub(super) has_models: bool,
-    pub(super) progress: Progress,
+    pub(super) progress: SearchProgress,
 }
 
 /// Serializable progress of a search. A search resumed from it gives the same bits as an
 /// uninterrupted search.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub(super) struct Progress {
-    pub state: Option<State>,
-    pub verdict: Option<Verdict>,
+pub(super) struct SearchProgress {
+    pub state: Option<SearchState>,
+    pub verdict: Option<SearchVerdict>,
     /// True if an interrupt ended the last iteration early. argmin counts this iteration; the
     /// reported number of iterations does not.
     pub is_interrupted_within: bool,
@@ -48,7 +48,7 @@ pub(super) struct Progress {
     pub kink: Option<Kink>,
 }
 
-impl Progress {
+impl SearchProgress {
     /// True if the dimensions fit a problem of `n` variables and `m` constraints.
     pub fn has_dimensions(&self, n: usize, m: usize) -> bool {
         let has_state = self
@@ -67,7 +67,7 @@ impl Sqp {
     /// function is φ = f + ν‖v‖₂ with the constraint violations v.
     fn iterate(
         &mut self,
-        state: &mut State,
+        state: &mut SearchState,
         number: u64,
         evaluate: &mut Evaluate<'_>,
     ) -> Result<Iteration, Error> {
@@ -114,7 +114,7 @@ impl Sqp {
     }
 
     /// The iterate in `state` as observers receive it at the start of a search.
-    fn iteration(&self, state: &State) -> Iteration {
+    fn iteration(&self, state: &SearchState) -> Iteration {
         Iteration {
             number: 0,
             value: state.point.f.objective.value,
@@ -137,13 +137,13 @@ impl Sqp {
     fn interrupted_by(
         &mut self,
         error: Error,
-        state: &State,
+        state: &SearchState,
         iterations: u64,
     ) -> Result<(), Error> {
         if !self.is_interrupted() {
             return Err(error);
         }
-        self.progress.verdict = Some(Verdict::interrupted(
+        self.progress.verdict = Some(SearchVerdict::interrupted(
             iterations,
             Some(state.residual.largest()),
         ));
@@ -180,8 +180,8 @@ impl<'a> Solver<&'a dyn Problem, SqpState> for Sqp {
         self.progress.undefined_at_start.clone_from(&why);
         let Some(point) = first else {
             self.progress.verdict = Some(match why {
-                Some(why) if !self.is_interrupted() => Verdict::undefined(trials, &why),
-                _ => Verdict::without_start(count),
+                Some(why) if !self.is_interrupted() => SearchVerdict::undefined(trials, &why),
+                _ => SearchVerdict::without_start(count),
             });
             return Ok((info.param(start), None));
         };
@@ -191,7 +191,7 @@ impl<'a> Solver<&'a dyn Problem, SqpState> for Sqp {
             self.domain.variables.scale(&start),
             &point,
         );
-        let mut state = State::new(scaling, point, self.options.initial_radius);
+        let mut state = SearchState::new(scaling, point, self.options.initial_radius);
         state.effort.evaluations = count;
         if let Err(error) = self.apply_stopping_tests(&mut state, None, &mut evaluate) {
             self.interrupted_by(error, &state, 0)?;
@@ -233,7 +233,7 @@ impl<'a> Solver<&'a dyn Problem, SqpState> for Sqp {
                 .state
                 .as_ref()
                 .map(|state| state.residual.largest());
-            self.progress.verdict = Some(Verdict::interrupted(info.iter, residual));
+            self.progress.verdict = Some(SearchVerdict::interrupted(info.iter, residual));
         }
         match &self.progress.verdict {
             None => TerminationStatus::NotTerminated,

@@ -1,6 +1,6 @@
 use super::domain::Bounds;
 use super::problem::Evaluation;
-use super::scaling::Point;
+use super::scaling::EvaluatedPoint;
 
 /// Number of points tried if f is undefined at the start. The search begins at the best point at
 /// which f is defined. If f is undefined at all of these points, further points are tried until f
@@ -14,12 +14,12 @@ pub(super) fn first_point(
     start: &[f64],
     trials: u32,
     mut evaluate: impl FnMut(&[f64]) -> Option<Result<Evaluation, String>>,
-) -> (Option<Point>, Option<String>) {
+) -> (Option<EvaluatedPoint>, Option<String>) {
     let why = match evaluate(start) {
         None => return (None, None),
         Some(Ok(f)) => {
             return (
-                Some(Point {
+                Some(EvaluatedPoint {
                     x: start.to_vec(),
                     f,
                 }),
@@ -28,7 +28,7 @@ pub(super) fn first_point(
         }
         Some(Err(why)) => why,
     };
-    let mut best: Option<Point> = None;
+    let mut best: Option<EvaluatedPoint> = None;
     for trial in 0..trials {
         if trial >= CHOICE && best.is_some() {
             break;
@@ -40,7 +40,7 @@ pub(super) fn first_point(
                 .as_ref()
                 .is_none_or(|best| f.objective.value < best.f.objective.value)
         {
-            best = Some(Point { x, f });
+            best = Some(EvaluatedPoint { x, f });
         }
     }
     (best, Some(why))

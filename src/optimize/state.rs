@@ -2,11 +2,11 @@
 //! the operations of one iteration.
 
 use super::bundle::Bundle;
-use super::model::{Model, Workspace, write_lagrangian_hessian};
+use super::model::{LagrangianModel, Workspace, write_lagrangian_hessian};
 use super::problem::Evaluation;
 use super::qp::{QpSolver, StepSource};
 use super::quasi_newton::QuasiNewton;
-use super::scaling::{Point, Residual, Scaling, norm};
+use super::scaling::{EvaluatedPoint, KktResidual, Scaling, norm};
 use super::trial_step::{NOISE, Reduction, Trial, TrialStep};
 use serde::{Deserialize, Serialize};
 
@@ -52,10 +52,10 @@ pub struct Effort {
 
 /// State of a search.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(super) struct State {
+pub(super) struct SearchState {
     pub scaling: Scaling,
     /// Iterate x with f, c and their derivatives.
-    pub point: Point,
+    pub point: EvaluatedPoint,
     /// Multipliers λ of the constraints.
     pub multipliers: Vec<f64>,
     /// Trust-region radius Δ, in units of the variables' scale.
@@ -65,7 +65,7 @@ pub(super) struct State {
     /// Penalty ν of the merit function f + ν‖v‖₂.
     pub penalty: f64,
     /// KKT residual at the iterate.
-    pub residual: Residual,
+    pub residual: KktResidual,
     /// Points on the other sides of nearby kinks of f.
     pub kink_sides: Bundle,
     /// Quasi-Newton Hessian of the Lagrangian, for problems without Hessians.
@@ -98,8 +98,8 @@ pub(super) struct Counters {
 pub(super) type Evaluate<'a> =
     dyn FnMut(&[f64]) -> Result<Result<Evaluation, String>, argmin::core::Error> + 'a;
 
-impl State {
-    pub fn new(scaling: Scaling, point: Point, radius: f64) -> Self {
+impl SearchState {
+    pub fn new(scaling: Scaling, point: EvaluatedPoint, radius: f64) -> Self {
         let multipliers = vec![0.0; point.f.constraints.len()];
         Self {
             residual: scaling.residual(&point, &multipliers),
@@ -158,13 +158,13 @@ impl State {
 
     /// Step of the quadratic model; with `tried`, the second-order correction of the step to this
     /// trial point.
-    fn solve_model(&mut self, tried: Option<&Point>) -> TrialStep {
+    fn solve_model(&mut self, tried: Option<&EvaluatedPoint>) -> TrialStep {
         let mut workspace = std::mem::take(&mut self.workspace);
         let mut hessian = std::mem::take(&mut workspace.hessian);
         if !write_lagrangian_hessian(&self.scaling, &self.point, &self.multipliers, &mut hessian) {
             hessian = self.quasi_newton().matrix();
         }
-        let model = Model {
+        let model = LagrangianModel {
             scaling: &self.scaling,
             kink_sides: &self.kink_sides,
             point: &self.point,
@@ -247,10 +247,10 @@ impl State {
         &mut self,
         x: Vec<f64>,
         evaluate: &mut Evaluate<'_>,
-    ) -> Result<Option<Point>, argmin::core::Error> {
+    ) -> Result<Option<EvaluatedPoint>, argmin::core::Error> {
         self.effort.evaluations += 1;
         match evaluate(&x)? {
-            Ok(f) => Ok(Some(Point { x, f })),
+            Ok(f) => Ok(Some(EvaluatedPoint { x, f })),
             Err(why) => {
                 self.undefined_reason = Some(why);
                 Ok(None)
@@ -297,7 +297,7 @@ impl State {
     }
 
     /// Predicted and actual reduction of the merit function.
-    fn reduction(&self, step: &TrialStep, point: Option<&Point>) -> Reduction {
+    fn reduction(&self, step: &TrialStep, point: Option<&EvaluatedPoint>) -> Reduction {
         let actual = point.map_or(f64::NEG_INFINITY, |point| {
             let violation = norm(self.scaling.violations(&point.f));
             self.point.f.objective.value - point.f.objective.value
@@ -339,7 +339,7 @@ impl State {
     }
 
     /// Moves the iterate to a point and returns the previous iterate.
-    pub fn move_to(&mut self, to: Point) -> Point {
+    pub fn move_to(&mut self, to: EvaluatedPoint) -> EvaluatedPoint {
         self.scaling.floor_size(&to);
         if to.f.objective.hessian.is_empty() {
             let mut hessian = self.quasi_newton();
@@ -350,7 +350,7 @@ impl State {
     }
 
     /// Restarts at a point: multipliers, penalty, kinks and quasi-Newton Hessian are reset.
-    pub fn restart_at(&mut self, point: Point, radius: f64) {
+    pub fn restart_at(&mut self, point: EvaluatedPoint, radius: f64) {
         self.multipliers.fill(0.0);
         self.scaling.floor_size(&point);
         (self.penalty, self.radius, self.counters.stalled) = (0.0, radius, 0);
@@ -375,7 +375,7 @@ impl State {
     }
 
     /// Lagrangian at another point, with the multipliers of the iterate.
-    pub fn lagrangian(&self, at: &Point) -> f64 {
+    pub fn lagrangian(&self, at: &EvaluatedPoint) -> f64 {
         let terms =
             at.f.constraints
                 .iter()

@@ -11,8 +11,8 @@
 
 use super::kink::Kink;
 use super::redundant::RedundantBound;
-use super::scaling::{Outward, Residual};
-use super::state::State;
+use super::scaling::{KktResidual, Outward};
+use super::state::SearchState;
 use super::trial_step::{NOISE, TrialStep};
 use crate::units::counted;
 use serde::{Deserialize, Serialize};
@@ -56,18 +56,18 @@ variant_names! {
 
 /// A status, of a search or of a fit, with its message.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct Verdict<S = Status> {
+pub(super) struct SearchVerdict<S = Status> {
     pub status: S,
     pub message: String,
 }
 
-impl<S> Verdict<S> {
+impl<S> SearchVerdict<S> {
     pub fn new(status: S, message: String) -> Self {
         Self { status, message }
     }
 }
 
-impl Verdict {
+impl SearchVerdict {
     pub fn iteration_limit(iterations: u64, residual: Option<f64>) -> Self {
         let message = format!(
             "stopped at the limit of {}{}; allow more iterations, or start nearer",
@@ -149,18 +149,18 @@ fn with_residual(residual: Option<f64>) -> String {
 }
 
 /// Converged: the KKT residual is below the tolerance.
-pub(super) fn gradient_test(residual: Residual, tolerance: f64) -> Option<Verdict> {
+pub(super) fn gradient_test(residual: KktResidual, tolerance: f64) -> Option<SearchVerdict> {
     let largest = residual.largest();
     (largest <= tolerance).then(|| {
         let message = format!("KKT residual {largest:.1e} <= {tolerance:.0e}");
-        Verdict::new(Status::Converged, message)
+        SearchVerdict::new(Status::Converged, message)
     })
 }
 
 /// True if the predicted reduction is within the rounding of the merit function. A small KKT
 /// residual alone does not end a search: if f contains a large constant, any derivative is small
 /// relative to f.
-pub(super) fn gain_test(state: &mut State) -> bool {
+pub(super) fn gain_test(state: &mut SearchState) -> bool {
     let step = state.trial_step();
     state.predicted_reduction(&step) <= NOISE * state.merit_size()
 }
@@ -169,17 +169,17 @@ pub(super) fn gain_test(state: &mut State) -> bool {
 /// size of the objective is below the tolerance. `size_ratio` is the initial size divided by the
 /// current size.
 pub(super) fn rounding_test(
-    residual: Residual,
+    residual: KktResidual,
     size_ratio: f64,
     tolerance: f64,
-) -> Option<Verdict> {
+) -> Option<SearchVerdict> {
     let largest = residual.stationarity.max(residual.complementarity) / size_ratio;
     (largest <= tolerance && residual.feasibility <= tolerance).then(|| {
         let message = format!(
             "KKT residual {largest:.1e} <= {tolerance:.0e}, relative to the objective at the start; \
              rounding prevents a smaller one"
         );
-        Verdict::new(Status::Converged, message)
+        SearchVerdict::new(Status::Converged, message)
     })
 }
 
@@ -199,7 +199,10 @@ pub(super) fn is_diverging(outward: Option<&Outward>, tolerance: f64) -> bool {
 ///   its size. A function bounded below cannot do this: its derivative falls faster than 1/x.
 /// - The objective still falls, and is below −1e60 times its initial size (−1e200 with constraints,
 ///   which may still curve).
-pub(super) fn unbounded_test(outward: Option<&Outward>, state: &State) -> Option<Verdict> {
+pub(super) fn unbounded_test(
+    outward: Option<&Outward>,
+    state: &SearchState,
+) -> Option<SearchVerdict> {
     const FARTHEST: f64 = 1e15;
     const RATE: f64 = 1e-3;
     const MET: f64 = 1e-6;
@@ -224,11 +227,15 @@ pub(super) fn unbounded_test(outward: Option<&Outward>, state: &State) -> Option
          falls there, and no bound or constraint lies ahead; give that variable a bound",
         outward.variable, outward.at
     );
-    Some(Verdict::new(Status::Unbounded, message))
+    Some(SearchVerdict::new(Status::Unbounded, message))
 }
 
 /// Infeasible: no step reduces the violation of the linearised constraints.
-pub(super) fn infeasible_test(step: &TrialStep, radius: f64, tolerance: f64) -> Option<Verdict> {
+pub(super) fn infeasible_test(
+    step: &TrialStep,
+    radius: f64,
+    tolerance: f64,
+) -> Option<SearchVerdict> {
     const LEAST_GAIN: f64 = 1e-6;
     let TrialStep {
         violation,
@@ -241,47 +248,55 @@ pub(super) fn infeasible_test(step: &TrialStep, radius: f64, tolerance: f64) -> 
 }
 
 /// Verdict of infeasibility, with the smallest violation found.
-pub(super) fn infeasible(violation: f64) -> Verdict {
+pub(super) fn infeasible(violation: f64) -> SearchVerdict {
     let message = format!(
         "no point was found that meets the constraints: their violation {violation:.3e} (relative) \
          is the least found, from here and from other points of the box"
     );
-    Verdict::new(Status::Infeasible, message)
+    SearchVerdict::new(Status::Infeasible, message)
 }
 
 /// Stalled: the trust region is so small that steps are within rounding of zero.
-pub(super) fn radius_test(radius: f64, residual: f64) -> Option<Verdict> {
+pub(super) fn radius_test(radius: f64, residual: f64) -> Option<SearchVerdict> {
     const LEAST: f64 = 1e-14;
     (radius <= LEAST).then(|| {
         let message = format!(
             "trust region {radius:.1e} <= {LEAST:.0e} with a KKT residual of {residual:.1e}"
         );
-        Verdict::new(Status::Stalled, message)
+        SearchVerdict::new(Status::Stalled, message)
     })
 }
 
 /// Stalled at a kink of f: several terms of the piecewise model are active, and it predicts no
 /// reduction.
-pub(super) fn kink_test(active_terms: usize, predicted: f64, residual: f64) -> Option<Verdict> {
+pub(super) fn kink_test(
+    active_terms: usize,
+    predicted: f64,
+    residual: f64,
+) -> Option<SearchVerdict> {
     const LEAST: f64 = 1e-13;
     (active_terms > 1 && predicted <= LEAST).then(|| {
         let message = format!(
             "the objective has a kink here: the model of {active_terms} of its sides predicts a \
              reduction of {predicted:.1e} <= {LEAST:.0e} (relative); KKT residual {residual:.1e}"
         );
-        Verdict::new(Status::StalledAtKink, message)
+        SearchVerdict::new(Status::StalledAtKink, message)
     })
 }
 
 /// Stalled: over several iterations the predicted reduction was within the rounding of f, and the
 /// KKT residual did not fall.
-pub(super) fn progress_test(iterations: u32, predicted: f64, residual: f64) -> Option<Verdict> {
+pub(super) fn progress_test(
+    iterations: u32,
+    predicted: f64,
+    residual: f64,
+) -> Option<SearchVerdict> {
     const PATIENCE: u32 = 4;
     (iterations >= PATIENCE).then(|| {
         let message = format!(
             "for {PATIENCE} iterations the model predicted a reduction no larger than rounding (last \
              {predicted:.1e}, relative) and the KKT residual stays at {residual:.1e}"
         );
-        Verdict::new(Status::Stalled, message)
+        SearchVerdict::new(Status::Stalled, message)
     })
 }

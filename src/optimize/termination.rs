@@ -3,11 +3,11 @@
 
 use super::bundle::Bundle;
 use super::kink::{self, Kink};
-use super::saddle::Goal;
+use super::saddle::ReducedFunction;
 use super::sqp::Sqp;
-use super::state::{Evaluate, State};
+use super::state::{Evaluate, SearchState};
 use super::status::{
-    Status, Verdict, gain_test, gradient_test, infeasible, infeasible_test, is_diverging,
+    SearchVerdict, Status, gain_test, gradient_test, infeasible, infeasible_test, is_diverging,
     kink_test, progress_test, radius_test, rounding_test, unbounded_test,
 };
 use super::trial_step::{NOISE, TrialStep};
@@ -19,7 +19,7 @@ impl Sqp {
     /// continues if a check or the restoration finds a better point.
     pub(super) fn apply_stopping_tests(
         &mut self,
-        state: &mut State,
+        state: &mut SearchState,
         step: Option<&TrialStep>,
         evaluate: &mut Evaluate<'_>,
     ) -> Result<(), Error> {
@@ -28,18 +28,18 @@ impl Sqp {
         };
         match verdict.status {
             Status::Converged => {
-                if state.leave_saddle(Goal::Merit, evaluate)? {
+                if state.leave_saddle(ReducedFunction::Merit, evaluate)? {
                     return Ok(());
                 }
                 if let Some(pair) = state.redundant_bound() {
                     if state.step_across_bound(&pair, evaluate)? {
                         return Ok(());
                     }
-                    verdict = Verdict::degenerate(&pair, state.residual.largest());
+                    verdict = SearchVerdict::degenerate(&pair, state.residual.largest());
                 }
             }
             Status::Infeasible => {
-                let has_moved = state.leave_saddle(Goal::Feasibility, evaluate)?
+                let has_moved = state.leave_saddle(ReducedFunction::Feasibility, evaluate)?
                     || state.restore(&self.options, evaluate)?;
                 if has_moved {
                     return Ok(());
@@ -63,7 +63,11 @@ impl Sqp {
     }
 
     /// Verdict of the first stopping test that applies.
-    fn stopping_verdict(&self, state: &mut State, step: Option<&TrialStep>) -> Option<Verdict> {
+    fn stopping_verdict(
+        &self,
+        state: &mut SearchState,
+        step: Option<&TrialStep>,
+    ) -> Option<SearchVerdict> {
         let tolerance = self.options.kkt_tolerance;
         let size = state.scaling.size(&state.point);
         let predicted = step.map_or(f64::INFINITY, |step| state.predicted_reduction(step) / size);
@@ -114,8 +118,8 @@ impl Sqp {
     /// Looks for a kink of f at a point where a search would end.
     fn find_kink(
         &self,
-        state: &mut State,
-        verdict: &Verdict,
+        state: &mut SearchState,
+        verdict: &SearchVerdict,
         evaluate: &mut Evaluate<'_>,
     ) -> Result<Option<Kink>, Error> {
         let is_examined = match verdict.status {
@@ -136,10 +140,10 @@ impl Sqp {
 
 /// Adds to the message the kink, the reason why a trial point was undefined, or the note that
 /// second derivatives are missing.
-fn with_context(state: &State, verdict: Verdict, kink: Option<&Kink>) -> Verdict {
+fn with_context(state: &SearchState, verdict: SearchVerdict, kink: Option<&Kink>) -> SearchVerdict {
     let residual = state.residual.largest();
     if let Some(kink) = kink {
-        return Verdict::kink(kink, state.point.x[kink.variable], residual);
+        return SearchVerdict::kink(kink, state.point.x[kink.variable], residual);
     }
     match (verdict.status, &state.undefined_reason) {
         (Status::Stalled, Some(why)) => verdict.with_text(&format!("; beyond this point, {why}")),

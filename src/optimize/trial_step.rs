@@ -1,7 +1,7 @@
 //! Trial steps, and the ratio test of their actual and predicted reduction.
 
 use super::qp::StepSource;
-use super::scaling::Point;
+use super::scaling::EvaluatedPoint;
 
 /// A trial step: solution of the quadratic program, with the quantities that the model predicts.
 #[derive(Clone)]
@@ -44,7 +44,7 @@ impl TrialStep {
 /// of the merit function.
 pub(super) struct Trial {
     pub step: TrialStep,
-    pub point: Option<Point>,
+    pub point: Option<EvaluatedPoint>,
     pub reduction: Reduction,
 }
 

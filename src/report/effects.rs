@@ -7,7 +7,7 @@ use super::{OptimumReport, shown};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Parameter;
-use crate::study::{Bar, Effect, Effects, Optimum, Sensitivity};
+use crate::study::{Effect, Effects, Optimum, Sensitivity, SigmaEffect};
 use crate::units::{System, significant};
 use serde::Serialize;
 
@@ -97,7 +97,7 @@ impl<'a> EffectsReport<'a> {
 impl OutcomeEffects {
     fn new(effects: &Effects, totals: Option<&Totals>) -> Self {
         let effect = |effect: &Effect| {
-            let bar = effect.bar.as_ref();
+            let bar = effect.sigma_effect.as_ref();
             EffectReport {
                 parameter: effect.parameter.name,
                 derivative: effect.gradient.into(),
@@ -135,15 +135,16 @@ impl Report for EffectsReport<'_> {
             let of = effects.of;
             let value = shown::both(of, effects.value, system);
             document.list([Line::flush(format!("{} = {value}, {at}", of.name()))]);
-            let bars: Vec<Bar> = effects
+            let bars: Vec<SigmaEffect> = effects
                 .effects
                 .iter()
-                .filter_map(|effect| effect.bar)
+                .filter_map(|effect| effect.sigma_effect)
                 .collect();
             if !bars.is_empty() {
                 document.add(uncertainties(effects, &bars, system));
-                let source =
-                    |bar: &Bar| Some((bar.sigma.parameter.name, bar.sigma.source?.to_owned()));
+                let source = |bar: &SigmaEffect| {
+                    Some((bar.sigma.parameter.name, bar.sigma.source?.to_owned()))
+                };
                 let sources = by_reason(bars.iter().filter_map(source)).into_iter();
                 let mut defaults = Document::default();
                 defaults.list(sources.map(|line| Line::item(format!("default of {line}"))));
@@ -171,7 +172,7 @@ fn total(totals: Option<&Totals>, parameter: &Parameter) -> Option<f64> {
 }
 
 /// The effects of uncertainties on an outcome, with the size of the second-order terms.
-fn uncertainties(effects: &Effects, bars: &[Bar], system: System) -> Table {
+fn uncertainties(effects: &Effects, bars: &[SigmaEffect], system: System) -> Table {
     let of = effects.of;
     let head = [
         "uncertainty of",
@@ -245,12 +246,12 @@ fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> Table {
 /// True if an uncertain parameter has no effect on an outcome: derivatives and changes of the
 /// computed drives are only rounding errors.
 fn is_without(effects: &Effects, effect: &Effect) -> bool {
-    let Some(Bar {
+    let Some(SigmaEffect {
         sigma,
         second_order: Some(second),
         flown: [Some(below), Some(above)],
         ..
-    }) = effect.bar
+    }) = effect.sigma_effect
     else {
         return false;
     };
@@ -262,7 +263,7 @@ fn is_without(effects: &Effects, effect: &Effect) -> bool {
     !is_moved && !shown::depends(of, value, effect.parameter, effect.gradient, curvature)
 }
 
-fn bar_cells(bar: &Bar, of: Outcome, system: System) -> Vec<String> {
+fn bar_cells(bar: &SigmaEffect, of: Outcome, system: System) -> Vec<String> {
     let change = |value: f64| shown::change(of, value, system);
     let or_dash = |value: Option<f64>| value.map_or(shown::NONE.into(), change);
     let [below, above] = bar.flown;

@@ -56,9 +56,9 @@ impl LawReport {
         Self {
             name: law.name(),
             is_default: law.name() == Law::default().name(),
-            published: law.published(),
+            published: law.properties().published,
             formula: law.formula(),
-            fitted: law.fitted(),
+            fitted: law.properties().fitted,
         }
     }
 

@@ -4,7 +4,7 @@ use super::reply::{Ending, Report, share};
 use super::shown;
 use crate::drive::OutcomeGroup;
 use crate::study::uncertainty::{
-    Contribution, Distribution, EllipseSource, Interval, Moments, OutcomeUncertainty,
+    Contribution, DeltaMoments, Distribution, EllipseSource, Interval, OutcomeUncertainty,
     SampledEllipse, Uncertain, Uncertainty,
 };
 use crate::units::{Quantity, System, counted, counted_of};
@@ -220,7 +220,7 @@ fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) ->
     let of = outcome.of;
     let value = |value: f64| shown::outcome(of, value, system);
     let spread = |value: f64| shown::spread(of, value, system);
-    let row = |words: &str, m: Moments| vec![words.into(), value(m.mean), spread(m.deviation)];
+    let row = |words: &str, m: DeltaMoments| vec![words.into(), value(m.mean), spread(m.deviation)];
     let mut rows = vec![];
     rows.extend(outcome.delta.map(|first| row("by the gradient", first)));
     let second = outcome.second_order;

@@ -30,13 +30,8 @@ pub(super) fn each_until<T: Sync, R: Send>(
 pub(super) fn stopped(before: &str) -> Error {
     Error::NotConverged {
         status: Status::Interrupted.name(),
-        message: stopped_before(before).into(),
+        message: format!("stopped before {before}").into(),
     }
-}
-
-/// Message for interrupted work.
-pub(super) fn stopped_before(what: &str) -> String {
-    format!("stopped before {what}")
 }
 
 #[cfg(test)]

@@ -31,12 +31,12 @@ pub struct Effect {
     /// up to rounding.
     pub elasticity: Option<f64>,
     /// Effect of the parameter's standard uncertainty; `None` if the parameter has no uncertainty.
-    pub bar: Option<Bar>,
+    pub sigma_effect: Option<SigmaEffect>,
 }
 
 /// Effect of a standard uncertainty σ.
 #[derive(Clone, Copy, Debug)]
-pub struct Bar {
+pub struct SigmaEffect {
     /// The uncertainty.
     pub sigma: Sigma,
     /// σ ∂f/∂p, SI.
@@ -52,34 +52,38 @@ pub struct Bar {
 impl Effects {
     /// First-order standard uncertainty of the outcome for independent parameters: √Σ(σ ∂f/∂p)².
     pub fn standard_uncertainty(&self) -> f64 {
-        self.bars().map(|bar| bar.first_order).fold(0.0, f64::hypot)
+        self.sigma_effects()
+            .map(|sigma_effect| sigma_effect.first_order)
+            .fold(0.0, f64::hypot)
     }
 
     /// First-order standard uncertainty of the difference from another drive, if each parameter has
     /// the same error in both: √Σ(σ (∂f₂/∂p − ∂f₁/∂p))².
     pub fn uncertainty_of_change(&self, other: &Self) -> f64 {
-        let there = |bar: &Bar| {
+        let there = |sigma_effect: &SigmaEffect| {
             let same = other
-                .bars()
-                .find(|other| other.sigma.parameter == bar.sigma.parameter);
+                .sigma_effects()
+                .find(|other| other.sigma.parameter == sigma_effect.sigma.parameter);
             same.map_or(0.0, |other| other.first_order)
         };
-        self.bars()
-            .map(|bar| there(bar) - bar.first_order)
+        self.sigma_effects()
+            .map(|sigma_effect| there(sigma_effect) - sigma_effect.first_order)
             .fold(0.0, f64::hypot)
     }
 
     /// Magnitude of the neglected second-order terms: Σ ½ σ² |∂²f/∂p²|. First-order effects below
     /// this magnitude are unreliable.
     pub fn linearity(&self) -> f64 {
-        self.bars()
-            .filter_map(|bar| bar.second_order)
+        self.sigma_effects()
+            .filter_map(|sigma_effect| sigma_effect.second_order)
             .map(f64::abs)
             .sum()
     }
 
-    fn bars(&self) -> impl Iterator<Item = &Bar> {
-        self.effects.iter().filter_map(|effect| effect.bar.as_ref())
+    fn sigma_effects(&self) -> impl Iterator<Item = &SigmaEffect> {
+        self.effects
+            .iter()
+            .filter_map(|effect| effect.sigma_effect.as_ref())
     }
 }
 
@@ -104,16 +108,16 @@ pub fn effects(
     let runs = of.iter().any(|of| of.needs_run());
     parameters.retain(|parameter| runs || !parameter.affects_only_run());
     let taylors = evaluate(setup, of, &parameters, Order::First)?;
-    let mut bars: Vec<Vec<Bar>> = vec![vec![]; of.len()];
+    let mut sigma_effects: Vec<Vec<SigmaEffect>> = vec![vec![]; of.len()];
     for (done, sigma) in sigmas.iter().enumerate() {
         let flown = [-1.0, 1.0].map(|sign| flown_off(setup, of, sigma, sign).ok());
         let curvatures = evaluate(setup, of, &[sigma.parameter], Order::Second).ok();
         let place = parameters
             .iter()
             .position(|parameter| *parameter == sigma.parameter);
-        for (i, bars) in bars.iter_mut().enumerate() {
+        for (i, sigma_effects) in sigma_effects.iter_mut().enumerate() {
             let slope = place.map_or(0.0, |place| taylors[i].gradient[place]);
-            bars.push(Bar {
+            sigma_effects.push(SigmaEffect {
                 sigma: *sigma,
                 first_order: slope * sigma.value,
                 second_order: curvatures
@@ -129,11 +133,10 @@ pub fn effects(
         }
         progress(done + 1, sigmas.len());
     }
-    let taylors = taylors.iter().zip(bars);
-    let effects = of
-        .iter()
-        .zip(taylors)
-        .map(|(of, (taylor, bars))| ranked(setup, *of, &parameters, taylor, &bars));
+    let taylors = taylors.iter().zip(sigma_effects);
+    let effects = of.iter().zip(taylors).map(|(of, (taylor, sigma_effects))| {
+        ranked(setup, *of, &parameters, taylor, &sigma_effects)
+    });
     Ok(effects.collect())
 }
 
@@ -143,7 +146,7 @@ fn ranked(
     of: Outcome,
     parameters: &[&'static Parameter],
     taylor: &Taylor,
-    bars: &[Bar],
+    sigma_effects: &[SigmaEffect],
 ) -> Effects {
     let value = taylor.value;
     let least = LEAST_SIZE * DisplayUnit::from(of).size();
@@ -153,9 +156,9 @@ fn ranked(
             parameter,
             gradient: *gradient,
             elasticity: (p != 0.0 && value.abs() > least).then(|| gradient * p / value),
-            bar: bars
+            sigma_effect: sigma_effects
                 .iter()
-                .find(|bar| bar.sigma.parameter == *parameter)
+                .find(|sigma_effect| sigma_effect.sigma.parameter == *parameter)
                 .copied(),
         }
     };
@@ -174,8 +177,8 @@ fn ranked(
 
 /// Sort key of an effect: effects with an uncertainty first, then by magnitude.
 fn rank(effect: &Effect) -> (bool, f64) {
-    match &effect.bar {
-        Some(bar) => (true, bar.first_order.abs()),
+    match &effect.sigma_effect {
+        Some(sigma_effect) => (true, sigma_effect.first_order.abs()),
         None => (false, effect.elasticity.unwrap_or_default().abs()),
     }
 }

@@ -366,7 +366,13 @@ impl Scope<'_> {
 
     fn goal(&self, piece: Piece<'_>) -> Result<Goal> {
         let expression = match self {
-            Self::Drive => return Ok(outcome_of_drive(piece)?.into()),
+            Self::Drive => {
+                let of = Outcome::named(piece.text).map_err(|error| {
+                    piece
+                        .error(advice_on_parameter(piece.text).unwrap_or_else(|| error.to_string()))
+                })?;
+                return Ok(of.into());
+            }
             Self::Swings(_) => piece.text,
             Self::Relation { name, .. } => name,
         };
@@ -462,12 +468,6 @@ impl Scope<'_> {
     }
 }
 
-fn outcome_of_drive(piece: Piece<'_>) -> Result<Outcome> {
-    Outcome::named(piece.text).map_err(|error| {
-        piece.error(advice_on_parameter(piece.text).unwrap_or_else(|| error.to_string()))
-    })
-}
-
 /// Advice for a text that is the name of a parameter: limit the parameter's range instead.
 fn advice_on_parameter(text: &str) -> Option<String> {
     let found = Setup::<f64>::default().parameter(text);
@@ -516,7 +516,7 @@ fn swings_term(piece: Piece<'_>, strokes: Option<&Strokes>) -> Result<Term> {
         Some((weight, call)) if !weight.contains('(') => (Some(weight.trim()), call.trim()),
         _ => (None, piece.text),
     };
-    let measure = match Call::read(piece, call)? {
+    let measure = match MeasureCall::read(piece, call)? {
         Some(call) => call.measure(strokes)?,
         None => Measure::Mean(head_outcome(piece, call)?),
     };
@@ -576,14 +576,14 @@ fn head_outcome(piece: Piece<'_>, name: &str) -> Result<Outcome> {
 }
 
 /// A measure with its arguments in parentheses.
-struct Call<'a> {
+struct MeasureCall<'a> {
     piece: Piece<'a>,
     name: &'a str,
     inside: &'a str,
     arguments: Vec<&'a str>,
 }
 
-impl<'a> Call<'a> {
+impl<'a> MeasureCall<'a> {
     /// Parses a call; `None` if the text has no parentheses.
     fn read(piece: Piece<'a>, text: &'a str) -> Result<Option<Self>> {
         let Some((name, rest)) = text.split_once('(') else {

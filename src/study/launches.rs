@@ -16,7 +16,7 @@ pub struct Launches {
     /// Carries over `launch.launch_angle` and `launch.backspin`, SI.
     pub plane: Plane,
     /// Launches of the drives shown; the first belongs to the setup.
-    pub launched: Vec<Launched>,
+    pub launched: Vec<NamedLaunch>,
     /// Best launch angle for each backspin: [launch angle, backspin], if it lies inside the range
     /// of [`plane`](Self::plane).
     pub ridge: Vec<[f64; 2]>,
@@ -24,7 +24,7 @@ pub struct Launches {
 
 /// Launch of a drive.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Launched {
+pub struct NamedLaunch {
     /// Name of the drive.
     pub name: String,
     /// Launch angle, rad.
@@ -38,7 +38,7 @@ pub struct Launched {
     pub carry: Option<f64>,
 }
 
-impl Launched {
+impl NamedLaunch {
     fn of(name: &str, drive: &Drive<f64>) -> Self {
         let launch = &drive.launch;
         Self {
@@ -74,7 +74,7 @@ impl Launches {
         let mut first = None;
         for (name, setup) in drives {
             let drive = Drive::new(setup)?;
-            launched.push(Launched::of(name, &drive));
+            launched.push(NamedLaunch::of(name, &drive));
             first.get_or_insert((*setup, drive.launch));
         }
         let (own, launch) = first.ok_or(Error::Nothing {
@@ -91,7 +91,7 @@ impl Launches {
             spin: None,
             spin_axis: None,
         };
-        let vary = |name: &str, axis: usize, of: fn(&Launched) -> f64| -> Result<Vary> {
+        let vary = |name: &str, axis: usize, of: fn(&NamedLaunch) -> f64| -> Result<Vary> {
             let [low, high] = extent(launched.iter().map(of));
             let end = ENDS[axis];
             // a range begins below 0 only if a launch does: launch angle and backspin of a good

@@ -35,7 +35,7 @@ mod verdict;
 pub use crate::parameters::Vary;
 pub use chart::{Chart, ChartEvent, ChartObserver, ChartPoint, chart};
 pub use compare::{Cause, CauseValue, Comparison, Difference, Share, Shares, causes};
-pub use effects::{Bar, Effect, Effects, effects, flown_off};
+pub use effects::{Effect, Effects, SigmaEffect, effects, flown_off};
 pub use face::Face;
 pub use flatness::{
     Direction, Ellipse, Flatness, Window, WindowLimit, flatness, short_drive, usual_loss, windows,
@@ -43,7 +43,7 @@ pub use flatness::{
 pub use gain::{ClubAlone, club_alone};
 pub use goal::{Constraint, Goal};
 pub use landing::Landing;
-pub use launches::{Launched, Launches};
+pub use launches::{Launches, NamedLaunch};
 pub use lofts::{LOFT_OUTCOMES, lofts};
 pub use map::{Fineness, Map, Slope, map};
 pub use named_drive::NamedDrive;

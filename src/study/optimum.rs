@@ -70,7 +70,7 @@ impl Optimum {
     ///
     /// # Errors
     /// [`Error::NotConverged`] without a converged optimum.
-    pub(super) fn check_converged(&self) -> Result<()> {
+    pub(crate) fn check_converged(&self) -> Result<()> {
         if self.solution.status == Status::Converged {
             return Ok(());
         }

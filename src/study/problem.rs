@@ -7,7 +7,7 @@
 //! One drive is one scenario. If its goals are outcomes they need no measures, and the drive's
 //! derivatives are the derivatives of the goals.
 
-use super::cancellable::{each_until, stopped, stopped_before};
+use super::cancellable::{each_until, stopped};
 use super::goal::Goal;
 use super::search::{Search, Sense};
 use super::swings::flown::{columns, no_flight};
@@ -47,14 +47,14 @@ pub(super) struct SearchProblem {
     /// Number of scenarios that each scenario in `part` represents.
     represents: Vec<f64>,
     /// The last computed second derivatives of the drives in `part`.
-    seconds: Mutex<Option<Arc<Seconds>>>,
+    second_derivatives: Mutex<Option<Arc<SecondDerivatives>>>,
     /// Interrupt flag: once true, no more drives are computed, and evaluations that need them fail.
     pub stop: Arc<AtomicBool>,
     pub domain: Domain,
 }
 
 /// Second derivatives of the drives in [`SearchProblem::part`].
-struct Seconds {
+struct SecondDerivatives {
     at: Vec<f64>,
     /// A Hessian for each drive and outcome.
     of_drives: Vec<Vec<Vec<Vec<f64>>>>,
@@ -122,7 +122,7 @@ impl SearchProblem {
             drives,
             part,
             represents,
-            seconds: Mutex::default(),
+            second_derivatives: Mutex::default(),
             stop: Arc::clone(stop),
             domain,
         })
@@ -210,7 +210,7 @@ impl SearchProblem {
             self.drives[*k].at_order(x, order, Some(stop))
         });
         let flown = flown
-            .ok_or_else(|| stopped_before("all swings were flown"))?
+            .ok_or_else(|| "stopped before all swings were flown".to_owned())?
             .into_iter()
             .zip(scenarios);
         let scenarios_of_search = &self.search.scenarios;
@@ -226,22 +226,24 @@ impl SearchProblem {
     /// the drive represents. They are computed at the nearest point of a grid over the ranges. Near
     /// an optimum they are therefore computed only once, and do not depend on the points evaluated
     /// before.
-    fn second_derivatives(&self, x: &[f64]) -> std::result::Result<Arc<Seconds>, String> {
+    fn second_derivatives(&self, x: &[f64]) -> std::result::Result<Arc<SecondDerivatives>, String> {
         let nearest: Vec<f64> = (0..x.len()).map(|i| self.on_the_grid(i, x[i])).collect();
-        let cached = |seconds: &Option<Arc<Seconds>>| {
-            seconds.clone().filter(|seconds| seconds.at == nearest)
+        let lock = || {
+            self.second_derivatives
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
         };
-        if let Some(seconds) = cached(&self.seconds.lock().unwrap_or_else(PoisonError::into_inner))
-        {
-            return Ok(seconds);
+        let cached = lock().clone().filter(|known| known.at == nearest);
+        if let Some(known) = cached {
+            return Ok(known);
         }
-        let seconds = |at: &[f64]| {
+        let computed = |at: &[f64]| {
             let mut flown = self.flown(&self.part, at, Order::Second, &self.stop)?;
             for (outcomes, factor) in flown.iter_mut().zip(&self.represents) {
-                let seconds = outcomes
+                let entries = outcomes
                     .iter_mut()
                     .flat_map(|outcome| outcome.hessian.iter_mut().flatten());
-                seconds.for_each(|second| *second *= factor);
+                entries.for_each(|entry| *entry *= factor);
             }
             let hessians = |outcomes: Vec<Taylor>| {
                 outcomes
@@ -249,14 +251,14 @@ impl SearchProblem {
                     .map(|outcome| outcome.hessian)
                     .collect()
             };
-            Ok(Arc::new(Seconds {
+            Ok(Arc::new(SecondDerivatives {
                 at: at.to_vec(),
                 of_drives: flown.into_iter().map(hessians).collect(),
             }))
         };
         // a swing that does not fly at the nearest point of the grid may fly at `x`
-        let found = seconds(&nearest).or_else(|_: String| seconds(x))?;
-        *self.seconds.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&found));
+        let found = computed(&nearest).or_else(|_: String| computed(x))?;
+        *lock() = Some(Arc::clone(&found));
         Ok(found)
     }
 
@@ -524,8 +526,8 @@ impl SearchProblem {
             self.flown(&all, x, Order::Second, &self.stop)?
         } else {
             let mut flown = self.flown(&all, x, Order::First, &self.stop)?;
-            let seconds = self.second_derivatives(x)?;
-            for (k, of_drive) in self.part.iter().zip(&seconds.of_drives) {
+            let known = self.second_derivatives(x)?;
+            for (k, of_drive) in self.part.iter().zip(&known.of_drives) {
                 flown[*k]
                     .iter_mut()
                     .zip(of_drive)

@@ -47,7 +47,7 @@ pub(super) fn resample(
     let Some(points) = fly(problem)? else {
         return Ok(None);
     };
-    let scale = Scale::of(problem, &points);
+    let scale = MeritScale::of(problem, &points);
     let mut ranked: Vec<_> = points
         .iter()
         .map(|point| (scale.of_point(point), point))
@@ -84,7 +84,7 @@ pub(super) fn resample(
 }
 
 /// A point of a sample whose drive has every outcome.
-struct Point {
+struct SampledPoint {
     x: Vec<f64>,
     objective: f64,
     constraints: Vec<f64>,
@@ -92,7 +92,7 @@ struct Point {
 
 /// The points of the sample whose drives have every outcome; `None` if the search was interrupted
 /// before all were evaluated.
-fn fly(problem: &SearchProblem) -> Result<Option<Vec<Point>>> {
+fn fly(problem: &SearchProblem) -> Result<Option<Vec<SampledPoint>>> {
     // omit the first start, which is the setup's own
     let sample = starts(&problem.domain, &problem.start(), 1 + POINTS)?.split_off(1);
     let batch = problem.batch()?;
@@ -106,7 +106,7 @@ fn fly(problem: &SearchProblem) -> Result<Option<Vec<Point>>> {
             let outcomes = block.outcomes(row).collect::<Option<Vec<f64>>>()?;
             let mut values = problem.goals_of(x, outcomes);
             let constraints = values.split_off(1);
-            Some(Point {
+            Some(SampledPoint {
                 x: x.clone(),
                 objective: problem.search.sense.sign() * values[0],
                 constraints,
@@ -127,7 +127,7 @@ struct Merit {
 }
 
 /// Scales for the comparison of [`Merit`]s.
-struct Scale<'a> {
+struct MeritScale<'a> {
     problem: &'a SearchProblem,
     /// The range of each limited goal over the sample.
     constraints: Vec<f64>,
@@ -135,8 +135,8 @@ struct Scale<'a> {
     rounding: f64,
 }
 
-impl<'a> Scale<'a> {
-    fn of(problem: &'a SearchProblem, points: &[Point]) -> Self {
+impl<'a> MeritScale<'a> {
+    fn of(problem: &'a SearchProblem, points: &[SampledPoint]) -> Self {
         const ROUNDING: f64 = 1e-9;
         let spread = |j: usize| {
             let [low, high] = extent(points.iter().map(|point| point.constraints[j]));
@@ -153,7 +153,7 @@ impl<'a> Scale<'a> {
         }
     }
 
-    fn of_point(&self, point: &Point) -> Merit {
+    fn of_point(&self, point: &SampledPoint) -> Merit {
         let violation = self.violation(point.constraints.iter().copied());
         Merit {
             is_feasible: violation == 0.0,

@@ -128,7 +128,7 @@ pub(super) fn amount_of(
 }
 
 /// An amount with its unit, or a fraction of the parameter's value.
-enum Amount {
+enum DefaultSigma {
     Of(f64, &'static str),
     Part(f64),
     /// Uncertainty of the mean wind, m/s, in addition to its gusts.
@@ -187,50 +187,58 @@ const TURF: &str = "assumed: fairways differ, and no one has calibrated them; a 
                     is then within about 10 yd";
 
 /// Default uncertainties, for a single drive measured on a calm range.
-const DEFAULTS: &[(&str, Amount, &str)] = &[
-    ("swing.speed", Amount::Of(0.5, "mph"), MONITOR),
-    ("swing.attack_angle", Amount::Of(0.3, "deg"), MONITOR),
-    ("swing.path", Amount::Of(0.3, "deg"), MONITOR),
-    ("swing.face_angle", Amount::Of(0.3, "deg"), MONITOR),
-    ("club.loft", Amount::Of(0.3, "deg"), MONITOR),
-    ("club.cg_high", Amount::Of(1e3 * SWEET_SPOT, "mm"), SPOT),
-    ("strike.high", Amount::Strike(1e-3), STRIKE_HIGH),
-    ("strike.toe", Amount::Of(1.0, "mm"), STRIKE),
-    ("launch.ball_speed", Amount::Of(1.0, "mph"), BALL),
-    ("launch.launch_angle", Amount::Of(0.3, "deg"), BALL),
-    ("launch.launch_direction", Amount::Of(0.3, "deg"), BALL),
-    ("launch.backspin", Amount::Of(100.0, "rpm"), BALL),
-    ("launch.sidespin", Amount::Of(100.0, "rpm"), BALL),
-    ("launch.spin", Amount::Of(100.0, "rpm"), BALL),
-    ("launch.spin_axis", Amount::Of(2.0, "deg"), BALL),
+const DEFAULTS: &[(&str, DefaultSigma, &str)] = &[
+    ("swing.speed", DefaultSigma::Of(0.5, "mph"), MONITOR),
+    ("swing.attack_angle", DefaultSigma::Of(0.3, "deg"), MONITOR),
+    ("swing.path", DefaultSigma::Of(0.3, "deg"), MONITOR),
+    ("swing.face_angle", DefaultSigma::Of(0.3, "deg"), MONITOR),
+    ("club.loft", DefaultSigma::Of(0.3, "deg"), MONITOR),
+    (
+        "club.cg_high",
+        DefaultSigma::Of(1e3 * SWEET_SPOT, "mm"),
+        SPOT,
+    ),
+    ("strike.high", DefaultSigma::Strike(1e-3), STRIKE_HIGH),
+    ("strike.toe", DefaultSigma::Of(1.0, "mm"), STRIKE),
+    ("launch.ball_speed", DefaultSigma::Of(1.0, "mph"), BALL),
+    ("launch.launch_angle", DefaultSigma::Of(0.3, "deg"), BALL),
+    (
+        "launch.launch_direction",
+        DefaultSigma::Of(0.3, "deg"),
+        BALL,
+    ),
+    ("launch.backspin", DefaultSigma::Of(100.0, "rpm"), BALL),
+    ("launch.sidespin", DefaultSigma::Of(100.0, "rpm"), BALL),
+    ("launch.spin", DefaultSigma::Of(100.0, "rpm"), BALL),
+    ("launch.spin_axis", DefaultSigma::Of(2.0, "deg"), BALL),
     (
         "impact.tangential_restitution",
-        Amount::Of(0.06, ""),
+        DefaultSigma::Of(0.06, ""),
         "docs/sources.md: −0.1 ± 0.06",
     ),
     (
         "impact.gear_scale",
-        Amount::Of(0.2, ""),
+        DefaultSigma::Of(0.2, ""),
         "docs/sources.md: 0.75 ± 0.2",
     ),
-    ("air.density", Amount::Part(0.005), AIR),
-    ("air.temperature", Amount::Of(1.5, "K"), AIR),
-    ("air.pressure", Amount::Of(3.0, "hPa"), PRESSURE),
-    ("air.altitude", Amount::Of(25.0, "m"), ALTITUDE),
-    ("air.humidity", Amount::Of(0.1, ""), HUMIDITY),
-    ("wind.right", Amount::Wind(1.0), WIND),
-    ("wind.downrange", Amount::Wind(1.0), WIND),
-    ("wind.speed", Amount::Wind(1.0), WIND),
-    ("wind.from", Amount::Of(10.0, "deg"), BEARING),
-    ("ground.restitution", Amount::Of(0.1, ""), TURF),
-    ("ground.compliance", Amount::Of(5.0, "deg"), TURF),
-    ("ground.rolling", Amount::Part(0.25), TURF),
-    ("aero.cd", Amount::Of(0.015, ""), LAW_DRAG),
-    ("aero.cd0", Amount::Of(0.015, ""), LAW_DRAG),
-    ("aero.cd_factor", Amount::Part(0.06), LAW_DRAG),
-    ("aero.cl_max", Amount::Part(0.1), LAW_LIFT),
-    ("aero.cl_factor", Amount::Part(0.1), LAW_LIFT),
-    ("aero.cl_slope", Amount::Part(0.1), LAW_LIFT),
+    ("air.density", DefaultSigma::Part(0.005), AIR),
+    ("air.temperature", DefaultSigma::Of(1.5, "K"), AIR),
+    ("air.pressure", DefaultSigma::Of(3.0, "hPa"), PRESSURE),
+    ("air.altitude", DefaultSigma::Of(25.0, "m"), ALTITUDE),
+    ("air.humidity", DefaultSigma::Of(0.1, ""), HUMIDITY),
+    ("wind.right", DefaultSigma::Wind(1.0), WIND),
+    ("wind.downrange", DefaultSigma::Wind(1.0), WIND),
+    ("wind.speed", DefaultSigma::Wind(1.0), WIND),
+    ("wind.from", DefaultSigma::Of(10.0, "deg"), BEARING),
+    ("ground.restitution", DefaultSigma::Of(0.1, ""), TURF),
+    ("ground.compliance", DefaultSigma::Of(5.0, "deg"), TURF),
+    ("ground.rolling", DefaultSigma::Part(0.25), TURF),
+    ("aero.cd", DefaultSigma::Of(0.015, ""), LAW_DRAG),
+    ("aero.cd0", DefaultSigma::Of(0.015, ""), LAW_DRAG),
+    ("aero.cd_factor", DefaultSigma::Part(0.06), LAW_DRAG),
+    ("aero.cl_max", DefaultSigma::Part(0.1), LAW_LIFT),
+    ("aero.cl_factor", DefaultSigma::Part(0.1), LAW_LIFT),
+    ("aero.cl_slope", DefaultSigma::Part(0.1), LAW_LIFT),
 ];
 
 /// The given uncertainties, then defaults for the other parameters; defaults of the ground are
@@ -251,13 +259,15 @@ pub fn with_defaults(setup: &Setup<f64>, given: &[Sigma], of: &[Outcome]) -> Res
             continue;
         }
         let value = match amount {
-            Amount::Of(number, unit) => number * parameter.quantity.size_of(unit).unwrap_or(1.0),
-            Amount::Part(part) => part * setup.value(parameter).unwrap_or_default().abs(),
-            Amount::Strike(mark) => match setup.club.cg_high {
+            DefaultSigma::Of(number, unit) => {
+                number * parameter.quantity.size_of(unit).unwrap_or(1.0)
+            }
+            DefaultSigma::Part(part) => part * setup.value(parameter).unwrap_or_default().abs(),
+            DefaultSigma::Strike(mark) => match setup.club.cg_high {
                 Some(_) => *mark,
                 None => mark.hypot(SWEET_SPOT),
             },
-            Amount::Wind(mean) => {
+            DefaultSigma::Wind(mean) => {
                 let [right, downrange, speed] = gusts(setup);
                 mean.hypot(match *name {
                     "wind.right" => right,

@@ -3,7 +3,6 @@
 use super::goal::Constraint;
 use super::optimum::{LocalOptimum, Optimum};
 use crate::drive::Drive;
-use crate::error::{Error, Result};
 use crate::optimize::sensitivity::ActiveSet;
 use crate::optimize::{Kink, Solution, Status};
 use crate::parameters::Vary;
@@ -363,20 +362,6 @@ impl Optimum {
             "the start does not fly ({why}); the search began at {} instead",
             begun.join(", ")
         ))
-    }
-
-    /// This optimum, if its search converged.
-    ///
-    /// # Errors
-    /// [`Error::NotConverged`] with the status and the message of the search.
-    pub(crate) fn converged(self) -> Result<Self> {
-        if self.solution.status == Status::Converged {
-            return Ok(self);
-        }
-        Err(Error::NotConverged {
-            status: self.status(),
-            message: self.message(),
-        })
     }
 
     /// The active bounds and constraints; none if no drive flies.

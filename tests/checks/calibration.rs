@@ -6,10 +6,11 @@ use crate::command_line::{json, longdrive, number};
 use crate::common::panic_of;
 use longdrive::derivative::{Order, evaluate};
 use longdrive::launch::Launch;
-use longdrive::optimize::least_squares::{FitObserver, Loss, Rows, Status};
+use longdrive::optimize::least_squares::{FitObserver, FitStatus, Loss, Rows};
 use longdrive::report::{CalibrationReport, Reply, Report};
 use longdrive::study::calibrate::{
-    Calibration, FitPlan, Fitted, Shot, ShotTable, Statistics, Uncertainties, calibrate, held_out,
+    Calibration, FitPlan, FitRange, FitStatistics, MeasuredShot, ShotTable, Uncertainties,
+    calibrate, held_out,
 };
 use longdrive::units::System;
 use longdrive::{Drive, Outcome, Setup};
@@ -97,7 +98,7 @@ fn fitted(text: &str, setup: &Setup<f64>, names: &[&str], loss: Loss) -> Calibra
 }
 
 /// Launch of the ball of a shot.
-fn launch(shot: &Shot) -> Launch<f64> {
+fn launch(shot: &MeasuredShot) -> Launch<f64> {
     let mut setup = Setup::default();
     for (parameter, value) in &shot.inputs {
         setup.set_value(parameter, Some(*value)).unwrap();
@@ -907,7 +908,7 @@ fn interrupted_folds_are_omitted_and_counted() {
     let whole = held_out(&setup, &table, &plan, 4, &FitObserver::default()).unwrap();
     assert_eq!(
         (
-            whole.count(Status::Converged),
+            whole.count(FitStatus::Converged),
             whole.is_interrupted(),
             whole.remainders.len()
         ),
@@ -916,13 +917,13 @@ fn interrupted_folds_are_omitted_and_counted() {
 
     let at_once = held_out(&setup, &table, &plan, 4, &interrupting(1)).unwrap();
     assert_eq!(
-        (at_once.count(Status::Interrupted), at_once.mean_square()),
+        (at_once.count(FitStatus::Interrupted), at_once.mean_square()),
         (4, None)
     );
     let mut partly = 0;
     for after in 2..40 {
         let part = held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap();
-        let done = 4 - part.count(Status::Interrupted);
+        let done = 4 - part.count(FitStatus::Interrupted);
         assert_eq!(part.remainders.len(), 6 * done, "after {after}");
         // the result equals the result of the uninterrupted fit
         for remainder in &part.remainders {
@@ -939,7 +940,7 @@ fn interrupted_folds_are_omitted_and_counted() {
     let found = calibrate(&setup, &table, &plan, &interrupting(2)).unwrap();
     assert_eq!(
         found.fit.status,
-        Status::Interrupted,
+        FitStatus::Interrupted,
         "{}",
         found.fit.message
     );
@@ -1034,7 +1035,7 @@ fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
         .find(|found| found.is_minimum && found.stopped > 0)
         .unwrap();
     let ended = 60 - found.stopped;
-    assert_eq!(found.fit.status, Status::Interrupted);
+    assert_eq!(found.fit.status, FitStatus::Interrupted);
     assert!(
         found.starts.same <= ended,
         "{:?} of {ended}",
@@ -1062,7 +1063,7 @@ fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
     // the result is interrupted if the best search is a stopped one
     let at_once = calibrate(&setup, &table, &plan, &interrupting(1)).unwrap();
     assert!(
-        !at_once.is_minimum && at_once.fit.status == Status::Interrupted,
+        !at_once.is_minimum && at_once.fit.status == FitStatus::Interrupted,
         "{}",
         at_once.fit.message
     );
@@ -1079,9 +1080,9 @@ fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
         (2..60).map(|after| held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap());
     let held = partly
         .into_iter()
-        .find(|held| (1..4).contains(&held.count(Status::Interrupted)))
+        .find(|held| (1..4).contains(&held.count(FitStatus::Interrupted)))
         .unwrap();
-    let stopped = held.count(Status::Interrupted);
+    let stopped = held.count(FitStatus::Interrupted);
     let never = held_out(&setup, &table, &plan, 4, &interrupting(1)).unwrap();
     let held = [
         ("linear, fitted as above".to_owned(), held),
@@ -1375,7 +1376,7 @@ fn impossible_measured_values_are_refused_with_their_row() {
 /// error value.
 #[test]
 fn statistics_of_a_ragged_jacobian_panic_and_of_nan_are_refused() {
-    let fitted = [Fitted {
+    let fitted = [FitRange {
         is_free: true,
         width: 1.0,
     }; 2];
@@ -1385,7 +1386,7 @@ fn statistics_of_a_ragged_jacobian_panic_and_of_nan_are_refused() {
             residuals: residuals.to_vec(),
             jacobian,
         };
-        Statistics::new(&rows, &fitted, Uncertainties::Stated, 0.0, Loss::Squares)
+        FitStatistics::new(&rows, &fitted, Uncertainties::Stated, 0.0, Loss::Squares)
     };
     for (jacobian, rows) in [
         (&[&[1.0, 0.0][..]][..], "[2]"),

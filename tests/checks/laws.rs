@@ -458,7 +458,7 @@ fn each_law_is_listed_with_authors_ball_range_and_source() {
 /// The text of a law names an open end of its range.
 #[test]
 fn a_range_without_an_upper_end_prints_as_at_least() {
-    let fitted = Law::named("naruo-mizota").unwrap().fitted();
+    let fitted = Law::named("naruo-mizota").unwrap().properties().fitted;
     let [.., (name, unit, range), _] = fitted.ranges();
     let said = range_in_words(Message::default(), unit, range.unwrap());
     assert_eq!(

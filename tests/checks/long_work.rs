@@ -4,8 +4,8 @@ use crate::command_line::{Output, wait_until};
 use crate::program;
 use longdrive::number::Number;
 use longdrive::optimize::{
-    Checkpoint, Domain, Evaluation, Exact, Functions, Observer, Observers, Options, Problem, Run,
-    Snapshot, Solution, Status,
+    Checkpoint, Domain, Evaluation, Exact, Functions, Observer, Observers, Options, Problem,
+    SavedSearch, Snapshot, Solution, Status,
 };
 use longdrive::optimize::{least_squares, minimize_from, minimize_observed, starts};
 use longdrive::{Error, Setup};
@@ -229,9 +229,9 @@ fn no_block_of_a_fit_is_begun_after_cancellation() {
     };
     let domain = Domain::new(vec![0.0; 2], vec![1000.0, 1.0]).unwrap();
     let start = [250.0, 5e-4];
-    let options = least_squares::Options::default();
+    let options = least_squares::FitOptions::default();
     let whole = least_squares::fit(&|b: &[f64]| Ok(rows(b)), &domain, &start, &options).unwrap();
-    assert_eq!(whole.status, least_squares::Status::Converged);
+    assert_eq!(whole.status, least_squares::FitStatus::Converged);
     for raised_in in 1..5 * usize::try_from(whole.evaluations).unwrap() {
         let observer = least_squares::FitObserver::default();
         let blocks = Cell::new(0);
@@ -252,7 +252,7 @@ fn no_block_of_a_fit_is_begun_after_cancellation() {
         assert_eq!(blocks.get(), raised_in, "blocks after the flag");
         assert_eq!(
             stopped.status,
-            least_squares::Status::Interrupted,
+            least_squares::FitStatus::Interrupted,
             "{}",
             stopped.message
         );
@@ -289,7 +289,7 @@ fn same_optima_when_some_searches_are_resumed() {
     .unwrap();
     let checkpoint = Checkpoint::open(&path, "valley").unwrap();
     assert_eq!(checkpoint.done(), 3);
-    let Some(Run::Done(first)) = checkpoint.run(0) else {
+    let Some(SavedSearch::Done(first)) = checkpoint.run(0) else {
         panic!("the first search has ended")
     };
     assert_eq!(*first, whole());

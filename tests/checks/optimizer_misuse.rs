@@ -4,8 +4,8 @@ use longdrive::number::Number;
 use longdrive::optimize::least_squares::{self, Rows, fit};
 use longdrive::optimize::sensitivity::response;
 use longdrive::optimize::{
-    Checkpoint, Domain, Evaluation, Exact, Functions, Observer, Observers, Options, Problem, Run,
-    Snapshot, Status, minimize, minimize_from, minimize_observed, starts,
+    Checkpoint, Domain, Evaluation, Exact, Functions, Observer, Observers, Options, Problem,
+    SavedSearch, Snapshot, Status, minimize, minimize_from, minimize_observed, starts,
 };
 use serde_json::Value;
 use std::sync::atomic::Ordering;
@@ -155,9 +155,9 @@ fn a_checkpoint_of_another_problem_is_refused() {
         let done =
             || minimize(&Exact(Valley), &disc(2), &[-1.2, 1.0], &Options::default()).unwrap();
         let kept = if run == "going" {
-            Run::Unfinished(Box::new(snapshot()))
+            SavedSearch::Unfinished(Box::new(snapshot()))
         } else {
-            Run::Done(Box::new(done()))
+            SavedSearch::Done(Box::new(done()))
         };
         checkpoint.save(0, kept).unwrap();
         let observers = Observers {
@@ -223,7 +223,7 @@ fn a_fit_refuses_constraints() {
         &residuals,
         &disc(2),
         &[0.0, 0.0],
-        &least_squares::Options::default(),
+        &least_squares::FitOptions::default(),
     )
     .unwrap_err();
     assert!(error.to_string().contains("without constraints"), "{error}");

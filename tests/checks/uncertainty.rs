@@ -6,7 +6,7 @@ use longdrive::batch::Status;
 use longdrive::report::{Reply, Report, UncertaintyReport};
 use longdrive::study::swings::{Rule, Scenarios, Swings};
 use longdrive::study::uncertainty::{
-    Design, Distribution, SamplePlan, Statistics, Uncertain, delta_method, uncertainty,
+    Distribution, SaltelliDesign, SamplePlan, Statistics, Uncertain, delta_method, uncertainty,
 };
 use longdrive::study::{Landing, Sigma, effects, with_defaults};
 use longdrive::{Drive, Error, Outcome, Setup, derivative};
@@ -17,7 +17,7 @@ fn statistics(
     plan: SamplePlan,
     f: impl Fn(&[f64]) -> Option<f64>,
 ) -> Statistics {
-    let design = Design::new(inputs, plan).unwrap();
+    let design = SaltelliDesign::new(inputs, plan).unwrap();
     let values = design
         .points
         .iter()
@@ -197,7 +197,7 @@ fn sampled_coverage_of_95_percent_intervals_of_upper_bounds() {
     };
     let (mut within, mut all) = (0, 0);
     for seed in 0..60 {
-        let design = Design::new(
+        let design = SaltelliDesign::new(
             &[CIRCLE; 3],
             SamplePlan {
                 samples: 1024,
@@ -223,7 +223,7 @@ fn sampled_coverage_of_95_percent_intervals_of_upper_bounds() {
             .zip(bounds)
             .map(|(found, bound)| found.unwrap().contains(bound / 4.0))
             .collect();
-        let design = Design::new(
+        let design = SaltelliDesign::new(
             &[line],
             SamplePlan {
                 samples: 1024,
@@ -338,7 +338,7 @@ fn missing_values_are_counted_and_not_replaced() {
         0.1,
         "the mean of those there are",
     );
-    let design = Design::new(
+    let design = SaltelliDesign::new(
         &[CIRCLE],
         SamplePlan {
             samples: 10,
@@ -513,7 +513,7 @@ fn exact_effects_are_gradients_times_uncertainties_ranked_by_size() {
     let bars: Vec<_> = found
         .effects
         .iter()
-        .filter_map(|effect| Some((effect, effect.bar?)))
+        .filter_map(|effect| Some((effect, effect.sigma_effect?)))
         .collect();
     assert_eq!(bars.len(), sigmas.len());
     assert!(
@@ -794,7 +794,7 @@ fn huge_uncertainties_give_no_infinity() {
     let found = effects(&setup, &[Outcome::Carry], &[sigma], &mut |_, _| ())
         .unwrap()
         .remove(0);
-    let bar = found.effects[0].bar.unwrap();
+    let bar = found.effects[0].sigma_effect.unwrap();
     assert!(bar.first_order > 1e199 && bar.second_order.is_none());
     close(
         found.standard_uncertainty(),
@@ -977,7 +977,9 @@ fn impossible_distributions_are_refused() {
             );
             assert!(words.contains("swing.speed"), "{words}");
         }
-        let alone = Design::new(&[distribution], plan).unwrap_err().to_string();
+        let alone = SaltelliDesign::new(&[distribution], plan)
+            .unwrap_err()
+            .to_string();
         assert!(alone.contains(says), "{alone}");
     }
     let beyond = Uncertain {
@@ -1076,7 +1078,7 @@ fn statistics_of_other_lengths_panic_with_both_and_leave_no_nan() {
         mean: 0.0,
         deviation: 1.0,
     }; 2];
-    let design = Design::new(
+    let design = SaltelliDesign::new(
         &inputs,
         SamplePlan {
             samples: 3,

@@ -733,7 +733,7 @@ fn independent_one_sided_slopes_at_the_corner_at_zero_spin() {
         &wrt,
     );
     let carry = |name: &str| {
-        let is_it = |row: &&longdrive::study::certificate::Row| {
+        let is_it = |row: &&longdrive::study::certificate::DerivativeRow| {
             row.of == Outcome::Carry && row.parameter.name == name
         };
         certificate.rows.iter().find(is_it).unwrap()

@@ -1,7 +1,7 @@
 mod grid;
 
 use super::gridded::grid_coefficients;
-use super::{AerodynamicLaw, Coefficients, Fitted, Published, Stream};
+use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
 use crate::number::Numbers;
 use crate::parameters::{Axis, AxisVariable, BearmanHarvey, Cell, Grid, Surface, cells_of};
 use grid::{DRAG, LIFT, SPEEDS, SPINS};
@@ -64,33 +64,26 @@ impl<T: Numbers> AerodynamicLaw<T> for BearmanHarvey<T> {
         grid_coefficients(&GRID, [self.cd_factor, self.cl_factor], stream)
     }
 
-    fn has_corner_at_zero_spin(&self) -> bool {
-        false
-    }
-
-    fn continuous_derivatives(&self) -> Option<u32> {
-        Some(2)
-    }
-
-    fn fitted(&self) -> Fitted {
-        Fitted {
-            spin: Some(SPINS.map(|rpm| rpm * RPM)),
-            speed: Some(MEASURED),
-            to: "a wind tunnel, Bearman & Harvey 1976",
-            // the law is extrapolated above the measured speeds: the upper clamp of the speed
-            // begins only at the last column, 88.1 m/s
-            held: [[false; 2], [true; 2], [false; 2], [true, false]],
-            ..Fitted::UNKNOWN
-        }
-    }
-
-    fn published(&self) -> Published {
-        Published {
-            authors: "Bearman & Harvey",
-            year: Some(1976),
-            ball: Some("conventional and hexagonal dimples of the 1970s"),
-            source: "wind tunnel; grid of 10 speeds and 21 spins as tkt4140 has it \
-                     (cdclgolfball.py), docs/sources.md",
+    fn properties(&self) -> LawProperties {
+        LawProperties {
+            published: Published {
+                authors: "Bearman & Harvey",
+                year: Some(1976),
+                ball: Some("conventional and hexagonal dimples of the 1970s"),
+                source: "wind tunnel; grid of 10 speeds and 21 spins as tkt4140 has it \
+                         (cdclgolfball.py), docs/sources.md",
+            },
+            fitted: Fitted {
+                spin: Some(SPINS.map(|rpm| rpm * RPM)),
+                speed: Some(MEASURED),
+                to: "a wind tunnel, Bearman & Harvey 1976",
+                // the law is extrapolated above the measured speeds: the upper clamp of the speed
+                // begins only at the last column, 88.1 m/s
+                held: [[false; 2], [true; 2], [false; 2], [true, false]],
+                ..Fitted::UNKNOWN
+            },
+            continuous_derivatives: Some(2),
+            has_corner_at_zero_spin: false,
         }
     }
 }

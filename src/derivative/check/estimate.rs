@@ -20,15 +20,22 @@ impl Side {
     }
 }
 
-/// A step h, and the difference quotient over this step with its rounding error.
-pub(super) type Difference = (f64, Estimate);
+/// The difference quotient over a step.
+#[derive(Clone, Copy)]
+pub(super) struct DifferenceQuotient {
+    /// The step h.
+    pub step: f64,
+    pub value: f64,
+    /// Rounding error of the value.
+    pub rounding: f64,
+}
 
 /// Highest order of the remaining error term; it limits the number of differences combined.
 const MOST_POWER: u8 = 8;
 
 /// Derivative from differences.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Estimate {
+pub struct DerivativeEstimate {
     /// Derivative.
     pub value: f64,
     /// Error estimate: truncation and rounding.
@@ -39,11 +46,11 @@ pub struct Estimate {
 /// steps. The search ends when an estimate is as accurate as `enough`, or when two estimates differ
 /// by more than twice the sum of their uncertainties.
 pub(super) fn estimate(
-    differences: &[Option<Difference>],
+    differences: &[Option<DifferenceQuotient>],
     side: Side,
     enough: f64,
-) -> Option<Estimate> {
-    let mut best: Option<Estimate> = None;
+) -> Option<DerivativeEstimate> {
+    let mut best: Option<DerivativeEstimate> = None;
     for first in (0..differences.len()).rev() {
         for count in 2..=usize::from(MOST_POWER / side.power()).min(differences.len() - first) {
             let stretch = differences[first..first + count]
@@ -53,7 +60,7 @@ pub(super) fn estimate(
             let Some(found) = stretch.map(|stretch| extrapolated(&stretch, side)) else {
                 continue;
             };
-            let agrees = |finer: Estimate| {
+            let agrees = |finer: DerivativeEstimate| {
                 (finer.value - found.value).abs() <= 2.0 * (finer.uncertainty + found.uncertainty)
             };
             match best {
@@ -71,14 +78,14 @@ pub(super) fn estimate(
 
 /// Extrapolates `differences` to step 0. The estimate of the truncation error is the change of the
 /// result if one difference is omitted.
-fn extrapolated(differences: &[Difference], side: Side) -> Estimate {
+fn extrapolated(differences: &[DifferenceQuotient], side: Side) -> DerivativeEstimate {
     let all = at_zero(differences, side);
     let but_one = [&differences[1..], &differences[..differences.len() - 1]];
     let truncation = but_one
         .map(|rest| (all.value - at_zero(rest, side).value).abs())
         .into_iter()
         .fold(0.0, f64::max);
-    Estimate {
+    DerivativeEstimate {
         value: all.value,
         uncertainty: truncation + all.uncertainty,
     }
@@ -86,21 +93,22 @@ fn extrapolated(differences: &[Difference], side: Side) -> Estimate {
 
 /// Value at 0 of Lagrange's polynomial in hᵖ through the differences, and the propagated rounding
 /// error.
-fn at_zero(differences: &[Difference], side: Side) -> Estimate {
+fn at_zero(differences: &[DifferenceQuotient], side: Side) -> DerivativeEstimate {
     let power = |step: f64| step.powi(side.power().into());
-    let mut found = Estimate {
+    let mut found = DerivativeEstimate {
         value: 0.0,
         uncertainty: 0.0,
     };
-    for (j, (step, this)) in differences.iter().enumerate() {
+    for (j, this) in differences.iter().enumerate() {
         let others = differences
             .iter()
             .enumerate()
             .filter(|(k, _)| *k != j)
-            .map(|(_, (step, _))| power(*step));
-        let weight: f64 = others.map(|other| other / (other - power(*step))).product();
+            .map(|(_, other)| power(other.step));
+        let own = power(this.step);
+        let weight: f64 = others.map(|other| other / (other - own)).product();
         found.value += weight * this.value;
-        found.uncertainty += weight.abs() * this.uncertainty;
+        found.uncertainty += weight.abs() * this.rounding;
     }
     found
 }

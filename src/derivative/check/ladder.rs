@@ -1,4 +1,4 @@
-use super::estimate::{Estimate, Side, estimate};
+use super::estimate::{DerivativeEstimate, DifferenceQuotient, Side, estimate};
 
 /// Values of k for the steps 10^(-k/2) of a ladder: from 1e-1 down to 1e-13 of the scale, two steps
 /// per decade.
@@ -147,7 +147,7 @@ impl Ladder {
 
     /// Derivative on a side, extrapolated to step 0. Small steps are preferred if they reach the
     /// uncertainty `enough`. `None` if there are too few values.
-    pub fn slope(&self, side: Side, enough: f64) -> Option<Estimate> {
+    pub fn slope(&self, side: Side, enough: f64) -> Option<DerivativeEstimate> {
         let is_wide = |rung: &&Rung| rung.step >= 0.999 * LEAST_STEP * self.scale;
         let rounding = self.rounding();
         let difference = |rung: &Rung| {
@@ -159,13 +159,11 @@ impl Ladder {
             // both differences have the rounding of two values: the central difference divides it
             // by two steps, a one-sided difference by one step
             let share = 2.0 / f64::from(side.power());
-            Some((
-                rung.step,
-                Estimate {
-                    value,
-                    uncertainty: share * rounding.max(rounding_of(largest)) / rung.step,
-                },
-            ))
+            Some(DifferenceQuotient {
+                step: rung.step,
+                value,
+                rounding: share * rounding.max(rounding_of(largest)) / rung.step,
+            })
         };
         estimate(
             &self

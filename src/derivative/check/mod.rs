@@ -29,17 +29,17 @@ mod ladder;
 mod remainder;
 mod verdict;
 
-pub use estimate::{Estimate, Side};
+pub use estimate::{DerivativeEstimate, Side};
 pub use ladder::{FEW_STEPS, Ladder, Rung, STEPS};
 pub(crate) use remainder::line_slope;
 pub use remainder::taylor_slopes;
-pub use verdict::{BAR, Check, Curve, Demand, NEXT_TO_NOTHING, Point, Verdict};
+pub use verdict::{BAR, Check, Curve, CurvePoint, Demand, NEXT_TO_NOTHING, Verdict};
 
 use super::Taylor;
 
 /// Derivatives of a function, compared with differences.
 #[derive(Clone, Debug)]
-pub struct Checked {
+pub struct CheckedDerivatives {
     /// Each ∂f/∂xᵢ, compared with differences of values.
     pub gradient: Vec<Check>,
     /// Each ∂²f/∂xᵢ∂xⱼ, compared with differences of ∂f/∂xⱼ along xᵢ; empty without a Hessian.
@@ -49,7 +49,7 @@ pub struct Checked {
     pub slopes: Vec<[Option<f64>; 3]>,
 }
 
-impl Checked {
+impl CheckedDerivatives {
     /// True if no check failed.
     pub fn passed(&self) -> bool {
         self.gradient
@@ -64,7 +64,7 @@ impl Checked {
 ///
 /// # Panics
 /// If the numbers of scales and variables differ, or a scale is not positive.
-pub fn check(f: &dyn Fn(&[f64]) -> Option<Taylor>, x: &[f64], scale: &[f64]) -> Checked {
+pub fn check(f: &dyn Fn(&[f64]) -> Option<Taylor>, x: &[f64], scale: &[f64]) -> CheckedDerivatives {
     assert_eq!(x.len(), scale.len(), "a scale for each variable");
     assert!(
         scale.iter().all(|scale| *scale > 0.0),
@@ -80,7 +80,7 @@ pub fn check(f: &dyn Fn(&[f64]) -> Option<Taylor>, x: &[f64], scale: &[f64]) -> 
         moved[i] = value;
         f(&moved)
     };
-    let mut checked = Checked {
+    let mut checked = CheckedDerivatives {
         gradient: vec![],
         hessian: vec![],
         slopes: vec![],

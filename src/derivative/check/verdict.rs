@@ -1,5 +1,5 @@
 use super::ladder::{LEAST_STEP, rounding_of};
-use super::{Estimate, Ladder, Side};
+use super::{DerivativeEstimate, Ladder, Side};
 use crate::json::Number;
 use serde::Serialize;
 
@@ -71,7 +71,7 @@ const OWN_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// One step of a V-curve: error of the central difference.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
+pub struct CurvePoint {
     /// Step, in the variable's unit.
     pub step: f64,
     /// Central difference (f(x + h) − f(x − h))/2h.
@@ -92,7 +92,7 @@ pub struct Curve {
 
 impl Curve {
     /// The errors at these points.
-    pub fn of(points: &[Point]) -> Self {
+    pub fn of(points: &[CurvePoint]) -> Self {
         Self {
             steps: points.iter().map(|point| point.step).collect(),
             errors: points.iter().map(|point| point.error).collect(),
@@ -115,7 +115,7 @@ pub struct Check {
     // `None` if there are too few values for any side
     #[serde(rename = "best_difference", serialize_with = "crate::json::number")]
     #[cfg_attr(test, schemars(with = "Number"))]
-    pub best: Option<Estimate>,
+    pub best: Option<DerivativeEstimate>,
     /// The absolute difference between `exact` and `best_difference`, SI.
     #[serde(serialize_with = "crate::json::number")]
     #[cfg_attr(test, schemars(with = "Number"))]
@@ -130,11 +130,11 @@ pub struct Check {
     pub sides: Option<[Option<f64>; 2]>,
     /// V-curve of central differences, the largest step first.
     #[serde(skip)]
-    pub curve: Vec<Point>,
+    pub curve: Vec<CurvePoint>,
 }
 
-impl From<Option<Estimate>> for Number {
-    fn from(estimate: Option<Estimate>) -> Self {
+impl From<Option<DerivativeEstimate>> for Number {
+    fn from(estimate: Option<DerivativeEstimate>) -> Self {
         Self(estimate.map(|estimate| estimate.value))
     }
 }
@@ -146,7 +146,7 @@ impl Check {
     }
 
     /// Step at which the central difference is most accurate.
-    pub fn best_step(&self) -> Option<Point> {
+    pub fn best_step(&self) -> Option<CurvePoint> {
         self.curve
             .iter()
             .copied()
@@ -159,7 +159,7 @@ impl Ladder {
     pub fn judge(&self, exact: f64, demand: Demand) -> Check {
         let plain = |rung: &super::Rung| {
             let difference = self.difference(rung, Side::Both)?;
-            Some(Point {
+            Some(CurvePoint {
                 step: rung.step,
                 difference,
                 error: (exact - difference).abs(),
@@ -169,7 +169,7 @@ impl Ladder {
         let sides = self.corner();
         let worth = exact.abs().max(self.next_to_nothing());
         let least = demand.least_bar * worth + OWN_ROUNDING * self.rounded / self.scale;
-        let bar_of = |best: &Estimate| least.max(BAR * best.uncertainty);
+        let bar_of = |best: &DerivativeEstimate| least.max(BAR * best.uncertainty);
         let is_seen = |bar: f64| demand.seen.is_none_or(|seen| bar <= seen * worth);
         // one-sided differences apply where the derivative itself has a kink
         let estimates =

@@ -7,7 +7,7 @@ use crate::number::Taylor;
 use crate::optimize::continuation::predicted;
 use crate::optimize::domain::Domain;
 use crate::optimize::problem::Evaluation;
-use crate::optimize::sensitivity::{ActiveSet, Response, first_event, response};
+use crate::optimize::sensitivity::{ActiveSet, OptimumResponse, first_event, response};
 use crate::optimize::solution::Solution;
 use crate::optimize::status::Status;
 
@@ -25,7 +25,7 @@ pub(super) struct Compromise {
     /// The point of the front. Unknown derivatives dx/ds are set to zero, so that the predictor
     /// returns the point itself.
     pub point: FrontPoint,
-    pub derivatives: Option<(Solution, Response)>,
+    pub derivatives: Option<(Solution, OptimumResponse)>,
 }
 
 impl Compromise {
@@ -36,13 +36,13 @@ impl Compromise {
 
 /// Plane of the two functions, each scaled to 0 at its own minimum and to 1 at the other function's
 /// minimum.
-pub(super) struct Plane<'a> {
+pub(super) struct FrontPlane<'a> {
     pub context: &'a FrontContext<'a>,
     pub zero: [f64; 2],
     pub span: [f64; 2],
 }
 
-impl Plane<'_> {
+impl FrontPlane<'_> {
     /// The problem that minimises a + b, and optionally constrains a − b.
     fn combined(&self, is_constrained: bool) -> Combined<'_> {
         let [a, b] = self.span.map(|span| 1.0 / span);

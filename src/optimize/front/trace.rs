@@ -1,6 +1,6 @@
 //! Traces the front from one end to the other, and spreads points evenly along it.
 
-use super::compromise::{Compromise, Plane};
+use super::compromise::{Compromise, FrontPlane};
 use super::context::{FrontContext, PART_MISSING, SAME, STRAIGHT, span_of};
 use super::result::{Front, FrontEvent};
 use crate::error::Result;
@@ -18,7 +18,7 @@ const NO_COMPROMISE: &str = "no compromise was found in a part of the front";
 const KINK: f64 = 1e-3;
 
 /// A traced path, and the reason if a part of it is missing.
-struct Path {
+struct TracedPath {
     points: Vec<Compromise>,
     ended: Option<String>,
 }
@@ -30,13 +30,13 @@ pub(super) fn trace_front(
     values: [[f64; 2]; 2],
     count: usize,
 ) -> Result<Front> {
-    let plane = Plane {
+    let plane = FrontPlane {
         context,
         zero: std::array::from_fn(|k| values[k][k]),
         span: std::array::from_fn(|k| span_of(values, k)),
     };
     let [first, second] = [0, 1].map(|k| plane.end(k, &ends[k], values[k]));
-    let Path {
+    let TracedPath {
         points: path,
         mut ended,
     } = trace_from_both_ends(&plane, first, second);
@@ -90,7 +90,11 @@ fn smallest_sum(path: &[Compromise], knee: Option<&Compromise>) -> f64 {
 
 /// Traces the front from the first end. If the trace does not reach the second end, the front is
 /// also traced from the second end.
-fn trace_from_both_ends(plane: &Plane<'_>, first: Compromise, mut second: Compromise) -> Path {
+fn trace_from_both_ends(
+    plane: &FrontPlane<'_>,
+    first: Compromise,
+    mut second: Compromise,
+) -> TracedPath {
     let context = plane.context;
     let mut path = trace(plane, first, 1.0);
     let reaches_second = path.points.last().is_some_and(|place| {
@@ -159,10 +163,10 @@ fn is_worse_than_branch(place: &Compromise, branch: &[Compromise]) -> bool {
 }
 
 /// Traces the front from a compromise towards s = `end` (−1 or 1).
-fn trace(plane: &Plane<'_>, from: Compromise, end: f64) -> Path {
+fn trace(plane: &FrontPlane<'_>, from: Compromise, end: f64) -> TracedPath {
     let mut points = vec![from];
     let mut step = AdaptiveStep::new(2.0);
-    let ended_for = |points, reason: String| Path {
+    let ended_for = |points, reason: String| TracedPath {
         points,
         ended: Some(reason),
     };
@@ -191,7 +195,7 @@ fn trace(plane: &Plane<'_>, from: Compromise, end: f64) -> Path {
             points.extend(locate_event(plane, &here, next, end));
         }
     }
-    Path {
+    TracedPath {
         points,
         ended: None,
     }
@@ -201,7 +205,7 @@ fn trace(plane: &Plane<'_>, from: Compromise, end: f64) -> Path {
 /// path: one point with the event. A backward trace adds this point twice, with the active sets on
 /// both sides of the event.
 fn locate_event(
-    plane: &Plane<'_>,
+    plane: &FrontPlane<'_>,
     here: &Compromise,
     next: Compromise,
     end: f64,
@@ -245,7 +249,7 @@ fn locate_event(
 
 /// Points at equal distances along a path in the plane of the two functions, with its ends and its
 /// events.
-fn spread_evenly(plane: &Plane<'_>, path: &[Compromise], count: usize) -> Vec<Compromise> {
+fn spread_evenly(plane: &FrontPlane<'_>, path: &[Compromise], count: usize) -> Vec<Compromise> {
     let lengths = path_lengths(path);
     let last = path.len() - 1;
     // keep the ends, the events, and the last point before another branch
@@ -296,7 +300,7 @@ fn path_lengths(path: &[Compromise]) -> Vec<f64> {
 }
 
 /// Knee of the front, if it has one.
-fn find_knee(plane: &Plane<'_>, path: &[Compromise]) -> Option<Compromise> {
+fn find_knee(plane: &FrontPlane<'_>, path: &[Compromise]) -> Option<Compromise> {
     let nearest = path.iter().min_by(|a, b| a.sum.total_cmp(&b.sum))?;
     if nearest.at.abs() >= 1.0 || 0.5 * (1.0 - nearest.sum) < STRAIGHT {
         return None;

@@ -2,9 +2,9 @@
 
 use super::super::domain::{Bounds, Domain};
 use super::super::qp::QpSolver;
-use super::super::status::Verdict;
-use super::step::{ModelStep, Point};
-use super::{Options, Residuals, Rows};
+use super::super::status::SearchVerdict;
+use super::step::{GaussNewtonPoint, ModelStep};
+use super::{FitOptions, Residuals, Rows};
 use crate::error::{Error, Result};
 use crate::units::counted;
 use rayon::prelude::*;
@@ -34,7 +34,7 @@ const COSINE: &str = "cosine between the residuals and their slopes";
 /// Outcome of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Status {
+pub enum FitStatus {
     /// The sum is stationary within the bounds.
     Converged,
     /// The sum is at a minimum that is not isolated: along some direction the residuals hardly
@@ -59,7 +59,7 @@ pub enum Status {
 
 variant_names! {
     /// Name in reports: `converged`.
-    Status as "FitStatus" {
+    FitStatus as "FitStatus" {
         Converged = "converged",
         Undetermined = "undetermined",
         DominatedByOneResidual = "outweighed",
@@ -75,7 +75,7 @@ variant_names! {
 #[derive(Clone, Debug)]
 pub struct Fit {
     /// Outcome of the fit.
-    pub status: Status,
+    pub status: FitStatus,
     /// Outcome in a sentence, with the numbers of the stopping test.
     pub message: String,
     /// Final point.
@@ -130,7 +130,7 @@ pub fn fit(
     residuals: &impl Residuals,
     domain: &Domain,
     start: &[f64],
-    options: &Options,
+    options: &FitOptions,
 ) -> Result<Fit> {
     fit_observed(residuals, domain, start, options, &FitObserver::default())
 }
@@ -144,7 +144,7 @@ pub fn fit_from(
     residuals: &(impl Residuals + Sync),
     domain: &Domain,
     starts: &[Vec<f64>],
-    options: &Options,
+    options: &FitOptions,
     observer: &FitObserver,
 ) -> Result<Vec<Fit>> {
     if starts.is_empty() {
@@ -171,7 +171,7 @@ pub fn fit_observed(
     residuals: &impl Residuals,
     domain: &Domain,
     start: &[f64],
-    options: &Options,
+    options: &FitOptions,
     observer: &FitObserver,
 ) -> Result<Fit> {
     check_input(domain, start, options)?;
@@ -179,7 +179,7 @@ pub fn fit_observed(
     let start = bounds.project(start);
     let evaluate = |x: Vec<f64>| {
         let rows = residuals.evaluate(&x)?;
-        Point::new(x, rows, options.loss)
+        GaussNewtonPoint::new(x, rows, options.loss)
     };
     let at = match evaluate(start.clone()) {
         Ok(at) => at,
@@ -187,7 +187,7 @@ pub fn fit_observed(
         Err(why) => return Ok(undefined_at_start(start, why)),
     };
     let mut state = FitState::new(at, bounds);
-    let Verdict { status, message } = loop {
+    let SearchVerdict { status, message } = loop {
         if let Some(show) = &observer.iteration {
             show(state.iterations, state.at.cost);
         }
@@ -205,7 +205,7 @@ pub fn fit_observed(
         rejected,
         ..
     } = state;
-    let Point { x, rows, cost, .. } = at;
+    let GaussNewtonPoint { x, rows, cost, .. } = at;
     Ok(Fit {
         status,
         message,
@@ -219,7 +219,7 @@ pub fn fit_observed(
 }
 
 /// Checks the arguments of a fit.
-fn check_input(domain: &Domain, start: &[f64], options: &Options) -> Result<()> {
+fn check_input(domain: &Domain, start: &[f64], options: &FitOptions) -> Result<()> {
     domain.check(start)?;
     if domain.constraints.dimension() > 0 {
         return Err(Error::Optimizer(
@@ -248,21 +248,21 @@ fn check_input(domain: &Domain, start: &[f64], options: &Options) -> Result<()> 
     Ok(())
 }
 
-fn stalled(reason: &str, cosine: f64) -> Verdict<Status> {
+fn stalled(reason: &str, cosine: f64) -> SearchVerdict<FitStatus> {
     let message =
         format!("{reason}; {COSINE} {cosine:.1e}. Start elsewhere, or fit fewer parameters");
-    Verdict::new(Status::Stalled, message)
+    SearchVerdict::new(FitStatus::Stalled, message)
 }
 
-fn interrupted(cosine: f64, tolerance: f64) -> Verdict<Status> {
+fn interrupted(cosine: f64, tolerance: f64) -> SearchVerdict<FitStatus> {
     let message = format!("stopped before the lowest sum: {COSINE} {cosine:.1e} > {tolerance:.0e}");
-    Verdict::new(Status::Interrupted, message)
+    SearchVerdict::new(FitStatus::Interrupted, message)
 }
 
 /// State of a fit between two iterations.
 struct FitState {
-    at: Point,
-    /// Convergence measure at the point ([`Point::cosine`]).
+    at: GaussNewtonPoint,
+    /// Convergence measure at the point ([`GaussNewtonPoint::cosine`]).
     cosine: f64,
     initial_point: Vec<f64>,
     scale: Vec<f64>,
@@ -275,7 +275,7 @@ struct FitState {
 }
 
 impl FitState {
-    fn new(at: Point, bounds: &Bounds) -> Self {
+    fn new(at: GaussNewtonPoint, bounds: &Bounds) -> Self {
         let mut scale = vec![0.0; at.x.len()];
         at.lengthen(&mut scale);
         Self {
@@ -292,19 +292,23 @@ impl FitState {
         }
     }
 
-    fn stopping_verdict(&self, options: &Options, is_interrupted: bool) -> Option<Verdict<Status>> {
+    fn stopping_verdict(
+        &self,
+        options: &FitOptions,
+        is_interrupted: bool,
+    ) -> Option<SearchVerdict<FitStatus>> {
         let (cosine, tolerance) = (self.cosine, options.tolerance);
         let residuals = self.at.rows.residuals.iter();
         let largest = residuals.map(|r| r.abs()).fold(0.0, f64::max);
         if largest <= options.rounding {
             let message =
                 format!("every residual is a rounding error: the largest is {largest:.1e}");
-            return Some(Verdict::new(Status::Converged, message));
+            return Some(SearchVerdict::new(FitStatus::Converged, message));
         }
         if cosine <= tolerance {
             let message =
                 format!("no small change lowers the sum: {COSINE} {cosine:.1e} <= {tolerance:.0e}");
-            return Some(Verdict::new(Status::Converged, message));
+            return Some(SearchVerdict::new(FitStatus::Converged, message));
         }
         if is_interrupted {
             return Some(interrupted(cosine, tolerance));
@@ -313,7 +317,7 @@ impl FitState {
             let limit = counted(self.iterations, "iteration");
             let message =
                 format!("stopped at the limit of {limit}: {COSINE} {cosine:.1e} > {tolerance:.0e}");
-            Verdict::new(Status::IterationLimit, message)
+            SearchVerdict::new(FitStatus::IterationLimit, message)
         })
     }
 
@@ -322,10 +326,10 @@ impl FitState {
     fn iterate(
         &mut self,
         bounds: &Bounds,
-        options: &Options,
-        evaluate: &impl Fn(Vec<f64>) -> Result<Point, String>,
+        options: &FitOptions,
+        evaluate: &impl Fn(Vec<f64>) -> Result<GaussNewtonPoint, String>,
         observer: &FitObserver,
-    ) -> Option<Verdict<Status>> {
+    ) -> Option<SearchVerdict<FitStatus>> {
         self.iterations += 1;
         loop {
             if self.damping > MOST_DAMPING {
@@ -359,10 +363,10 @@ impl FitState {
         &mut self,
         step: ModelStep,
         bounds: &Bounds,
-        options: &Options,
-        evaluate: &impl Fn(Vec<f64>) -> Result<Point, String>,
+        options: &FitOptions,
+        evaluate: &impl Fn(Vec<f64>) -> Result<GaussNewtonPoint, String>,
         observer: &FitObserver,
-    ) -> Result<bool, Verdict<Status>> {
+    ) -> Result<bool, SearchVerdict<FitStatus>> {
         self.evaluations += 1;
         match evaluate(step.to) {
             Ok(next) => {
@@ -393,7 +397,7 @@ impl FitState {
     }
 
     /// Verdict if even the largest damping gives no acceptable step.
-    fn no_step_verdict(&mut self, bounds: &Bounds) -> Verdict<Status> {
+    fn no_step_verdict(&mut self, bounds: &Bounds) -> SearchVerdict<FitStatus> {
         self.rounding_verdict(bounds).unwrap_or_else(|| {
             let why = self
                 .rejected
@@ -406,7 +410,7 @@ impl FitState {
 
     /// Verdict if the model predicts no reduction above rounding. The predicted reduction of an
     /// undamped step distinguishes convergence from stalling.
-    fn no_gain_verdict(&mut self, bounds: &Bounds) -> Verdict<Status> {
+    fn no_gain_verdict(&mut self, bounds: &Bounds) -> SearchVerdict<FitStatus> {
         let undamped = self
             .step(bounds, LEAST_DAMPING)
             .map_or(0.0, |step| step.predicted_reduction);
@@ -420,7 +424,7 @@ impl FitState {
                 "the sum of squares is at its smallest: a step could lower it by {part:.1e} of its \
                  value at most, which is less than its rounding error"
             );
-            return Verdict::new(Status::Converged, message);
+            return SearchVerdict::new(FitStatus::Converged, message);
         }
         self.rounding_verdict(bounds).unwrap_or_else(|| {
             stalled(
@@ -431,7 +435,7 @@ impl FitState {
     }
 
     /// Converged to rounding, if an undamped step would hardly move the point.
-    fn rounding_verdict(&mut self, bounds: &Bounds) -> Option<Verdict<Status>> {
+    fn rounding_verdict(&mut self, bounds: &Bounds) -> Option<SearchVerdict<FitStatus>> {
         let to = self.step(bounds, LEAST_DAMPING)?.to;
         let length = |of: &dyn Fn(usize) -> f64| -> f64 {
             (0..self.scale.len())
@@ -448,7 +452,7 @@ impl FitState {
                  only {:.1e} of its size: because of rounding the sum can fall no further",
                 if distance > 0.0 { step / distance } else { 0.0 }
             );
-            Verdict::new(Status::Converged, message)
+            SearchVerdict::new(FitStatus::Converged, message)
         })
     }
 
@@ -462,7 +466,7 @@ impl FitState {
 fn interrupted_at_start(x: Vec<f64>) -> Fit {
     let message = "stopped before the first evaluation of the residuals".into();
     Fit {
-        status: Status::Interrupted,
+        status: FitStatus::Interrupted,
         message,
         rejected: RejectedPoints::default(),
         ..undefined_at_start(x, String::new())
@@ -472,7 +476,7 @@ fn interrupted_at_start(x: Vec<f64>) -> Fit {
 /// Result of a fit whose residuals are undefined at the start.
 fn undefined_at_start(x: Vec<f64>, why: String) -> Fit {
     Fit {
-        status: Status::Undefined,
+        status: FitStatus::Undefined,
         message: format!("the residuals are not defined at the start: {why}"),
         x,
         rows: Rows::default(),

@@ -12,7 +12,7 @@
 //!
 //! ```
 //! use longdrive::optimize::Domain;
-//! use longdrive::optimize::least_squares::{Options, Rows, Status, fit};
+//! use longdrive::optimize::least_squares::{FitOptions, Rows, FitStatus, fit};
 //!
 //! // the line a + b t through (0, 1), (1, 3), (2, 5): a = 1, b = 2, nothing left over
 //! let line = |x: &[f64]| Ok(Rows {
@@ -20,8 +20,8 @@
 //!     jacobian: [0.0, 1.0, 2.0].iter().map(|t| vec![1.0, *t]).collect(),
 //! });
 //! let domain = Domain::new(vec![f64::NEG_INFINITY; 2], vec![f64::INFINITY; 2]).unwrap();
-//! let found = fit(&line, &domain, &[0.0, 0.0], &Options::default()).unwrap();
-//! assert_eq!(found.status, Status::Converged);
+//! let found = fit(&line, &domain, &[0.0, 0.0], &FitOptions::default()).unwrap();
+//! assert_eq!(found.status, FitStatus::Converged);
 //! assert!((found.x[0] - 1.0).abs() < 1e-12 && (found.x[1] - 2.0).abs() < 1e-12);
 //! ```
 
@@ -29,7 +29,7 @@ mod fit;
 mod loss;
 mod step;
 
-pub use fit::{Fit, FitObserver, RejectedPoints, Status, fit, fit_from, fit_observed};
+pub use fit::{Fit, FitObserver, FitStatus, RejectedPoints, fit, fit_from, fit_observed};
 pub use loss::Loss;
 
 /// Residuals and their Jacobian at a point.
@@ -60,7 +60,7 @@ impl<F: Fn(&[f64]) -> Result<Rows, String>> Residuals for F {
 
 /// Options of a fit, with their defaults.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Options {
+pub struct FitOptions {
     /// Loss of a residual (squares).
     pub loss: Loss,
     /// Maximum number of iterations (200).
@@ -73,7 +73,7 @@ pub struct Options {
     pub rounding: f64,
 }
 
-impl Default for Options {
+impl Default for FitOptions {
     fn default() -> Self {
         Self {
             loss: Loss::Squares,
@@ -86,24 +86,22 @@ impl Default for Options {
 
 #[cfg(test)]
 mod tests {
-    use super::{Fit, FitObserver, Options, Residuals, Rows, Status, fit, fit_from};
+    use super::{Fit, FitObserver, FitOptions, FitStatus, Residuals, Rows, fit, fit_from};
     use crate::optimize::{Domain, starts};
-
-    /// A model function with its gradient by the parameters.
-    type Model = fn(x: f64, b: &[f64]) -> (f64, Vec<f64>);
 
     /// A problem of NIST's Statistical Reference Datasets, nonlinear regression
     /// (itl.nist.gov/div898/strd/nls), with its certified parameters and residual sum of squares.
-    struct Dataset {
+    struct NistProblem {
         name: &'static str,
         data: &'static [(f64, f64)],
-        model: Model,
+        /// The model function with its gradient by the parameters.
+        model: fn(x: f64, b: &[f64]) -> (f64, Vec<f64>),
         starts: [&'static [f64]; 2],
         certified: &'static [f64],
         sum: f64,
     }
 
-    impl Residuals for Dataset {
+    impl Residuals for NistProblem {
         fn evaluate(&self, b: &[f64]) -> Result<Rows, String> {
             let rows = self.data.iter().map(|(y, x)| {
                 let (value, gradient) = (self.model)(*x, b);
@@ -117,8 +115,8 @@ mod tests {
         }
     }
 
-    const SETS: [Dataset; 3] = [
-        Dataset {
+    const SETS: [NistProblem; 3] = [
+        NistProblem {
             name: "Misra1a",
             data: &[
                 (10.07, 77.6),
@@ -144,7 +142,7 @@ mod tests {
             certified: &[2.389_421_291_8e2, 5.501_564_318_1e-4],
             sum: 1.245_513_889_4e-1,
         },
-        Dataset {
+        NistProblem {
             name: "BoxBOD",
             data: &[
                 (109.0, 1.0),
@@ -164,7 +162,7 @@ mod tests {
             certified: &[2.138_094_088_9e2, 5.472_374_854_2e-1],
             sum: 1.168_008_876_6e3,
         },
-        Dataset {
+        NistProblem {
             name: "MGH09",
             data: &[
                 (0.1957, 4.0),
@@ -203,16 +201,16 @@ mod tests {
         },
     ];
 
-    fn fitted(set: &Dataset, start: &[f64], low: f64, high: f64) -> Fit {
+    fn fitted(set: &NistProblem, start: &[f64], low: f64, high: f64) -> Fit {
         let n = set.certified.len();
         let domain = Domain::new(vec![low; n], vec![high; n]).unwrap();
         fit(
             set,
             &domain,
             start,
-            &Options {
+            &FitOptions {
                 max_iterations: 1000,
-                ..Options::default()
+                ..FitOptions::default()
             },
         )
         .unwrap()
@@ -225,7 +223,7 @@ mod tests {
                 let found = fitted(set, start, f64::NEG_INFINITY, f64::INFINITY);
                 assert_eq!(
                     found.status,
-                    Status::Converged,
+                    FitStatus::Converged,
                     "{}: {}",
                     set.name,
                     found.message
@@ -253,12 +251,12 @@ mod tests {
         let domain = Domain::new(vec![0.0, 0.0], vec![1000.0, 10.0]).unwrap();
         let spread = starts(&domain, &[1.0, 1.0], 8).unwrap();
         assert_eq!(spread[0], [1.0, 1.0]);
-        let alone = fit(set, &domain, &spread[0], &Options::default()).unwrap();
+        let alone = fit(set, &domain, &spread[0], &FitOptions::default()).unwrap();
         let found = fit_from(
             set,
             &domain,
             &spread,
-            &Options::default(),
+            &FitOptions::default(),
             &FitObserver::default(),
         )
         .unwrap();
@@ -278,7 +276,7 @@ mod tests {
         // Misra1a with the bound b₁ ≤ 230 active: b₂ minimises a function of one variable, whose
         // derivative vanishes there
         let found = fitted(&SETS[0], &[200.0, 6e-4], 0.0, 230.0);
-        assert_eq!((found.status, found.x[0]), (Status::Converged, 230.0));
+        assert_eq!((found.status, found.x[0]), (FitStatus::Converged, 230.0));
         let slope = |k: usize| -> f64 {
             found
                 .rows
@@ -314,10 +312,10 @@ mod tests {
         };
         let free = Domain::new(vec![f64::NEG_INFINITY; 2], vec![f64::INFINITY; 2]).unwrap();
         for start in [[0.5, 0.5], [0.71, 0.29], [0.7, 0.3], [0.9, 0.1]] {
-            let found = fit(&curve, &free, &start, &Options::default()).unwrap();
+            let found = fit(&curve, &free, &start, &FitOptions::default()).unwrap();
             assert_eq!(
                 found.status,
-                Status::Converged,
+                FitStatus::Converged,
                 "from {start:?}: {}",
                 found.message
             );
@@ -345,8 +343,8 @@ mod tests {
             })
         };
         let free = Domain::new(vec![-1e6; 2], vec![1e6; 2]).unwrap();
-        let found = fit(&difference, &free, &[3.0, 1.0], &Options::default()).unwrap();
-        assert_eq!(found.status, Status::Converged, "{}", found.message);
+        let found = fit(&difference, &free, &[3.0, 1.0], &FitOptions::default()).unwrap();
+        assert_eq!(found.status, FitStatus::Converged, "{}", found.message);
         assert!(
             (found.x[0] + found.x[1] - 4.0).abs() < 1e-3,
             "{:?}",
@@ -363,8 +361,8 @@ mod tests {
             })
         };
         let free = Domain::new(vec![f64::NEG_INFINITY], vec![f64::INFINITY]).unwrap();
-        let found = fit(&huge, &free, &[1.0], &Options::default()).unwrap();
-        assert_eq!(found.status, Status::Undefined, "{}", found.message);
+        let found = fit(&huge, &free, &[1.0], &FitOptions::default()).unwrap();
+        assert_eq!(found.status, FitStatus::Undefined, "{}", found.message);
         assert!(
             found.message.contains("residual 2 is 1e300"),
             "{}",
@@ -383,8 +381,8 @@ mod tests {
             false => Err(format!("there is no root of {}", x[0])),
         };
         let domain = Domain::new(vec![f64::NEG_INFINITY], vec![f64::INFINITY]).unwrap();
-        let found = fit(&root, &domain, &[9.0], &Options::default()).unwrap();
-        assert_eq!(found.status, Status::Converged, "{}", found.message);
+        let found = fit(&root, &domain, &[9.0], &FitOptions::default()).unwrap();
+        assert_eq!(found.status, FitStatus::Converged, "{}", found.message);
         assert!(
             (found.x[0] - 1.0).abs() < 1e-7 && found.rejected.count > 0,
             "{found:?}"

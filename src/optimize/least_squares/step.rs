@@ -1,13 +1,13 @@
 //! Damped Gauss–Newton model at a point, and its minimum within the bounds.
 
 use super::super::domain::Bounds;
-use super::super::qp::{MaxTerm, QpSolver, QuadraticProgram, Side};
+use super::super::qp::{Activity, MaxTerm, QpSolver, QuadraticProgram};
 use super::{Loss, Rows};
 use nalgebra::{DMatrix, DVector};
 
 /// A point with its residuals, and gradient JᵀWr and curvature JᵀWJ of the Gauss–Newton model.
 #[derive(Clone, Debug)]
-pub(super) struct Point {
+pub(super) struct GaussNewtonPoint {
     pub x: Vec<f64>,
     pub rows: Rows,
     pub cost: f64,
@@ -23,7 +23,7 @@ pub(super) struct ModelStep {
     pub predicted_reduction: f64,
 }
 
-impl Point {
+impl GaussNewtonPoint {
     /// Builds the model; fails if residuals or Jacobian have the wrong shape or are not finite.
     pub fn new(x: Vec<f64>, rows: Rows, loss: Loss) -> Result<Self, String> {
         let n = x.len();
@@ -135,9 +135,9 @@ impl Point {
             .filter(|found| found.d.amax() <= FAR)?;
         let d = DVector::from_fn(n, |i, _| found.d[i] / size(i));
         let predicted_reduction = -(self.gradient.dot(&d) + 0.5 * d.dot(&(&self.curvature * &d)));
-        let to = |i: usize| match found.sides[i] {
-            Side::Lower if bounds.low[i].is_finite() => bounds.low[i],
-            Side::Upper if bounds.high[i].is_finite() => bounds.high[i],
+        let to = |i: usize| match found.activities[i] {
+            Activity::Lower if bounds.low[i].is_finite() => bounds.low[i],
+            Activity::Upper if bounds.high[i].is_finite() => bounds.high[i],
             _ => (self.x[i] + d[i]).clamp(bounds.low[i], bounds.high[i]),
         };
         Some(ModelStep {

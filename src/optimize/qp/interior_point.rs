@@ -1,7 +1,7 @@
 //! The interior-point solver Clarabel: active sets, approximate solutions, and proofs of
 //! infeasibility.
 
-use super::program::{QuadraticProgram, Side, Step, StepSource};
+use super::program::{Activity, QpStep, QuadraticProgram, StepSource};
 use super::working_set::ActiveConstraint;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
@@ -9,11 +9,11 @@ use nalgebra::DVector;
 use std::fmt;
 
 /// Result of Clarabel.
-pub(super) struct Answer {
+pub(super) struct ClarabelResult {
     /// Active constraints, sorted by falling multiplier.
     pub active: Vec<ActiveConstraint>,
     /// The approximate solution, if Clarabel reports one.
-    pub step: Option<Step>,
+    pub step: Option<QpStep>,
 }
 
 /// Clarabel solver for programs of one sparsity pattern. A program with the same pattern only
@@ -44,14 +44,14 @@ const TOLERANCE: f64 = 1e-10;
 /// Constraint as a row a · x + s = limit of Clarabel's standard form, with s = 0 (equality) or s ≥
 /// 0.
 struct ConeRow {
-    coefficients: Coefficients,
+    coefficients: RowCoefficients,
     limit: f64,
     constraint: ActiveConstraint,
     /// Factor from Clarabel's multiplier to the program's multiplier.
     multiplier_unit: f64,
 }
 
-enum Coefficients {
+enum RowCoefficients {
     One { variable: usize, value: f64 },
     All(Vec<f64>),
 }
@@ -60,8 +60,8 @@ impl ConeRow {
     /// Coefficient of variable `column`; `None` outside the sparsity pattern.
     fn coefficient(&self, column: usize) -> Option<f64> {
         match &self.coefficients {
-            Coefficients::One { variable, value } => (*variable == column).then_some(*value),
-            Coefficients::All(all) => Some(all[column]),
+            RowCoefficients::One { variable, value } => (*variable == column).then_some(*value),
+            RowCoefficients::All(all) => Some(all[column]),
         }
     }
 }
@@ -84,7 +84,7 @@ struct StandardForm {
 impl InteriorPoint {
     /// Solves a program; `None` if its rows are infeasible within the bounds, or if Clarabel finds
     /// neither a solution nor a proof of infeasibility.
-    pub fn solve(&mut self, program: &QuadraticProgram) -> Option<Answer> {
+    pub fn solve(&mut self, program: &QuadraticProgram) -> Option<ClarabelResult> {
         let form = StandardForm::new(program);
         let solver = self.updated(&form)?;
         solver.solve();
@@ -123,7 +123,7 @@ impl InteriorPoint {
             .map(|(_, constraint)| constraint)
             .collect();
         let step = is_accurate.then(|| form.step(program, &solution.x, &solution.z));
-        Some(Answer { active, step })
+        Some(ClarabelResult { active, step })
     }
 
     /// Loads the data of a program into the solver.
@@ -212,7 +212,7 @@ impl StandardForm {
                     .collect();
                 coefficients.push(-1.0);
                 form.inequalities.push(ConeRow {
-                    coefficients: Coefficients::All(coefficients),
+                    coefficients: RowCoefficients::All(coefficients),
                     limit: -term.offset / value_unit,
                     constraint: ActiveConstraint::MaxTerm(k),
                     multiplier_unit: 1.0,
@@ -223,15 +223,15 @@ impl StandardForm {
     }
 
     fn add_bounds(&mut self, program: &QuadraticProgram, i: usize) {
-        let row = |value: f64, limit: f64, side: Side| ConeRow {
-            coefficients: Coefficients::One { variable: i, value },
+        let row = |value: f64, limit: f64, side: Activity| ConeRow {
+            coefficients: RowCoefficients::One { variable: i, value },
             limit: limit / self.length_unit,
             constraint: ActiveConstraint::Bound(i, side),
             multiplier_unit: self.value_unit / self.length_unit,
         };
         let (upper, lower) = (
-            row(1.0, program.high[i], Side::Upper),
-            row(-1.0, -program.low[i], Side::Lower),
+            row(1.0, program.high[i], Activity::Upper),
+            row(-1.0, -program.low[i], Activity::Lower),
         );
         if program.low[i] == program.high[i] {
             self.equations.push(upper);
@@ -251,23 +251,26 @@ impl StandardForm {
         } else {
             1.0
         };
-        let cone_row = |sign: f64, limit: f64, side: Side| {
+        let cone_row = |sign: f64, limit: f64, side: Activity| {
             let mut coefficients: Vec<f64> =
                 row.normal.iter().map(|a| sign * a / largest).collect();
             coefficients.resize(self.size, 0.0);
             ConeRow {
-                coefficients: Coefficients::All(coefficients),
+                coefficients: RowCoefficients::All(coefficients),
                 limit: sign * limit / (self.length_unit * largest),
                 constraint: ActiveConstraint::Row(j, side),
                 multiplier_unit: sign * self.value_unit / (self.length_unit * largest),
             }
         };
         if row.is_equation() {
-            let equation = cone_row(1.0, row.high, Side::Upper);
+            let equation = cone_row(1.0, row.high, Activity::Upper);
             self.equations.push(equation);
             return;
         }
-        let sides = [(1.0, row.high, Side::Upper), (-1.0, row.low, Side::Lower)];
+        let sides = [
+            (1.0, row.high, Activity::Upper),
+            (-1.0, row.low, Activity::Lower),
+        ];
         let limits: Vec<ConeRow> = sides
             .into_iter()
             .filter(|(_, limit, _)| limit.is_finite())
@@ -301,11 +304,11 @@ impl StandardForm {
     }
 
     /// Converts Clarabel's solution x and multipliers z to a step within the bounds.
-    fn step(&self, program: &QuadraticProgram, x: &[f64], z: &[f64]) -> Step {
+    fn step(&self, program: &QuadraticProgram, x: &[f64], z: &[f64]) -> QpStep {
         let n = program.dimension();
-        let mut step = Step {
+        let mut step = QpStep {
             d: DVector::from_fn(n, |i, _| x[i] * self.length_unit),
-            sides: vec![Side::Inactive; n],
+            activities: vec![Activity::Inactive; n],
             weights: vec![0.0; program.max_terms.len()],
             multipliers: vec![0.0; program.rows.len()],
             source: StepSource::Unpolished,

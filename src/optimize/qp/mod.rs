@@ -9,12 +9,12 @@ mod solve;
 mod working_set;
 
 pub(super) use program::quadratic_form;
-pub use program::{MaxTerm, QuadraticProgram, Row, Side, Step, StepSource};
+pub use program::{Activity, LinearConstraint, MaxTerm, QpStep, QuadraticProgram, StepSource};
 pub(super) use solve::QpSolver;
 
 #[cfg(test)]
 mod tests {
-    use super::{MaxTerm, QpSolver, QuadraticProgram, Row, Side, StepSource};
+    use super::{Activity, LinearConstraint, MaxTerm, QpSolver, QuadraticProgram, StepSource};
     use nalgebra::{DMatrix, DVector};
 
     /// Exact minimum by enumeration of all active sets of bounds.
@@ -72,10 +72,10 @@ mod tests {
                 "case {case}: {value} against {least}"
             );
             for i in 0..n {
-                match step.sides[i] {
-                    Side::Lower => assert_eq!(step.d[i], qp.low[i]),
-                    Side::Upper => assert_eq!(step.d[i], qp.high[i]),
-                    Side::Inactive => assert!(qp.low[i] < step.d[i] && step.d[i] < qp.high[i]),
+                match step.activities[i] {
+                    Activity::Lower => assert_eq!(step.d[i], qp.low[i]),
+                    Activity::Upper => assert_eq!(step.d[i], qp.high[i]),
+                    Activity::Inactive => assert!(qp.low[i] < step.d[i] && step.d[i] < qp.high[i]),
                 }
             }
         }
@@ -128,7 +128,7 @@ mod tests {
             let row = |random: &mut dyn FnMut() -> f64, is_equation: bool| {
                 let normal = DVector::from_fn(n, |_, _| random());
                 let low = random() * 0.6;
-                Row {
+                LinearConstraint {
                     normal,
                     low,
                     high: if is_equation {
@@ -178,10 +178,10 @@ mod tests {
                 );
             }
             for i in 0..n {
-                let is_balanced = match step.sides[i] {
-                    Side::Inactive => gradient[i].abs() < 1e-9,
-                    Side::Lower => gradient[i] > -1e-9,
-                    Side::Upper => gradient[i] < 1e-9,
+                let is_balanced = match step.activities[i] {
+                    Activity::Inactive => gradient[i].abs() < 1e-9,
+                    Activity::Lower => gradient[i] > -1e-9,
+                    Activity::Upper => gradient[i] < 1e-9,
                 };
                 assert!(
                     is_balanced || qp.low[i] == qp.high[i],

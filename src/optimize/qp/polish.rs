@@ -1,7 +1,7 @@
 //! Polishing: the exact KKT point of a working set, and corrections of the set.
 
 use super::linear::SymmetricSystem;
-use super::program::{MaxTerm, QuadraticProgram, Row, Side, Step, StepSource};
+use super::program::{Activity, LinearConstraint, MaxTerm, QpStep, QuadraticProgram, StepSource};
 use super::working_set::{ActiveConstraint, WorkingSet};
 use nalgebra::{DMatrix, DVector};
 
@@ -20,12 +20,12 @@ impl Unknowns {
         let mut terms = (0..program.max_terms.len()).filter(|&k| active.max_terms[k]);
         Some(Self {
             free: (0..program.dimension())
-                .filter(|&i| active.bounds[i] == Side::Inactive)
+                .filter(|&i| active.bounds[i] == Activity::Inactive)
                 .collect(),
             first_term: terms.next()?,
             other_terms: terms.collect(),
             rows: (0..program.rows.len())
-                .filter(|&j| active.rows[j] != Side::Inactive)
+                .filter(|&j| active.rows[j] != Activity::Inactive)
                 .collect(),
         })
     }
@@ -91,7 +91,7 @@ impl QuadraticProgram {
         &self,
         mut active: WorkingSet,
         source: StepSource,
-    ) -> Option<(WorkingSet, Step)> {
+    ) -> Option<(WorkingSet, QpStep)> {
         let most = 2 * (self.dimension() + self.rows.len() + self.max_terms.len()) + 4;
         let mut seen = vec![];
         while seen.len() < most && !seen.contains(&active) {
@@ -111,20 +111,20 @@ impl QuadraticProgram {
     pub(super) fn with_multipliers_of(
         &self,
         active: &WorkingSet,
-        approximate: &Step,
-    ) -> Option<Step> {
+        approximate: &QpStep,
+    ) -> Option<QpStep> {
         let candidate = self.candidate(active, approximate.source)?;
         let distance = (&candidate.d - &approximate.d).amax();
         if distance > NEARBY * (approximate.d.amax() + self.largest_bound().min(1.0)) {
             return None;
         }
         let step = self.checked_step(candidate)?;
-        let Step {
+        let QpStep {
             weights,
             multipliers,
             ..
         } = approximate.clone();
-        Some(Step {
+        Some(QpStep {
             weights,
             multipliers,
             ..step
@@ -132,7 +132,7 @@ impl QuadraticProgram {
     }
 
     /// Exact solution of a working set, if it satisfies the KKT conditions.
-    pub(super) fn exact_step(&self, active: &WorkingSet, source: StepSource) -> Option<Step> {
+    pub(super) fn exact_step(&self, active: &WorkingSet, source: StepSource) -> Option<QpStep> {
         let candidate = self.candidate(active, source)?;
         if self.corrected(active, &candidate) != *active {
             return None;
@@ -142,14 +142,14 @@ impl QuadraticProgram {
 
     /// Projects a candidate on the bounds. `None` if it violates a row or raises the objective
     /// because of rounding.
-    fn checked_step(&self, mut step: Step) -> Option<Step> {
+    fn checked_step(&self, mut step: QpStep) -> Option<QpStep> {
         step.project_on_bounds(self);
         let meets_rows = self.violation(&step.d) <= 1e-9 * (1.0 + step.d.amax());
         (meets_rows && self.is_no_worse_than_zero_step(&step)).then_some(step)
     }
 
     /// False if the zero step is feasible and has a lower objective.
-    fn is_no_worse_than_zero_step(&self, step: &Step) -> bool {
+    fn is_no_worse_than_zero_step(&self, step: &QpStep) -> bool {
         if self.rows.iter().any(|row| row.low > 0.0 || row.high < 0.0) {
             return true;
         }
@@ -167,12 +167,12 @@ impl QuadraticProgram {
     /// gradientₖ · d is equal for all active terms. Subtracting the first active term from the
     /// others eliminates its multiplier and the equation Σ αₖ = 1. The solution may violate other
     /// constraints.
-    fn candidate(&self, active: &WorkingSet, source: StepSource) -> Option<Step> {
+    fn candidate(&self, active: &WorkingSet, source: StepSource) -> Option<QpStep> {
         let unknowns = Unknowns::new(self, active)?;
         let mut d = DVector::from_fn(self.dimension(), |i, _| match active.bounds[i] {
-            Side::Inactive => 0.0,
-            Side::Lower => self.low[i],
-            Side::Upper => self.high[i],
+            Activity::Inactive => 0.0,
+            Activity::Lower => self.low[i],
+            Activity::Upper => self.high[i],
         });
         let solution = self.kkt_system(active, &unknowns, &d).solve()?;
         for (row, &i) in unknowns.free.iter().enumerate() {
@@ -191,10 +191,10 @@ impl QuadraticProgram {
             unknowns.first_term_row(),
         );
         weights[unknowns.first_term] = 1.0 - weights.iter().sum::<f64>();
-        Some(Step {
+        Some(QpStep {
             weights,
             multipliers: scattered(self.rows.len(), &unknowns.rows, unknowns.first_row()),
-            sides: active.bounds.clone(),
+            activities: active.bounds.clone(),
             d,
             source,
         })
@@ -231,8 +231,8 @@ impl QuadraticProgram {
             );
         }
         for (k, &j) in unknowns.rows.iter().enumerate() {
-            let Row { normal, low, high } = &self.rows[j];
-            let limit = if active.rows[j] == Side::Lower {
+            let LinearConstraint { normal, low, high } = &self.rows[j];
+            let limit = if active.rows[j] == Activity::Lower {
                 *low
             } else {
                 *high
@@ -250,7 +250,7 @@ impl QuadraticProgram {
 
     /// Corrects a working set from its candidate: a violated constraint becomes active, a
     /// constraint whose multiplier has the wrong sign becomes inactive.
-    fn corrected(&self, active: &WorkingSet, candidate: &Step) -> WorkingSet {
+    fn corrected(&self, active: &WorkingSet, candidate: &QpStep) -> WorkingSet {
         let gradient = self.lagrangian_gradient(candidate);
         // the active terms have a common value (epigraph variable)
         let first = active.max_terms.iter().position(|is_active| *is_active);
@@ -269,7 +269,7 @@ impl QuadraticProgram {
     }
 
     /// Gradient of the Lagrangian, B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ.
-    fn lagrangian_gradient(&self, candidate: &Step) -> DVector<f64> {
+    fn lagrangian_gradient(&self, candidate: &QpStep) -> DVector<f64> {
         let mut gradient = &self.hessian * &candidate.d;
         for (term, weight) in self.max_terms.iter().zip(&candidate.weights) {
             gradient.axpy(*weight, &term.gradient, 1.0);
@@ -280,29 +280,35 @@ impl QuadraticProgram {
         gradient
     }
 
-    fn corrected_bound(&self, i: usize, active: &WorkingSet, candidate: &Step, slope: f64) -> Side {
+    fn corrected_bound(
+        &self,
+        i: usize,
+        active: &WorkingSet,
+        candidate: &QpStep,
+        slope: f64,
+    ) -> Activity {
         let (low, high, d) = (self.low[i], self.high[i], candidate.d[i]);
         let is_beyond = |excess: f64| excess > 0.0 && excess > BOUND_ROUNDING * candidate.d.amax();
         match active.bounds[i] {
-            _ if low == high => Side::Lower,
-            Side::Inactive if is_beyond(low - d) => Side::Lower,
-            Side::Inactive if is_beyond(d - high) => Side::Upper,
-            Side::Lower if slope < 0.0 => Side::Inactive,
-            Side::Upper if slope > 0.0 => Side::Inactive,
+            _ if low == high => Activity::Lower,
+            Activity::Inactive if is_beyond(low - d) => Activity::Lower,
+            Activity::Inactive if is_beyond(d - high) => Activity::Upper,
+            Activity::Lower if slope < 0.0 => Activity::Inactive,
+            Activity::Upper if slope > 0.0 => Activity::Inactive,
             same => same,
         }
     }
 
-    fn corrected_row(&self, j: usize, active: &WorkingSet, candidate: &Step) -> Side {
+    fn corrected_row(&self, j: usize, active: &WorkingSet, candidate: &QpStep) -> Activity {
         let (row, multiplier) = (&self.rows[j], candidate.multipliers[j]);
         let value = row.normal.dot(&candidate.d);
         let rounding = ROW_ROUNDING * (1.0 + row.normal.amax() * candidate.d.amax());
         match active.rows[j] {
-            _ if row.is_equation() => Side::Lower,
-            Side::Inactive if value < row.low - rounding => Side::Lower,
-            Side::Inactive if value > row.high + rounding => Side::Upper,
-            Side::Lower if multiplier > 0.0 => Side::Inactive,
-            Side::Upper if multiplier < 0.0 => Side::Inactive,
+            _ if row.is_equation() => Activity::Lower,
+            Activity::Inactive if value < row.low - rounding => Activity::Lower,
+            Activity::Inactive if value > row.high + rounding => Activity::Upper,
+            Activity::Lower if multiplier > 0.0 => Activity::Inactive,
+            Activity::Upper if multiplier < 0.0 => Activity::Inactive,
             same => same,
         }
     }
@@ -311,7 +317,7 @@ impl QuadraticProgram {
         &self,
         k: usize,
         active: &WorkingSet,
-        candidate: &Step,
+        candidate: &QpStep,
         epigraph: f64,
     ) -> bool {
         if active.max_terms[k] {
@@ -322,18 +328,18 @@ impl QuadraticProgram {
     }
 }
 
-impl Step {
+impl QpStep {
     /// Projects a step on the bounds; a variable within rounding of a bound is set to the bound.
     pub(super) fn project_on_bounds(&mut self, program: &QuadraticProgram) {
         let rounding = BOUND_ROUNDING * self.d.amax();
         for i in 0..self.d.len() {
             let (low, high, d) = (program.low[i], program.high[i], self.d[i]);
-            (self.sides[i], self.d[i]) = if d - low <= rounding {
-                (Side::Lower, low)
+            (self.activities[i], self.d[i]) = if d - low <= rounding {
+                (Activity::Lower, low)
             } else if high - d <= rounding {
-                (Side::Upper, high)
+                (Activity::Upper, high)
             } else {
-                (Side::Inactive, d)
+                (Activity::Inactive, d)
             };
         }
     }

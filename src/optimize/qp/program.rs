@@ -17,7 +17,7 @@ pub struct QuadraticProgram {
     /// Upper bounds of the step, ≥ 0, or ∞.
     pub high: DVector<f64>,
     /// Linear constraints.
-    pub rows: Vec<Row>,
+    pub rows: Vec<LinearConstraint>,
 }
 
 /// Linear term offset + gradient · d.
@@ -31,7 +31,7 @@ pub struct MaxTerm {
 
 /// Linear constraint low ≤ normal · d ≤ high; low = high is an equality.
 #[derive(Clone, Debug, Default)]
-pub struct Row {
+pub struct LinearConstraint {
     /// Coefficients of d.
     pub normal: DVector<f64>,
     /// Lower limit, or −∞.
@@ -43,7 +43,7 @@ pub struct Row {
 /// Activity of a variable or row: inactive, or active at one of its limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Side {
+pub enum Activity {
     /// Not active.
     Inactive,
     /// Exactly at the lower limit.
@@ -54,11 +54,11 @@ pub enum Side {
 
 /// Solution of a quadratic program.
 #[derive(Clone, Debug)]
-pub struct Step {
+pub struct QpStep {
     /// Step d. A variable at a bound equals the bound exactly.
     pub d: DVector<f64>,
     /// Active bounds of the variables.
-    pub sides: Vec<Side>,
+    pub activities: Vec<Activity>,
     /// Multiplier αₖ of each term of the maximum: αₖ ≥ 0, Σ αₖ = 1.
     pub weights: Vec<f64>,
     /// Multiplier μⱼ of each row: > 0 at its upper limit, < 0 at its lower, 0 between. B d + Σ αₖ
@@ -85,7 +85,7 @@ impl MaxTerm {
     }
 }
 
-impl Row {
+impl LinearConstraint {
     pub(super) fn is_equation(&self) -> bool {
         self.low == self.high
     }
@@ -113,7 +113,7 @@ impl QuadraticProgram {
             };
         }
         self.max_terms.truncate(1);
-        self.rows.resize_with(m, Row::default);
+        self.rows.resize_with(m, LinearConstraint::default);
     }
 
     /// Objective at d.

@@ -1,5 +1,5 @@
-use super::interior_point::{Answer, InteriorPoint};
-use super::program::{QuadraticProgram, Side, Step, StepSource};
+use super::interior_point::{ClarabelResult, InteriorPoint};
+use super::program::{Activity, QpStep, QuadraticProgram, StepSource};
 use super::working_set::WorkingSet;
 use serde::{Deserialize, Serialize};
 
@@ -19,7 +19,7 @@ impl QpSolver {
     /// Solver for programs of `n` variables without rows. Its first warm start has no active bound.
     pub fn from_no_active_bound(n: usize) -> Self {
         let active_set = WorkingSet {
-            bounds: vec![Side::Inactive; n],
+            bounds: vec![Activity::Inactive; n],
             rows: vec![],
             max_terms: vec![true],
         };
@@ -40,7 +40,7 @@ impl QpSolver {
     ///
     /// # Panics
     /// If there is no term of the maximum, or lengths differ.
-    pub fn solve(&mut self, program: &QuadraticProgram) -> Option<Step> {
+    pub fn solve(&mut self, program: &QuadraticProgram) -> Option<QpStep> {
         let previous = self
             .active_set
             .as_ref()
@@ -50,7 +50,7 @@ impl QpSolver {
             return warm;
         }
         self.active_set = None;
-        let Answer { active, step: own } = self.interior_point.solve(program)?;
+        let ClarabelResult { active, step: own } = self.interior_point.solve(program)?;
         let active = program.consistent_working_set(active);
         let degenerate = own
             .as_ref()
@@ -59,7 +59,7 @@ impl QpSolver {
             self.active_set = Some(active);
             return Some(step);
         }
-        let is_feasible = |own: &Step| {
+        let is_feasible = |own: &QpStep| {
             program.violation(&own.d)
                 <= MOST_VIOLATION * (program.largest_bound().min(1.0) + own.d.amax())
         };

@@ -1,20 +1,20 @@
-use super::program::{QuadraticProgram, Side};
+use super::program::{Activity, QuadraticProgram};
 use serde::{Deserialize, Serialize};
 
 /// Working set: the bounds, rows and terms of the maximum that are treated as active (Nocedal &
 /// Wright 2006, §16.5). At a solution it is the active set.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(in crate::optimize) struct WorkingSet {
-    pub bounds: Vec<Side>,
-    pub rows: Vec<Side>,
+    pub bounds: Vec<Activity>,
+    pub rows: Vec<Activity>,
     pub max_terms: Vec<bool>,
 }
 
 /// A bound, row or term of the maximum.
 #[derive(Clone, Copy)]
 pub(super) enum ActiveConstraint {
-    Bound(usize, Side),
-    Row(usize, Side),
+    Bound(usize, Activity),
+    Row(usize, Activity),
     MaxTerm(usize),
 }
 
@@ -39,9 +39,9 @@ impl WorkingSet {
     ) -> Self {
         let fixed = |is_fixed: bool| {
             if is_fixed {
-                Side::Lower
+                Activity::Lower
             } else {
-                Side::Inactive
+                Activity::Inactive
             }
         };
         let terms = program.max_terms.len();

@@ -9,7 +9,7 @@ use super::reply::{Ending, Report};
 use super::setup_file::setup_toml;
 use super::shown::as_declared;
 use crate::error::Result;
-use crate::optimize::least_squares::{RejectedPoints, Status};
+use crate::optimize::least_squares::{FitStatus, RejectedPoints};
 use crate::parameters::SetupFile;
 use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable, Starts};
 use crate::units::{Message, System, counted, counted_of, typed};
@@ -140,7 +140,7 @@ impl<'a> CalibrationReport<'a> {
             table,
             found,
             held: held_out,
-            interrupted: found.fit.status == Status::Interrupted
+            interrupted: found.fit.status == FitStatus::Interrupted
                 || held_out.iter().any(|(_, held)| held.is_interrupted()),
             data: DataReport::new(table),
             estimates: estimates.collect(),
@@ -167,9 +167,9 @@ impl<'a> CalibrationReport<'a> {
     }
 
     /// The status of the fit; `interrupted` if a fit of the cross-validation was interrupted.
-    pub fn status(&self) -> Status {
+    pub fn status(&self) -> FitStatus {
         if self.interrupted {
-            Status::Interrupted
+            FitStatus::Interrupted
         } else {
             self.found.fit.status
         }
@@ -180,14 +180,14 @@ impl<'a> CalibrationReport<'a> {
         let fit = &self.found.fit;
         let (stopped, all) = self.held.iter().fold((0, 0), |(stopped, all), (_, held)| {
             (
-                stopped + held.count(Status::Interrupted),
+                stopped + held.count(FitStatus::Interrupted),
                 all + held.ended.len(),
             )
         });
         let of_all = counted_of(stopped as u64, all as u64, ["fit", "fits"]);
         match stopped {
             0 => fit.message.clone(),
-            _ if fit.status == Status::Interrupted => {
+            _ if fit.status == FitStatus::Interrupted => {
                 format!("{}; not made for the held-out error: {of_all}", fit.message)
             }
             _ => format!(
@@ -200,7 +200,7 @@ impl<'a> CalibrationReport<'a> {
 
     /// True if the fit converged and nothing was interrupted.
     pub fn is_found(&self) -> bool {
-        self.found.fit.status == Status::Converged && !self.interrupted
+        self.found.fit.status == FitStatus::Converged && !self.interrupted
     }
 
     /// The fitted setup as a setup file in TOML, with full precision. The fitted parameters have
@@ -239,7 +239,7 @@ impl<'a> CalibrationReport<'a> {
 
 impl HeldOutReport {
     fn new(fit: &str, held: &HeldOut) -> Self {
-        let mut statuses: Vec<Status> = vec![];
+        let mut statuses: Vec<FitStatus> = vec![];
         for status in &held.ended {
             if !statuses.contains(status) {
                 statuses.push(*status);
@@ -266,7 +266,7 @@ impl Report for CalibrationReport<'_> {
 
     #[cfg(test)]
     fn statuses() -> Vec<&'static str> {
-        Status::ALL.map(Status::name).to_vec()
+        FitStatus::ALL.map(FitStatus::name).to_vec()
     }
 
     /// The status and message of the fit; if a fit of the cross-validation was interrupted, the

@@ -1,8 +1,8 @@
-use crate::optimize::least_squares::Status;
+use crate::optimize::least_squares::FitStatus;
 use crate::report::document::{Document, Table};
 use crate::report::shown;
 use crate::study::calibrate::{
-    Calibration, Estimate, HeldOut, Remainder, ShotTable, Starts, Statistics, Uncertainties,
+    Calibration, Estimate, FitStatistics, HeldOut, Remainder, ShotTable, Starts, Uncertainties,
     Undetermined,
 };
 use crate::units::{
@@ -55,7 +55,7 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
     let mut text = format!("{same} of {of} ended at this sum of squares");
     for (status, count) in elsewhere {
         text += &match status {
-            Status::Undefined => {
+            FitStatus::Undefined => {
                 format!(
                     "; {count} could not begin, because in some rows the ball does not fly with the \
                      parameters of the start"
@@ -65,13 +65,13 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
         };
     }
     document.paragraph(text + ".");
-    let has_end = |status: &Status| {
+    let has_end = |status: &FitStatus| {
         matches!(
             status,
-            Status::Converged
-                | Status::Undetermined
-                | Status::DominatedByOneResidual
-                | Status::Misfit
+            FitStatus::Converged
+                | FitStatus::Undetermined
+                | FitStatus::DominatedByOneResidual
+                | FitStatus::Misfit
         )
     };
     if elsewhere.iter().any(|(status, _)| !has_end(status)) {
@@ -102,7 +102,7 @@ pub(super) fn estimates(
 ) {
     let statistics = &found.statistics;
     document.heading("Estimates");
-    if found.fit.status == Status::Interrupted {
+    if found.fit.status == FitStatus::Interrupted {
         document.paragraph(if found.is_minimum {
             "The fit was interrupted: these values are a minimum, but the stopped searches might \
              have found a lower minimum."
@@ -200,7 +200,7 @@ fn estimated(estimate: &Estimate, system: System) -> Vec<String> {
 }
 
 /// χ² in words, and the origin of the standard errors.
-fn chi_square(statistics: &Statistics, stated: Uncertainties) -> String {
+fn chi_square(statistics: &FitStatistics, stated: Uncertainties) -> String {
     let chi = significant(statistics.chi_square, 5);
     let dof = statistics.degrees_of_freedom;
     let freedom = match dof {
@@ -400,8 +400,8 @@ fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
     let rms = held
         .mean_square()
         .map_or(shown::NONE.into(), |mean| format!("{:.3}", mean.sqrt()));
-    let interrupted = held.count(Status::Interrupted);
-    let others = held.ended.len() - interrupted - held.count(Status::Converged);
+    let interrupted = held.count(FitStatus::Interrupted);
+    let others = held.ended.len() - interrupted - held.count(FitStatus::Converged);
     let mut what = match (interrupted, held.ended.len()) {
         (0, _) => name.to_owned(),
         (stopped, all) if stopped == all => format!("{name}: interrupted, nothing was fitted"),

@@ -12,8 +12,8 @@ use crate::report::lines::by_reason;
 use crate::report::reply::{Ending, Report};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{
-    Agreement, AtLanding, Certificate, Continuity, Convergence, DetectionTest, Missing,
-    NotExamined, Row, StepError,
+    Agreement, AtLanding, Certificate, Continuity, Convergence, DerivativeRow, DetectionTest,
+    Missing, NotExamined, StepError,
 };
 use crate::units::System;
 use serde::Serialize;
@@ -174,7 +174,7 @@ impl Report for CertificateReport<'_> {
 }
 
 impl<'a> CertificateRow<'a> {
-    fn new(row: &'a Row) -> Self {
+    fn new(row: &'a DerivativeRow) -> Self {
         let check = &row.first;
         let best = check.best_step();
         Self {

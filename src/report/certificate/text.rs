@@ -5,7 +5,7 @@ use crate::report::lines::by_reason;
 use crate::report::shown;
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{
-    Certificate, Continuity, Convergence, DetectionTest, Row, StepError,
+    Certificate, Continuity, Convergence, DerivativeRow, DetectionTest, StepError,
 };
 use crate::units::{System, counted, counted_of, fixed, significant};
 
@@ -116,7 +116,7 @@ fn planted(planted: &DetectionTest) -> String {
 }
 
 /// The one-sided derivatives at a corner.
-fn corner(row: &Row) -> String {
+fn corner(row: &DerivativeRow) -> String {
     let sides = row
         .first
         .sides
@@ -143,7 +143,7 @@ fn corner(row: &Row) -> String {
 
 /// The text about a second derivative that fails, if the first derivative passes; otherwise `None`.
 /// The table shows only the first derivative.
-fn failure_of_second(row: &Row) -> Option<String> {
+fn failure_of_second(row: &DerivativeRow) -> Option<String> {
     let second = row
         .second
         .as_ref()
@@ -161,7 +161,7 @@ fn failure_of_second(row: &Row) -> Option<String> {
 
 /// The text about a first derivative whose values from jets and from num-dual disagree; `None` if
 /// they agree.
-fn disagreement(row: &Row) -> Option<String> {
+fn disagreement(row: &DerivativeRow) -> Option<String> {
     let found = &row.num_dual;
     if found.verdict == Verdict::Pass {
         return None;
@@ -180,8 +180,10 @@ fn disagreement(row: &Row) -> Option<String> {
 
 /// The number of first derivatives that agree with num-dual, and the largest difference relative to
 /// its tolerance.
-fn agreement(rows: &[Row]) -> Option<String> {
-    let part = |row: &&Row| row.num_dual.difference / row.num_dual.tolerance.max(f64::MIN_POSITIVE);
+fn agreement(rows: &[DerivativeRow]) -> Option<String> {
+    let part = |row: &&DerivativeRow| {
+        row.num_dual.difference / row.num_dual.tolerance.max(f64::MIN_POSITIVE)
+    };
     let worst = rows.iter().max_by(|a, b| part(a).total_cmp(&part(b)))?;
     let agree = rows
         .iter()
@@ -201,7 +203,7 @@ fn agreement(rows: &[Row]) -> Option<String> {
 }
 
 /// Table of the derivatives with their verdicts.
-pub(super) fn rows_table(rows: &[Row]) -> Table {
+pub(super) fn rows_table(rows: &[DerivativeRow]) -> Table {
     let head = [
         "outcome",
         "by",
@@ -248,7 +250,7 @@ pub(super) fn rows_table(rows: &[Row]) -> Table {
 }
 
 /// The exact derivative of a row for display: 0 if it is a rounding error.
-pub(in crate::report) fn settled(row: &Row) -> f64 {
+pub(in crate::report) fn settled(row: &DerivativeRow) -> f64 {
     shown::settled(row.first.exact, row.ladder.size, row.of, &[row.parameter])
 }
 

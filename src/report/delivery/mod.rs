@@ -11,7 +11,9 @@ use super::setup_file::setup_toml;
 use super::shown;
 use crate::error::Result;
 use crate::parameters::{Setup, SetupFile};
-use crate::study::delivery::{Delivery, Explained, Population, Posterior, Spread, Unidentified};
+use crate::study::delivery::{
+    Explained, Population, Posterior, ShotDelivery, Spread, Unidentified,
+};
 use crate::units::{Message, System, counted, counted_of};
 use serde::Serialize;
 use text::{median_identified, of_one, of_table, verdict};
@@ -21,7 +23,7 @@ use text::{median_identified, of_one, of_table, verdict};
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct DeliveryReport<'a> {
     #[serde(skip)]
-    deliveries: &'a [Delivery],
+    deliveries: &'a [ShotDelivery],
     /// True for launches from a table, false for a single launch.
     #[serde(skip)]
     is_table: bool,
@@ -62,7 +64,7 @@ impl<'a> DeliveryReport<'a> {
     /// table, false for a single launch. `left_out` is the number of rows that were not computed
     /// because of an interruption.
     pub fn new(
-        deliveries: &'a [Delivery],
+        deliveries: &'a [ShotDelivery],
         population: Option<&'a Population>,
         is_table: bool,
         left_out: usize,
@@ -95,7 +97,7 @@ impl Report for DeliveryReport<'_> {
                 message: Some(format!("interrupted before {rows} were computed")),
             };
         }
-        let found = all.iter().filter_map(Delivery::explained).count();
+        let found = all.iter().filter_map(ShotDelivery::explained).count();
         Ending {
             status: share(found, all.len()),
             message: all.iter().find_map(|delivery| match &delivery.found {
@@ -108,14 +110,14 @@ impl Report for DeliveryReport<'_> {
     /// The delivery of a single shot, or the deliveries of a table with their means and deviations.
     fn document(&self, system: System) -> Document {
         match self.deliveries {
-            [Delivery { found: Ok(one), .. }, ..] if !self.is_table => of_one(one, system),
+            [ShotDelivery { found: Ok(one), .. }, ..] if !self.is_table => of_one(one, system),
             all => of_table(all, self.population, system),
         }
     }
 }
 
 impl DeliveryRow {
-    fn new(delivery: &Delivery) -> Self {
+    fn new(delivery: &ShotDelivery) -> Self {
         let row = delivery.row;
         match &delivery.found {
             Ok(delivered) => {
@@ -143,7 +145,7 @@ impl DeliveryRow {
 
 /// Warnings about parameters at a bound of their search range: the bound, not the launch,
 /// determines the values of these parameters.
-pub fn bound_warnings(all: &[Delivery], system: System) -> Vec<Message> {
+pub fn bound_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
     let found: Vec<_> = all
         .iter()
         .filter_map(|delivery| delivery.found.as_ref().ok())
@@ -200,7 +202,7 @@ const UNIDENTIFIED: f64 = 0.005;
 /// The errors of [`setup_toml`].
 pub fn delivery_toml(
     setup: &Setup<f64>,
-    all: &[Delivery],
+    all: &[ShotDelivery],
     file: &SetupFile,
     from: &str,
 ) -> Result<String> {
@@ -208,7 +210,7 @@ pub fn delivery_toml(
     let mut golfer = *setup;
     let mut remarks = vec![];
     let shots = counted(
-        all.iter().filter_map(Delivery::explained).count() as u64,
+        all.iter().filter_map(ShotDelivery::explained).count() as u64,
         "shot",
     );
     for Spread {

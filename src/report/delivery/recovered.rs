@@ -5,7 +5,7 @@ use crate::parameters::Parameter;
 use crate::report::csv_text::csv_text;
 use crate::report::shown;
 use crate::study::delivery::{
-    Delivery, MeanAndDeviation, Population, Posterior, PredictedOutcome, Recovered,
+    MeanAndDeviation, Population, Posterior, PredictedOutcome, Recovered, ShotDelivery,
 };
 use crate::units::{DisplayUnit, Message, System, counted, significant, typed};
 
@@ -18,8 +18,8 @@ const HALF: f64 = 0.5;
 ///
 /// # Errors
 /// [`Error::Output`](crate::Error::Output).
-pub fn recovered_csv(all: &[Delivery]) -> Result<String> {
-    let mut found = all.iter().filter_map(Delivery::explained).peekable();
+pub fn recovered_csv(all: &[ShotDelivery]) -> Result<String> {
+    let mut found = all.iter().filter_map(ShotDelivery::explained).peekable();
     let Some(first) = found.peek() else {
         return Ok(String::new());
     };

@@ -1,10 +1,10 @@
-use crate::optimize::least_squares::Status;
+use crate::optimize::least_squares::FitStatus;
 use crate::parameters::Parameter;
 use crate::report::document::{Document, Line, Table};
 use crate::report::shown;
 use crate::statistics::largest_magnitude;
 use crate::study::delivery::{
-    Delivered, Delivery, Population, Posterior, Recovered, Spread, Unidentified, Unknown,
+    Delivered, Population, Posterior, Recovered, ShotDelivery, Spread, Unidentified, Unknown,
 };
 use crate::units::{System, counted, fixed};
 
@@ -109,7 +109,7 @@ fn unidentified(unidentified: &Unidentified, system: System) -> String {
 /// The deliveries of the shots of a table, their mean and spread, and the `population`: the
 /// distribution of the swings.
 pub(super) fn of_table(
-    all: &[Delivery],
+    all: &[ShotDelivery],
     population: Option<&Population>,
     system: System,
 ) -> Document {
@@ -142,7 +142,7 @@ pub(super) fn of_table(
     });
     let head = ["over all shots", "mean", "standard deviation", "determined"];
     document.add(Table::new(head, rows).right([1, 2, 3]));
-    let first = all.iter().find_map(Delivery::explained);
+    let first = all.iter().find_map(ShotDelivery::explained);
     document.list(first.and_then(|first| measured_club(first, system)));
     if let Some(population) = population {
         document.add(swings(population, system));
@@ -151,7 +151,7 @@ pub(super) fn of_table(
 }
 
 /// The delivery of each shot of a table.
-fn shots(all: &[Delivery], spread: &[Spread], system: System) -> Table {
+fn shots(all: &[ShotDelivery], spread: &[Spread], system: System) -> Table {
     let names = spread.iter().map(|spread| spread.parameter.name);
     let head: Vec<&str> = std::iter::once("row")
         .chain(names)
@@ -177,12 +177,12 @@ fn shots(all: &[Delivery], spread: &[Spread], system: System) -> Table {
 }
 
 /// Lines with the rows that have no delivery, and the reasons.
-fn failures(all: &[Delivery], system: System) -> Vec<Line> {
-    let why = |delivery: &Delivery| match &delivery.found {
+fn failures(all: &[ShotDelivery], system: System) -> Vec<Line> {
+    let why = |delivery: &ShotDelivery| match &delivery.found {
         Ok(delivered) => verdict(delivered).1,
         Err(error) => Some(error.in_units(system)),
     };
-    let line = |delivery: &Delivery| {
+    let line = |delivery: &ShotDelivery| {
         let why = why(delivery)?;
         Some(Line::item(format!("row {}: {why}", delivery.row)))
     };
@@ -223,10 +223,10 @@ fn swings(population: &Population, system: System) -> Table {
 
 /// The fraction of a parameter's prior variance that a shot removes, as the median over the shots.
 /// `None` if the fraction is unknown for every shot.
-pub(super) fn median_identified(all: &[Delivery], parameter: &Parameter) -> Option<f64> {
+pub(super) fn median_identified(all: &[ShotDelivery], parameter: &Parameter) -> Option<f64> {
     let known = all
         .iter()
-        .filter_map(Delivery::explained)
+        .filter_map(ShotDelivery::explained)
         .flat_map(|delivered| &delivered.posteriors);
     let mut fractions: Vec<f64> = known
         .filter(|known| known.unknown.parameter == parameter)
@@ -245,7 +245,7 @@ fn percent(fraction: Option<f64>) -> String {
 
 /// The status of the search for a delivery, with a sentence if it failed.
 pub(super) fn verdict(delivered: &Delivered) -> (&'static str, Option<String>) {
-    if delivered.status != Status::Converged {
+    if delivered.status != FitStatus::Converged {
         return (delivered.status.name(), Some(delivered.message.clone()));
     }
     let Some(worst) = delivered.unexplained() else {

@@ -3,7 +3,7 @@ use super::style::{field, style};
 use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, Measure};
 use crate::report::shown;
-use crate::study::{Launched, Launches, Vary};
+use crate::study::{Launches, NamedLaunch, Vary};
 use crate::units::System;
 
 /// A map of carry over launch angle and backspin at a constant ball speed, as in club fitting, with
@@ -41,7 +41,7 @@ fn layers(map: &Launches) -> Vec<Layer> {
         is_dashed: true,
         points: map.ridge.clone(),
     });
-    let place = |one: &Launched| [one.launch_angle, one.backspin];
+    let place = |one: &NamedLaunch| [one.launch_angle, one.backspin];
     let arrow = match &map.launched[..] {
         [first, second, ..] => Some(Layer::Arrows {
             name: String::new(),
@@ -76,7 +76,7 @@ fn note(map: &Launches, system: System) -> String {
 
 /// The launch and the carry of a drive, with the ball speed of the drive if it differs from the
 /// ball speed of the map.
-fn note_of(one: &Launched, has_own_speed: bool, system: System) -> String {
+fn note_of(one: &NamedLaunch, has_own_speed: bool, system: System) -> String {
     let told = |of: Outcome, value: f64| shown::outcome(of, value, system);
     let carry = one.carry.map_or("no flight".into(), |carry| {
         format!("carry {}", told(Outcome::Carry, carry))

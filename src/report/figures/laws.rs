@@ -218,7 +218,7 @@ impl LawPlot {
     fn measured_points(&self, law: &Law<f64>) -> Vec<[f64; 2]> {
         let [low, high] = self.range;
         let which = self.of as usize;
-        measured(law, &law.fitted(), self.per_speed, self.radius)
+        measured(law, &law.properties().fitted, self.per_speed, self.radius)
             .into_iter()
             .filter_map(|point| {
                 let (x, other) = match self.over {
@@ -236,7 +236,7 @@ impl LawPlot {
     /// The solid line of a law within its fitted range, and the dashed line outside of it, or
     /// everywhere if the range is unknown. A line without points is omitted.
     fn curve(&self, law: &Law<f64>, hue: Hue) -> Vec<Layer> {
-        let fitted = law.fitted();
+        let fitted = law.properties().fitted;
         let points = self.points(law, &fitted);
         let (within, beyond) = (pieces(&points, true), pieces(&points, false));
         let [first, last] = self.range.map(|at| self.stream(at));

@@ -57,7 +57,7 @@ impl Causes {
 
 /// The changes of the outcome with the parameter at p − σ and at p + σ. The first-order effect
 /// replaces the change of a drive that does not fly.
-fn ends(effect: &study::Bar) -> [f64; 2] {
+fn ends(effect: &study::SigmaEffect) -> [f64; 2] {
     let [lower, higher] = effect.flown;
     [
         lower.unwrap_or(-effect.first_order),
@@ -65,7 +65,7 @@ fn ends(effect: &study::Bar) -> [f64; 2] {
     ]
 }
 
-fn size(effect: &study::Bar) -> f64 {
+fn size(effect: &study::SigmaEffect) -> f64 {
     let [lower, higher] = ends(effect);
     lower.abs().max(higher.abs())
 }
@@ -76,11 +76,11 @@ fn size(effect: &study::Bar) -> f64 {
 /// an effect.
 pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System) -> Option<Figure> {
     let is_cause = |effect: &&Effect| causes.has(effect.parameter);
-    let mut ranked: Vec<study::Bar> = effects
+    let mut ranked: Vec<study::SigmaEffect> = effects
         .effects
         .iter()
         .filter(is_cause)
-        .filter_map(|effect| effect.bar)
+        .filter_map(|effect| effect.sigma_effect)
         .collect();
     ranked.sort_by(|a, b| size(b).total_cmp(&size(a)));
     let longest = ranked.first().map(size).filter(|longest| *longest > 0.0)?;
@@ -92,7 +92,7 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System)
         .count()
         .min(MOST);
     let folded = ranked.split_off(seen);
-    let name = |effect: &study::Bar| {
+    let name = |effect: &study::SigmaEffect| {
         let Sigma {
             parameter, value, ..
         } = effect.sigma;
@@ -150,8 +150,8 @@ fn note(
     effects: &Effects,
     causes: Causes,
     at: At,
-    ranked: &[study::Bar],
-    folded: &[study::Bar],
+    ranked: &[study::SigmaEffect],
+    folded: &[study::SigmaEffect],
     system: System,
 ) -> String {
     let measure = Measure::outcome(effects.of);
@@ -161,7 +161,7 @@ fn note(
             .iter()
             .filter(|effect| causes.has(effect.parameter));
         let sum = of_causes
-            .filter_map(|effect| effect.bar)
+            .filter_map(|effect| effect.sigma_effect)
             .map(|bar| bar.first_order)
             .fold(0.0, f64::hypot);
         measure.show_difference(sum, system)
@@ -187,7 +187,7 @@ fn note(
         }
         Causes::All => {}
     }
-    let is_straight = |effect: &&study::Bar| effect.flown.iter().any(Option::is_none);
+    let is_straight = |effect: &&study::SigmaEffect| effect.flown.iter().any(Option::is_none);
     let straight = ranked.iter().filter(is_straight).count();
     if straight > 0 {
         let bars = counted(straight as u64, "bar");

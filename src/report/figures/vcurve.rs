@@ -1,8 +1,8 @@
-use crate::derivative::check::Point;
+use crate::derivative::check::CurvePoint;
 use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
 use crate::reproduce::LoopRow;
-use crate::study::certificate::Row;
+use crate::study::certificate::DerivativeRow;
 use crate::units::counted;
 
 /// V-curves: the error of plain central differences relative to exact derivatives, at each step.
@@ -10,7 +10,10 @@ use crate::units::counted;
 /// parameter. Errors are relative to the derivative; if it is 0, they are relative to the size of
 /// the outcome divided by the size of the parameter. For comparison, the plot has the differences
 /// of a while-loop that overshoots the ground.
-pub fn vcurve_figure<'a>(rows: impl IntoIterator<Item = &'a Row>, loops: &[LoopRow]) -> Figure {
+pub fn vcurve_figure<'a>(
+    rows: impl IntoIterator<Item = &'a DerivativeRow>,
+    loops: &[LoopRow],
+) -> Figure {
     let x = Axis::log(Measure::plain("step, relative"));
     let y = Axis::log(Measure::plain("error of the difference, relative"));
     let mut figure = Figure::new(
@@ -50,7 +53,7 @@ pub fn vcurve_figure<'a>(rows: impl IntoIterator<Item = &'a Row>, loops: &[LoopR
 }
 
 /// The relative step and error of each point, scaled for `row` as in [`vcurve_figure`].
-fn curve(row: &Row, points: &[Point]) -> Vec<[f64; 2]> {
+fn curve(row: &DerivativeRow, points: &[CurvePoint]) -> Vec<[f64; 2]> {
     let unit = if row.first.exact == 0.0 {
         row.ladder.size / row.ladder.scale
     } else {

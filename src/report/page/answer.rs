@@ -187,7 +187,7 @@ fn what_is_known(findings: &Findings) -> Markup {
     let mut moving: Vec<_> = effects
         .effects
         .iter()
-        .filter_map(|effect| effect.bar)
+        .filter_map(|effect| effect.sigma_effect)
         .collect();
     moving.retain(|bar| bar.first_order != 0.0);
     moving.sort_by(|a, b| b.first_order.abs().total_cmp(&a.first_order.abs()));

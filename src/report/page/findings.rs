@@ -3,7 +3,7 @@ use crate::flight::Flight;
 use crate::optimize::Status;
 use crate::parameters::{Setup, SetupFile};
 use crate::reproduce::LoopRow;
-use crate::study::certificate::Row;
+use crate::study::certificate::DerivativeRow;
 use crate::study::{
     Chart, ClubAlone, Constraint, Effects, Face, Flatness, Landing, Launches, Map, NamedDrive,
     Optimum, Plane, Region,
@@ -70,7 +70,7 @@ pub struct Findings {
     /// The effects of uncertainties on the outcome of the report, at the optimum.
     pub at_best: Option<Effects>,
     /// Finite differences compared with exact derivatives.
-    pub rows: Vec<Row>,
+    pub rows: Vec<DerivativeRow>,
     /// Finite differences of the MAE 494 report's while-loop.
     pub loops: Vec<LoopRow>,
     /// The link to the explorer; `None` for a setup that the explorer cannot represent.

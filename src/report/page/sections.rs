@@ -12,7 +12,7 @@ use crate::report::limits::ended_at;
 use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
 use crate::report::presets::{SourcedValue, sources};
 use crate::report::shown;
-use crate::study::certificate::Row;
+use crate::study::certificate::DerivativeRow;
 use crate::study::{Effects, Flatness, NamedDrive, Optimum, Vary, Window, WindowLimit};
 use crate::units::{System, counted, significant, typeset};
 use maud::{Markup, Render, html};
@@ -176,7 +176,7 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     let sigmas = first
         .effects
         .iter()
-        .filter_map(|effect| Some(effect.bar?.sigma));
+        .filter_map(|effect| Some(effect.sigma_effect?.sigma));
     html! {
         (scrolled("Uncertainties", html! { table.told {
             thead { tr { th { "parameter" } th.number { "standard uncertainty" } th { "source" } } }
@@ -194,7 +194,7 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
 }
 
 /// Table of the exact derivatives and the best numerical derivatives.
-pub(super) fn verdicts(rows: &[Row]) -> Markup {
+pub(super) fn verdicts(rows: &[DerivativeRow]) -> Markup {
     const EXACT: &str = "exact, SI";
     const NUMERICAL: &str = "numerical, extrapolated";
     html! {

@@ -10,7 +10,7 @@ use crate::impact::strike;
 use crate::json::number;
 use crate::number::Vector;
 use crate::parameters::{Parameter, Setup};
-use crate::study::certificate::Row;
+use crate::study::certificate::DerivativeRow;
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -163,11 +163,11 @@ pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
 /// Finite differences of the report's loop for the carry rows of a certificate, except derivatives
 /// by wind and by the height of the ground. Empty if the setup has wind, spin damping, or a ground
 /// that is not level with the tee, which the loop does not model.
-pub fn while_loop(setup: &Setup<f64>, rows: &[Row]) -> Vec<LoopRow> {
+pub fn while_loop(setup: &Setup<f64>, rows: &[DerivativeRow]) -> Vec<LoopRow> {
     if !is_modelled(setup) {
         return vec![];
     }
-    let known = |row: &&Row| {
+    let known = |row: &&DerivativeRow| {
         row.of == Outcome::Carry
             && !row.parameter.name.starts_with("wind")
             && row.parameter.name != "ground.height"

@@ -62,5 +62,6 @@ pub(super) fn best(setup: &Setup<f64>, printed: [f64; 3], names: &[&str]) -> Res
 fn searched(setup: &Setup<f64>, from: Delivery, names: &[&str]) -> Result<Delivery> {
     let search = RANGES.longest_carry(setup, names)?;
     let found = optimum(&from.set(setup), search, Observer::default())?;
-    Ok(Delivery::of(&found.converged()?))
+    found.check_converged()?;
+    Ok(Delivery::of(&found))
 }

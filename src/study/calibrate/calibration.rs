@@ -1,9 +1,9 @@
 //! Result of a calibration.
 
-use super::statistics::Statistics;
+use super::statistics::FitStatistics;
 use crate::drive::Outcome;
 use crate::json::{by_name, number};
-use crate::optimize::least_squares::{Fit, Status};
+use crate::optimize::least_squares::{Fit, FitStatus};
 use crate::parameters::{Parameter, Setup};
 use serde::Serialize;
 
@@ -72,7 +72,7 @@ pub struct Starts {
     // empty if `Calibration::renewals` exceeds 1, because only the best search is then repeated
     #[serde(serialize_with = "by_name")]
     #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, usize>"))]
-    pub elsewhere: Vec<(Status, usize)>,
+    pub elsewhere: Vec<(FitStatus, usize)>,
 }
 
 /// Parameters fitted to shots.
@@ -91,7 +91,7 @@ pub struct Calibration {
     /// The fitted parameters.
     pub estimates: Vec<Estimate>,
     /// Covariance, degrees of freedom and χ².
-    pub statistics: Statistics,
+    pub statistics: FitStatistics,
     /// The residuals, row by row.
     pub remainders: Vec<Remainder>,
     /// Number of times that the curvatures of carry in the stationary parameters were computed

@@ -1,7 +1,7 @@
 //! Reads a table of measured shots.
 
 use super::reading::Reading;
-use super::rows::Rows;
+use super::rows::ShotRows;
 use super::shot_table::ShotTable;
 use crate::error::Result;
 use crate::input_file::InputFile;
@@ -72,7 +72,7 @@ impl ShotTable {
         let (mut table, head) = TextTable::open(text, setup, &wanted)?;
         let mut reading = Reading::of_head(setup, &table, head, club)?;
         let first = reading.clone();
-        let mut rows = Rows::new(&file);
+        let mut rows = ShotRows::new(&file);
         while let Some(entry) = table.next_entry()? {
             match entry {
                 Entry::Row(record) => rows.take(&reading, &record, table.separator)?,
@@ -107,7 +107,7 @@ impl ShotTable {
         let further = shots.further().to_vec();
         let shots = shots.all()?;
         let reading = Reading::of_shots(setup, &shots, &further, club);
-        let mut rows = Rows::new(file);
+        let mut rows = ShotRows::new(file);
         for shot in &shots {
             rows.take_shot(&reading, shot, &further);
         }

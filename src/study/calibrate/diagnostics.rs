@@ -2,10 +2,10 @@
 
 use super::calibration::{Calibration, Estimate};
 use super::residuals::at_shot;
-use super::shot_table::{Shot, ShotTable};
+use super::shot_table::{MeasuredShot, ShotTable};
 use super::statistics::Uncertainties;
 use crate::drive::{CheckScope, ExceededCount, exceeded_in_flight};
-use crate::optimize::least_squares::Status;
+use crate::optimize::least_squares::FitStatus;
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
 use crate::units::{Digits, Message, counted, significant};
@@ -55,7 +55,7 @@ impl Calibration {
         // no warning if the status already reports a misfit or an outlier
         let is_told = !matches!(
             self.fit.status,
-            Status::DominatedByOneResidual | Status::Misfit
+            FitStatus::DominatedByOneResidual | FitStatus::Misfit
         );
         let is_told = is_told && table.uncertainties != Uncertainties::Weights;
         let off = self
@@ -158,8 +158,12 @@ impl ShotTable {
 
 /// Warnings about shots outside the model's validity limits. Shots that do not land are not
 /// counted. Once `stop` is true, the warning says that the shots were not checked.
-pub fn validity_warnings(setup: &Setup<f64>, shots: &[Shot], stop: &AtomicBool) -> Vec<Message> {
-    let looked_at = |shot: &Shot| {
+pub fn validity_warnings(
+    setup: &Setup<f64>,
+    shots: &[MeasuredShot],
+    stop: &AtomicBool,
+) -> Vec<Message> {
+    let looked_at = |shot: &MeasuredShot| {
         let setup = at_shot(setup, shot).ok()?;
         let of: Vec<_> = shot
             .measured

@@ -1,12 +1,14 @@
 use super::calibration::{Calibration, Estimate, Remainder, Starts};
 use super::refusal::no_answer;
 use super::residuals::ShotResiduals;
-use super::shot_table::{Shot, ShotTable};
-use super::statistics::{Fitted, Statistics};
+use super::shot_table::{MeasuredShot, ShotTable};
+use super::statistics::{FitRange, FitStatistics};
 use super::verdict;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::optimize::least_squares::{Fit, FitObserver, Options, Residuals, Status, fit_from};
+use crate::optimize::least_squares::{
+    Fit, FitObserver, FitOptions, FitStatus, Residuals, fit_from,
+};
 use crate::optimize::{Domain, starts};
 use crate::parameters::{Parameter, Setup, Vary, refuse_replaced};
 use crate::study::cancellable::stopped;
@@ -21,7 +23,7 @@ pub struct FitPlan {
     /// Number of searches, spread over the ranges. The first starts at the setup's values.
     pub starts: usize,
     /// Loss function and limits of the search.
-    pub options: Options,
+    pub options: FitOptions,
 }
 
 impl FitPlan {
@@ -75,7 +77,7 @@ impl FitPlan {
         Ok(Self {
             fit,
             starts: 1,
-            options: Options::default(),
+            options: FitOptions::default(),
         })
     }
 
@@ -96,7 +98,7 @@ impl FitPlan {
                     parameter.name, table.file
                 ));
             }
-            let is_stationary = |shot: &Shot| {
+            let is_stationary = |shot: &MeasuredShot| {
                 shot.stationary
                     .iter()
                     .any(|stationary| stationary.parameter == *parameter)
@@ -132,7 +134,7 @@ impl FitPlan {
 }
 
 /// Refuses measured values that are not finite, and standard uncertainties that are not positive.
-fn check_measurements(shots: &[Shot]) -> Result<()> {
+fn check_measurements(shots: &[MeasuredShot]) -> Result<()> {
     let refuse = |reason: String| Err(Error::Calibration { reason });
     for (row, measured) in shots
         .iter()
@@ -205,12 +207,13 @@ pub fn calibrate(
         curvatures: vec![],
         stop: &observer.interrupt,
     };
-    let options = Options {
+    let options = FitOptions {
         rounding: table.rounding(),
         ..plan.options.clone()
     };
     let from = starting_points(&mut problem, &domain, &own, plan.starts, observer)?;
-    let mut searches = Searches::run(&mut problem, &domain, &own, from, &options, observer)?;
+    let mut searches =
+        RepeatedSearches::run(&mut problem, &domain, &own, from, &options, observer)?;
     let starts = searches.by_end(plan.starts);
     let (stopped, is_minimum) = verdict::of_searches(
         &mut searches.fits,
@@ -267,7 +270,7 @@ fn no_start(problem: &ShotResiduals<'_>, own: &[f64], observer: &FitObserver) ->
 }
 
 /// Searches from several starting points, repeated with renewed [`ShotResiduals::curvatures`].
-struct Searches {
+struct RepeatedSearches {
     /// Fits in ascending order of the sum of squares.
     fits: Vec<Fit>,
     /// True if the curvatures no longer change.
@@ -276,14 +279,14 @@ struct Searches {
     renewals: usize,
 }
 
-impl Searches {
+impl RepeatedSearches {
     /// Runs the searches; renews the curvatures at the best point until they no longer change.
     fn run(
         problem: &mut ShotResiduals<'_>,
         domain: &Domain,
         own: &[f64],
         mut from: Vec<Vec<f64>>,
-        options: &Options,
+        options: &FitOptions,
         observer: &FitObserver,
     ) -> Result<Self> {
         /// Maximum number of renewals.
@@ -338,9 +341,9 @@ impl Searches {
         let (same, others): (Vec<&Fit>, Vec<_>) = self
             .fits
             .iter()
-            .filter(|fit| fit.status != Status::Interrupted)
+            .filter(|fit| fit.status != FitStatus::Interrupted)
             .partition(is_same);
-        let mut elsewhere: Vec<(Status, usize)> = vec![];
+        let mut elsewhere: Vec<(FitStatus, usize)> = vec![];
         for Fit { status, .. } in others {
             match elsewhere.iter_mut().find(|(other, _)| other == status) {
                 Some((_, count)) => *count += 1,
@@ -382,14 +385,14 @@ fn finished(
     table: &ShotTable,
     own: &[f64],
     fits: Vec<Fit>,
-    options: &Options,
+    options: &FitOptions,
 ) -> Result<Calibration> {
     let fit = fits.into_iter().next().ok_or(Error::Nothing {
         doing: "fit",
         what: "start",
     })?;
     let fitted = ranges_of(&fit.x, own, domain);
-    let statistics = Statistics::new(
+    let statistics = FitStatistics::new(
         &fit.rows,
         &fitted,
         table.uncertainties,
@@ -432,7 +435,7 @@ fn finished(
 
 /// For each fitted parameter: true if its value in `x` lies inside its range, and the width of the
 /// range.
-fn ranges_of(x: &[f64], own: &[f64], domain: &Domain) -> Vec<Fitted> {
+fn ranges_of(x: &[f64], own: &[f64], domain: &Domain) -> Vec<FitRange> {
     /// Width of an unbounded range, as a multiple of the parameter's magnitude (at least 0.001).
     const ENDLESS: f64 = 1e6;
     let bounds = &domain.variables;
@@ -440,7 +443,7 @@ fn ranges_of(x: &[f64], own: &[f64], domain: &Domain) -> Vec<Fitted> {
         let (x, low, high) = (x[i], bounds.low[i], bounds.high[i]);
         let width = high - low;
         let size = x.abs().max(own[i].abs()).max(1e-3);
-        Fitted {
+        FitRange {
             is_free: low < x && x < high,
             width: if width.is_finite() {
                 width
@@ -453,8 +456,8 @@ fn ranges_of(x: &[f64], own: &[f64], domain: &Domain) -> Vec<Fitted> {
 }
 
 /// The residuals with their rows and outcomes.
-pub(super) fn remainders(shots: &[Shot], residuals: &[f64]) -> Vec<Remainder> {
-    let of = |shot: &Shot| {
+pub(super) fn remainders(shots: &[MeasuredShot], residuals: &[f64]) -> Vec<Remainder> {
+    let of = |shot: &MeasuredShot| {
         let row = shot.row;
         let measured = shot
             .measured
@@ -483,7 +486,7 @@ pub(super) fn remainders(shots: &[Shot], residuals: &[f64]) -> Vec<Remainder> {
 /// Residuals of shots flown with a given setup, without a fit; `None` once `stop` is true.
 pub(super) fn flown(
     setup: &Setup<f64>,
-    shots: &[Shot],
+    shots: &[MeasuredShot],
     stop: &AtomicBool,
 ) -> Result<Option<Vec<Remainder>>> {
     let mut problem = ShotResiduals {

@@ -4,7 +4,7 @@ use super::calibration::Remainder;
 use super::estimate::{FitPlan, calibrate, flown};
 use super::shot_table::ShotTable;
 use crate::error::{Error, Result};
-use crate::optimize::least_squares::{FitObserver, Status};
+use crate::optimize::least_squares::{FitObserver, FitStatus};
 use crate::parameters::Setup;
 use crate::units::counted;
 
@@ -14,7 +14,7 @@ pub struct HeldOut {
     /// Number of folds; 0 for a setup flown without a fit.
     pub folds: usize,
     /// Status of the fit of each fold. An interrupted fit gives no residuals.
-    pub ended: Vec<Status>,
+    pub ended: Vec<FitStatus>,
     /// Residuals of the held-out rows.
     pub remainders: Vec<Remainder>,
 }
@@ -32,13 +32,13 @@ impl HeldOut {
     }
 
     /// Number of fits with this status.
-    pub fn count(&self, status: Status) -> usize {
+    pub fn count(&self, status: FitStatus) -> usize {
         self.ended.iter().filter(|ended| **ended == status).count()
     }
 
     /// Reports whether a fit was interrupted.
     pub fn is_interrupted(&self) -> bool {
-        self.count(Status::Interrupted) > 0
+        self.count(FitStatus::Interrupted) > 0
     }
 
     /// Residuals of shots flown with the setup itself, without a fit. An interruption counts as one
@@ -53,7 +53,7 @@ impl HeldOut {
     ) -> Result<Self> {
         let flown = flown(setup, &table.shots, &observer.interrupt)?;
         let ended = if flown.is_none() {
-            vec![Status::Interrupted]
+            vec![FitStatus::Interrupted]
         } else {
             vec![]
         };
@@ -123,7 +123,7 @@ pub fn held_out(
     let (mut remainders, mut ended) = (vec![], vec![]);
     for fold in 0..folds {
         if observer.is_interrupted() {
-            ended.push(Status::Interrupted);
+            ended.push(FitStatus::Interrupted);
             continue;
         }
         let (held_out, seen): (Vec<_>, Vec<_>) = table
@@ -141,7 +141,7 @@ pub fn held_out(
         let found = match calibrate(setup, &seen, plan, observer) {
             // interrupted before the fit began
             Err(_) if observer.is_interrupted() => None,
-            found => Some(found?).filter(|found| found.fit.status != Status::Interrupted),
+            found => Some(found?).filter(|found| found.fit.status != FitStatus::Interrupted),
         };
         let held_out = match &found {
             Some(found) => flown(&found.setup, &strip(held_out), &observer.interrupt)?,
@@ -149,7 +149,7 @@ pub fn held_out(
         };
         let status = found
             .filter(|_| held_out.is_some())
-            .map_or(Status::Interrupted, |found| found.fit.status);
+            .map_or(FitStatus::Interrupted, |found| found.fit.status);
         ended.push(status);
         remainders.extend(held_out.into_iter().flatten());
     }

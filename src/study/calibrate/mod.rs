@@ -18,5 +18,5 @@ pub use calibration::{Calibration, Estimate, Remainder, Starts};
 pub use diagnostics::validity_warnings;
 pub use estimate::{FitPlan, calibrate};
 pub use folds::{HeldOut, check_folds, held_out};
-pub use shot_table::{Measurement, Shot, ShotTable, Stationary, ranges};
-pub use statistics::{Fitted, Statistics, Uncertainties, Undetermined};
+pub use shot_table::{MeasuredShot, Measurement, ShotTable, Stationary, ranges};
+pub use statistics::{FitRange, FitStatistics, Uncertainties, Undetermined};

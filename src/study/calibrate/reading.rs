@@ -1,11 +1,11 @@
 //! Reads the rows of a table of measured shots.
 
-use super::shot_table::{Measurement, Shot, Stationary};
+use super::shot_table::{MeasuredShot, Measurement, Stationary};
 use super::statistics::Uncertainties;
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
-use crate::shots::{Club as ClubOfShot, Interpretation, Shot as Stated};
+use crate::shots::{Club as ClubOfShot, Interpretation, Shot};
 use crate::table::{
     CONDITIONS, ClubColumns, Column, Content, Fault, Head, Stated as Launch, TextTable,
     club_column, columns_remark, conditions, contradiction, given_air, has_whole_launch,
@@ -38,8 +38,8 @@ pub(super) struct Reading {
 }
 
 /// A row that was read successfully.
-pub(super) struct Row {
-    pub shot: Shot,
+pub(super) struct ReadRow {
+    pub shot: MeasuredShot,
     /// Column head of a measured value that is not compared because launch direction or spin axis
     /// is assumed.
     pub not_compared: Option<String>,
@@ -54,10 +54,10 @@ pub(super) struct Row {
     pub not_stated: Vec<String>,
 }
 
-impl Row {
+impl ReadRow {
     fn new(row: usize) -> Self {
         Self {
-            shot: Shot {
+            shot: MeasuredShot {
                 row,
                 inputs: vec![],
                 measured: vec![],
@@ -228,7 +228,7 @@ impl Reading {
     /// at least one shot has.
     pub fn of_shots(
         setup: &Setup<f64>,
-        shots: &[Stated],
+        shots: &[Shot],
         further: &[&'static Parameter],
         club: ClubColumns,
     ) -> Self {
@@ -279,7 +279,7 @@ impl Reading {
     }
 
     /// Values of `shot`, in the order of the columns.
-    pub fn numbers(&self, shot: &Stated, further: &[&'static Parameter]) -> Vec<Option<f64>> {
+    pub fn numbers(&self, shot: &Shot, further: &[&'static Parameter]) -> Vec<Option<f64>> {
         let of = |column: &Column| match column.content {
             Content::Outcome(outcome) => shot.value(outcome).map(|value| value.value),
             Content::Input(parameter) => {
@@ -332,7 +332,7 @@ impl Reading {
     }
 
     /// Reads the shot of a row.
-    pub fn shot(&self, row: usize, record: Values<'_>) -> Result<Row, RowError> {
+    pub fn shot(&self, row: usize, record: Values<'_>) -> Result<ReadRow, RowError> {
         let stated = self.stated(record)?;
         if let Some(wrong) = self.refused(&stated) {
             return Err(wrong);
@@ -340,7 +340,7 @@ impl Reading {
         let stated = self.is_launched.then_some(stated);
         let is_straight = stated.as_ref().is_some_and(is_straight_by_assumption);
         let is_still = self.club == ClubColumns::Read && self.is_still(record);
-        let mut row = Row::new(row);
+        let mut row = ReadRow::new(row);
         let mut at_shot = self.setup;
         for (at, column) in self.columns.iter().enumerate() {
             match column.content {
@@ -393,7 +393,7 @@ impl Reading {
     /// export is not compared.
     fn add_measurement(
         &self,
-        row: &mut Row,
+        row: &mut ReadRow,
         record: Values<'_>,
         column: &Column,
         outcome: Outcome,
@@ -448,7 +448,7 @@ impl Reading {
     /// Adds the launch conditions of a row to its inputs.
     fn add_launch(
         &self,
-        row: &mut Row,
+        row: &mut ReadRow,
         at_shot: &mut Setup<f64>,
         stated: Launch,
     ) -> Result<(), RowError> {
@@ -613,7 +613,7 @@ impl Reading {
     }
 
     /// Remarks on assumed standard uncertainties, and the quality of all uncertainties.
-    pub fn assumed(&self, shots: &[Shot]) -> (Vec<Message>, Uncertainties) {
+    pub fn assumed(&self, shots: &[MeasuredShot]) -> (Vec<Message>, Uncertainties) {
         let has = |content: Content| self.column(content).is_some();
         let measured = || shots.iter().flat_map(|shot| &shot.measured);
         let is_measured = |outcome| measured().any(|measured| measured.outcome == outcome);

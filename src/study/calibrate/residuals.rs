@@ -1,7 +1,7 @@
 //! Residuals of measured shots, (computed − measured)/σ, with exact Jacobians by the fitted
 //! parameters.
 
-use super::shot_table::{Measurement, Shot, Stationary};
+use super::shot_table::{MeasuredShot, Measurement, Stationary};
 use crate::derivative::{self, Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -49,7 +49,7 @@ fn reason(error: Error) -> String {
 /// Shots and the parameters fitted to them.
 pub(super) struct ShotResiduals<'a> {
     pub setup: Setup<f64>,
-    pub shots: &'a [Shot],
+    pub shots: &'a [MeasuredShot],
     pub fitted: Vec<&'static Parameter>,
     /// |∂²carry/∂q²| of each stationary parameter of each shot, m/rad², which converts a slope to
     /// an angle. Constant during a fit, so that Jacobians stay exact.
@@ -69,7 +69,7 @@ impl ShotResiduals<'_> {
     /// |∂²carry/∂q²| at `x`, in the layout of [`curvatures`](Self::curvatures).
     pub fn curvatures_at(&self, x: &[f64]) -> Result<Vec<Vec<f64>>> {
         let moved = self.moved(x)?;
-        let of = |shot: &Shot| {
+        let of = |shot: &MeasuredShot| {
             let setup = at_shot(&moved, shot)?;
             let one = |stationary: &Stationary| {
                 Ok(
@@ -88,7 +88,7 @@ impl ShotResiduals<'_> {
     }
 
     /// The residuals of one shot, each with its row of the Jacobian.
-    fn of(&self, moved: &Setup<f64>, shot: &Shot, curvatures: &[f64]) -> Result<Rows> {
+    fn of(&self, moved: &Setup<f64>, shot: &MeasuredShot, curvatures: &[f64]) -> Result<Rows> {
         let setup = at_shot(moved, shot)?;
         let mut rows = Rows {
             residuals: vec![],
@@ -150,7 +150,7 @@ impl ShotResiduals<'_> {
         let all: Vec<_> = self.shots.iter().enumerate().collect();
         // the curvatures are missing before the first fit; then only the success of each shot is
         // used
-        let of = |&(at, shot): &(usize, &Shot)| {
+        let of = |&(at, shot): &(usize, &MeasuredShot)| {
             self.of(
                 moved,
                 shot,
@@ -196,7 +196,7 @@ impl Residuals for ShotResiduals<'_> {
 }
 
 /// The setup with the inputs of a shot.
-pub(super) fn at_shot(setup: &Setup<f64>, shot: &Shot) -> Result<Setup<f64>> {
+pub(super) fn at_shot(setup: &Setup<f64>, shot: &MeasuredShot) -> Result<Setup<f64>> {
     let mut setup = *setup;
     for (parameter, value) in &shot.inputs {
         setup.set_value(parameter, Some(*value))?;

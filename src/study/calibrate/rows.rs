@@ -1,10 +1,10 @@
 //! Collects the rows of a table: shots, and messages about rejected rows.
 
-use super::reading::{Reading, Row, RowError, Values};
-use super::shot_table::{Shot, ShotTable};
+use super::reading::{ReadRow, Reading, RowError, Values};
+use super::shot_table::{MeasuredShot, ShotTable};
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
-use crate::shots::Shot as Stated;
+use crate::shots::Shot;
 use crate::table::{
     ClubColumns, DecimalMarkCheck, NonShotRows, Record, RowFault, RowFilter, air_of_rows,
     air_of_setup, cells, counted_values, remark_from_line,
@@ -14,11 +14,11 @@ use std::collections::BTreeMap;
 
 /// Rows read so far.
 #[derive(Default)]
-pub(super) struct Rows {
+pub(super) struct ShotRows {
     file: String,
     /// Number of the last row read.
     row: usize,
-    shots: Vec<Shot>,
+    shots: Vec<MeasuredShot>,
     no_shots: NonShotRows,
     messages: Vec<String>,
     /// Number of shots by the name of the club.
@@ -39,7 +39,7 @@ pub(super) struct Rows {
     marks: DecimalMarkCheck,
 }
 
-impl Rows {
+impl ShotRows {
     pub fn new(file: &str) -> Self {
         Self {
             file: file.into(),
@@ -102,7 +102,7 @@ impl Rows {
     }
 
     /// Adds the shot of a message.
-    pub fn take_shot(&mut self, reading: &Reading, shot: &Stated, further: &[&'static Parameter]) {
+    pub fn take_shot(&mut self, reading: &Reading, shot: &Shot, further: &[&'static Parameter]) {
         self.row += 1;
         if let Some(refusal) = shot.refusal() {
             self.messages.push(format!(
@@ -116,7 +116,11 @@ impl Rows {
         let _ = self.add(reading, reading.shot(self.row, Values::Numbers(&numbers)));
     }
 
-    fn add(&mut self, reading: &Reading, read: std::result::Result<Row, RowError>) -> Result<()> {
+    fn add(
+        &mut self,
+        reading: &Reading,
+        read: std::result::Result<ReadRow, RowError>,
+    ) -> Result<()> {
         match read {
             Ok(row) => {
                 self.add_row(reading, row);
@@ -126,7 +130,7 @@ impl Rows {
         }
     }
 
-    fn add_row(&mut self, reading: &Reading, row: Row) {
+    fn add_row(&mut self, reading: &Reading, row: ReadRow) {
         let number = format!("row {}", self.row);
         self.airless.extend(
             row.no_air

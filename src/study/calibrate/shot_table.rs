@@ -23,7 +23,7 @@ pub struct ShotTable {
     /// Name of the source, for messages.
     pub file: String,
     /// The shots.
-    pub shots: Vec<Shot>,
+    pub shots: Vec<MeasuredShot>,
     /// True if the rows are launch conditions.
     pub is_launched: bool,
     /// Notes, such as outcomes without a sigma column.
@@ -54,7 +54,7 @@ impl ShotTable {
 
     /// Number of residuals.
     pub fn residuals(&self) -> usize {
-        self.shots.iter().map(Shot::residuals).sum()
+        self.shots.iter().map(MeasuredShot::residuals).sum()
     }
 
     /// Residuals up to this size are rounding: 1e-12 of the largest ratio of a measured value to
@@ -84,7 +84,7 @@ impl ShotTable {
 
 /// A measured shot: its inputs and its measured outcomes.
 #[derive(Clone, Debug)]
-pub struct Shot {
+pub struct MeasuredShot {
     /// Row of the table, from 1.
     pub row: usize,
     /// Parameters that this row gives, SI. They include the launch conditions if the row states a
@@ -121,7 +121,7 @@ pub struct Stationary {
     pub sigma: f64,
 }
 
-impl Shot {
+impl MeasuredShot {
     /// Number of residuals.
     pub fn residuals(&self) -> usize {
         self.measured.len() + self.stationary.len()

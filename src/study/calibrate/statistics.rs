@@ -26,7 +26,7 @@ pub enum Uncertainties {
 
 /// Position of a fitted parameter in its range, and width of the range.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fitted {
+pub struct FitRange {
     /// True if the value lies inside its range, false if it lies on a bound.
     pub is_free: bool,
     /// Width of the parameter's range, SI. If the standard error is larger, the data do not
@@ -36,7 +36,7 @@ pub struct Fitted {
 
 /// Statistics of the fitted parameters, SI, in the order of the parameters.
 #[derive(Clone, Debug)]
-pub struct Statistics {
+pub struct FitStatistics {
     /// Covariance. An entry is `None` if one of its parameters is undetermined or lies on a bound;
     /// all entries are `None` without a [`scale`](Self::scale).
     pub covariance: Vec<Vec<Option<f64>>>,
@@ -74,14 +74,14 @@ pub struct Undetermined {
 
 /// Singular value decomposition of the Jacobian's columns of some parameters, scaled to unit
 /// length.
-struct Columns {
+struct ScaledColumns {
     at: Vec<usize>,
     lengths: Vec<f64>,
     values: DVector<f64>,
     directions: DMatrix<f64>,
 }
 
-impl Columns {
+impl ScaledColumns {
     fn new(jacobian: &DMatrix<f64>, at: Vec<usize>) -> Result<Self> {
         let (m, n) = (jacobian.nrows(), at.len());
         let length = |i: &usize| {
@@ -146,7 +146,7 @@ impl Columns {
         &self,
         k: usize,
         scale: Option<f64>,
-        fitted: &[Fitted],
+        fitted: &[FitRange],
     ) -> Option<Undetermined> {
         let parts = self.parts(k);
         if self.is_singular(k) {
@@ -186,7 +186,7 @@ impl Columns {
     }
 }
 
-impl Statistics {
+impl FitStatistics {
     /// √(χ²/ν), the root mean square of the residuals in standard uncertainties; `None` for ν = 0.
     pub fn misfit(&self) -> Option<f64> {
         (self.degrees_of_freedom > 0)
@@ -204,7 +204,7 @@ impl Statistics {
     /// If the Jacobian does not have one row for each residual and one column for each parameter.
     pub fn new(
         rows: &Rows,
-        fitted: &[Fitted],
+        fitted: &[FitRange],
         uncertainties: Uncertainties,
         rounding: f64,
         loss: Loss,
@@ -221,7 +221,7 @@ impl Statistics {
             .sum::<f64>()
             + 0.0;
         let is_exact = rows.residuals.iter().all(|r| r.abs() <= rounding);
-        let free = Columns::new(&jacobian, (0..n).filter(|&i| fitted[i].is_free).collect())?;
+        let free = ScaledColumns::new(&jacobian, (0..n).filter(|&i| fitted[i].is_free).collect())?;
         let degrees_of_freedom = m.saturating_sub(free.rank());
         let is_scaled =
             uncertainties != Uncertainties::Stated && degrees_of_freedom > 0 && !is_exact;
@@ -231,7 +231,7 @@ impl Statistics {
             _ => Some(1.0),
         };
         let is_loose = |i: usize| fitted[i].is_free || !is_pressed(rows, &weights, fitted[i], i);
-        let loose = Columns::new(&jacobian, (0..n).filter(|&i| is_loose(i)).collect())?;
+        let loose = ScaledColumns::new(&jacobian, (0..n).filter(|&i| is_loose(i)).collect())?;
         let undetermined: Vec<_> = (0..loose.at.len())
             .filter_map(|k| loose.undetermined(k, scale, fitted))
             .collect();
@@ -282,7 +282,7 @@ impl Statistics {
 
 /// True if the gradient of χ² pushes parameter `at` against its bound. A parameter without
 /// influence may have drifted to the bound.
-fn is_pressed(rows: &Rows, weights: &[f64], fitted: Fitted, at: usize) -> bool {
+fn is_pressed(rows: &Rows, weights: &[f64], fitted: FitRange, at: usize) -> bool {
     let residuals = rows.residuals.iter().zip(&rows.jacobian);
     let gradient: f64 = residuals
         .zip(weights)
@@ -316,7 +316,7 @@ fn check(rows: &Rows, n: usize) -> Result<()> {
 /// Covariance of all `n` parameters; `None` for parameters that are not in `free` or are
 /// undetermined.
 fn covariance(
-    free: &Columns,
+    free: &ScaledColumns,
     n: usize,
     undetermined: &[Undetermined],
     scale: Option<f64>,
@@ -348,15 +348,15 @@ fn reach(degrees_of_freedom: usize, is_scaled: bool) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Fitted, Statistics, Uncertainties};
+    use super::{FitRange, FitStatistics, Uncertainties};
     use crate::optimize::least_squares::{Loss, Rows};
 
-    fn of(rows: &Rows, fitted: &[Fitted], uncertainties: Uncertainties) -> Statistics {
-        Statistics::new(rows, fitted, uncertainties, 1e-12, Loss::Squares).unwrap()
+    fn of(rows: &Rows, fitted: &[FitRange], uncertainties: Uncertainties) -> FitStatistics {
+        FitStatistics::new(rows, fitted, uncertainties, 1e-12, Loss::Squares).unwrap()
     }
 
-    fn free(width: f64) -> Fitted {
-        Fitted {
+    fn free(width: f64) -> FitRange {
+        FitRange {
             is_free: true,
             width,
         }
@@ -489,7 +489,7 @@ mod tests {
 
     #[test]
     fn parameters_without_influence_are_undetermined_on_a_bound_too() {
-        let held = Fitted {
+        let held = FitRange {
             is_free: false,
             width: 1.0,
         };

@@ -3,7 +3,7 @@
 
 use super::calibration::{Calibration, Remainder};
 use super::statistics::{Uncertainties, Undetermined};
-use crate::optimize::least_squares::{Fit, Loss, Status};
+use crate::optimize::least_squares::{Fit, FitStatus, Loss};
 use crate::units::{counted, significant};
 
 /// Sets the status of the best of several searches. `is_settled`: the curvatures of carry in the
@@ -17,15 +17,18 @@ pub(super) fn of_searches(
     let (all, stopped) = (
         fits.len(),
         fits.iter()
-            .filter(|fit| fit.status == Status::Interrupted)
+            .filter(|fit| fit.status == FitStatus::Interrupted)
             .count(),
     );
     let Some(best) = fits.first_mut() else {
         return (stopped, false);
     };
-    let (ended, is_minimum) = (best.status, best.status == Status::Converged && is_settled);
-    if stopped > 0 && ended != Status::Interrupted {
-        best.status = Status::Interrupted;
+    let (ended, is_minimum) = (
+        best.status,
+        best.status == FitStatus::Converged && is_settled,
+    );
+    if stopped > 0 && ended != FitStatus::Interrupted {
+        best.status = FitStatus::Interrupted;
         best.message = format!(
             "{} of {all} searches ended, and {stopped} were stopped before their end; the best \
              finished search is {ended}: {}",
@@ -33,11 +36,11 @@ pub(super) fn of_searches(
             best.message
         );
     }
-    if !is_settled && ended == Status::Converged {
+    if !is_settled && ended == FitStatus::Converged {
         best.status = if is_interrupted {
-            Status::Interrupted
+            FitStatus::Interrupted
         } else {
-            Status::Stalled
+            FitStatus::Stalled
         };
         best.message = format!(
             "{}; but the curvatures of carry, computed again at the optima, still change",
@@ -55,11 +58,11 @@ const MISFIT: f64 = 6.0;
 /// the data.
 pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncertainties) {
     // a search also stalls if the data hardly depend on the parameters
-    if !matches!(found.fit.status, Status::Converged | Status::Stalled) {
+    if !matches!(found.fit.status, FitStatus::Converged | FitStatus::Stalled) {
         return;
     }
     if let Some(row) = outweighing(&found.remainders, loss) {
-        found.fit.status = Status::DominatedByOneResidual;
+        found.fit.status = FitStatus::DominatedByOneResidual;
         found.fit.message = format!(
             "row {}: {} differs by {:.1e} of its standard uncertainties from every fit. All other \
              rows together are less than a millionth of the sum of squares; correct the row or \
@@ -76,7 +79,7 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
             .iter()
             .map(|direction| parameter_names(found, direction))
             .collect();
-        found.fit.status = Status::Undetermined;
+        found.fit.status = FitStatus::Undetermined;
         found.fit.message = format!(
             "the data do not determine {}: many other values of these fit as well as those shown. \
              Fit fewer parameters, give narrower ranges, or measure outcomes that depend on them \
@@ -93,7 +96,7 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
         .misfit()
         .filter(|off| is_judged && *off > MISFIT)
     {
-        found.fit.status = Status::Misfit;
+        found.fit.status = FitStatus::Misfit;
         found.fit.message = format!(
             "the values miss the fit by {} of their standard uncertainties (root mean square, with \
              {} of freedom), where noise alone gives 1: the fitted model does not describe them, \

@@ -1,4 +1,4 @@
-use super::order::{Errors, MEASURED, Measured, measure, measure_largest};
+use super::order::{Errors, MEASURED, MeasuredOrder, measure, measure_largest};
 use super::scale::{scale, size};
 use crate::aerodynamics::AerodynamicLaw;
 use crate::derivative::check::{NEXT_TO_NOTHING, Verdict};
@@ -117,25 +117,25 @@ pub(super) fn convergence(
     let Some(time) = fine_flight_time(setup, drive.landed()?.flight_time) else {
         return Ok(vec![]);
     };
-    let fading = fading(setup, &drive);
+    let decay_rate = initial_spin_decay_rate(setup, &drive);
     let at = |level: usize, steps: u32| {
         let mut setup = *setup;
         // the landing lies in the middle of the last step, so that no step ends close to the
         // landing
         setup.flight.step = time / (f64::from(steps) - 0.5);
         // a flight that fails at too coarse a step is skipped
-        let is_short = setup.flight.step <= 1.0 && setup.flight.step * fading <= 1.0;
+        let is_short = setup.flight.step <= 1.0 && setup.flight.step * decay_rate <= 1.0;
         if !is_short || !goes_on() {
             return None;
         }
-        Some(Flown {
+        Some(SteppedDrive {
             level,
             step: setup.flight.step,
             taylors: jacobian(&setup, of, wrt).ok()?,
         })
     };
     let scales = wrt.iter().map(|parameter| scale(setup, parameter));
-    let comparison = Comparison::new(setup, &drive, scales.collect(), &at);
+    let comparison = StepComparison::new(setup, &drive, scales.collect(), &at);
     let Some(comparison) = comparison.filter(|_| goes_on()) else {
         return Ok(vec![]);
     };
@@ -146,7 +146,7 @@ pub(super) fn convergence(
 }
 
 /// Outcomes with derivatives, computed with one time step.
-struct Flown {
+struct SteppedDrive {
     /// Level to which the number of steps belongs; see [`Levels`].
     level: usize,
     /// Time step, s.
@@ -155,36 +155,36 @@ struct Flown {
 }
 
 /// A flight at several time steps, and the reference flights.
-struct Comparison<'a> {
+struct StepComparison<'a> {
     setup: &'a Setup<f64>,
     drive: &'a Drive<f64>,
     scales: Vec<f64>,
     reference: Vec<Taylor>,
     /// Outcomes of a second reference flight, which differ from `reference` mainly by rounding.
     beside: Vec<Taylor>,
-    flown: Vec<Flown>,
-    measure: fn(&[Errors], u32, f64, f64) -> Option<Measured>,
+    flown: Vec<SteppedDrive>,
+    measure: fn(&[Errors], u32, f64, f64) -> Option<MeasuredOrder>,
 }
 
-impl<'a> Comparison<'a> {
+impl<'a> StepComparison<'a> {
     /// Flies with the step sizes of all levels, after the reference flights. `None` if a reference
     /// flight fails, or if flights succeed at too few levels to measure an order.
     fn new(
         setup: &'a Setup<f64>,
         drive: &'a Drive<f64>,
         scales: Vec<f64>,
-        fly: &dyn Fn(usize, u32) -> Option<Flown>,
+        fly: &dyn Fn(usize, u32) -> Option<SteppedDrive>,
     ) -> Option<Self> {
         let reference = fly(0, REFERENCE);
         let beside = fly(0, BESIDE_THE_REFERENCE);
         let (reference, beside) = (reference?.taylors, beside?.taylors);
-        let has_joins = setup.law.continuous_derivatives().is_some();
+        let has_joins = setup.law.properties().continuous_derivatives.is_some();
         let levels = if has_joins {
             LEVELS_ACROSS_JOINS
         } else {
             LEVELS
         };
-        let flown: Vec<Flown> = (0..levels.count)
+        let flown: Vec<SteppedDrive> = (0..levels.count)
             .flat_map(|level| levels.steps(level).map(move |steps| (level, steps)))
             .filter_map(|(level, steps)| fly(level, steps))
             .collect();
@@ -205,7 +205,7 @@ impl<'a> Comparison<'a> {
         let size = size(of, self.setup, self.drive);
         let errors_of =
             |taylors: &[Taylor]| errors(&taylors[i], &self.reference[i], size, &self.scales);
-        let sample = |flown: &Flown| {
+        let sample = |flown: &SteppedDrive| {
             errors_of(&flown.taylors).map(|errors| Errors {
                 level: flown.level,
                 step: flown.step,
@@ -216,7 +216,7 @@ impl<'a> Comparison<'a> {
         let rounding =
             errors_of(&self.beside).map(|errors| ROUNDING_FACTOR * largest_magnitude(&errors));
         let of_smooth_law = orders_of_smooth_law(self.setup, of);
-        let law_derivatives = self.setup.law.continuous_derivatives();
+        let law_derivatives = self.setup.law.properties().continuous_derivatives;
         // a join of a law with k continuous derivatives gives an error h^(k+2) times a function of
         // the join's position in the step; this position moves at a rate 1/h, so the derivative has
         // an error h^(k+1)
@@ -289,7 +289,7 @@ fn orders_of_smooth_law(setup: &Setup<f64>, of: Outcome) -> [u32; 2] {
 }
 
 /// Initial decay rate of spin, 1/s: δ + κ |v|/R (docs/model.md, eq. 13).
-fn fading(setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
+fn initial_spin_decay_rate(setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
     let by_way = setup.aero.spin_damping.unwrap_or_default() / setup.ball.radius;
     setup.aero.spin_decay + by_way * drive.launch.ball_speed()
 }

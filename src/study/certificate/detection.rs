@@ -1,6 +1,6 @@
 use super::agreement::Agreement;
 use super::landing::AT_LANDING;
-use super::rows::{Row, demand};
+use super::rows::{DerivativeRow, demand};
 use crate::derivative::check::Verdict;
 use crate::derivative::gradient;
 use crate::drive::{Drive, Outcome};
@@ -75,7 +75,7 @@ impl LandingTerms {
     }
 
     /// Landing term of an outcome's derivative; `None` for an outcome without a landing term.
-    fn of(&self, row: &Row) -> Option<f64> {
+    fn of(&self, row: &DerivativeRow) -> Option<f64> {
         let place = AT_LANDING.iter().position(|of| *of == row.of)?;
         let (_, time) = self
             .times
@@ -88,7 +88,7 @@ impl LandingTerms {
 /// Plants each error in every passing row whose derivative it changes, and repeats the verdict.
 pub(super) fn detection_tests(
     setup: &Setup<f64>,
-    rows: &[Row],
+    rows: &[DerivativeRow],
     landing: Option<&LandingTerms>,
 ) -> [DetectionTest; 3] {
     PlantedError::ALL.map(|error| {
@@ -115,7 +115,7 @@ pub(super) fn detection_tests(
     })
 }
 
-fn wrong(error: PlantedError, row: &Row, landing: Option<&LandingTerms>) -> Option<f64> {
+fn wrong(error: PlantedError, row: &DerivativeRow, landing: Option<&LandingTerms>) -> Option<f64> {
     let exact = row.first.exact;
     let (size, wrong) = match error {
         PlantedError::Sign => (exact, -exact),

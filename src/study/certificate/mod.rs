@@ -18,7 +18,7 @@ pub use convergence::Convergence;
 use detection::LandingTerms;
 pub use detection::{DetectionTest, PlantedError};
 pub use landing::AtLanding;
-pub use rows::Row;
+pub use rows::DerivativeRow;
 pub use step::StepError;
 
 use crate::derivative::check::Verdict;
@@ -61,7 +61,7 @@ pub struct NotExamined {
 #[derive(Clone, Debug)]
 pub struct Certificate {
     /// Each derivative of an outcome by a parameter, in descending order of severity.
-    pub rows: Vec<Row>,
+    pub rows: Vec<DerivativeRow>,
     /// Derivatives at the landing compared with differences at a fixed time; empty if no landing
     /// can be tested.
     pub landing: Vec<AtLanding>,
@@ -95,7 +95,7 @@ impl Certificate {
     pub fn failures(&self) -> Vec<String> {
         let by =
             |of: Outcome, parameter: &Parameter| format!("{} by {}", of.name(), parameter.name);
-        let rows = |fails: fn(&Row) -> bool| -> Vec<String> {
+        let rows = |fails: fn(&DerivativeRow) -> bool| -> Vec<String> {
             let failed = self.rows.iter().filter(|row| fails(row));
             failed.map(|row| by(row.of, row.parameter)).collect()
         };
@@ -152,7 +152,7 @@ impl Certificate {
         of: &[Outcome],
         wrt: &[&'static Parameter],
         has_corner: bool,
-        work: &Work<'_>,
+        work: &CertificateProgress<'_>,
     ) -> Result<()> {
         // at a corner no outcome is smooth; the row of each parameter reports the corner
         let goes_on = || !has_corner && !work.is_stopped();
@@ -221,7 +221,7 @@ pub fn certify(
     }
     let (of, missing) = present(setup, of, wrt)?;
     let drive = Drive::new(setup)?;
-    let work = Work {
+    let work = CertificateProgress {
         progress,
         all: wrt.len(),
         done: AtomicUsize::new(0),
@@ -260,7 +260,7 @@ pub fn certify(
 }
 
 /// The progress of a certificate.
-struct Work<'a> {
+struct CertificateProgress<'a> {
     /// Receives the number of finished parameters and the number of all parameters; false stops the
     /// work.
     progress: &'a (dyn Fn(usize, usize) -> bool + Sync),
@@ -271,18 +271,10 @@ struct Work<'a> {
     stopped: AtomicBool,
 }
 
-impl Work<'_> {
+impl CertificateProgress<'_> {
     /// Reports the progress; true once the work is stopped.
     fn is_stopped(&self) -> bool {
-        self.is_stopped_after(self.done.load(Ordering::Relaxed))
-    }
-
-    /// Counts a finished parameter and reports the progress.
-    fn finish_parameter(&self) {
-        self.is_stopped_after(self.done.fetch_add(1, Ordering::Relaxed) + 1);
-    }
-
-    fn is_stopped_after(&self, done: usize) -> bool {
+        let done = self.done.load(Ordering::Relaxed);
         // once stopped, stay stopped
         if !self.is_interrupted() && !(self.progress)(done, self.all) {
             self.stopped.store(true, Ordering::Relaxed);
@@ -301,8 +293,8 @@ fn rows_by_parameter(
     drive: &Drive<f64>,
     of: &[Outcome],
     wrt: &[&'static Parameter],
-    work: &Work<'_>,
-) -> Result<Vec<Row>> {
+    work: &CertificateProgress<'_>,
+) -> Result<Vec<DerivativeRow>> {
     let exact = evaluate(setup, of, wrt, Order::First)?;
     let by_parameter = wrt.par_iter().enumerate().map(|(k, parameter)| {
         if work.is_stopped() {
@@ -314,7 +306,9 @@ fn rows_by_parameter(
         let Some(rows) = rows else {
             return Ok(vec![]);
         };
-        work.finish_parameter();
+        work.done.fetch_add(1, Ordering::Relaxed);
+        // report the progress
+        work.is_stopped();
         Ok(rows)
     });
     Ok(by_parameter.collect::<Result<Vec<_>>>()?.concat())

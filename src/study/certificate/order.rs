@@ -47,7 +47,7 @@ impl Errors {
 
 /// A measured order.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Measured {
+pub(super) struct MeasuredOrder {
     /// Slope of the errors at the finest levels above rounding.
     pub order: f64,
     /// True if the slope is too low and a lower-order term explains it.
@@ -61,7 +61,7 @@ pub(super) fn measure(
     expected: u32,
     short_of: f64,
     floor: f64,
-) -> Option<Measured> {
+) -> Option<MeasuredOrder> {
     let power = i32::try_from(expected).ok()?;
     let levels = levels_above_rounding(samples, power, floor)?;
     let first_fitted = levels.len().saturating_sub(FITTED);
@@ -71,7 +71,7 @@ pub(super) fn measure(
         .filter(|sample| (first_fitted..levels.len()).contains(&sample.level))
         .collect();
     let falls_short = order < f64::from(expected) - short_of && has_lower_term(&fitted, power);
-    Some(Measured { order, falls_short })
+    Some(MeasuredOrder { order, falls_short })
 }
 
 /// Measures the order of irregular errors, for which no fit works: only the largest error per level
@@ -83,11 +83,11 @@ pub(super) fn measure_largest(
     expected: u32,
     short_of: f64,
     floor: f64,
-) -> Option<Measured> {
+) -> Option<MeasuredOrder> {
     let levels = levels_above_rounding(samples, i32::try_from(expected).ok()?, floor)?;
     let order = line_slope(&levels);
     let of_finest = line_slope(&levels[levels.len() - 2..]);
-    Some(Measured {
+    Some(MeasuredOrder {
         order,
         falls_short: order.max(of_finest) < f64::from(expected) - short_of,
     })

@@ -9,7 +9,7 @@ use crate::parameters::{Parameter, Setup};
 
 /// Derivatives of an outcome by a parameter, compared with differences.
 #[derive(Clone, Debug)]
-pub struct Row {
+pub struct DerivativeRow {
     /// The outcome.
     pub of: Outcome,
     /// The parameter.
@@ -27,7 +27,7 @@ pub struct Row {
     pub slopes: [Option<f64>; 3],
 }
 
-impl Row {
+impl DerivativeRow {
     /// Verdict on both derivatives. A discontinuous second derivative is not a corner of the
     /// outcome.
     pub fn verdict(&self) -> Verdict {
@@ -68,7 +68,8 @@ impl Row {
 /// heights in a logarithmic wind. In these cases the required accuracy is a tenth of the detectable
 /// error.
 pub(super) fn demand(setup: &Setup<f64>) -> Demand {
-    let is_rough = setup.wind.roughness.is_some() || setup.law.continuous_derivatives().is_some();
+    let is_rough =
+        setup.wind.roughness.is_some() || setup.law.properties().continuous_derivatives.is_some();
     if is_rough {
         Demand {
             least_bar: 1e-7,
@@ -91,7 +92,7 @@ pub(super) fn rows(
     parameter: &'static Parameter,
     exact: &[f64],
     is_stopped: &dyn Fn() -> bool,
-) -> Result<Option<Vec<Row>>> {
+) -> Result<Option<Vec<DerivativeRow>>> {
     let neighbours = Neighbours::new(setup, drive, of, parameter, is_stopped)?;
     let curvatures: Option<Vec<f64>> = evaluate(setup, of, &[parameter], Order::Second)
         .ok()
@@ -102,7 +103,7 @@ pub(super) fn rows(
         return Ok(None);
     }
     let over_num_dual = by_num_dual(setup, of, parameter)?;
-    let row = |(i, (ladder, second)): (usize, (Ladder, Option<Check>))| Row {
+    let row = |(i, (ladder, second)): (usize, (Ladder, Option<Check>))| DerivativeRow {
         of: of[i],
         parameter,
         first: neighbours.first_check(of[i], &ladder, exact[i]),

@@ -11,8 +11,8 @@ use crate::error::Result;
 use crate::parameters::{LaunchConditions, Setup};
 use crate::statistics::largest_magnitude;
 use crate::units::DisplayUnit;
-use path::{Path, value};
-use split::Split;
+use path::{SetupPath, value};
+use split::DifferenceSplit;
 use std::f64::consts::FRAC_PI_2;
 
 /// Names of the two drives in messages.
@@ -31,9 +31,9 @@ pub struct Comparison {
     pub drives: [Drive<f64>; 2],
     /// True if integration settings were changed, because the two setups have different ones.
     pub is_refined: bool,
-    path: Path,
+    path: SetupPath,
     /// Path between the launches; `None` if `path` already connects the launches.
-    launches: Option<Path>,
+    launches: Option<SetupPath>,
 }
 
 /// Difference of an outcome between two drives.
@@ -88,10 +88,13 @@ impl Comparison {
         let are_given = setups.map(|setup| setup.launch.is_given()) == [true, true];
         let are_alike = setups[0].launch.spin.is_some() == setups[1].launch.spin.is_some();
         let (path, launches) = match (are_given, are_alike) {
-            (true, true) => (Path::new(setups), None),
+            (true, true) => (SetupPath::new(setups), None),
             // both launches are given, but only one of them by its total spin
-            (true, false) => (Path::new(as_launched(launches)), None),
-            (false, _) => (Path::new(setups), Some(Path::new(as_launched(launches)))),
+            (true, false) => (SetupPath::new(as_launched(launches)), None),
+            (false, _) => (
+                SetupPath::new(setups),
+                Some(SetupPath::new(as_launched(launches))),
+            ),
         };
         Ok(Self {
             setups,
@@ -141,7 +144,7 @@ impl Comparison {
 
     /// Divides the differences of the outcomes that both drives have: by parameter and, if the
     /// launches have a separate path, by launch condition.
-    fn splits(&self, of: &[Outcome]) -> (Split<'_>, Option<Split<'_>>) {
+    fn splits(&self, of: &[Outcome]) -> (DifferenceSplit<'_>, Option<DifferenceSplit<'_>>) {
         let has = |of: &Outcome| self.drives.iter().all(|drive| of.value(drive).is_some());
         let of: Vec<Outcome> = of.iter().copied().filter(has).collect();
         let of_flight = || {
@@ -153,14 +156,14 @@ impl Comparison {
         let by_launch = self
             .launches
             .as_ref()
-            .map(|path| Split::new(path, of_flight()));
-        (Split::new(&self.path, of), by_launch)
+            .map(|path| DifferenceSplit::new(path, of_flight()));
+        (DifferenceSplit::new(&self.path, of), by_launch)
     }
 
     fn difference(
         &self,
         of: Outcome,
-        (by_parameter, by_launch): &mut (Split<'_>, Option<Split<'_>>),
+        (by_parameter, by_launch): &mut (DifferenceSplit<'_>, Option<DifferenceSplit<'_>>),
     ) -> Result<Difference> {
         let at = |side: usize| {
             value(&self.setups[side], of).map_err(|error| error.of_drive(NAMES[side]))
@@ -169,7 +172,7 @@ impl Comparison {
         let unit = DisplayUnit::from(of).size();
         let size = largest_magnitude(values).max(unit);
         let amount = of.change(values[0], values[1]);
-        let shares = |split: &mut Split<'_>| {
+        let shares = |split: &mut DifferenceSplit<'_>| {
             let found = split.shares(of, amount, size);
             found.map_err(|error| error.of_drive(BETWEEN))
         };
@@ -188,7 +191,7 @@ impl Comparison {
 
 /// The differences between two setups.
 pub fn causes(a: &Setup<f64>, b: &Setup<f64>) -> Vec<Cause> {
-    Path::new([*a, *b]).causes()
+    SetupPath::new([*a, *b]).causes()
 }
 
 /// Gives both setups the higher-order method, the shorter step, and the longer time limit.

@@ -145,13 +145,13 @@ pub struct Shares {
 /// Path between two setups: continuous parameters vary linearly; discrete parameters change at the
 /// middle.
 #[derive(Clone, Debug)]
-pub(super) struct Path {
+pub(super) struct SetupPath {
     pub ends: [Setup<f64>; 2],
     pub continuous: Vec<&'static Parameter>,
     pub discrete: Vec<Cause>,
 }
 
-impl Path {
+impl SetupPath {
     pub fn new(mut ends: [Setup<f64>; 2]) -> Self {
         let mut discrete = vec![];
         let are_given = ends.map(|setup| setup.launch.is_given());

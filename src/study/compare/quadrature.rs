@@ -34,7 +34,7 @@ pub(super) struct Integrals {
 }
 
 /// An interval of the adaptive quadrature.
-struct Part {
+struct Subinterval {
     range: [f64; 2],
     /// Integrals by the rule over the whole interval.
     whole: Vec<f64>,
@@ -54,7 +54,7 @@ pub(super) fn integrals(
     mut f: impl FnMut(f64) -> Result<Vec<f64>>,
 ) -> Result<Integrals> {
     let whole = by_rule(range, &mut f)?;
-    let mut parts = vec![Part {
+    let mut parts = vec![Subinterval {
         range,
         whole,
         halves: None,
@@ -78,7 +78,7 @@ pub(super) fn integrals(
         let ranges = [[low, middle], [middle, high]];
         if let Some(halves) = part.halves {
             let error = 0.5 * part.error;
-            let half = |(range, whole)| Part {
+            let half = |(range, whole)| Subinterval {
                 range,
                 whole,
                 halves: None,
@@ -95,7 +95,7 @@ pub(super) fn integrals(
                 .zip(&halves[1])
                 .map(|((whole, a), b)| (whole - a - b).abs());
             let error = changes.fold(0.0, f64::max);
-            parts.push(Part {
+            parts.push(Subinterval {
                 halves: Some(halves),
                 error,
                 ..part
@@ -105,7 +105,7 @@ pub(super) fn integrals(
 }
 
 /// The integrals over all intervals.
-fn sum(parts: &[Part]) -> Integrals {
+fn sum(parts: &[Subinterval]) -> Integrals {
     let mut values = vec![];
     for part in parts {
         let of_part = part

@@ -1,4 +1,4 @@
-use super::path::{Cause, Path, Share, Shares};
+use super::path::{Cause, SetupPath, Share, Shares};
 use super::quadrature::{Integrals, integrals};
 use crate::derivative::{Evaluator, Order};
 use crate::drive::Outcome;
@@ -10,17 +10,17 @@ const OF_SHARES: f64 = 1e-11;
 
 /// Shares of several outcomes along a path. Each point is flown once, with the derivatives of all
 /// outcomes.
-pub(super) struct Split<'a> {
-    path: &'a Path,
+pub(super) struct DifferenceSplit<'a> {
+    path: &'a SetupPath,
     of: Vec<Outcome>,
     /// Drives along the path: first with the discrete parameters of drive a, then with the discrete
     /// parameters of drive b.
-    sides: [Side; 2],
+    sides: [PathSide; 2],
 }
 
 /// Drives along the path with the discrete parameters of one end.
 #[derive(Default)]
-struct Side {
+struct PathSide {
     evaluator: Option<Evaluator>,
     /// Derivatives of the outcomes, times the parameter differences, at the positions that are
     /// already flown; `None` if an outcome does not exist there. The key is the bits of the
@@ -28,9 +28,9 @@ struct Side {
     flown: HashMap<u64, Option<Vec<Vec<f64>>>>,
 }
 
-impl<'a> Split<'a> {
+impl<'a> DifferenceSplit<'a> {
     /// Prepares the outcomes, which both ends must have.
-    pub fn new(path: &'a Path, of: Vec<Outcome>) -> Self {
+    pub fn new(path: &'a SetupPath, of: Vec<Outcome>) -> Self {
         Self {
             path,
             of,
@@ -102,7 +102,7 @@ impl<'a> Split<'a> {
                 .map(|taylor| times_lengths(&taylor.gradient))
                 .collect())
         };
-        let Side {
+        let PathSide {
             evaluator: of_all,
             flown: places,
         } = &mut self.sides[side];

@@ -1,7 +1,7 @@
 use super::expectation_maximization::SwingInformation;
 use super::linearized::{LinearizedLaunches, moments};
 use super::result::Delivered;
-use super::shots::Delivery;
+use super::shots::ShotDelivery;
 use super::unknown::Unknown;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -119,11 +119,11 @@ impl Population {
     /// distribution are not strikes.
     pub fn of(
         setup: &Setup<f64>,
-        all: &[Delivery],
+        all: &[ShotDelivery],
         unknowns: &[Unknown],
         table: &ShotTable,
     ) -> Result<Self> {
-        let shots: Vec<&Delivered> = all.iter().filter_map(Delivery::explained).collect();
+        let shots: Vec<&Delivered> = all.iter().filter_map(ShotDelivery::explained).collect();
         if shots.len() < LEAST_SHOTS {
             let least = counted(LEAST_SHOTS as u64, "shot");
             let reason = format!(
@@ -170,14 +170,14 @@ impl Population {
 }
 
 /// Identified and unidentified directions of parameter space.
-struct Directions {
+struct IdentifiedDirections {
     /// Orthonormal basis of the identified directions, in columns.
     identified: DMatrix<f64>,
     /// Projector on the unidentified directions.
     unidentified: DMatrix<f64>,
 }
 
-impl Directions {
+impl IdentifiedDirections {
     fn new(information: &DMatrix<f64>) -> Self {
         let n = information.nrows();
         let eigen = information.clone().symmetric_eigen();
@@ -196,13 +196,13 @@ impl Directions {
 }
 
 /// A distribution at the end of the iteration, in prior standard uncertainties.
-struct Solution {
+struct ConvergedDistribution {
     mean: DVector<f64>,
     covariance: DMatrix<f64>,
     /// Launches linearized about the mean.
     launches: LinearizedLaunches,
     information: SwingInformation,
-    directions: Directions,
+    directions: IdentifiedDirections,
     /// Covariance in the basis of the identified directions.
     spread: DMatrix<f64>,
     prior_factor: f64,
@@ -230,7 +230,7 @@ fn converged(
     loop {
         let launches = LinearizedLaunches::of(setup, &of, unknowns, &mean, &covariance)?;
         let information = SwingInformation::new(shots, &of, unknowns, table, &mean, &launches)?;
-        let directions = Directions::new(&information.information);
+        let directions = IdentifiedDirections::new(&information.information);
         let (along, unidentified) = (&directions.identified, &directions.unidentified);
         let assumed = unidentified * (prior_factor * prior_factor);
         let moved = -(unidentified * &mean);
@@ -247,7 +247,7 @@ fn converged(
             (mean, covariance) = next;
             continue;
         }
-        let solution = Solution {
+        let solution = ConvergedDistribution {
             mean,
             covariance,
             launches,
@@ -260,7 +260,7 @@ fn converged(
     }
 }
 
-impl Solution {
+impl ConvergedDistribution {
     fn population(&self, shots: &[&Delivered], of: &[Outcome], unknowns: &[Unknown]) -> Population {
         let n = unknowns.len();
         let (covariance, unidentified) = (&self.covariance, &self.directions.unidentified);

@@ -2,7 +2,7 @@
 
 use super::unknown::Unknown;
 use crate::json::by_name;
-use crate::optimize::least_squares::Status;
+use crate::optimize::least_squares::FitStatus;
 use crate::parameters::{Parameter, Setup};
 use crate::study::calibrate::Measurement;
 use nalgebra::{DMatrix, SymmetricEigen};
@@ -66,7 +66,7 @@ pub struct Delivered {
     /// The setup with this delivery.
     pub setup: Setup<f64>,
     /// Status of the search.
-    pub status: Status,
+    pub status: FitStatus,
     /// The status as a sentence.
     pub message: String,
     /// The posterior of each unknown.
@@ -93,7 +93,7 @@ impl Delivered {
 
     /// True if the search converged and explains the launch.
     pub fn is_found(&self) -> bool {
-        self.status == Status::Converged && self.unexplained().is_none()
+        self.status == FitStatus::Converged && self.unexplained().is_none()
     }
 }
 

@@ -5,21 +5,21 @@ use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::statistics::Moments;
-use crate::study::calibrate::{Measurement, Shot, ShotTable};
+use crate::study::calibrate::{MeasuredShot, Measurement, ShotTable};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The delivery of one row, or its error.
 #[derive(Debug)]
-pub struct Delivery {
+pub struct ShotDelivery {
     /// The row of the table, from 1.
     pub row: usize,
     /// The result for this row.
     pub found: Result<Delivered>,
 }
 
-impl Delivery {
+impl ShotDelivery {
     /// The result, if the search converged and explains the launch.
     pub fn explained(&self) -> Option<&Delivered> {
         self.found
@@ -67,12 +67,12 @@ pub fn deliveries(
     table: &ShotTable,
     unknowns: &[Unknown],
     interrupt: &AtomicBool,
-) -> Vec<Delivery> {
-    let of = |shot: &Shot| {
+) -> Vec<ShotDelivery> {
+    let of = |shot: &MeasuredShot| {
         if interrupt.load(Ordering::Relaxed) {
             return None;
         }
-        Some(Delivery {
+        Some(ShotDelivery {
             row: shot.row,
             found: shot_delivery(setup, shot, unknowns),
         })
@@ -80,7 +80,11 @@ pub fn deliveries(
     table.shots.par_iter().filter_map(of).collect()
 }
 
-fn shot_delivery(setup: &Setup<f64>, shot: &Shot, unknowns: &[Unknown]) -> Result<Delivered> {
+fn shot_delivery(
+    setup: &Setup<f64>,
+    shot: &MeasuredShot,
+    unknowns: &[Unknown],
+) -> Result<Delivered> {
     let (mut own, mut unknowns) = (*setup, unknowns.to_vec());
     let mut launch: Vec<Measurement> = shot
         .measured
@@ -113,8 +117,8 @@ fn shot_delivery(setup: &Setup<f64>, shot: &Shot, unknowns: &[Unknown]) -> Resul
 
 impl Spread {
     /// One entry per unknown, over the shots with an explained launch.
-    pub fn of(all: &[Delivery]) -> Vec<Self> {
-        let found: Vec<&Delivered> = all.iter().filter_map(Delivery::explained).collect();
+    pub fn of(all: &[ShotDelivery]) -> Vec<Self> {
+        let found: Vec<&Delivered> = all.iter().filter_map(ShotDelivery::explained).collect();
         let Some(first) = found.first() else {
             return vec![];
         };

@@ -4,7 +4,7 @@ use crate::derivative::{Evaluator, Order, Taylor};
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
 use crate::optimize::Domain;
-use crate::optimize::least_squares::{Options, Rows, fit};
+use crate::optimize::least_squares::{FitOptions, Rows, fit};
 use crate::parameters::Setup;
 use crate::study::calibrate::Measurement;
 use nalgebra::DMatrix;
@@ -38,7 +38,7 @@ pub fn delivery(
         unknowns.iter().map(|unknown| unknown.range[0]).collect(),
         unknowns.iter().map(|unknown| unknown.range[1]).collect(),
     )?;
-    let found = fit(&rows, &domain, &priors, &Options::default())?;
+    let found = fit(&rows, &domain, &priors, &FitOptions::default())?;
     if found.rows.residuals.is_empty() {
         return Err(Error::Delivery {
             reason: format!(

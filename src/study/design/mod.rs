@@ -15,4 +15,4 @@ pub use constraints::{ConstraintState, DesignConstraint, Enforcement};
 pub use golfer::{GOLFER, golfer};
 pub use improvements::{Improvement, improvements};
 pub use problem::{Design, usual_vary};
-pub use rules::{GolfRule, Limited, RULES};
+pub use rules::{GolfRule, LimitedQuantity, RULES};

@@ -1,7 +1,7 @@
 //! Builds the optimization problem of a design.
 
 use super::constraints::{ConstraintState, DesignConstraint, Enforcement};
-use super::rules::{GolfRule, Limited, RULES};
+use super::rules::{GolfRule, LimitedQuantity, RULES};
 use crate::drive::{Outcome, is_outside_any_face};
 use crate::error::{Error, Result};
 use crate::impact::Head;
@@ -125,17 +125,17 @@ impl Design {
         rule: &'static GolfRule,
     ) -> Result<()> {
         let by = match rule.of {
-            Limited::Parameter(name) => {
+            LimitedQuantity::Parameter(name) => {
                 self.of_parameter(setup, scenarios, rule, setup.parameter(name)?)?
             }
-            Limited::Outcome(of) => match self.of_head(setup, scenarios, rule, of)? {
+            LimitedQuantity::Outcome(of) => match self.of_head(setup, scenarios, rule, of)? {
                 Some(by) => by,
                 None => {
                     self.limit(rule.name, rule.expression(), of, rule.range(), Some(rule));
                     return Ok(());
                 }
             },
-            Limited::Relation(name, _) => {
+            LimitedQuantity::Relation(name, _) => {
                 let stated = self
                     .search
                     .subject_to

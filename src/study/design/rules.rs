@@ -1,7 +1,7 @@
 //! Numerical limits of the Rules of Golf for head and ball.
 
 use crate::drive::Outcome;
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::Setup;
 use crate::units::{DisplayUnit, Quantity};
 
 /// A rule: a limit on one number.
@@ -10,7 +10,7 @@ pub struct GolfRule {
     /// Name.
     pub name: &'static str,
     /// The limited quantity.
-    pub of: Limited,
+    pub of: LimitedQuantity,
     /// True for a maximum, false for a minimum.
     pub is_greatest: bool,
     /// The limit, with unit.
@@ -27,7 +27,7 @@ pub struct GolfRule {
 
 /// The quantity that a rule limits.
 #[derive(Clone, Copy, Debug)]
-pub enum Limited {
+pub enum LimitedQuantity {
     /// A parameter, by name.
     Parameter(&'static str),
     /// An outcome of the head.
@@ -47,7 +47,7 @@ impl PartialEq for GolfRule {
 pub static RULES: [GolfRule; 5] = [
     GolfRule {
         name: "moment of inertia",
-        of: Limited::Outcome(Outcome::HeadMoi),
+        of: LimitedQuantity::Outcome(Outcome::HeadMoi),
         is_greatest: true,
         limit: "5900 g cm^2",
         tolerance: Some("100 g cm^2"),
@@ -58,7 +58,7 @@ pub static RULES: [GolfRule; 5] = [
     },
     GolfRule {
         name: "volume",
-        of: Limited::Relation("volume", Quantity::VOLUME),
+        of: LimitedQuantity::Relation("volume", Quantity::VOLUME),
         is_greatest: true,
         limit: "460 cm^3",
         tolerance: Some("10 cm^3"),
@@ -68,7 +68,7 @@ pub static RULES: [GolfRule; 5] = [
     },
     GolfRule {
         name: "spring effect",
-        of: Limited::Parameter("impact.restitution"),
+        of: LimitedQuantity::Parameter("impact.restitution"),
         is_greatest: true,
         limit: "0.822",
         tolerance: Some("0.008"),
@@ -82,7 +82,7 @@ pub static RULES: [GolfRule; 5] = [
     },
     GolfRule {
         name: "weight of the ball",
-        of: Limited::Parameter("ball.mass"),
+        of: LimitedQuantity::Parameter("ball.mass"),
         is_greatest: true,
         limit: "45.93 g",
         tolerance: None,
@@ -92,7 +92,7 @@ pub static RULES: [GolfRule; 5] = [
     },
     GolfRule {
         name: "size of the ball",
-        of: Limited::Parameter("ball.radius"),
+        of: LimitedQuantity::Parameter("ball.radius"),
         is_greatest: false,
         limit: "21.335 mm",
         tolerance: None,
@@ -106,19 +106,19 @@ impl GolfRule {
     /// Physical quantity of the limited number.
     pub fn quantity(&self) -> Quantity {
         match self.of {
-            Limited::Outcome(of) => of.quantity(),
-            Limited::Relation(_, quantity) => quantity,
-            Limited::Parameter(name) => {
-                parameter(name).map_or(Quantity::NUMBER, |parameter| parameter.quantity)
-            }
+            LimitedQuantity::Outcome(of) => of.quantity(),
+            LimitedQuantity::Relation(_, quantity) => quantity,
+            LimitedQuantity::Parameter(name) => Setup::<f64>::default()
+                .parameter(name)
+                .map_or(Quantity::NUMBER, |parameter| parameter.quantity),
         }
     }
 
     /// Name of the limited quantity: `head_moi`.
     pub fn limited(&self) -> &'static str {
         match self.of {
-            Limited::Outcome(of) => of.name(),
-            Limited::Parameter(name) | Limited::Relation(name, _) => name,
+            LimitedQuantity::Outcome(of) => of.name(),
+            LimitedQuantity::Parameter(name) | LimitedQuantity::Relation(name, _) => name,
         }
     }
 
@@ -175,10 +175,6 @@ impl GolfRule {
     pub fn show(&self, value: f64) -> String {
         self.unit().show(value)
     }
-}
-
-fn parameter(name: &str) -> Option<&'static Parameter> {
-    Setup::default().parameter(name).ok()
 }
 
 #[cfg(test)]

@@ -7,13 +7,10 @@ pub(super) const REACH: f64 = 4.0;
 /// Number of samples of a density on each interval on which it is smooth.
 const SAMPLED: usize = 96;
 
-/// Nodes and weights.
-type Nodes = Vec<(f64, f64)>;
-
 /// Nodes and weights of a Gauss rule from the recurrence of its orthogonal polynomials (Golub &
 /// Welsch 1969): the diagonal and the off-diagonal of the symmetric tridiagonal matrix. The weights
 /// sum to 1.
-fn gauss(diagonal: &[f64], beside: &[f64]) -> Nodes {
+fn gauss(diagonal: &[f64], beside: &[f64]) -> Vec<(f64, f64)> {
     let n = diagonal.len();
     let mut jacobi = DMatrix::zeros(n, n);
     for (k, entry) in diagonal.iter().enumerate() {
@@ -23,7 +20,7 @@ fn gauss(diagonal: &[f64], beside: &[f64]) -> Nodes {
         (jacobi[(k, k + 1)], jacobi[(k + 1, k)]) = (*entry, *entry);
     }
     let eigen = SymmetricEigen::new(jacobi);
-    let mut rule: Nodes = (0..n)
+    let mut rule: Vec<(f64, f64)> = (0..n)
         .map(|k| (eigen.eigenvalues[k], eigen.eigenvectors[(0, k)].powi(2)))
         .collect();
     rule.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -31,7 +28,7 @@ fn gauss(diagonal: &[f64], beside: &[f64]) -> Nodes {
 }
 
 /// Gauss–Legendre rule for a uniform distribution between two bounds.
-fn legendre([low, high]: [f64; 2], nodes: usize) -> Nodes {
+fn legendre([low, high]: [f64; 2], nodes: usize) -> Vec<(f64, f64)> {
     let entry = |k: f64| k / (4.0 * k * k - 1.0).sqrt();
     let beside: Vec<f64> = (1..nodes).map(|k| entry(k as f64)).collect();
     let rule = gauss(&vec![0.0; nodes], &beside);
@@ -42,7 +39,7 @@ fn legendre([low, high]: [f64; 2], nodes: usize) -> Nodes {
 
 /// Gauss rule with this number of nodes for a density. The recurrence follows from many samples of
 /// the density (Stieltjes; Gautschi 1982).
-fn rule_of(parts: &[[f64; 2]], density: &dyn Fn(f64) -> f64, nodes: usize) -> Nodes {
+fn rule_of(parts: &[[f64; 2]], density: &dyn Fn(f64) -> f64, nodes: usize) -> Vec<(f64, f64)> {
     let ends = [parts[0][0], parts[parts.len() - 1][1]];
     let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
     let sampled = parts
@@ -54,7 +51,7 @@ fn rule_of(parts: &[[f64; 2]], density: &dyn Fn(f64) -> f64, nodes: usize) -> No
                 .map(move |(x, weight)| (x, weight * (part[1] - part[0])))
         });
     // map x to [−1, 1], where the polynomials stay small
-    let sampled: Nodes = sampled
+    let sampled: Vec<(f64, f64)> = sampled
         .map(|(x, weight)| ((x - middle) / half, weight * density(x)))
         .collect();
     let dot = |p: &[f64], q: &[f64]| {
@@ -92,7 +89,7 @@ fn rule_of(parts: &[[f64; 2]], density: &dyn Fn(f64) -> f64, nodes: usize) -> No
 
 /// Gauss rule of a distribution: values with weights that sum to 1, exact for polynomials up to
 /// degree 2 n − 1 with n nodes.
-pub(super) fn rule(distribution: &Distribution, nodes: usize) -> Nodes {
+pub(super) fn rule(distribution: &Distribution, nodes: usize) -> Vec<(f64, f64)> {
     let bell =
         |mean: f64, deviation: f64| move |x: f64| (-0.5 * ((x - mean) / deviation).powi(2)).exp();
     match *distribution {

@@ -5,7 +5,8 @@ use serde::Serialize;
 /// A mean and a standard deviation.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Moments {
+#[cfg_attr(test, schemars(rename = "Moments"))]
+pub struct DeltaMoments {
     /// The mean.
     pub mean: f64,
     /// The standard deviation.
@@ -25,7 +26,10 @@ pub struct Moments {
 ///
 /// # Panics
 /// If the number of derivatives differs from the number of distributions.
-pub fn delta_method(at_means: &Taylor, inputs: &[Distribution]) -> (Moments, Option<Moments>) {
+pub fn delta_method(
+    at_means: &Taylor,
+    inputs: &[Distribution],
+) -> (DeltaMoments, Option<DeltaMoments>) {
     at_means.expect_derivatives_by(inputs.len(), "distributions");
     let moments: Vec<[f64; 3]> = inputs.iter().map(Distribution::central_moments).collect();
     let gradient = &at_means.gradient;
@@ -47,7 +51,7 @@ pub fn delta_method(at_means: &Taylor, inputs: &[Distribution]) -> (Moments, Opt
     } else {
         by_size()
     };
-    let first = Moments {
+    let first = DeltaMoments {
         mean: at_means.value,
         deviation,
     };
@@ -66,7 +70,7 @@ pub fn delta_method(at_means: &Taylor, inputs: &[Distribution]) -> (Moments, Opt
     // clamp: rounding may make the variance negative
     (
         first,
-        Some(Moments {
+        Some(DeltaMoments {
             mean,
             deviation: variance.max(0.0).sqrt(),
         }),

@@ -12,10 +12,10 @@ mod distribution;
 mod ellipse;
 mod model;
 
-pub use delta::{Moments, delta_method};
+pub use delta::{DeltaMoments, delta_method};
 pub use distribution::{Distribution, Uncertain};
 pub use ellipse::{EllipseSource, LandingEllipse, LandingPoint, SampledEllipse};
-pub use model::{Design, Indices, Interval, SamplePlan, Statistics};
+pub use model::{Indices, Interval, SaltelliDesign, SamplePlan, Statistics};
 
 use crate::batch::{Batch, Block, CHUNK, Status, StatusCounts};
 use crate::derivative::{Order, Taylor, evaluate};
@@ -113,9 +113,9 @@ pub struct OutcomeUncertainty {
     #[serde(skip)]
     pub at_means: Option<Taylor>,
     /// The moments from the gradient at the means; `null` if the gradient does not exist.
-    pub delta: Option<Moments>,
+    pub delta: Option<DeltaMoments>,
     /// The moments from gradient and Hessian at the means; `null` if these do not exist.
-    pub second_order: Option<Moments>,
+    pub second_order: Option<DeltaMoments>,
     /// The statistics of the sample; `null` if fewer than two drives of the sample have the
     /// outcome.
     #[serde(rename = "monte_carlo")]
@@ -212,7 +212,7 @@ pub fn uncertainty(
     let values = Batch::new(setup, &parameters, of, &[])?;
     let gradients = Batch::new(setup, &parameters, of, &parameters)?;
 
-    let design = Design::new(&distributions, plan)?;
+    let design = SaltelliDesign::new(&distributions, plan)?;
     let total = design.points.len() * plan.samples;
     let done = AtomicUsize::new(0);
     let fly = |(set, points): (usize, &Vec<Vec<f64>>)| {
@@ -269,12 +269,12 @@ fn check(inputs: &[Uncertain], plan: SamplePlan) -> Result<()> {
     inputs.iter().try_for_each(Uncertain::check)
 }
 
-/// The results of the drives at the points of a [`Design`].
+/// The results of the drives at the points of a [`SaltelliDesign`].
 struct SampledDrives<'a> {
     of: &'a [Outcome],
     inputs: &'a [Uncertain],
     distributions: Vec<Distribution>,
-    design: Design,
+    design: SaltelliDesign,
     at_means: Vec<Option<Taylor>>,
     /// Results of each set of points, in blocks.
     blocks: Vec<Vec<Block>>,
@@ -315,7 +315,8 @@ impl SampledDrives<'_> {
             .map(|slopes| slopes.into_iter().map(squared).collect())
             .collect();
         let sampled = self.design.statistics(&values);
-        let exists = |moments: &Moments| moments.mean.is_finite() && moments.deviation.is_finite();
+        let exists =
+            |moments: &DeltaMoments| moments.mean.is_finite() && moments.deviation.is_finite();
         let at_means = self.at_means[i].clone();
         let moments = at_means
             .as_ref()

@@ -93,13 +93,13 @@ fn by_level<S: Serializer>(
 /// Sample of Saltelli's design: two independent sets A and B, and for each variable a copy of A
 /// with this variable from B.
 #[derive(Clone, Debug)]
-pub struct Design {
+pub struct SaltelliDesign {
     /// A, B, then A with variable 1 from B, A with variable 2 from B …; one row per point.
     pub points: Vec<Vec<Vec<f64>>>,
     seed: u64,
 }
 
-impl Design {
+impl SaltelliDesign {
     /// Samples the points.
     ///
     /// # Errors

@@ -58,9 +58,9 @@ mod tests {
     }
 
     /// Largest errors of the functions that registers compute without libm.
-    struct Functions;
+    struct RegisterFunctions;
 
-    impl Task for Functions {
+    impl Task for RegisterFunctions {
         type Output = [f64; 7];
 
         #[inline(always)]
@@ -92,7 +92,7 @@ mod tests {
     #[test]
     fn independent_functions_are_within_two_ulp_of_libm_and_tanh_within_three() {
         for level in Level::ALL {
-            let worst = level.run_sweep(Functions);
+            let worst = level.run_sweep(RegisterFunctions);
             let ([others @ .., tanh], most) = (worst, if level.width() == 1 { 2.0 } else { 3.0 });
             assert!(
                 others.iter().all(|most| *most <= 2.0) && tanh <= most,
