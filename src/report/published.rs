@@ -2,7 +2,6 @@
 //! also in the units of the paper.
 
 use super::plot::{Axis, Measure};
-use super::shown::ratio;
 use crate::units::{DisplayUnit, Quantity, System, fixed, signed, typed};
 
 pub(super) const LENGTH: DisplayUnit = DisplayUnit {
@@ -20,14 +19,16 @@ pub(super) const ANGLE: DisplayUnit = DisplayUnit {
 
 /// The units in which a study is displayed.
 #[derive(Clone, Copy)]
-pub(super) struct Published {
+pub(super) struct PaperUnits {
     /// The units of the paper.
     pub paper: System,
+    /// The number of decimals of an angle in degrees.
+    pub angle_decimals: usize,
     /// The units requested.
     pub system: System,
 }
 
-impl Published {
+impl PaperUnits {
     /// The unit of a length.
     pub fn length_unit(self) -> &'static str {
         self.system.unit("m")
@@ -43,6 +44,16 @@ impl Published {
         self.computed(LENGTH, length)
     }
 
+    /// A computed carry, or "does not fly".
+    pub fn carry_if_flown(self, carry: Option<f64>) -> String {
+        carry.map_or("does not fly".into(), |carry| self.length(carry))
+    }
+
+    /// An angle in degrees: "11.71°".
+    pub fn degrees(self, radians: f64) -> String {
+        format!("{}°", fixed(radians.to_degrees(), self.angle_decimals))
+    }
+
     /// A computed speed: "62.64 m/s".
     pub fn speed(self, speed: f64) -> String {
         self.computed(SPEED, speed)
@@ -56,11 +67,6 @@ impl Published {
     /// A computed number minus the printed number, with its sign.
     pub fn difference(self, of: DisplayUnit, difference: f64) -> String {
         signed(difference, self.computed(of, difference))
-    }
-
-    /// A derivative of a length by an angle: "1.052 m per deg".
-    pub fn per_degree(self, slope: f64) -> String {
-        ratio(LENGTH, ANGLE, slope, self.system, 4)
     }
 
     /// A derivative of a length by an angle in radians, with its sign: "-65.4 m/rad".
@@ -106,12 +112,13 @@ fn two_decimals(of: DisplayUnit, value: f64, system: System) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{ANGLE, LENGTH, Published, System};
+    use super::{ANGLE, LENGTH, PaperUnits, System};
 
     #[test]
     fn published_numbers_keep_their_units_beside_the_chosen_ones() {
-        let [alone, beside] = System::ALL.map(|system| Published {
+        let [alone, beside] = System::ALL.map(|system| PaperUnits {
             paper: System::Metric,
+            angle_decimals: 4,
             system,
         });
         // the longest distance of the report; a yard is 0.9144 m

@@ -2,11 +2,11 @@
 
 use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Layer, Measure};
-use crate::report::published::{Published, angles};
+use crate::report::published::{PaperUnits, angles};
 use crate::reproduce::{Landings, Noise, Slopes};
 use crate::units::{Quantity, significant};
 
-pub(super) fn noise(document: &mut Document, noise: &Noise, shown: Published) {
+pub(super) fn noise(document: &mut Document, noise: &Noise, shown: PaperUnits) {
     document.heading("The noise of its flight loop");
     document.paragraph(format!(
         "The report's flight loop stops at the first step of {} s that ends below the ground. \
@@ -48,7 +48,7 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: Published) {
 }
 
 /// Adds a table of the slopes of carry by loft.
-fn add_slopes(document: &mut Document, noise: &Noise, shown: Published) {
+fn add_slopes(document: &mut Document, noise: &Noise, shown: PaperUnits) {
     let per_radian = |slope: f64| shown.per_radian(slope);
     let rows = noise.slopes.iter().map(|slopes| {
         vec![
@@ -79,7 +79,7 @@ fn add_slopes(document: &mut Document, noise: &Noise, shown: Published) {
 }
 
 /// Adds a table of finite differences with larger increments of the loft.
-fn add_longer_differences(document: &mut Document, noise: &Noise, shown: Published) {
+fn add_longer_differences(document: &mut Document, noise: &Noise, shown: PaperUnits) {
     let rows = noise.longer_differences.iter().map(|slopes| {
         vec![
             format!("{} rad", significant(slopes.difference, 3)),

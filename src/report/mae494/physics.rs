@@ -1,13 +1,12 @@
 //! Checks of the report's claims with its own model.
 
-use super::tables::degrees;
 use crate::report::document::{Document, Table};
-use crate::report::published::{LENGTH, Published, SPEED};
+use crate::report::published::{LENGTH, PaperUnits, SPEED};
 use crate::report::shown::{NONE, ratio, stated};
-use crate::reproduce::{ByLaunch, Launched, Mae494};
+use crate::reproduce::{ByLaunch, Mae494, StraightLaunch};
 use crate::units::{fixed, signed};
 
-pub(super) fn energy(document: &mut Document, found: &Mae494, shown: Published) {
+pub(super) fn energy(document: &mut Document, found: &Mae494, shown: PaperUnits) {
     let energy = &found.energy;
     let longest = found.optimum.printed.carry;
     document.heading("Its distances are not possible");
@@ -22,7 +21,7 @@ pub(super) fn energy(document: &mut Document, found: &Mae494, shown: Published) 
         energy.ball,
         energy.club,
         shown.length(energy.farthest.carry),
-        degrees(energy.farthest.angle),
+        shown.degrees(energy.farthest.angle),
         spin(&energy.farthest),
         ratio(LENGTH, SPEED, energy.price_of_speed, shown.system, 4),
         shown.printed_length(longest),
@@ -32,7 +31,7 @@ pub(super) fn energy(document: &mut Document, found: &Mae494, shown: Published) 
     ));
 }
 
-pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Published) {
+pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: PaperUnits) {
     let parts = &found.subsystems;
     document.heading("Its subsystems");
     document.paragraph(
@@ -41,10 +40,10 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Publish
          flight cannot choose its launch freely: more loft raises the launch angle, but also \
          reduces the ball speed and adds spin.",
     );
-    let row = |what: &str, launched: &Launched| {
+    let row = |what: &str, launched: &StraightLaunch| {
         vec![
             shown.speed(launched.speed),
-            degrees(launched.angle),
+            shown.degrees(launched.angle),
             format!("{} rad/s", spin(launched)),
             shown.length(launched.carry),
             what.into(),
@@ -75,7 +74,7 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Publish
 
 /// The optimum of the impact alone and the optimum of the flight alone, compared with the optimum
 /// of the whole drive.
-fn optima_of_subsystems(found: &Mae494, shown: Published) -> String {
+fn optima_of_subsystems(found: &Mae494, shown: PaperUnits) -> String {
     let parts = &found.subsystems;
     format!(
         "The optimum of the impact alone is the greatest ball speed, which a face without loft \
@@ -84,15 +83,15 @@ fn optima_of_subsystems(found: &Mae494, shown: Published) -> String {
          angle of {}, which no golfer reaches. Within \
          the ranges no impact gives that launch, and the optimum of the whole is that of neither \
          subsystem: {} shorter than the flight's own.",
-        degrees(parts.impact.attack_angle),
+        shown.degrees(parts.impact.attack_angle),
         shown.length(parts.impact.carry),
-        degrees(found.energy.farthest.angle),
+        shown.degrees(found.energy.farthest.angle),
         shown.length(parts.flight.carry - parts.whole.carry),
     )
 }
 
 /// Adds a table of the slopes of carry through each part of the launch.
-fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: Published) {
+fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: PaperUnits) {
     let parts = &found.subsystems;
     let through = |parts: ByLaunch| {
         let parts = parts.to_array();
@@ -122,7 +121,7 @@ fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: Published
     ));
 }
 
-pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Published) {
+pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: PaperUnits) {
     let study = &found.parametric;
     document.heading("Its parametric study");
     document.paragraph(
@@ -163,8 +162,8 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Publish
         vec![
             carry(changed.predicted.value),
             carry(changed.resolved.value),
-            degrees(changed.predicted.loft()),
-            degrees(changed.resolved.loft()),
+            shown.degrees(changed.predicted.loft()),
+            shown.degrees(changed.resolved.loft()),
             format!("{} {:+.0} %", changed.parameter.name, 100.0 * part),
         ]
     });
@@ -186,7 +185,7 @@ fn with_sign(change: f64) -> String {
 }
 
 /// A spin. Rounding errors of a search are displayed as 0.
-fn spin(launched: &Launched) -> String {
+fn spin(launched: &StraightLaunch) -> String {
     format!(
         "{:.1}",
         if launched.spin.abs() < 1e-3 {

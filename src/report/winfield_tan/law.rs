@@ -3,7 +3,7 @@
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::report::document::{Document, Table};
 use crate::report::plot::{Axis, Figure, Layer, Measure};
-use crate::report::published::{Published, SPEED};
+use crate::report::published::{PaperUnits, SPEED};
 use crate::report::shown::{NONE, stated};
 use crate::reproduce::{FittedNumber, WinfieldTan};
 use crate::units::{DisplayUnit, Quantity, System, significant, typed};
@@ -26,7 +26,7 @@ const WEIGHT: f64 = 0.04572;
 const MOST_SPIN: f64 = 450.0;
 
 /// Adds the law to a document: its formula and coefficients, its values, and plots.
-pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: Published) {
+pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
     document.heading("The law");
     fit(document, found, shown);
     let speeds = Speeds::new(shown.system);
@@ -86,7 +86,7 @@ impl Speeds {
 }
 
 /// Adds the formula to a document, with the coefficients of the preset and of a new fit.
-fn fit(document: &mut Document, found: &WinfieldTan, shown: Published) {
+fn fit(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
     let fit = &found.fitted.law;
     let scale = (fit.statistics.chi_square / fit.statistics.degrees_of_freedom as f64).sqrt();
     document.paragraph(format!(

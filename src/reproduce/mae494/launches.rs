@@ -1,4 +1,3 @@
-use super::Row;
 use crate::derivative::{self, Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -7,14 +6,16 @@ use crate::optimize::{
     Domain, Evaluation, Observers, Options, Problem, Status, minimize_from, starts,
 };
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
+use crate::reproduce::RecomputedOptimum;
+use crate::reproduce::delivery::{ATTACK_ANGLE, DeliveryCarry, LOFT};
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
 
 /// A straight launch with its carry.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Launched {
+#[cfg_attr(test, schemars(rename = "Launched"))]
+pub struct StraightLaunch {
     /// The ball speed, m/s.
     #[serde(rename = "ball_speed")]
     pub speed: f64,
@@ -28,7 +29,7 @@ pub struct Launched {
     pub carry: f64,
 }
 
-impl Launched {
+impl StraightLaunch {
     /// A launch x = (ball speed, launch angle, backspin) with its carry.
     fn new(x: &[f64], carry: f64) -> Self {
         Self {
@@ -52,12 +53,12 @@ pub struct Energy {
     #[serde(rename = "fastest_ball_speed")]
     pub fastest: f64,
     /// Launch of maximum carry at that ball speed, over launch angle and spin.
-    pub farthest: Launched,
+    pub farthest: StraightLaunch,
     /// Derivative of carry by ball speed at that launch, m per m/s.
     #[serde(rename = "carry_per_ball_speed")]
     pub price_of_speed: f64,
     /// Slowest launch that reaches the report's longest carry.
-    pub needed: Launched,
+    pub needed: StraightLaunch,
     /// The club's kinetic energy, ½ M V², J.
     #[serde(rename = "club_energy")]
     pub club: f64,
@@ -75,12 +76,12 @@ pub struct Energy {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Subsystems {
     /// Launch at the optimum of the whole system.
-    pub whole: Launched,
+    pub whole: StraightLaunch,
     /// Launch that flies farthest at the ball speed of `whole`.
-    pub flight: Launched,
+    pub flight: StraightLaunch,
     /// Delivery with the largest ball speed at the attack angle of the optimum,
     /// with its carry.
-    pub impact: Delivery,
+    pub impact: DeliveryCarry,
     /// Derivatives of carry by each launch condition at the optimum: m per m/s, per rad, per rad/s.
     #[serde(rename = "carry_by")]
     pub slopes: ByLaunch,
@@ -158,7 +159,7 @@ impl Energy {
 
 impl Subsystems {
     /// The best flight alone and the best impact alone, beside the optimum of the whole system.
-    pub(super) fn new(optimum: &Row) -> Result<Self> {
+    pub(super) fn new(optimum: &RecomputedOptimum) -> Result<Self> {
         let setup = &optimum.best.setup;
         let quantities = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin];
         let wrt = [setup.variable(LOFT)?, setup.variable(ATTACK_ANGLE)?];
@@ -180,9 +181,9 @@ impl Subsystems {
         let (own_choice, _) = alone.best([launch[0], launch[0]])?;
         let attack_angle = optimum.exact().attack_angle;
         Ok(Self {
-            whole: Launched::new(&launch, flight.value),
+            whole: StraightLaunch::new(&launch, flight.value),
             flight: own_choice,
-            impact: Delivery::flown(setup, 0.0, attack_angle)?,
+            impact: DeliveryCarry::flown(setup, 0.0, attack_angle)?,
             slopes: slopes.into(),
             by_loft: through(0).into(),
             by_attack_angle: through(1).into(),
@@ -217,7 +218,7 @@ impl FlightAlone {
     }
 
     /// The best launch for a range of the ball speed, with the multipliers of the upper bounds.
-    fn best(&self, speeds: [f64; 2]) -> Result<(Launched, Vec<f64>)> {
+    fn best(&self, speeds: [f64; 2]) -> Result<(StraightLaunch, Vec<f64>)> {
         let domain = Domain::new(
             vec![speeds[0], ANGLES[0], 0.0],
             vec![speeds[1], ANGLES[1], MOST_SPIN],
@@ -249,7 +250,7 @@ impl FlightAlone {
             None => -best.value.unwrap_or_default(),
             Some(_) => best.constraints[0].value,
         };
-        Ok((Launched::new(&best.x, carry), best.upper_multipliers))
+        Ok((StraightLaunch::new(&best.x, carry), best.upper_multipliers))
     }
 }
 
