@@ -1,7 +1,7 @@
 use super::csv_text::csv_text;
 use super::document::{Document, Line, Table};
 use super::json::{ByName, Number};
-use super::plot::Measure;
+use super::plot::NamedQuantity;
 use super::reply::{Ending, Report};
 use super::setup_file::{about_constraint, remarks_on_varied, setup_toml};
 use super::shown;
@@ -269,14 +269,14 @@ pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
     let goals = search
         .goals
         .iter()
-        .map(|(goal, _)| Measure::new(&goal.expression, goal.quantity, goal.unit));
+        .map(|(goal, _)| NamedQuantity::new(&goal.expression, goal.quantity, goal.unit));
     let varied = search.vary.iter().map(|vary| {
         let row = vary.parameter;
-        Measure::new(row.name, row.quantity, row.unit)
+        NamedQuantity::new(row.name, row.quantity, row.unit)
     });
-    let columns: Vec<Measure> = goals
+    let columns: Vec<NamedQuantity> = goals
         .chain(varied)
-        .chain([Measure::plain("slope")])
+        .chain([NamedQuantity::plain("slope")])
         .collect();
     let heads = columns.iter().map(|column| column.head(units));
     let words = ["role", "active", "event"].map(str::to_owned);

@@ -1,7 +1,7 @@
 //! Numbers of a published study. Computed numbers are in the requested units; printed numbers are
 //! also in the units of the paper.
 
-use super::plot::{Axis, Measure};
+use super::plot::{Axis, NamedQuantity};
 use crate::units::{DisplayUnit, Quantity, System, fixed, signed, typed};
 
 pub(super) const LENGTH: DisplayUnit = DisplayUnit {
@@ -101,7 +101,7 @@ impl PaperUnits {
 
 /// An axis of angles, deg.
 pub(super) fn angles(label: &str) -> Axis {
-    Axis::linear(Measure::new(label, Quantity::ANGLE, "deg"))
+    Axis::linear(NamedQuantity::new(label, Quantity::ANGLE, "deg"))
 }
 
 /// A number with two decimals, as in the papers; zero has no sign.

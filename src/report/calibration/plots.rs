@@ -1,6 +1,6 @@
 use crate::drive::Outcome;
 use crate::report::figures::capital;
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::statistics::extent;
 use crate::study::calibrate::{Calibration, Remainder, ShotTable};
 
@@ -56,9 +56,9 @@ fn points(table: &ShotTable, found: &Calibration, of: Outcome) -> Vec<Point> {
 
 /// Plot of the measured against the computed values, with the line where both are equal.
 fn agreement(of: Outcome, points: &[Point]) -> Figure {
-    let measure = Measure::outcome(of);
+    let measure = NamedQuantity::outcome(of);
     let labelled = |which: &str| {
-        Axis::linear(Measure {
+        Axis::linear(NamedQuantity {
             label: format!("{which} {}", measure.label),
             ..measure.clone()
         })
@@ -108,8 +108,8 @@ fn agreement(of: Outcome, points: &[Point]) -> Figure {
 
 /// Plot of the residuals of an outcome against its measured values.
 fn residuals(of: Outcome, points: &[Point]) -> Figure {
-    let x = Measure::outcome(of);
-    let y = Measure {
+    let x = NamedQuantity::outcome(of);
+    let y = NamedQuantity {
         label: format!("computed − measured {}", x.label),
         ..x.clone()
     };

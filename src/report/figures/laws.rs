@@ -1,7 +1,7 @@
 use crate::aerodynamics::{AerodynamicLaw, Coefficients, Fitted, Stream};
 use crate::atmosphere::AirState;
 use crate::parameters::{AxisVariable, Law, LawTable, Setup};
-use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, NamedQuantity};
 use crate::units::significant;
 use std::f64::consts::PI;
 
@@ -183,8 +183,8 @@ impl LawPlot {
         Figure::new(
             name,
             format!("{words} coefficient over the {label}, at {constant}"),
-            Axis::linear(Measure::plain(label)),
-            Axis::linear(Measure::plain(symbol)),
+            Axis::linear(NamedQuantity::plain(label)),
+            Axis::linear(NamedQuantity::plain(symbol)),
         )
     }
 

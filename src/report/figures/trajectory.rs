@@ -4,7 +4,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Vector;
 use crate::report::drive::RUN_WITHIN;
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shown;
 use crate::statistics::extent;
 use crate::study::NamedDrive;
@@ -141,7 +141,7 @@ fn run(one: &NamedDrive, view: View) -> Vec<[f64; 2]> {
 
 /// A figure at true scale without layers: its axes contain these ranges.
 fn empty(view: View, [x, y]: [[f64; 2]; 2]) -> Figure {
-    let length = |label: &str| Measure::new(label, Quantity::LENGTH, "yd");
+    let length = |label: &str| NamedQuantity::new(label, Quantity::LENGTH, "yd");
     let downrange = Axis::linear(length("downrange"));
     let (title, up) = match view {
         View::Side => ("Trajectory from the side", Axis::linear(length("height"))),

@@ -1,6 +1,6 @@
 use crate::derivative::check::Point;
 use crate::drive::Outcome;
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::Row;
 use crate::units::counted;
@@ -11,8 +11,8 @@ use crate::units::counted;
 /// the outcome divided by the size of the parameter. For comparison, the plot has the differences
 /// of a while-loop that overshoots the ground.
 pub fn vcurve_figure<'a>(rows: impl IntoIterator<Item = &'a Row>, loops: &[LoopRow]) -> Figure {
-    let x = Axis::log(Measure::plain("step, relative"));
-    let y = Axis::log(Measure::plain("error of the difference, relative"));
+    let x = Axis::log(NamedQuantity::plain("step, relative"));
+    let y = Axis::log(NamedQuantity::plain("error of the difference, relative"));
     let mut figure = Figure::new(
         "vcurve",
         "Central differences against exact derivatives, as set up",

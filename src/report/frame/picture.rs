@@ -3,7 +3,7 @@
 use super::units::chosen;
 use crate::error::Result;
 use crate::report::plot::{Figure, Look, figure_csv, figure_svg};
-use crate::units::System;
+use crate::units::{System, TableUnits};
 use maud::{Markup, PreEscaped, html};
 
 /// A plot with its texts in the units of each of [`System::ALL`].
@@ -55,7 +55,7 @@ pub(in crate::report) fn picture_files<'a>(
             if system == data_of {
                 files.push(TextFile {
                     name: csv_name(figure),
-                    text: figure_csv(figure)?,
+                    text: figure_csv(figure, TableUnits::Si)?,
                 });
             }
         }

@@ -1,7 +1,7 @@
 //! The section about the noise of the while-loop.
 
 use crate::report::document::{Document, Table};
-use crate::report::plot::{Axis, Figure, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Layer, NamedQuantity};
 use crate::report::published::{PaperUnits, angles};
 use crate::reproduce::{Landings, Noise, Slopes};
 use crate::units::{Quantity, significant};
@@ -103,7 +103,7 @@ fn add_longer_differences(document: &mut Document, noise: &Noise, shown: PaperUn
 
 fn zoomed(zoom: &[Landings]) -> Figure {
     let points = |carry: fn(&Landings) -> f64| zoom.iter().map(|at| [at.loft, carry(at)]).collect();
-    let carry = Axis::linear(Measure::new("carry", Quantity::LENGTH, "m"));
+    let carry = Axis::linear(NamedQuantity::new("carry", Quantity::LENGTH, "m"));
     Figure::new(
         "teeth",
         "Carry at high zoom, attack angle 0°",
@@ -134,7 +134,7 @@ fn slopes(slopes: &[Slopes]) -> Figure {
             .map(|at| [at.loft, slope(at).to_radians()])
             .collect()
     };
-    let slope = Axis::linear(Measure::new(
+    let slope = Axis::linear(NamedQuantity::new(
         "carry per degree of loft",
         Quantity::LENGTH,
         "m",

@@ -161,9 +161,9 @@ fn levels(sorted: &[f64]) -> Vec<f64> {
             .chain(within)
             .chain([stretch[1]])
             .collect();
-        let intervals: Vec<Interval> = ends
+        let intervals: Vec<LevelInterval> = ends
             .windows(2)
-            .map(|ends| Interval {
+            .map(|ends| LevelInterval {
                 ends: [ends[0], ends[1]],
                 share: (below(ends[1]) - below(ends[0])) as f64 / sorted.len() as f64,
                 is_outermost: ends[0] == low || ends[1] == high,
@@ -192,7 +192,7 @@ fn levels(sorted: &[f64]) -> Vec<f64> {
 }
 
 /// The range between two adjacent levels.
-struct Interval {
+struct LevelInterval {
     ends: [f64; 2],
     /// The fraction of the map whose values are between the two levels.
     share: f64,
@@ -208,7 +208,7 @@ struct Interval {
 /// `None` in three cases: the largest share is below `dense`; `fits` rejects the first interval; or
 /// the first interval cannot grow and is not outermost.
 fn dense_stretch(
-    intervals: &[Interval],
+    intervals: &[LevelInterval],
     dense: f64,
     fits: impl Fn([f64; 2]) -> bool,
 ) -> Option<[f64; 2]> {
@@ -315,13 +315,13 @@ fn inner(ring: &[[f64; 2]], columns: usize, rows: usize) -> Vec<Vec<[f64; 2]>> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::axis::Measure;
+    use super::super::axis::NamedQuantity;
     use super::{Field, grounds, levels};
     use crate::units::System;
 
     fn field(f: impl Fn(f64, f64) -> Option<f64>) -> Field {
         let mut field = Field {
-            measure: Measure::plain("f"),
+            measure: NamedQuantity::plain("f"),
             x: [0.0, 3.0],
             y: [1.0, 2.0],
             columns: 13,

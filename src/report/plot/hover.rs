@@ -1,10 +1,10 @@
 //! Tooltips: SVG titles on invisible shapes.
 
-use super::axis::{Axis, Scale};
+use super::axis::{Axis, AxisScale};
 use super::canvas::Canvas;
 use super::contour::Ground;
 use super::figure::{Figure, Layer};
-use super::layers::Plane;
+use super::layers::PlotArea;
 use super::simplify::simplified;
 use crate::units::{Quantity, System, significant, typed};
 
@@ -15,19 +15,19 @@ const FEW: usize = 40;
 pub(super) fn write_tooltips(
     canvas: &mut Canvas,
     figure: &Figure,
-    plane: &Plane,
+    area: &PlotArea,
     system: System,
     grounds: &[Vec<Ground>],
 ) {
     for (name, place) in figure.layers.iter().flat_map(points) {
-        if let Some(at) = plane.pixel(place) {
+        if let Some(at) = area.pixel(place) {
             canvas.point_tooltip(&title(figure, name, place, system), at, 7.0);
         }
     }
     let contours = figure.layers.iter().zip(grounds);
     let contours = contours.flat_map(|(layer, grounds)| contours_of(layer, grounds, system));
     for (title, points) in contours.chain(figure.layers.iter().flat_map(long_lines)) {
-        let places = simplified(&plane.all(points));
+        let places = simplified(&area.all(points));
         if !title.is_empty() && places.len() > 1 {
             canvas.line_tooltip(&title, &places, 8.0);
         }
@@ -95,7 +95,7 @@ fn contours_of<'a>(
 /// A value with the name of its axis: "carry 279.2 yd". On an axis that shows names: only the name.
 fn on_axis(axis: &Axis, value: f64, system: System) -> String {
     match &axis.scale {
-        Scale::Names(names) => names
+        AxisScale::Names(names) => names
             .get(value.round() as usize)
             .cloned()
             .unwrap_or_default(),

@@ -2,7 +2,7 @@
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::report::document::{Document, Table};
-use crate::report::plot::{Axis, Figure, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Layer, NamedQuantity};
 use crate::report::published::{PaperUnits, SPEED};
 use crate::report::shown::{NONE, stated};
 use crate::reproduce::{FittedNumber, WinfieldTan};
@@ -45,8 +45,8 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: PaperUnit
         let mut figure = Figure::new(
             format!("law-{name}"),
             format!("{title} of the recovered law"),
-            Axis::linear(Measure::plain("spin ratio")),
-            Axis::linear(Measure::plain(title)),
+            Axis::linear(NamedQuantity::plain("spin ratio")),
+            Axis::linear(NamedQuantity::plain(title)),
         );
         for (i, number) in speeds.numbers.into_iter().enumerate() {
             let speed = number * speeds.size;
@@ -213,8 +213,8 @@ pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
         }),
     ));
     let axes = (
-        Axis::linear(Measure::new("spin decay", Quantity::RATE, "1/s")),
-        Axis::linear(Measure::plain("sum of squares")),
+        Axis::linear(NamedQuantity::new("spin decay", Quantity::RATE, "1/s")),
+        Axis::linear(NamedQuantity::plain("sum of squares")),
     );
     let points = found
         .fitted

@@ -1,7 +1,7 @@
 //! The numbers of the paper, compared with the computed numbers.
 
 use crate::report::document::{Document, Table};
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::published::{ANGLE, LENGTH, PaperUnits, SPEED, angles};
 use crate::reproduce::{LoftCarry, MISPRINTS, RecomputedOptimum, WinfieldTan};
 use crate::statistics::largest_magnitude;
@@ -234,7 +234,7 @@ fn left_over(found: &WinfieldTan) -> Figure {
             .map(|row| [row.printed.carry, row.exact().carry - row.printed.carry])
             .collect::<Vec<_>>()
     };
-    let carry = |label: &str| Axis::linear(Measure::new(label, Quantity::LENGTH, "yd"));
+    let carry = |label: &str| Axis::linear(NamedQuantity::new(label, Quantity::LENGTH, "yd"));
     Figure::new(
         "tables-left-over",
         "Residuals of the tables",
@@ -276,7 +276,7 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Paper
             computed(mean.best, "exact optimum of the average, no polynomial"),
         ],
     ));
-    let carry = Axis::linear(Measure::new("average carry", Quantity::LENGTH, "yd"));
+    let carry = Axis::linear(NamedQuantity::new("average carry", Quantity::LENGTH, "yd"));
     let points = |rows: &[LoftCarry]| rows.iter().map(|row| [row.loft, row.carry]).collect();
     let best = mean.by_polynomial;
     let best = Layer::Mark {
