@@ -1,5 +1,5 @@
 use super::csv_text::csv_text;
-use super::document::{Document, Table};
+use super::document::{Document, DocumentTable};
 use super::json::{ByName, Number};
 use super::plot::NamedQuantity;
 use super::reply::{Ending, Report};
@@ -163,7 +163,7 @@ impl Report for ChartReport<'_> {
         let heads = columns.into_iter().map(|column| column.label);
         let head = heads.chain(["active".into()]);
         let rows = chart.points.iter().map(|point| row(chart, point, system));
-        document.add(Table::new(head, rows).right(0..numbers));
+        document.add(DocumentTable::new(head, rows).right(0..numbers));
         for why in chart.begun.iter().chain(&chart.ended) {
             document.paragraph(why.in_units(system));
         }

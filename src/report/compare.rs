@@ -1,4 +1,4 @@
-use super::document::{Document, Line, Table};
+use super::document::{Document, DocumentTable, Line};
 use super::drive::{LaunchReport, flight, launch};
 use super::json::{ByName, Number, Settings, settings};
 use super::reply::{Ending, Report};
@@ -177,7 +177,7 @@ fn difference_line(difference: &Difference, system: System) -> Line {
 }
 
 /// The outcomes of two drives, and their differences.
-fn outcomes(comparison: &Comparison, system: System) -> Table {
+fn outcomes(comparison: &Comparison, system: System) -> DocumentTable {
     let rows = Outcome::ALL.iter().filter_map(|of| {
         let values = comparison.drives.each_ref().map(|drive| of.value(drive));
         let change = match values {
@@ -192,7 +192,7 @@ fn outcomes(comparison: &Comparison, system: System) -> Table {
         let [a, b] = values.map(|value| shown::outcome_or_dash(*of, value, system));
         Some(vec![shown::words(of.name()), a, b, change])
     });
-    Table::new(["", "a", "b", "difference"], rows).right([1, 2, 3])
+    DocumentTable::new(["", "a", "b", "difference"], rows).right([1, 2, 3])
 }
 
 /// Adds the causes of a difference to a document.
@@ -275,7 +275,7 @@ fn add_shares(
             shown::change(of, share.amount, system),
         ]
     });
-    let mut table = Table::new([title, "a", "b", "share"], rows).right([1, 2, 3]);
+    let mut table = DocumentTable::new([title, "a", "b", "share"], rows).right([1, 2, 3]);
     for remark in remarks {
         table.remark(remark);
     }

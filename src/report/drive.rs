@@ -1,4 +1,4 @@
-use super::document::{Document, Line, Table};
+use super::document::{Document, DocumentTable, Line};
 use super::json::{self, ByName, Number, Settings, settings};
 use super::reply::{Ending, Report};
 use super::shown;
@@ -219,7 +219,7 @@ fn of_part(drive: &Drive<f64>, part: OutcomeGroup) -> ByName<Number> {
 }
 
 /// A group of outcomes of a drive: name, value, and the value in the other system.
-fn outcomes(title: &str, part: OutcomeGroup, drive: &Drive<f64>, system: System) -> Table {
+fn outcomes(title: &str, part: OutcomeGroup, drive: &Drive<f64>, system: System) -> DocumentTable {
     let texts: Vec<_> = Outcome::in_group(part)
         .map(|outcome| {
             let value = outcome.value(drive);
@@ -243,7 +243,7 @@ fn outcomes(title: &str, part: OutcomeGroup, drive: &Drive<f64>, system: System)
             other.unwrap_or_default(),
         ]
     });
-    Table::new([title, "", ""], rows).right([])
+    DocumentTable::new([title, "", ""], rows).right([])
 }
 
 /// The velocities of ball and head after impact.

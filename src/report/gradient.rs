@@ -1,4 +1,4 @@
-use super::document::{Document, Line, Table};
+use super::document::{Document, DocumentTable, Line};
 use super::json::{ByName, Matrix, Number};
 use super::reply::{Ending, Report};
 use super::shown;
@@ -142,7 +142,7 @@ fn outcome(
         ]
     });
     let derivative = format!("d {}", of.name());
-    document.add(Table::new(["by", &derivative, "SI"], rows).right([1, 2]));
+    document.add(DocumentTable::new(["by", &derivative, "SI"], rows).right([1, 2]));
 
     if taylor.hessian.is_empty() {
         return;
@@ -158,5 +158,5 @@ fn outcome(
             .collect()
     });
     let head = std::iter::once("Hessian, SI").chain(names);
-    document.add(Table::new(head, rows).right(1..=wrt.len()));
+    document.add(DocumentTable::new(head, rows).right(1..=wrt.len()));
 }

@@ -1,4 +1,4 @@
-use super::document::{Detail, Document, Line, Table};
+use super::document::{Detail, Document, DocumentTable, Line};
 use super::json::Number;
 use super::reply::Report;
 use crate::atmosphere::in_effect;
@@ -191,7 +191,7 @@ impl Report for ParametersReport {
 
 impl ParametersReport {
     /// The parameters of the setup with their values, a row for each group.
-    fn values(&self, system: System) -> Table {
+    fn values(&self, system: System) -> DocumentTable {
         let mut groups: Vec<(&str, Vec<String>)> = vec![];
         let own = self.parameters.iter();
         for one in own.filter(|one| one.law.is_none_or(|law| law == self.law)) {
@@ -208,7 +208,7 @@ impl ParametersReport {
         let rows = groups
             .into_iter()
             .map(|(group, texts)| vec![group.to_owned(), texts.join(", ")]);
-        let mut table = Table::new(["group", "parameters and values"], rows).right([]);
+        let mut table = DocumentTable::new(["group", "parameters and values"], rows).right([]);
         table.remark(
             "the rest has the meaning, default and range of each parameter, and the other laws",
         );
@@ -319,7 +319,7 @@ fn turf_choice(setup: &Setup<f64>, usual: &Setup<f64>) -> ChoiceReport {
 }
 
 /// Parameters with value, default and range; symbol and meaning below each.
-fn listing(title: &str, all: &[&ParameterReport], system: System) -> Table {
+fn listing(title: &str, all: &[&ParameterReport], system: System) -> DocumentTable {
     let cells = |one: &&ParameterReport| {
         let (row, quantity) = (one.row, one.row.quantity);
         let unit = system.unit(row.unit);
@@ -340,7 +340,7 @@ fn listing(title: &str, all: &[&ParameterReport], system: System) -> Table {
         format!("{}: {meaning}", one.symbol)
     };
     let head = [title, "value", "default", "range"];
-    Table::new(head, all.iter().map(cells))
+    DocumentTable::new(head, all.iter().map(cells))
         .right([1, 2])
         .with_row_notes(all.iter().map(meaning).collect())
 }

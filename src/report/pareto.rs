@@ -1,5 +1,5 @@
 use super::csv_text::csv_text;
-use super::document::{Document, Line, Table};
+use super::document::{Document, DocumentTable, Line};
 use super::json::{ByName, Number};
 use super::plot::NamedQuantity;
 use super::reply::{Ending, Report};
@@ -166,7 +166,7 @@ impl Report for ParetoReport<'_> {
 }
 
 /// The points of a front.
-fn front(found: &Pareto, system: System) -> Table {
+fn front(found: &Pareto, system: System) -> DocumentTable {
     let search = &found.search;
     let [first, second] = search.goals.each_ref().map(|(goal, _)| goal);
     let slope_of = |point: &ParetoPoint| {
@@ -205,7 +205,7 @@ fn front(found: &Pareto, system: System) -> Table {
         .chain(["slope", "remarks"])
         .collect();
     let remarks = head.len() - 1;
-    Table::new(head, rows).right(0..remarks)
+    DocumentTable::new(head, rows).right(0..remarks)
 }
 
 /// The notes of a front: swings, slope, knee, goals before the search, omissions.

@@ -23,7 +23,7 @@ const MOST_DISTINCT: usize = 64 << 10;
 
 /// The type of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum ColumnType {
     /// A number in every row, dictionary-encoded if few values are distinct.
     Number,
     /// A number or null.
@@ -77,7 +77,7 @@ impl ParquetTable {
     ///
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `columns`.
-    pub fn new(name: &str, columns: &[(String, Kind)], question: &str) -> Result<Self> {
+    pub fn new(name: &str, columns: &[(String, ColumnType)], question: &str) -> Result<Self> {
         // no page indexes: they would make the footer depend on the position in the file
         let mut properties = WriterProperties::builder()
             .set_created_by(concat!("longdrive ", env!("CARGO_PKG_VERSION")).into())
@@ -88,14 +88,14 @@ impl ParquetTable {
         let mut fields = vec![];
         for (name, kind) in columns {
             let repetition = match kind {
-                Kind::Number | Kind::Text => Repetition::REQUIRED,
-                Kind::SomeNumber | Kind::SomeText => Repetition::OPTIONAL,
+                ColumnType::Number | ColumnType::Text => Repetition::REQUIRED,
+                ColumnType::SomeNumber | ColumnType::SomeText => Repetition::OPTIONAL,
             };
             let field = match kind {
-                Kind::Number | Kind::SomeNumber => {
+                ColumnType::Number | ColumnType::SomeNumber => {
                     Type::primitive_type_builder(name, Physical::DOUBLE)
                 }
-                Kind::Text | Kind::SomeText => {
+                ColumnType::Text | ColumnType::SomeText => {
                     Type::primitive_type_builder(name, Physical::BYTE_ARRAY)
                         .with_logical_type(Some(LogicalType::String))
                 }
@@ -103,7 +103,7 @@ impl ParquetTable {
             fields.push(Arc::new(
                 field.with_repetition(repetition).build().map_err(failed)?,
             ));
-            if *kind == Kind::SomeNumber {
+            if *kind == ColumnType::SomeNumber {
                 let path = ColumnPath::from(name.as_str());
                 properties = properties.set_column_dictionary_enabled(path.clone(), false);
                 properties = properties.set_column_encoding(path, Encoding::PLAIN);

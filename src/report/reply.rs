@@ -1,5 +1,5 @@
 use super::Document;
-use super::origin::Origin;
+use super::origin::SetupOrigin;
 use crate::error::Error;
 use crate::units::{Message, System};
 use serde::Serialize;
@@ -146,7 +146,7 @@ impl<T> Reply<T> {
 
     /// Names the setup that the answer is about, and its held parameters.
     #[must_use]
-    pub fn about(self, origin: &Origin) -> Self {
+    pub fn about(self, origin: &SetupOrigin) -> Self {
         let held = origin.held.iter();
         Self {
             from: origin.name().map(ToOwned::to_owned),

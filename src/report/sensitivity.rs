@@ -1,4 +1,4 @@
-use super::document::{Detail, Document, Line, Table};
+use super::document::{Detail, Document, DocumentTable, Line};
 use super::json::{ByName, Number};
 use super::lines::by_reason;
 use super::optimum::{
@@ -276,7 +276,7 @@ fn add_sensitivities(
             .chain(optimum)
             .collect();
         let columns = head.len();
-        let table = Table::new(head, rows).right(1..columns);
+        let table = DocumentTable::new(head, rows).right(1..columns);
         document.add(table.with_first_rows(FIRST_SENSITIVITIES));
     }
     let why = |(parameter, found): &(&Parameter, Result<Sensitivity>)| {
@@ -389,7 +389,7 @@ fn direction_line(best: &Optimum, direction: &Direction, loss: &str, system: Sys
 }
 
 /// The optimum before and after a stated change.
-fn change(best: &Optimum, changed: &Changed, system: System) -> Table {
+fn change(best: &Optimum, changed: &Changed, system: System) -> DocumentTable {
     let (of, parameter) = (best.search.outcome(), changed.change.parameter);
     let row = |words: &str, value: Option<f64>, x: &[f64]| {
         // one more decimal, so that two close values can be compared
@@ -434,7 +434,7 @@ fn change(best: &Optimum, changed: &Changed, system: System) -> Table {
         },
     ];
     let columns = head.len();
-    let mut table = Table::new(head, rows).right(1..columns);
+    let mut table = DocumentTable::new(head, rows).right(1..columns);
     if let Some(PredictedEvent { after, message }) = &changed.event {
         table.remark(format!(
             "predicted: {} after {} % of the change",

@@ -27,7 +27,7 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
         return found;
     };
     let search = &first.best.search;
-    let drawing = Drawing::new(chart, own, system);
+    let drawing = ChartDrawing::new(chart, own, system);
     for (i, vary) in search.vary.iter().enumerate() {
         match held(chart, i, vary) {
             Some(end) => found.held.push((*vary, held_sentence(vary, end, system))),
@@ -45,7 +45,7 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
 
 /// A chart with the data that all its plots show: the optimum for the setup, and the quantity on
 /// the horizontal axis.
-struct Drawing<'a> {
+struct ChartDrawing<'a> {
     chart: &'a Chart,
     /// The value of the chart's parameter in the setup, with the optimum at this value; `None`
     /// outside of the chart.
@@ -54,7 +54,7 @@ struct Drawing<'a> {
     along: NamedQuantity,
 }
 
-impl<'a> Drawing<'a> {
+impl<'a> ChartDrawing<'a> {
     fn new(chart: &'a Chart, own: Option<&'a Optimum>, system: System) -> Self {
         let own = own.and_then(|best| Some((best.setup.value(chart.along.parameter)?, best)));
         Self {

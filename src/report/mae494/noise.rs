@@ -1,6 +1,6 @@
 //! The section about the noise of the while-loop.
 
-use crate::report::document::{Document, Table};
+use crate::report::document::{Document, DocumentTable};
 use crate::report::plot::{Axis, Figure, Layer, NamedQuantity};
 use crate::report::published::{PaperUnits, angles};
 use crate::reproduce::{Landings, Noise, Slopes};
@@ -39,7 +39,7 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: PaperUnits) {
         let slope = shown.per_radian(at.overshot);
         vec![format!("{} s", at.step), slope, String::new()]
     });
-    document.add(Table::new(["time step", "loop", ""], rows));
+    document.add(DocumentTable::new(["time step", "loop", ""], rows));
     document.paragraph(
         "Longer differences reach over several jumps, but have an error from the curvature \
          instead. The same loft and attack angle, with the original time step:",
@@ -65,7 +65,7 @@ fn add_slopes(document: &mut Document, noise: &Noise, shown: PaperUnits) {
             .into(),
         ]
     });
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         [
             "loft",
             "exact",
@@ -89,7 +89,7 @@ fn add_longer_differences(document: &mut Document, noise: &Noise, shown: PaperUn
             String::new(),
         ]
     });
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         [
             "difference",
             "loop",

@@ -1,6 +1,6 @@
 //! Checks of the report's claims with its own model.
 
-use crate::report::document::{Document, Table};
+use crate::report::document::{Document, DocumentTable};
 use crate::report::published::{LENGTH, PaperUnits, SPEED};
 use crate::report::shown::{NONE, ratio, stated};
 use crate::reproduce::{ByLaunch, Mae494, StraightLaunch};
@@ -49,7 +49,7 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: PaperUn
             what.into(),
         ]
     };
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["ball speed", "launch angle", "backspin", "carry", ""],
         [
             row("the optimum of the whole", &parts.whole),
@@ -109,7 +109,7 @@ fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: PaperUnit
         ("loft", parts.by_loft),
         ("attack angle", parts.by_attack_angle),
     ];
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         [
             "ball speed",
             "launch angle",
@@ -144,7 +144,7 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: PaperUn
             parameter.name.into(),
         ]
     });
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["best carry", "best loft", "value", "one per cent more of"],
         rows,
     ));
@@ -167,7 +167,7 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: PaperUn
             format!("{} {:+.0} %", changed.parameter.name, 100.0 * part),
         ]
     });
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         [
             "carry predicted",
             "carry",

@@ -1,6 +1,6 @@
 //! Searches with and without the noise of the while-loop.
 
-use crate::report::document::{Document, Table};
+use crate::report::document::{Document, DocumentTable};
 use crate::report::plot::{Figure, Hue, Layer};
 use crate::report::published::{PaperUnits, angles};
 use crate::reproduce::{DeliveryCarry, LandingDefinition, Mae494, SearchMethod, SearchSeries};
@@ -48,7 +48,7 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: PaperUnit
             method(searches.method).into(),
         ]
     });
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         [
             "found",
             "median miss",

@@ -1,6 +1,6 @@
 //! Printed optima of the report, compared with the exact optima.
 
-use crate::report::document::{Document, Table};
+use crate::report::document::{Document, DocumentTable};
 use crate::report::plot::{Figure, Layer};
 use crate::report::published::{ANGLE, LENGTH, PaperUnits, angles};
 use crate::report::shown::ratio;
@@ -69,7 +69,7 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: PaperUnits)
         ]
     };
     document.paragraph("Table 1: the best loft at each attack angle.");
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         head("attack angle", "loft printed", "exact best loft"),
         found
             .table1
@@ -78,7 +78,7 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: PaperUnits)
     ));
     document.figure(best_lofts(&found.table1));
     document.paragraph("Table 2: the best attack angle at each loft.");
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         head("loft", "attack angle printed", "exact best attack angle"),
         found.table2.iter().map(|r| {
             row(

@@ -5,7 +5,7 @@ use super::numbers::from_to;
 use crate::error::Result;
 use crate::parameters::{Parameter, Vary};
 use crate::report::frame::{both, chosen};
-use crate::report::presets::{Change, changes};
+use crate::report::presets::{ChangedSetting, changes};
 use crate::report::shown;
 use crate::study::Search;
 use crate::units::{System, counted};
@@ -70,9 +70,9 @@ pub(super) fn subtitle(findings: &Findings) -> Result<String> {
 
 /// The differences from the preset, without the launch, which has its own line, and without the
 /// club if no impact is computed.
-fn changed(findings: &Findings, system: System) -> Result<Vec<Change>> {
+fn changed(findings: &Findings, system: System) -> Result<Vec<ChangedSetting>> {
     let is_launched = findings.stated.launch.is_given();
-    let is_told = |change: &Change| {
+    let is_told = |change: &ChangedSetting| {
         let is_of_club = |parameter: &Parameter| is_launched && parameter.is_of_strike();
         !change
             .parameter
@@ -99,9 +99,10 @@ pub(super) fn asked(findings: &Findings) -> Result<Markup> {
     let launch = launch(findings);
     let [metric, us] = System::ALL.map(|system| changed(findings, system));
     let (metric, us) = (metric?, us?);
-    let text = |changes: &[Change]| {
-        let one =
-            |change: &Change| format!("{} {}", change.name, from_to(&change.from, &change.to));
+    let text = |changes: &[ChangedSetting]| {
+        let one = |change: &ChangedSetting| {
+            format!("{} {}", change.name, from_to(&change.from, &change.to))
+        };
         changes.iter().map(one).collect::<Vec<_>>().join("; ")
     };
     let of_preset = chosen(&text(&metric), &text(&us));

@@ -1,7 +1,7 @@
 use super::{Columns, STATUS, parameter_names};
 use crate::batch::{Batch, Block, CHUNK};
 use crate::error::Result;
-use crate::report::parquet::{Cells, Kind, ParquetGroup, ParquetTable, PlacedGroup};
+use crate::report::parquet::{Cells, ColumnType, ParquetGroup, ParquetTable, PlacedGroup};
 use parquet::data_type::ByteArray;
 
 /// Maximum number of rows in a row group.
@@ -31,10 +31,14 @@ impl SweepParquet {
         let (parameters, results) = (parameter_names(batch), batch.columns());
         let columns = parameters
             .iter()
-            .map(|name| ((*name).to_owned(), Kind::Number));
-        let columns = columns.chain([(STATUS.to_owned(), Kind::Text)]);
+            .map(|name| ((*name).to_owned(), ColumnType::Number));
+        let columns = columns.chain([(STATUS.to_owned(), ColumnType::Text)]);
         let columns: Vec<_> = columns
-            .chain(results.iter().map(|name| (name.clone(), Kind::SomeNumber)))
+            .chain(
+                results
+                    .iter()
+                    .map(|name| (name.clone(), ColumnType::SomeNumber)),
+            )
             .collect();
         let table = ParquetTable::new("drives", &columns, question)?;
         Ok(Self {

@@ -1,7 +1,7 @@
 //! The law fitted to the paper's tables.
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
-use crate::report::document::{Document, Table};
+use crate::report::document::{Document, DocumentTable};
 use crate::report::plot::{Axis, Figure, Layer, NamedQuantity};
 use crate::report::published::{PaperUnits, SPEED};
 use crate::report::shown::{NONE, stated};
@@ -128,7 +128,7 @@ fn fit(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
         "standard error",
         "coefficient",
     ];
-    document.add(Table::new(head, rows));
+    document.add(DocumentTable::new(head, rows));
 }
 
 /// Adds drag and lift to a document, by spin ratio and speed.
@@ -161,7 +161,7 @@ fn values(document: &mut Document, found: &WinfieldTan, speeds: &Speeds) {
             .chain(lift)
             .collect()
     });
-    document.add(Table::new(heads, rows));
+    document.add(DocumentTable::new(heads, rows));
 }
 
 /// True if the spin is at most the largest spin of the paper's flights.
@@ -202,7 +202,7 @@ pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
         .iter()
         .map(|decay| decay.sum)
         .fold(f64::INFINITY, f64::min);
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["δ, 1/s", "sum of squares", "relative to the smallest"],
         found.fitted.profile.iter().map(|decay| {
             vec![

@@ -1,6 +1,6 @@
 //! The numbers of the paper, compared with the computed numbers.
 
-use crate::report::document::{Document, Table};
+use crate::report::document::{Document, DocumentTable};
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::published::{ANGLE, LENGTH, PaperUnits, SPEED, angles};
 use crate::reproduce::{LoftCarry, MISPRINTS, RecomputedOptimum, WinfieldTan};
@@ -29,7 +29,7 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: PaperUni
         quantity: Quantity::TIME,
         unit: "s",
     };
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["printed", "computed", "difference", "what"],
         [
             row("ball upwards", SPEED, ours.up, theirs.up),
@@ -75,7 +75,7 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Paper
         )
     };
     document.heading("The optimum");
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["loft", "attack angle", "carry", ""],
         [
             vec![
@@ -105,7 +105,7 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Paper
          has little meaning. Along the ridge:",
         less(found.optimum.cost())
     ));
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["attack angle", "best loft", "carry", "loss"],
         found.ridge.iter().map(|point| {
             let loss = less((computed.carry - point.carry).max(0.0));
@@ -145,7 +145,7 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: PaperU
         shown.length_unit(),
     ));
     document.paragraph("Table 1: the best attack angle at each loft.");
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         [
             "loft",
             "attack printed",
@@ -157,7 +157,7 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: PaperU
         found.table1.iter().map(|row| line(row, true, shown)),
     ));
     document.paragraph("Table 2: the best loft at each attack angle.");
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         [
             "attack angle",
             "loft printed",
@@ -249,7 +249,7 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Paper
     let mean = &found.average;
     document.heading("The average over attack angles");
     document.paragraph("Carry averaged over attack angles of 0, 1 … 10°, at each loft.");
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["loft", "average carry"],
         mean.rows.iter().map(|row| {
             vec![
@@ -261,7 +261,7 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Paper
     let row =
         |loft: f64, carry: String, what: &str| vec![shown.degrees(loft), carry, what.to_owned()];
     let computed = |best: LoftCarry, what: &str| row(best.loft, shown.length(best.carry), what);
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["best loft", "average carry", "how"],
         [
             row(
