@@ -211,7 +211,11 @@ pub fn complain(error: &Error, command: &'static str, is_json: bool) -> u8 {
     tell_error(error);
     // after an output error, no further output
     if is_json && !matches!(error, Error::Output(_)) {
-        say(Reply::none(Some(command), error));
+        say(Reply::refused(
+            Some(command),
+            error.status(),
+            error.to_string(),
+        ));
     }
     if error.is_an_outcome() { 1 } else { 2 }
 }

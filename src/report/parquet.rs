@@ -14,7 +14,8 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, Type, TypePtr};
 use std::sync::Arc;
 
-const MAGIC: &[u8] = b"PAR1";
+/// The first bytes of a file.
+pub(super) const MAGIC: &[u8] = b"PAR1";
 /// Bytes after the metadata at the end of a file: the length of the metadata and the magic number.
 const TAIL: usize = 8;
 /// Maximum size of a column's dictionary, bytes; a column with more distinct values is stored
@@ -43,7 +44,7 @@ pub(super) enum Cells {
 }
 
 /// A table. Each row group is created as a separate file in memory. A file with many row groups
-/// consists of the [`head`](Self::head), the bytes of the groups, and a [`foot`](Self::foot) made
+/// consists of `MAGIC`, the bytes of the groups, and a [`foot`](Self::foot) made
 /// from their metadata. An interrupted file can therefore continue after any of its groups.
 pub(super) struct ParquetTable {
     schema: TypePtr,
@@ -118,11 +119,6 @@ impl ParquetTable {
             properties: Arc::new(properties.build()),
             notes: vec![KeyValue::new("longdrive".into(), question.to_owned())],
         })
-    }
-
-    /// The first bytes of a file.
-    pub fn head(&self) -> Vec<u8> {
-        MAGIC.to_vec()
     }
 
     /// The row group of these columns; `cells` gives the values of a column by its index.

@@ -214,8 +214,11 @@ fn changed_number(
     if from == to {
         return None;
     }
-    let short =
-        [from, to].map(|value| value.map_or(UNSET.into(), |value| shown::told(row, value, system)));
+    let short = [from, to].map(|value| {
+        value.map_or(UNSET.into(), |value| {
+            shown::given(row, value, system, shown::IN_SUMMARY)
+        })
+    });
     // show all digits if the first four are equal
     let [from, to] = if short[0] == short[1] {
         [from, to].map(|value| shown::set(row, value, system))

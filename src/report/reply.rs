@@ -51,18 +51,6 @@ pub trait Report: Serialize {
     fn document(&self, system: System) -> Document;
 }
 
-impl<T: Report> Report for &T {
-    const COMMAND: &'static str = T::COMMAND;
-
-    fn ending(&self) -> Ending {
-        T::ending(self)
-    }
-
-    fn document(&self, system: System) -> Document {
-        T::document(self, system)
-    }
-}
-
 /// The status of a command.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ending {
@@ -114,19 +102,11 @@ impl Ending {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Empty {}
 
-impl<T: Report> Reply<T> {
+impl<'a, T: Report> Reply<&'a T> {
     /// The reply with this report.
-    pub fn of(report: T, warnings: Vec<Message>) -> Self {
+    pub fn of(report: &'a T, warnings: Vec<Message>) -> Self {
         let Ending { status, message } = report.ending();
-        Self {
-            command: Some(T::COMMAND),
-            status,
-            message,
-            warnings,
-            from: None,
-            held: vec![],
-            body: report,
-        }
+        Self::done(T::COMMAND, warnings, report).ended(status, message)
     }
 }
 
@@ -174,11 +154,6 @@ impl Reply<Empty> {
         let errors = ["error", "no-flight", "aloft", "diverged", "no-answer"];
         let searches = crate::optimize::Status::ALL.map(crate::optimize::Status::name);
         errors.into_iter().chain(searches).collect()
-    }
-
-    /// The reply to a request without an answer, or to bad input.
-    pub fn none(command: Option<&'static str>, error: &Error) -> Self {
-        Self::refused(command, error.status(), error.to_string())
     }
 
     /// The reply that has only a message.

@@ -211,6 +211,10 @@ fn stated_apart(of: impl Into<DisplayUnit>, ends: [f64; 2], system: System) -> [
 /// Maximum number of significant digits of a stated number.
 const STATED: usize = 5;
 
+/// Maximum number of significant digits in the summary of a request: "110 mph" is "49.17 m/s" and
+/// not "49.174 m/s".
+pub(super) const IN_SUMMARY: usize = 4;
+
 /// A stated value of a parameter, without trailing zeros.
 pub fn stated(parameter: &Parameter, value: f64, system: System) -> String {
     given(parameter, value, system, STATED)
@@ -227,12 +231,6 @@ fn difference(parameter: &Parameter, value: f64, system: System, digits: usize) 
         &significant(value / size, digits),
         system.unit(parameter.unit),
     )
-}
-
-/// A stated value with four significant digits, for the summary of a request: "110 mph" is "49.17
-/// m/s" and not "49.174 m/s".
-pub(super) fn told(parameter: &Parameter, value: f64, system: System) -> String {
-    given(parameter, value, system, 4)
 }
 
 /// A standard uncertainty of a parameter with three significant digits: "0.0563".

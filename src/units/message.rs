@@ -1,7 +1,7 @@
 //! Messages that contain quantities.
 
 use super::spelling::{typed, with_unit};
-use super::{Quantity, System, significant};
+use super::{Quantity, System};
 use serde::{Serialize, Serializer};
 use std::fmt;
 
@@ -123,14 +123,7 @@ impl Message {
                 digits,
             } => {
                 let unit = of(unit);
-                let number = match digits {
-                    Digits::Significant(digits) => {
-                        significant(quantity.number_in(*value, unit), *digits)
-                    }
-                    Digits::Fine => quantity.finely(*value, unit),
-                    Digits::Difference => quantity.difference(*value, unit),
-                };
-                spelled(&number, unit)
+                spelled(&quantity.number_text(*value, unit, *digits), unit)
             }
         };
         self.parts.iter().map(text).collect()

@@ -50,7 +50,7 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
         "{} of b minus its value of a: {}, from {} to {}. The bars of a colour add up to this \
          difference.",
         super::capital(&measure.label),
-        measure.show_difference(difference.amount(), system),
+        shown::spread(of, difference.amount(), system),
         measure.show(a, system),
         measure.show(b, system),
     );

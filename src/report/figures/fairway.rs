@@ -270,10 +270,11 @@ fn spread(landings: &[Landing], system: System) -> Option<String> {
             .then(|| "No parameter of the golfer is uncertain, so there are no ellipses.".into());
     };
     let sigma = |sigma: &crate::study::Sigma| {
-        let measure = NamedQuantity::parameter(sigma.parameter);
-        let unit = system.unit(measure.unit);
-        let amount = significant(sigma.value / measure.unit_size(system), 3);
-        format!("{} ± {}", measure.label, with_unit(&amount, unit))
+        format!(
+            "{} ± {}",
+            shown::words(sigma.parameter.name),
+            shown::uncertainty(sigma.parameter, sigma.value, system)
+        )
     };
     let sigmas: Vec<String> = landing.sigmas.iter().map(sigma).collect();
     Some(format!(

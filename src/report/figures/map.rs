@@ -101,7 +101,7 @@ fn note(map: &Map, on: &OnMap<'_>, [has_region, has_own]: [bool; 2], system: Sys
         notes.push("Hatched: forbidden by a constraint.".into());
     }
     if let Some(region) = on.region.filter(|_| has_region) {
-        let loss = NamedQuantity::outcome(map.of).show_difference(region.loss, system);
+        let loss = shown::spread(map.of, region.loss, system);
         notes.push(format!(
             "Drives in the tinted region lose at most {loss} and meet every bound and constraint; \
              each was flown."

@@ -167,7 +167,7 @@ fn note(
             .filter_map(|effect| effect.bar)
             .map(|bar| bar.first_order)
             .fold(0.0, f64::hypot);
-        measure.show_difference(sum, system)
+        spread(effects.of, sum, system)
     };
     let mut note = format!(
         "Change of {} when each parameter is moved by its standard uncertainty, one at a time, \

@@ -67,7 +67,12 @@ pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Re
     let range = figure.x.reach.unwrap_or(x);
     match view {
         View::Side => add_ground(&mut figure, &paths, range),
-        View::Top => add_target_line(&mut figure, range),
+        View::Top => figure.layers.push(Layer::Line {
+            name: "target line".into(),
+            hue: Hue::Faint,
+            is_dashed: true,
+            points: range.map(|x| [x, 0.0]).to_vec(),
+        }),
     }
     let below = if view == View::Side { 0.0 } else { 0.08 };
     let stretched = stretched(&figure, &lines, with_margin(seen_up, below, 0.08), view);
@@ -211,16 +216,6 @@ fn add_ground(figure: &mut Figure, paths: &[Vec<[f64; 2]>], [left, right]: [f64;
         hue: Hue::Faint,
         is_dashed: false,
         points: vec![[left, ground], [right, ground]],
-    });
-}
-
-/// Adds the target line to a view from above.
-fn add_target_line(figure: &mut Figure, [left, right]: [f64; 2]) {
-    figure.layers.push(Layer::Line {
-        name: "target line".into(),
-        hue: Hue::Faint,
-        is_dashed: true,
-        points: vec![[left, 0.0], [right, 0.0]],
     });
 }
 

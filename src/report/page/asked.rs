@@ -137,8 +137,8 @@ pub(super) fn asked(findings: &Findings) -> Result<Markup> {
 fn wanted(search: &Search) -> Markup {
     let varied = |system: System| {
         let range = |vary: &Vary| {
-            let [low, high] =
-                [vary.low, vary.high].map(|value| shown::told(vary.parameter, value, system));
+            let [low, high] = [vary.low, vary.high]
+                .map(|value| shown::given(vary.parameter, value, system, shown::IN_SUMMARY));
             let name = shown::words(vary.parameter.name);
             format!("{name} {}", from_to(&low, &high).replace(" → ", " to "))
         };
@@ -167,7 +167,7 @@ fn stated(findings: &Findings, names: &[&str], system: System) -> String {
         Some(format!(
             "{} {}",
             shown::words(row.name),
-            shown::told(row, findings.stated.value(row)?, system)
+            shown::given(row, findings.stated.value(row)?, system, shown::IN_SUMMARY)
         ))
     };
     names.iter().filter_map(one).collect::<Vec<_>>().join(", ")

@@ -50,12 +50,6 @@ impl NamedQuantity {
         self.quantity.read_off(value, system.unit(self.unit))
     }
 
-    /// A difference or an uncertainty, which has one decimal more: "4.12 yd".
-    pub fn show_difference(&self, value: f64, system: System) -> String {
-        self.quantity
-            .read_off_difference(value, system.unit(self.unit))
-    }
-
     /// The name with the unit of a system: `carry [yd]`, `club loft [°]`.
     pub fn titled(&self, system: System) -> String {
         match printed(system.unit(self.unit)).as_str() {

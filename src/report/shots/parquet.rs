@@ -5,7 +5,7 @@ use super::columns::{LAUNCH, launch};
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::report::parquet::{Cells, ColumnType, ParquetTable, PlacedGroup};
+use crate::report::parquet::{Cells, ColumnType, MAGIC, ParquetTable, PlacedGroup};
 use crate::shots::{Club, Flown, Shots};
 use parquet::data_type::ByteArray;
 
@@ -96,7 +96,7 @@ impl ShotParquet {
             .collect();
         let columns = columns.into_iter().map(|(.., of)| of).collect();
         let table = ParquetTable::new("shots", &kinds, "fly")?;
-        let at = table.head().len() as u64;
+        let at = MAGIC.len() as u64;
         Ok(Self {
             table,
             columns,
@@ -108,7 +108,7 @@ impl ShotParquet {
 
     /// The first bytes of a file.
     pub fn head(&self) -> Vec<u8> {
-        self.table.head()
+        MAGIC.to_vec()
     }
 
     /// Adds shots. Returns the bytes of a row group once it is full, otherwise no bytes.
