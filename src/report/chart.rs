@@ -129,9 +129,7 @@ impl Report for ChartReport<'_> {
     const COMMAND: &'static str = "chart";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        [&super::reply::SHARES[..], &["interrupted"]].concat()
-    }
+    const STATUSES: &'static [&'static str] = &["done", "partial", "no-answer", "interrupted"];
 
     /// The status is `done`, `interrupted`, `partial` if the optimum is missing for a part of the
     /// range, or `no-answer`.

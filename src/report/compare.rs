@@ -120,9 +120,7 @@ impl Report for ComparisonReport<'_> {
     const COMMAND: &'static str = "compare";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        Ending::statuses_of_each()
-    }
+    const STATUSES: &'static [&'static str] = Ending::STATUSES_OF_EACH;
 
     fn ending(&self) -> Ending {
         let errors = self.found.iter().map(|(_, found)| found.as_ref().err());

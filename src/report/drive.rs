@@ -103,9 +103,7 @@ impl Report for DriveReport<'_> {
     const COMMAND: &'static str = "simulate";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        vec!["landed", "no-flight", "aloft"]
-    }
+    const STATUSES: &'static [&'static str] = &["landed", "no-flight", "aloft"];
 
     /// The status is `landed`, `no-flight` or `aloft`; the message is the reason why the ball does
     /// not land.

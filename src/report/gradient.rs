@@ -60,9 +60,7 @@ impl Report for GradientReport<'_> {
     const COMMAND: &'static str = "gradient";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        Ending::statuses_of_each()
-    }
+    const STATUSES: &'static [&'static str] = Ending::STATUSES_OF_EACH;
 
     fn ending(&self) -> Ending {
         Ending::of_each(self.found.iter().map(|(_, taylor)| taylor.as_ref().err()))

@@ -129,11 +129,11 @@ pub struct Settings(ByName<Setting>);
 #[cfg(test)]
 fn choices() -> serde_json::Value {
     use crate::parameters::{Golfer, Method, SpeedOf};
-    let of = |names: Vec<&str>| serde_json::json!({ "enum": names });
+    let of = |names: &[&str]| serde_json::json!({ "enum": names });
     serde_json::json!({
-        GOLFER: of(Golfer::ALL.map(Golfer::name).to_vec()),
-        SPEED_OF: of(SpeedOf::ALL.map(SpeedOf::name).to_vec()),
-        METHOD: of(Method::ALL.map(Method::name).to_vec()),
+        GOLFER: of(&Golfer::NAMES),
+        SPEED_OF: of(&SpeedOf::NAMES),
+        METHOD: of(&Method::NAMES),
         LAW: { "type": "string" },
         TABLE: { "type": "string" }
     })

@@ -274,14 +274,14 @@ fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
             choice: METHOD,
             value: Some(setup.method.name()),
             default: Some(usual.method.name()),
-            names: Method::ALL.map(Method::name).to_vec(),
+            names: Method::NAMES.to_vec(),
             doc: format!("the methods are {}", methods.collect::<Vec<_>>().join(", ")),
         },
         ChoiceReport {
             choice: GOLFER,
             value: Some(setup.golfer.name()),
             default: Some(usual.golfer.name()),
-            names: Golfer::ALL.map(Golfer::name).to_vec(),
+            names: Golfer::NAMES.to_vec(),
             doc: "right or left, by the hand: swing, strike and club of a left-hander are the \
                   mirror image of a right-hander's"
                 .into(),
@@ -290,7 +290,7 @@ fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
             choice: SPEED_OF,
             value: Some(setup.speed_of.name()),
             default: Some(usual.speed_of.name()),
-            names: SpeedOf::ALL.map(SpeedOf::name).to_vec(),
+            names: SpeedOf::NAMES.to_vec(),
             doc: "centre-of-mass or face-centre, the point of the head whose speed, attack angle \
                   and path the swing states (they differ where swing.closure turns the head)"
                 .into(),

@@ -141,9 +141,7 @@ impl Report for ParetoReport<'_> {
     const COMMAND: &'static str = "pareto";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        vec!["done", "partial", "interrupted"]
-    }
+    const STATUSES: &'static [&'static str] = &["done", "partial", "interrupted"];
 
     fn ending(&self) -> Ending {
         let found = self.found;

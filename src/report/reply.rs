@@ -43,9 +43,7 @@ pub trait Report: Serialize {
 
     /// The words that [`ending`](Self::ending) may give as the status.
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        vec!["done"]
-    }
+    const STATUSES: &'static [&'static str] = &["done"];
 
     /// The result in words, tables and figures, in the units of a system.
     fn document(&self, system: System) -> Document;
@@ -69,10 +67,14 @@ impl Ending {
 
     /// The status words of [`of_each`](Self::of_each).
     #[cfg(test)]
-    pub(super) fn statuses_of_each() -> Vec<&'static str> {
-        let errors = ["no-flight", "diverged", "undefined"];
-        SHARES.into_iter().chain(errors).collect()
-    }
+    pub(super) const STATUSES_OF_EACH: &'static [&'static str] = &[
+        "done",
+        "partial",
+        "no-answer",
+        "no-flight",
+        "diverged",
+        "undefined",
+    ];
 
     /// The status of several outcomes, each with a result or an error.
     pub(super) fn of_each<'a>(errors: impl Iterator<Item = Option<&'a Error>>) -> Self {
@@ -152,7 +154,7 @@ impl Reply<Empty> {
     #[cfg(test)]
     pub(crate) fn statuses() -> Vec<&'static str> {
         let errors = ["error", "no-flight", "aloft", "diverged", "no-answer"];
-        let searches = crate::optimize::Status::ALL.map(crate::optimize::Status::name);
+        let searches = crate::optimize::Status::NAMES;
         errors.into_iter().chain(searches).collect()
     }
 
@@ -169,10 +171,6 @@ impl Reply<Empty> {
         }
     }
 }
-
-/// The status words of [`share`].
-#[cfg(test)]
-pub(super) const SHARES: [&str; 3] = ["done", "partial", "no-answer"];
 
 /// `done`, `partial` or `no-answer`, by the number of requests with an answer.
 pub(super) fn share(found: usize, asked: usize) -> &'static str {

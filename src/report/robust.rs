@@ -133,9 +133,7 @@ impl Report for RobustReport<'_> {
     const COMMAND: &'static str = "robust";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        Status::ALL.map(Status::name).to_vec()
-    }
+    const STATUSES: &'static [&'static str] = &Status::NAMES;
 
     fn ending(&self) -> Ending {
         Ending {

@@ -85,9 +85,7 @@ impl Report for UncertaintyReport<'_> {
     const COMMAND: &'static str = "uncertainty";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        super::reply::SHARES.to_vec()
-    }
+    const STATUSES: &'static [&'static str] = &["done", "partial", "no-answer"];
 
     fn ending(&self) -> Ending {
         let all = &self.found.outcomes;

@@ -265,9 +265,7 @@ impl Report for CalibrationReport<'_> {
     const COMMAND: &'static str = "calibrate";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        Status::ALL.map(Status::name).to_vec()
-    }
+    const STATUSES: &'static [&'static str] = &Status::NAMES;
 
     /// The status and message of the fit; if a fit of the cross-validation was interrupted, the
     /// status `interrupted` and a message about it.

@@ -198,9 +198,7 @@ impl Report for ShotsReport<'_> {
     const COMMAND: &'static str = "fly";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        vec!["done", "no-answer", "interrupted"]
-    }
+    const STATUSES: &'static [&'static str] = &["done", "no-answer", "interrupted"];
 
     fn ending(&self) -> Ending {
         self.ending.clone()
