@@ -19,14 +19,6 @@ pub(super) fn components(vector: Vector<f64>) -> [Number; 3] {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ByName<V>(pub Vec<(Cow<'static, str>, V)>);
 
-impl<V> ByName<V> {
-    /// The value with this name.
-    pub fn get(&self, name: &str) -> Option<&V> {
-        let entry = self.0.iter().find(|(other, _)| *other == name);
-        entry.map(|(_, value)| value)
-    }
-}
-
 impl ByName<Number> {
     /// Values of varied parameters.
     pub(super) fn of_varied(vary: &[Vary], values: &[f64]) -> Self {

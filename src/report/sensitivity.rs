@@ -10,7 +10,7 @@ use super::swings::OverSwings;
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::study::{
-    Changed, Direction, Ellipse, Flatness, Optima, Optimum, PredictedEvent, Sensitivity, Vary,
+    Changed, Direction, Ellipse, Flatness, Optima, Optimum, PredictedEvent, Sensitivity,
 };
 use crate::units::{DisplayUnit, Message, System, printed, significant, with_unit};
 use serde::Serialize;
@@ -270,7 +270,9 @@ fn add_sensitivities(
         .collect();
     if !rows.is_empty() {
         let value = format!("best {}", best.search.outcome().name());
-        let optimum = free(best).map(|vary| format!("best {}", vary.parameter.name));
+        let vary = best.search.vary.iter();
+        let free = vary.filter(|vary| vary.low < vary.high);
+        let optimum = free.map(|vary| format!("best {}", vary.parameter.name));
         let head: Vec<String> = ["per unit of".into(), value]
             .into_iter()
             .chain(optimum)
@@ -284,11 +286,6 @@ fn add_sensitivities(
     };
     let left_out = by_reason(sensitivities.iter().filter_map(why));
     document.list(left_out.into_iter().map(Line::item));
-}
-
-/// The varied parameters whose range has a positive width.
-fn free(best: &Optimum) -> impl Iterator<Item = &Vary> {
-    best.search.vary.iter().filter(|vary| vary.low < vary.high)
 }
 
 /// The cells of a sensitivity, per unit of its parameter.

@@ -35,7 +35,8 @@ const GAP: f64 = 4.0;
 /// The rows of an axis that shows names, and the position of the names.
 pub(super) struct BarRows {
     names: Vec<Vec<String>>,
-    is_above: bool,
+    /// Height of the names above the bars, pixels; 0 if the names are on the left.
+    over: f64,
     /// Width of the names on the left, pixels.
     pub left: f64,
 }
@@ -61,30 +62,22 @@ impl BarRows {
         if beside.iter().all(|lines| lines.len() <= MOST_LINES) {
             return Some(Self {
                 names: beside,
-                is_above: false,
+                over: 0.0,
                 left: widest + 14.0,
             });
         }
+        let names = lines(width - 24.0);
+        let most = names.iter().map(Vec::len).max().unwrap_or(0);
         Some(Self {
-            names: lines(width - 24.0),
-            is_above: true,
+            names,
+            over: NAME_LINE * most as f64,
             left: 12.0,
         })
     }
 
     /// The height of each row.
     fn height(&self) -> f64 {
-        ROW + self.over()
-    }
-
-    /// The height of the names above the bars; 0 if the names are on the left.
-    fn over(&self) -> f64 {
-        let most = self.names.iter().map(Vec::len).max().unwrap_or(0);
-        if self.is_above {
-            NAME_LINE * most as f64
-        } else {
-            0.0
-        }
+        ROW + self.over
     }
 
     /// The height of all rows.
@@ -94,7 +87,7 @@ impl BarRows {
 
     /// The middle of the bars of a row, pixels from the top of the frame.
     fn middle(&self, place: usize) -> f64 {
-        place as f64 * self.height() + self.over() + 0.5 * ROW
+        place as f64 * self.height() + self.over + 0.5 * ROW
     }
 
     /// Draws the line at 0 and the names.
@@ -108,7 +101,7 @@ impl BarRows {
         for (place, lines) in self.names.iter().enumerate() {
             let middle = top + self.middle(place);
             for (i, line) in lines.iter().enumerate() {
-                if !self.is_above {
+                if self.over == 0.0 {
                     let below = NAME_LINE * (i as f64 - 0.5 * (lines.len() - 1) as f64);
                     canvas.text(line, [left - 8.0, middle + below], Anchor::Right, font);
                     continue;
