@@ -1,5 +1,5 @@
 use super::document::{Detail, Document, DocumentTable, Line};
-use super::figures::At;
+use super::figures::ShownDrive;
 use super::json::Number;
 use super::lines::by_reason;
 use super::reply::Report;
@@ -126,9 +126,9 @@ impl Report for EffectsReport<'_> {
     /// The effects of uncertainties on each outcome, then all derivatives.
     fn document(&self, system: System) -> Document {
         let at = if self.at_optimum.is_some() {
-            At::Optimum
+            ShownDrive::Optimum
         } else {
-            At::SetUp
+            ShownDrive::SetUp
         };
         let mut document = Document::default();
         for effects in self.found {

@@ -99,8 +99,9 @@ impl Matrix {
 /// The value of a parameter: a number, or the name of a choice.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "Setting"))]
 #[serde(untagged)]
-pub enum Setting {
+pub enum SettingValue {
     /// A number in SI, or radians.
     Number(Number),
     /// The name of a choice, such as a law, or the file of a table.
@@ -115,7 +116,7 @@ pub enum Setting {
     "properties" = choices(),
     "required" = [GOLFER, SPEED_OF, LAW, METHOD]
 )))]
-pub struct Settings(ByName<Setting>);
+pub struct Settings(ByName<SettingValue>);
 
 /// The schemas of the choices.
 #[cfg(test)]
@@ -134,8 +135,8 @@ fn choices() -> serde_json::Value {
 /// The settings of a setup.
 pub(super) fn settings(setup: &Setup<f64>) -> Settings {
     let setup = &in_effect(setup);
-    let choice = |name: &str| Setting::Choice(name.to_owned());
-    let mut all: Vec<(&'static str, Setting)> = vec![(GOLFER, choice(setup.golfer.name()))];
+    let choice = |name: &str| SettingValue::Choice(name.to_owned());
+    let mut all: Vec<(&'static str, SettingValue)> = vec![(GOLFER, choice(setup.golfer.name()))];
     let mut has_law = false;
     for parameter in setup.parameters() {
         if parameter.law.is_some() && !has_law {
@@ -145,7 +146,7 @@ pub(super) fn settings(setup: &Setup<f64>) -> Settings {
             all.extend(table.map(|table| (TABLE, choice(&table.file))));
         }
         let value = setup.value(parameter).into();
-        all.push((parameter.name, Setting::Number(value)));
+        all.push((parameter.name, SettingValue::Number(value)));
         if parameter.name == "swing.speed" {
             all.push((SPEED_OF, choice(setup.speed_of.name())));
         }

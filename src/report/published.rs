@@ -54,11 +54,6 @@ impl PaperUnits {
         format!("{}°", fixed(radians.to_degrees(), self.angle_decimals))
     }
 
-    /// A computed speed: "62.64 m/s".
-    pub fn speed(self, speed: f64) -> String {
-        self.computed(SPEED, speed)
-    }
-
     /// A computed number.
     pub fn computed(self, of: DisplayUnit, value: f64) -> String {
         two_decimals(of, value, self.system)
@@ -79,11 +74,6 @@ impl PaperUnits {
                 self.length_unit()
             ),
         )
-    }
-
-    /// A length from the paper.
-    pub fn printed_length(self, length: f64) -> String {
-        self.printed(LENGTH, length)
     }
 
     /// A number from the paper in its units, followed by the requested units if they differ:
@@ -112,7 +102,7 @@ fn two_decimals(of: DisplayUnit, value: f64, system: System) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{ANGLE, LENGTH, PaperUnits, System};
+    use super::{ANGLE, LENGTH, PaperUnits, SPEED, System};
 
     #[test]
     fn published_numbers_keep_their_units_beside_the_chosen_ones() {
@@ -122,14 +112,17 @@ mod tests {
             system,
         });
         // the longest distance of the report; a yard is 0.9144 m
-        assert_eq!(alone.printed_length(248.48), "248.48 m");
-        assert_eq!(beside.printed_length(248.48), "248.48 m (271.74 yd)");
+        assert_eq!(alone.printed(LENGTH, 248.48), "248.48 m");
+        assert_eq!(beside.printed(LENGTH, 248.48), "248.48 m (271.74 yd)");
         assert_eq!(
             (alone.length(248.48), beside.length(248.48)),
             ("248.48 m".into(), "271.74 yd".into())
         );
         assert_eq!(
-            (alone.speed(44.704), beside.speed(44.704)),
+            (
+                alone.computed(SPEED, 44.704),
+                beside.computed(SPEED, 44.704)
+            ),
             ("44.70 m/s".into(), "100.00 mph".into())
         );
         assert_eq!(beside.printed(ANGLE, 0.2), "11.46 deg");

@@ -7,7 +7,7 @@ use std::fmt;
 
 /// The drive that a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum At {
+pub enum ShownDrive {
     /// The drive as set up.
     SetUp,
     /// The drive at the optimum.
@@ -15,7 +15,7 @@ pub enum At {
 }
 
 /// The text in titles: "as set up", "at the optimum".
-impl fmt::Display for At {
+impl fmt::Display for ShownDrive {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::SetUp => "as set up",

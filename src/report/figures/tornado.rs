@@ -1,4 +1,4 @@
-use super::At;
+use super::ShownDrive;
 use crate::parameters::Parameter;
 use crate::report::plot::{Axis, Figure, HorizontalBar, Hue, Layer, NamedQuantity};
 use crate::report::shown::{self, is_rounding, spread};
@@ -74,7 +74,12 @@ fn size(effect: &study::Bar) -> f64 {
 /// parameter p comes from drives computed at p − σ and p + σ; the other parameters are unchanged.
 /// The uncertainties and the note are in the units of `system`. `None` if none of these causes has
 /// an effect.
-pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System) -> Option<Figure> {
+pub fn tornado_figure(
+    effects: &Effects,
+    causes: Causes,
+    at: ShownDrive,
+    system: System,
+) -> Option<Figure> {
     let is_cause = |effect: &&Effect| causes.has(effect.parameter);
     let mut ranked: Vec<study::Bar> = effects
         .effects
@@ -152,7 +157,7 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System)
 fn note(
     effects: &Effects,
     causes: Causes,
-    at: At,
+    at: ShownDrive,
     ranked: &[study::Bar],
     folded: &[study::Bar],
     system: System,

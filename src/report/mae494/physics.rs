@@ -17,15 +17,15 @@ pub(super) fn energy(document: &mut Document, found: &Mae494, shown: PaperUnits)
          horizontal with {} rad/s of spin, and more speed would \
          add {}. The report's longest distance, {}, needs at least {}, that is {:.1} J: {:.1} % of \
          the club's energy.",
-        shown.speed(energy.fastest),
+        shown.computed(SPEED, energy.fastest),
         energy.ball,
         energy.club,
         shown.length(energy.farthest.carry),
         shown.degrees(energy.farthest.angle),
         spin(&energy.farthest),
         ratio(LENGTH, SPEED, energy.price_of_speed, shown.system, 4),
-        shown.printed_length(longest),
-        shown.speed(energy.needed.speed),
+        shown.printed(LENGTH, longest),
+        shown.computed(SPEED, energy.needed.speed),
         energy.ball_needed,
         100.0 * energy.ball_needed / energy.club,
     ));
@@ -42,7 +42,7 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: PaperUn
     );
     let row = |what: &str, launched: &StraightLaunch| {
         vec![
-            shown.speed(launched.speed),
+            shown.computed(SPEED, launched.speed),
             shown.degrees(launched.angle),
             format!("{} rad/s", spin(launched)),
             shown.length(launched.carry),

@@ -21,7 +21,7 @@ pub(super) fn optimum(document: &mut Document, found: &Mae494, shown: PaperUnits
         held(&found.optimum, shown),
         shown.degrees(printed.loft),
         shown.degrees(printed.attack_angle),
-        shown.printed_length(printed.carry),
+        shown.printed(LENGTH, printed.carry),
         shown.carry_if_flown(found.optimum.at_printed),
         shown.length(found.optimum.cost()),
     ));
@@ -48,7 +48,7 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: PaperUnits)
         vec![
             format!("{:.0}°", given.to_degrees()),
             shown.degrees(printed),
-            shown.printed_length(row.printed.carry),
+            shown.printed(LENGTH, row.printed.carry),
             shown.carry_if_flown(row.at_printed),
             shown.degrees(exact),
             shown.length(row.exact().carry),

@@ -114,7 +114,7 @@ impl BarRows {
                     [left + 2.0, y - 0.5 * NAME_LINE],
                     [right, y + 0.5 * NAME_LINE],
                 ];
-                canvas.rectangle(low, high, palette.ground, 1.0);
+                canvas.rectangle(low, high, palette.background, 1.0);
                 canvas.text(line, [left + 4.0, y], Anchor::Left, font);
             }
         }

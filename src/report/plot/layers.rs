@@ -1,7 +1,7 @@
 //! Draws each kind of layer, in pixels of the plot.
 
 use super::canvas::{Canvas, Labels, SIGN, Stroke};
-use super::contour::Ground;
+use super::contour::ContourRegion;
 use super::figure::{Field, Figure, Hue, Layer};
 use super::hatching::hatching;
 use super::palette::Color;
@@ -84,8 +84,8 @@ pub(super) fn is_area(layer: &Layer) -> bool {
     )
 }
 
-/// Draws one layer. `grounds` are its contour regions. Contour lines and labels are drawn later.
-pub(super) fn draw(canvas: &mut Canvas, area: &PlotArea, layer: &Layer, grounds: &[Ground]) {
+/// Draws one layer. `regions` are its contour regions. Contour lines and labels are drawn later.
+pub(super) fn draw(canvas: &mut Canvas, area: &PlotArea, layer: &Layer, regions: &[ContourRegion]) {
     let hue = layer.named().1.unwrap_or(Hue::Ink);
     let color = canvas.palette.of(hue);
     match layer {
@@ -107,7 +107,7 @@ pub(super) fn draw(canvas: &mut Canvas, area: &PlotArea, layer: &Layer, grounds:
             let outline = area.all(&low.chain(high).collect::<Vec<_>>());
             canvas.polygon(&outline, color, 0.22);
         }
-        Layer::Contours(field) => ground(canvas, area, field, grounds),
+        Layer::Contours(field) => fill_contours(canvas, area, field, regions),
         // other functions draw bars with the names of their rows, marks with their labels, and
         // texts
         Layer::Bars { .. } | Layer::Mark { .. } | Layer::Text { .. } => {}
@@ -159,17 +159,17 @@ pub(super) fn label(
     area: &PlotArea,
     system: System,
     figure: &Figure,
-    grounds: &[Vec<Ground>],
+    regions: &[Vec<ContourRegion>],
 ) {
     let ink = labels.canvas.palette.ink;
-    for (layer, grounds) in figure.layers.iter().zip(grounds) {
+    for (layer, regions) in figure.layers.iter().zip(regions) {
         let Layer::Contours(field) = layer else {
             continue;
         };
         let unit = system.unit(field.measure.unit);
-        for ground in grounds {
-            let text = with_unit(&significant(ground.level, 6), unit);
-            let mut lines: Vec<_> = ground.lines.iter().map(|line| area.all(line)).collect();
+        for region in regions {
+            let text = with_unit(&significant(region.level, 6), unit);
+            let mut lines: Vec<_> = region.lines.iter().map(|line| area.all(line)).collect();
             lines.sort_by_key(|line| std::cmp::Reverse(line.len()));
             let at = lines
                 .iter()
@@ -236,22 +236,22 @@ pub(super) fn region(canvas: &mut Canvas, rings: &[Vec<[f64; 2]>], hue: Hue, is_
 }
 
 /// Draws the contour lines.
-pub(super) fn contour_lines(canvas: &mut Canvas, area: &PlotArea, grounds: &[Ground]) {
+pub(super) fn contour_lines(canvas: &mut Canvas, area: &PlotArea, regions: &[ContourRegion]) {
     let stroke = Stroke::new(canvas.palette.faint, 0.7);
-    for line in grounds.iter().flat_map(|ground| &ground.lines) {
+    for line in regions.iter().flat_map(|region| &region.lines) {
         canvas.line(&simplified(&area.all(line)), stroke);
     }
 }
 
-fn ground(canvas: &mut Canvas, area: &PlotArea, field: &Field, grounds: &[Ground]) {
+fn fill_contours(canvas: &mut Canvas, area: &PlotArea, field: &Field, regions: &[ContourRegion]) {
     let palette = canvas.palette;
     let shade = |i: usize| {
         // the shade of the position midway between this level and the next
-        let next = grounds.get(i + 1).map_or(1.0, |next| next.part);
-        palette.height(0.5 * (grounds[i].part + next))
+        let next = regions.get(i + 1).map_or(1.0, |next| next.part);
+        palette.height(0.5 * (regions[i].part + next))
     };
-    for (i, ground) in grounds.iter().enumerate() {
-        for outline in &ground.outlines {
+    for (i, region) in regions.iter().enumerate() {
+        for outline in &region.outlines {
             canvas.polygon(&simplified(&area.all(outline)), shade(i), 1.0);
         }
     }
@@ -324,8 +324,8 @@ fn bars(canvas: &mut Canvas, [x, y]: [f64; 2], [dx, dy]: [f64; 2], color: Color,
 }
 
 pub(super) fn star(canvas: &mut Canvas, at: [f64; 2], color: Color) {
-    let ground = canvas.palette.ground;
-    for (radius, color) in [(6.5, ground), (5.0, color), (2.0, ground)] {
+    let background = canvas.palette.background;
+    for (radius, color) in [(6.5, background), (5.0, color), (2.0, background)] {
         canvas.disc(at, radius, color);
     }
 }

@@ -1,7 +1,7 @@
 //! The picture of a figure, with the views of its `panels` below.
 
 use super::canvas::{Anchor, Canvas, Font, LINE, Labels, Stroke, TEXT};
-use super::contour::grounds;
+use super::contour::contour_regions;
 use super::figure::{Figure, Layer};
 use super::hover::write_tooltips;
 use super::layers::{PlotArea, contour_lines, draw, field_arrows, is_area, label};
@@ -102,7 +102,7 @@ fn panel(figure: &Figure, look: &Look) -> Result<Canvas> {
         svg: String::new(),
     };
     let size = [f64::from(look.width), layout.height];
-    canvas.rectangle([0.0, 0.0], size, canvas.palette.ground, 1.0);
+    canvas.rectangle([0.0, 0.0], size, canvas.palette.background, 1.0);
     write_texts_around(&mut canvas, &layout);
     draw_inside(&mut canvas, figure, look.system, &layout);
     Ok(canvas)
@@ -114,20 +114,20 @@ fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &La
     draw_axes(canvas, area, figure);
     // the contours are computed once for drawing, labels and tooltips
     let contours = |layer: &Layer| match layer {
-        Layer::Contours(field) => grounds(field, system),
+        Layer::Contours(field) => contour_regions(field, system),
         _ => vec![],
     };
-    let grounds: Vec<_> = figure.layers.iter().map(contours).collect();
-    let layers = || figure.layers.iter().zip(&grounds);
+    let regions: Vec<_> = figure.layers.iter().map(contours).collect();
+    let layers = || figure.layers.iter().zip(&regions);
     let (areas, others): (Vec<_>, Vec<_>) = layers().partition(|(layer, _)| is_area(layer));
-    for (layer, grounds) in areas {
-        draw(canvas, area, layer, grounds);
+    for (layer, regions) in areas {
+        draw(canvas, area, layer, regions);
     }
-    for grounds in &grounds {
-        contour_lines(canvas, area, grounds);
+    for regions in &regions {
+        contour_lines(canvas, area, regions);
     }
-    for (layer, grounds) in others {
-        draw(canvas, area, layer, grounds);
+    for (layer, regions) in others {
+        draw(canvas, area, layer, regions);
     }
     if let Some(rows) = &layout.rows {
         rows.draw(canvas, area);
@@ -145,9 +145,9 @@ fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &La
     if let Some(names) = &layout.end_names {
         names.draw(labels.canvas, area, figure);
     }
-    label(&mut labels, area, system, figure, &grounds);
+    label(&mut labels, area, system, figure, &regions);
     field_arrows(&mut labels, area, figure);
-    write_tooltips(canvas, figure, area, system, &grounds);
+    write_tooltips(canvas, figure, area, system, &regions);
 }
 
 /// Writes the title, the line below it, the legend and the titles of the axes.

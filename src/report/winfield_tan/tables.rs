@@ -58,8 +58,8 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: PaperUni
          give {}. The robot Iron Byron, with the same \
          delivery, hit {} ± {}: the computed carry lies {:.2} standard deviations from its mean.",
         shown.degrees(theirs.up.atan2(theirs.downrange)),
-        shown.printed_length(found.shot.robot.0),
-        shown.printed_length(found.shot.robot.1),
+        shown.printed(LENGTH, found.shot.robot.0),
+        shown.printed(LENGTH, found.shot.robot.1),
         (ours.carry - found.shot.robot.0).abs() / found.shot.robot.1,
     ));
 }
@@ -81,7 +81,7 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Paper
             vec![
                 shown.degrees(printed.loft),
                 shown.degrees(printed.attack_angle),
-                shown.printed_length(printed.carry),
+                shown.printed(LENGTH, printed.carry),
                 "printed".into(),
             ],
             vec![
@@ -189,7 +189,7 @@ fn line(row: &RecomputedOptimum, is_by_loft: bool, shown: PaperUnits) -> Vec<Str
         format!("{:.0}°", given.to_degrees()),
         shown.degrees(theirs),
         shown.degrees(ours),
-        shown.printed_length(printed.carry),
+        shown.printed(LENGTH, printed.carry),
         shown.length(computed.carry),
         shown.difference(LENGTH, computed.carry - printed.carry),
     ]
@@ -266,7 +266,7 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Paper
         [
             row(
                 mean.printed.loft,
-                shown.printed_length(mean.printed.carry),
+                shown.printed(LENGTH, mean.printed.carry),
                 "printed: maximum of a polynomial of fifth order",
             ),
             computed(
