@@ -5,8 +5,8 @@ use crate::drive::{Outcome, Sign};
 use crate::parameters::{Parameter, Setup, UNSET, Vary};
 use crate::study::{Active, Constraint, Goal, Search};
 use crate::units::{
-    Digits, DisplayUnit, Message, Quantity, System, leading_number, one, per, signed, significant,
-    with_unit,
+    Digits, DisplayUnit, Message, Quantity, System, is_zero, leading_number, one, per, signed,
+    significant, with_unit,
 };
 
 /// The text for a missing number.
@@ -76,11 +76,8 @@ pub fn goal(goal: &Goal, value: f64, system: System) -> String {
 /// A value whose positive side is right: "3.2 yd R", "3.2 yd L", and "0.0 yd" without a side.
 pub(super) fn side(quantity: Quantity, unit: &str, value: f64) -> String {
     let size = quantity.read_off(value.abs(), unit);
-    let is_straight = leading_number(&size)
-        .bytes()
-        .all(|digit| b"0.".contains(&digit));
     match value {
-        _ if is_straight => size,
+        _ if is_zero(leading_number(&size)) => size,
         0.0.. => format!("{size} R"),
         _ => format!("{size} L"),
     }

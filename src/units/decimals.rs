@@ -130,7 +130,7 @@ pub(crate) fn signed(number: f64, text: String) -> String {
 }
 
 /// True if the text of a number is zero.
-fn is_zero(text: &str) -> bool {
+pub(crate) fn is_zero(text: &str) -> bool {
     text.bytes()
         .all(|digit| matches!(digit, b'-' | b'.' | b'0'))
 }

@@ -6,7 +6,7 @@ use super::canvas::{Anchor, Canvas, Font, Stroke, TEXT};
 use super::figure::{Figure, HorizontalBar, Layer};
 use super::layers::PlotArea;
 use super::text_width::{text_width, wrapped};
-use crate::units::{System, leading_number, signed, typeset};
+use crate::units::{System, is_zero, leading_number, signed, typeset};
 
 /// Text size of names, pixels.
 const NAME: f64 = TEXT - 0.5;
@@ -94,7 +94,7 @@ impl BarRows {
     pub fn draw(&self, canvas: &mut Canvas, area: &PlotArea) {
         let palette = canvas.palette;
         let [left, top, _, bottom] = area.frame;
-        if let Some(x) = area.pixel_across(0.0) {
+        if let Some([x, _]) = area.pixel([0.0, 0.0]) {
             canvas.line(&[[x, top], [x, bottom]], Stroke::new(palette.faint, 1.0));
         }
         let font = Font::new(NAME, palette.ink);
@@ -134,7 +134,8 @@ impl BarRows {
         };
         let font = Font::new(VALUE, canvas.palette.ink);
         for bar in bars {
-            let [Some(from), Some(to)] = [0.0, bar.to].map(|x| area.pixel_across(x)) else {
+            let ends = [0.0, bar.to].map(|x| area.pixel([x, bar.place as f64]));
+            let [Some([from, _]), Some([to, _])] = ends else {
                 continue;
             };
             let (lane, lanes) = lane(figure, layer, bar);
@@ -233,9 +234,7 @@ fn value(figure: &Figure, layer: usize, bar: &HorizontalBar, system: System) -> 
     let text = measure.quantity.read_off(amount, unit);
     let is_lost = |bar: &HorizontalBar| {
         let text = measure.quantity.read_off(bar.to.abs(), unit);
-        leading_number(&text)
-            .bytes()
-            .all(|digit| b"0.".contains(&digit))
+        is_zero(leading_number(&text))
     };
     let is_row_lost = is_lost(bar)
         && others(figure, layer, bar.place)

@@ -50,15 +50,7 @@ impl PlotArea {
         ])
     }
 
-    /// The horizontal pixel of an SI value; `None` outside of the axis.
-    pub fn pixel_across(&self, x: f64) -> Option<f64> {
-        let [left, _, right, _] = self.frame;
-        let part = (self.x.place(x)? - self.x.low) / (self.x.high - self.x.low);
-        (-1e-6..=1.0 + 1e-6)
-            .contains(&part)
-            .then_some(left + part * (right - left))
-    }
-
+    /// The pixels of the points inside the axes.
     pub fn all(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
         points
             .iter()
