@@ -99,9 +99,8 @@ impl Matrix {
 /// The value of a parameter: a number, or the name of a choice.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-#[cfg_attr(test, schemars(rename = "Setting"))]
 #[serde(untagged)]
-pub enum SettingValue {
+pub enum Setting {
     /// A number in SI, or radians.
     Number(Number),
     /// The name of a choice, such as a law, or the file of a table.
@@ -116,7 +115,7 @@ pub enum SettingValue {
     "properties" = choices(),
     "required" = [GOLFER, SPEED_OF, LAW, METHOD]
 )))]
-pub struct Settings(ByName<SettingValue>);
+pub struct Settings(ByName<Setting>);
 
 /// The schemas of the choices.
 #[cfg(test)]
@@ -135,8 +134,8 @@ fn choices() -> serde_json::Value {
 /// The settings of a setup.
 pub(super) fn settings(setup: &Setup<f64>) -> Settings {
     let setup = &in_effect(setup);
-    let choice = |name: &str| SettingValue::Choice(name.to_owned());
-    let mut all: Vec<(&'static str, SettingValue)> = vec![(GOLFER, choice(setup.golfer.name()))];
+    let choice = |name: &str| Setting::Choice(name.to_owned());
+    let mut all: Vec<(&'static str, Setting)> = vec![(GOLFER, choice(setup.golfer.name()))];
     let mut has_law = false;
     for parameter in setup.parameters() {
         if parameter.law.is_some() && !has_law {
@@ -146,7 +145,7 @@ pub(super) fn settings(setup: &Setup<f64>) -> Settings {
             all.extend(table.map(|table| (TABLE, choice(&table.file))));
         }
         let value = setup.value(parameter).into();
-        all.push((parameter.name, SettingValue::Number(value)));
+        all.push((parameter.name, Setting::Number(value)));
         if parameter.name == "swing.speed" {
             all.push((SPEED_OF, choice(setup.speed_of.name())));
         }

@@ -11,9 +11,9 @@ mod winfield_tan;
 pub use delivery::{DeliveryCarry, LoftCarry};
 pub use mae494::{
     Average, ByLaunch, ChangedOptimum, Constant, ConstantChange, End, Energy, LandingDefinition,
-    Landings, LongerDifference, LoopLanding, LoopRow, Mae494, Noise, Parametric, Peak, Regression,
-    Sawtooth, SearchMethod, SearchSeries, ShorterStep, Slopes, StraightLaunch, Subsystems,
-    loop_landing, mae494, while_loop,
+    Landings, Launched, LongerDifference, LoopLanding, LoopRow, Mae494, Noise, Parametric, Peak,
+    Regression, Sawtooth, SearchMethod, Searches, ShorterStep, Slopes, Subsystems, loop_landing,
+    mae494, while_loop,
 };
 pub use recomputed::RecomputedOptimum;
 pub use winfield_tan::{

@@ -3,7 +3,7 @@
 use crate::report::document::{Document, DocumentTable};
 use crate::report::published::{LENGTH, PaperUnits, SPEED};
 use crate::report::shown::{NONE, ratio, stated};
-use crate::reproduce::{ByLaunch, Mae494, StraightLaunch};
+use crate::reproduce::{ByLaunch, Launched, Mae494};
 use crate::units::{fixed, signed};
 
 pub(super) fn energy(document: &mut Document, found: &Mae494, shown: PaperUnits) {
@@ -40,7 +40,7 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: PaperUn
          flight cannot choose its launch freely: more loft raises the launch angle, but also \
          reduces the ball speed and adds spin.",
     );
-    let row = |what: &str, launched: &StraightLaunch| {
+    let row = |what: &str, launched: &Launched| {
         vec![
             shown.computed(SPEED, launched.speed),
             shown.degrees(launched.angle),
@@ -185,7 +185,7 @@ fn with_sign(change: f64) -> String {
 }
 
 /// A spin. Rounding errors of a search are displayed as 0.
-fn spin(launched: &StraightLaunch) -> String {
+fn spin(launched: &Launched) -> String {
     format!(
         "{:.1}",
         if launched.spin.abs() < 1e-3 {

@@ -3,7 +3,7 @@
 use crate::report::document::{Document, DocumentTable};
 use crate::report::plot::{Figure, Hue, Layer};
 use crate::report::published::{PaperUnits, angles};
-use crate::reproduce::{DeliveryCarry, LandingDefinition, Mae494, SearchMethod, SearchSeries};
+use crate::reproduce::{DeliveryCarry, LandingDefinition, Mae494, SearchMethod, Searches};
 use crate::units::Quantity;
 
 /// Maximum distance of a successful search's carry from the best carry, m.
@@ -79,7 +79,7 @@ fn method(method: SearchMethod) -> &'static str {
     }
 }
 
-fn ends(searches: &[SearchSeries], best: &DeliveryCarry) -> Figure {
+fn ends(searches: &[Searches], best: &DeliveryCarry) -> Figure {
     let mut figure = Figure::new(
         "ends",
         "Where searches from the same starts end",

@@ -14,8 +14,7 @@ use std::f64::consts::FRAC_PI_2;
 /// A straight launch with its carry.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-#[cfg_attr(test, schemars(rename = "Launched"))]
-pub struct StraightLaunch {
+pub struct Launched {
     /// The ball speed, m/s.
     #[serde(rename = "ball_speed")]
     pub speed: f64,
@@ -29,7 +28,7 @@ pub struct StraightLaunch {
     pub carry: f64,
 }
 
-impl StraightLaunch {
+impl Launched {
     /// A launch x = (ball speed, launch angle, backspin) with its carry.
     fn new(x: &[f64], carry: f64) -> Self {
         Self {
@@ -53,12 +52,12 @@ pub struct Energy {
     #[serde(rename = "fastest_ball_speed")]
     pub fastest: f64,
     /// Launch of maximum carry at that ball speed, over launch angle and spin.
-    pub farthest: StraightLaunch,
+    pub farthest: Launched,
     /// Derivative of carry by ball speed at that launch, m per m/s.
     #[serde(rename = "carry_per_ball_speed")]
     pub price_of_speed: f64,
     /// Slowest launch that reaches the report's longest carry.
-    pub needed: StraightLaunch,
+    pub needed: Launched,
     /// The club's kinetic energy, ½ M V², J.
     #[serde(rename = "club_energy")]
     pub club: f64,
@@ -76,9 +75,9 @@ pub struct Energy {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Subsystems {
     /// Launch at the optimum of the whole system.
-    pub whole: StraightLaunch,
+    pub whole: Launched,
     /// Launch that flies farthest at the ball speed of `whole`.
-    pub flight: StraightLaunch,
+    pub flight: Launched,
     /// Delivery with the largest ball speed at the attack angle of the optimum,
     /// with its carry.
     pub impact: DeliveryCarry,
@@ -181,7 +180,7 @@ impl Subsystems {
         let (own_choice, _) = alone.best([launch[0], launch[0]])?;
         let attack_angle = optimum.exact().attack_angle;
         Ok(Self {
-            whole: StraightLaunch::new(&launch, flight.value),
+            whole: Launched::new(&launch, flight.value),
             flight: own_choice,
             impact: DeliveryCarry::flown(setup, 0.0, attack_angle)?,
             slopes: slopes.into(),
@@ -218,7 +217,7 @@ impl FlightAlone {
     }
 
     /// The best launch for a range of the ball speed, with the multipliers of the upper bounds.
-    fn best(&self, speeds: [f64; 2]) -> Result<(StraightLaunch, Vec<f64>)> {
+    fn best(&self, speeds: [f64; 2]) -> Result<(Launched, Vec<f64>)> {
         let domain = Domain::new(
             vec![speeds[0], ANGLES[0], 0.0],
             vec![speeds[1], ANGLES[1], MOST_SPIN],
@@ -250,7 +249,7 @@ impl FlightAlone {
             None => -best.value.unwrap_or_default(),
             Some(_) => best.constraints[0].value,
         };
-        Ok((StraightLaunch::new(&best.x, carry), best.upper_multipliers))
+        Ok((Launched::new(&best.x, carry), best.upper_multipliers))
     }
 }
 

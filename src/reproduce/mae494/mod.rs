@@ -18,12 +18,12 @@ mod searches;
 mod while_loop;
 
 pub use average::Average;
-pub use launches::{ByLaunch, Energy, StraightLaunch, Subsystems};
+pub use launches::{ByLaunch, Energy, Launched, Subsystems};
 pub use noise::{Landings, LongerDifference, Noise, Sawtooth, ShorterStep, Slopes};
 pub use objective::{LandingDefinition, SearchMethod};
 pub use parametric::{ChangedOptimum, Constant, ConstantChange, Parametric};
 pub use regression::{Peak, Regression};
-pub use searches::{End, SearchSeries};
+pub use searches::{End, Searches};
 pub use while_loop::{LoopLanding, LoopRow, loop_landing, while_loop};
 
 use crate::error::Result;

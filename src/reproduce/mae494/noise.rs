@@ -1,4 +1,4 @@
-use super::searches::{SearchSeries, searches};
+use super::searches::{Searches, searches};
 use super::while_loop::{LoopLanding, fly_past_the_ground};
 use crate::derivative;
 use crate::drive::Outcome;
@@ -32,7 +32,7 @@ pub struct Noise {
     /// The carry by loft near 10°.
     pub zoom: Vec<Landings>,
     /// Searches, by definition of the landing and by method.
-    pub searches: Vec<SearchSeries>,
+    pub searches: Vec<Searches>,
 }
 
 /// The forward difference of the while-loop's carry with a shorter time step.

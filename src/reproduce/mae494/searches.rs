@@ -10,8 +10,7 @@ use serde::Serialize;
 /// starts.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-#[cfg_attr(test, schemars(rename = "Searches"))]
-pub struct SearchSeries {
+pub struct Searches {
     /// Definition of the landing.
     pub landing: LandingDefinition,
     /// The method.
@@ -50,7 +49,7 @@ const KINDS: [(LandingDefinition, SearchMethod); 7] = [
 ];
 
 /// All searches from common starts, at which the ball flies.
-pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<SearchSeries>> {
+pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<Searches>> {
     let domain = domain()?;
     let mut begun = vec![];
     for x in starts(
@@ -71,7 +70,7 @@ pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<SearchSeries>> {
         let ends = begun
             .iter()
             .map(|start| search(&CarryObjective::new(setup, landing, method)?, *start));
-        Ok(SearchSeries {
+        Ok(Searches {
             landing,
             method,
             ends: ends.collect::<Result<_>>()?,
@@ -109,7 +108,7 @@ fn search(objective: &CarryObjective<'_>, start: DeliveryCarry) -> Result<End> {
     })
 }
 
-impl SearchSeries {
+impl Searches {
     /// Number of searches that end within a distance (m) of the best carry.
     pub fn within(&self, distance: f64, best: f64) -> usize {
         self.ends
