@@ -1,6 +1,6 @@
 //! Enums whose variants have names in files, in JSON and on the command line.
 
-/// Names the variants of an enum. The enum gets `ALL`, `name()`, and a `Display` that writes the
+/// Names the variants of an enum. The enum gets `ALL`, `NAMES`, `name()`, and a `Display` that writes the
 /// name. With `as "Schema"` it also gets a JSON schema of this name, in which the names of the
 /// variants are the allowed strings.
 macro_rules! variant_names {
@@ -14,7 +14,7 @@ macro_rules! variant_names {
             }
 
             fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-                schemars::json_schema!({ "type": "string", "enum": Self::ALL.map(Self::name) })
+                schemars::json_schema!({ "type": "string", "enum": Self::NAMES })
             }
         }
     };
@@ -23,6 +23,9 @@ macro_rules! variant_names {
         impl $Enum {
             /// All variants, in their order.
             pub const ALL: [Self; [$($name),+].len()] = [$(Self::$Variant),+];
+
+            /// The names of all variants, in their order.
+            pub const NAMES: [&'static str; Self::ALL.len()] = [$($name),+];
 
             $(#[doc = $doc])*
             pub fn name(self) -> &'static str {

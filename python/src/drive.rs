@@ -59,7 +59,7 @@ impl PySimulated {
     fn report<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         answer(|| {
             let report = DriveReport::new(&self.setup, &self.drive);
-            to_python(py, &Reply::of(report, self.warnings.clone()))
+            to_python(py, &Reply::of(&report, self.warnings.clone()))
         })
     }
 

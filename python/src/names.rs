@@ -186,7 +186,7 @@ pub fn parameters<'py>(
     answer(|| {
         let setup = PySetup::of_any(setup)?.setup;
         let report = ParametersReport::new(&setup);
-        to_python(py, &Reply::of(report, setup.warnings()))
+        to_python(py, &Reply::of(&report, setup.warnings()))
     })
 }
 
@@ -204,7 +204,7 @@ pub fn parameters<'py>(
 /// True
 #[pyfunction]
 pub fn presets(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
-    answer(|| to_python(py, &Reply::of(PresetsReport::new(None)?, vec![])))
+    answer(|| to_python(py, &Reply::of(&PresetsReport::new(None)?, vec![])))
 }
 
 /// Every outcome.

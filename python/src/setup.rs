@@ -8,7 +8,7 @@ use longdrive::integration::{Integration, StepChoice};
 use longdrive::parameters::{
     DEFAULT_PRESET, GOLFER, LAW, Law, METHOD, Parameter, SPEED_OF, SetupFile, TABLE, TURF,
 };
-use longdrive::report::{Change, changes, setup_toml};
+use longdrive::report::{ChangedSetting, changes, setup_toml};
 use longdrive::units::System;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
@@ -222,7 +222,7 @@ impl PySetup {
         Ok((Self::based_on(setup, Arc::clone(&self.file)), bare_angles))
     }
 
-    fn changes(&self) -> Answer<Vec<Change>> {
+    fn changes(&self) -> Answer<Vec<ChangedSetting>> {
         Ok(changes(&self.setup, self.file.preset, System::default())?)
     }
 
@@ -707,7 +707,7 @@ impl PySetup {
         answer(|| {
             let changes = self.changes()?;
             let caption = format!("<caption>setup: preset {}</caption>", self.file.preset.name);
-            let row = |change: &Change| {
+            let row = |change: &ChangedSetting| {
                 let cells = [&change.name, &change.to, &change.from]
                     .map(|text| format!("<td>{}</td>", escaped(text)));
                 format!("<tr>{}</tr>", cells.concat())

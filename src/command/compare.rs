@@ -2,7 +2,7 @@ use crate::command::args::SetupArgs;
 use crate::command::names::outcomes;
 use crate::command::output::{Answer, spinner, tell, tell_error, warn};
 use crate::command::request::{Request, Setting, Source, refuse_duplicates};
-use crate::report::{ComparisonReport, Origin};
+use crate::report::{ComparisonReport, SetupOrigin};
 use crate::study::Comparison;
 use crate::units::Message;
 use crate::{Error, Outcome, Result};
@@ -73,7 +73,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let report = ComparisonReport::new(&comparison, &each, requests.each_ref().map(Request::title));
     // an empty origin: the report itself names both setups
-    let origin = Origin::default();
+    let origin = SetupOrigin::default();
     let answer = Answer::report(&report, &origin, args.pair.setup_args.json);
     Ok(answer.found(is_complete))
 }

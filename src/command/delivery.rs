@@ -6,7 +6,7 @@ use crate::command::output::{Answer, command_line, system, tell, warn};
 use crate::command::ranges::varied;
 use crate::command::request::{Request, Setting, Source};
 use crate::report::{
-    DeliveryReport, Origin, bound_warnings, delivery_toml, parameter_difference_text,
+    DeliveryReport, SetupOrigin, bound_warnings, delivery_toml, parameter_difference_text,
     parameter_text, population_warnings, recovered_csv, recovered_toml,
 };
 use crate::study::calibrate::ShotTable;
@@ -265,7 +265,7 @@ fn answer(args: &Args, found: &Deliveries) -> Answer {
         .and_then(|found| found.as_ref().ok());
     let is_table = args.shots.is_some();
     let report = DeliveryReport::new(&found.all, population, is_table, found.left_out);
-    Answer::report(&report, &Origin::default(), args.setup_args.json)
+    Answer::report(&report, &SetupOrigin::default(), args.setup_args.json)
 }
 
 /// The files to write.

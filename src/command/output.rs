@@ -3,7 +3,7 @@ use super::host::{SharedProgress, Work};
 use super::mention::commands_with;
 use super::running::running;
 use super::wording::{advice_on, in_words_of_the_host, name_in_words_of_the_host};
-use crate::report::{Document, Empty, Origin, Reply, Report};
+use crate::report::{Document, Empty, Reply, Report, SetupOrigin};
 use crate::units::{Message, System};
 use crate::{Error, Result};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
@@ -97,7 +97,7 @@ impl Answer {
     }
 
     /// The report of a command about a setup, as JSON or as text.
-    pub fn report(report: &impl Report, origin: &Origin, is_json: bool) -> Self {
+    pub fn report(report: &impl Report, origin: &SetupOrigin, is_json: bool) -> Self {
         Self::of(
             is_json,
             origin,
@@ -109,7 +109,7 @@ impl Answer {
     /// An answer about a setup: the reply with the warnings as JSON, or the document as text.
     pub fn of<T: Serialize>(
         is_json: bool,
-        origin: &Origin,
+        origin: &SetupOrigin,
         reply: impl FnOnce(Vec<Message>) -> Reply<T>,
         document: impl FnOnce(System) -> Document,
     ) -> Self {
@@ -211,7 +211,11 @@ pub fn complain(error: &Error, command: &'static str, is_json: bool) -> u8 {
     tell_error(error);
     // after an output error, no further output
     if is_json && !matches!(error, Error::Output(_)) {
-        say(Reply::none(Some(command), error));
+        say(Reply::refused(
+            Some(command),
+            error.status(),
+            error.to_string(),
+        ));
     }
     if error.is_an_outcome() { 1 } else { 2 }
 }

@@ -7,7 +7,7 @@ use crate::command::request::Request;
 #[cfg(not(feature = "png"))]
 use crate::features::how_to_get;
 use crate::report::Reply;
-use crate::report::plot::{Figure, Look, figure_csv_in, figure_svg};
+use crate::report::plot::{Figure, Look, figure_csv, figure_svg};
 use crate::units::Message;
 use crate::{Drive, Error, Result, Setup};
 use serde::Serialize;
@@ -143,7 +143,7 @@ impl<'a> Target<'a> {
             Format::Svg => figure_svg(figure, &look)?.into_bytes(),
             #[cfg(feature = "png")]
             Format::Png => crate::report::plot::figure_png(figure, &look, 2.0)?,
-            Format::Csv => figure_csv_in(figure, stated_system().into())?.into_bytes(),
+            Format::Csv => figure_csv(figure, stated_system().into())?.into_bytes(),
         };
         let file = drawing.output.display().to_string();
         self.destination.write(&bytes)?;

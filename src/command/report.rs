@@ -12,7 +12,7 @@ use crate::command::wording::in_words_of_the_host;
 use crate::flight::Flight;
 use crate::optimize::Observer;
 use crate::report::page::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE, report_documents};
-use crate::report::{Origin, Reply, TextFile, explorer_state};
+use crate::report::{Reply, SetupOrigin, TextFile, explorer_state};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{DerivativeRow, certify};
 use crate::study::{
@@ -199,7 +199,7 @@ fn name_of(request: &Request) -> String {
     )
 }
 
-fn answer(args: &Args, origin: &Origin, findings: &Findings, files: Vec<&str>) -> Answer {
+fn answer(args: &Args, origin: &SetupOrigin, findings: &Findings, files: Vec<&str>) -> Answer {
     let own = &findings.flown[0].drive;
     let missing = findings.found.as_ref();
     let missing = missing.filter(|_| findings.best().is_none());

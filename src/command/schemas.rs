@@ -26,7 +26,7 @@ pub trait Body: JsonSchema {
 
 impl<T: Report + JsonSchema> Body for T {
     fn statuses() -> Vec<&'static str> {
-        T::statuses()
+        T::STATUSES.to_vec()
     }
 }
 

@@ -3,7 +3,7 @@ use crate::command::args::OwnLaw;
 use crate::command::files::{Rule, ending};
 use crate::command::output::{Answer, system, tell};
 use crate::command::reproduce::{DOCUMENT, write};
-use crate::report::{Origin, ValidationReport};
+use crate::report::{SetupOrigin, ValidationReport};
 use crate::study::validation::validation;
 use std::path::PathBuf;
 
@@ -54,5 +54,5 @@ pub fn run(args: &Args) -> Result<Answer> {
     if args.csv {
         return Ok(Answer::text(report.csv()?));
     }
-    Ok(Answer::report(&report, &Origin::default(), args.json))
+    Ok(Answer::report(&report, &SetupOrigin::default(), args.json))
 }

@@ -1,7 +1,7 @@
 use super::csv_text::csv_text;
-use super::document::{Document, Table};
+use super::document::{Document, DocumentTable};
 use super::json::{ByName, Number};
-use super::plot::Measure;
+use super::plot::NamedQuantity;
 use super::reply::{Ending, Report};
 use super::shown;
 use crate::drive::Outcome;
@@ -129,9 +129,7 @@ impl Report for ChartReport<'_> {
     const COMMAND: &'static str = "chart";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        [&super::reply::SHARES[..], &["interrupted"]].concat()
-    }
+    const STATUSES: &'static [&'static str] = &["done", "partial", "no-answer", "interrupted"];
 
     /// The status is `done`, `interrupted`, `partial` if the optimum is missing for a part of the
     /// range, or `no-answer`.
@@ -163,7 +161,7 @@ impl Report for ChartReport<'_> {
         let heads = columns.into_iter().map(|column| column.label);
         let head = heads.chain(["active".into()]);
         let rows = chart.points.iter().map(|point| row(chart, point, system));
-        document.add(Table::new(head, rows).right(0..numbers));
+        document.add(DocumentTable::new(head, rows).right(0..numbers));
         for why in chart.begun.iter().chain(&chart.ended) {
             document.paragraph(why.in_units(system));
         }
@@ -180,15 +178,19 @@ fn launch(point: &ChartPoint) -> [Option<f64>; 3] {
 
 /// The columns of a chart that have numbers: the parameter, the objective, the varied parameters and
 /// the launch.
-fn columns(chart: &Chart) -> Vec<Measure> {
-    let of_parameter = |row: &Parameter| Measure::new(row.name, row.quantity, row.unit);
-    let of_outcome = |of: Outcome| Measure::new(of.name(), of.quantity(), of.unit());
+fn columns(chart: &Chart) -> Vec<NamedQuantity> {
+    let of_parameter = |row: &Parameter| NamedQuantity::new(row.name, row.quantity, row.unit);
+    let of_outcome = |of: Outcome| NamedQuantity::new(of.name(), of.quantity(), of.unit());
     let mut columns = vec![];
     if let Some(first) = chart.points.first() {
         let search = &first.best.search;
         let objective = search.outcome().name();
         columns.push(of_parameter(chart.along.parameter));
-        columns.push(Measure::new(objective, search.of.quantity, search.of.unit));
+        columns.push(NamedQuantity::new(
+            objective,
+            search.of.quantity,
+            search.of.unit,
+        ));
         columns.extend(search.vary.iter().map(|vary| of_parameter(vary.parameter)));
     }
     columns.extend(LAUNCH.map(of_outcome));

@@ -1,4 +1,4 @@
-use super::document::{Document, Line, Table};
+use super::document::{Document, DocumentTable, Line};
 use super::drive::{LaunchReport, flight, launch};
 use super::json::{ByName, Number, Settings, settings};
 use super::reply::{Ending, Report};
@@ -120,9 +120,7 @@ impl Report for ComparisonReport<'_> {
     const COMMAND: &'static str = "compare";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        Ending::statuses_of_each()
-    }
+    const STATUSES: &'static [&'static str] = Ending::STATUSES_OF_EACH;
 
     fn ending(&self) -> Ending {
         let errors = self.found.iter().map(|(_, found)| found.as_ref().err());
@@ -177,7 +175,7 @@ fn difference_line(difference: &Difference, system: System) -> Line {
 }
 
 /// The outcomes of two drives, and their differences.
-fn outcomes(comparison: &Comparison, system: System) -> Table {
+fn outcomes(comparison: &Comparison, system: System) -> DocumentTable {
     let rows = Outcome::ALL.iter().filter_map(|of| {
         let values = comparison.drives.each_ref().map(|drive| of.value(drive));
         let change = match values {
@@ -192,7 +190,7 @@ fn outcomes(comparison: &Comparison, system: System) -> Table {
         let [a, b] = values.map(|value| shown::outcome_or_dash(*of, value, system));
         Some(vec![shown::words(of.name()), a, b, change])
     });
-    Table::new(["", "a", "b", "difference"], rows).right([1, 2, 3])
+    DocumentTable::new(["", "a", "b", "difference"], rows).right([1, 2, 3])
 }
 
 /// Adds the causes of a difference to a document.
@@ -275,7 +273,7 @@ fn add_shares(
             shown::change(of, share.amount, system),
         ]
     });
-    let mut table = Table::new([title, "a", "b", "share"], rows).right([1, 2, 3]);
+    let mut table = DocumentTable::new([title, "a", "b", "share"], rows).right([1, 2, 3]);
     for remark in remarks {
         table.remark(remark);
     }

@@ -1,4 +1,4 @@
-use super::document::{Detail, Document, Line, Table};
+use super::document::{Detail, Document, DocumentTable, Line};
 use super::json::Number;
 use super::limits::ended_at;
 use super::optimum::{
@@ -86,7 +86,7 @@ impl Designed<'_> {
             .collect();
         if !rows.is_empty() {
             let found = ended_at(self.best.solution.status, "best");
-            document.add(Table::new(["rule or limit", "", found, ""], rows).right([2]));
+            document.add(DocumentTable::new(["rule or limit", "", found, ""], rows).right([2]));
         }
         document.list(
             notes(self.best, over, system)
@@ -104,7 +104,7 @@ impl Designed<'_> {
     }
 
     /// The varied parameters and the goals, before the search and with the best design.
-    fn changes(&self, system: System) -> Table {
+    fn changes(&self, system: System) -> DocumentTable {
         let solution = &self.best.solution;
         let own = self.best.search.vary.iter().zip(&solution.x).enumerate();
         let own = own.map(|(i, (vary, x))| {
@@ -134,7 +134,7 @@ impl Designed<'_> {
             .map(|goal| goal_row(goal, system));
         let found = ended_at(solution.status, "best");
         let head = ["design", "as set up", found, "change", ""];
-        Table::new(head, own.chain(goals)).right([1, 2, 3])
+        DocumentTable::new(head, own.chain(goals)).right([1, 2, 3])
     }
 
     /// The rules and the assumptions.

@@ -1,4 +1,4 @@
-use super::document::{Document, Line, Table};
+use super::document::{Document, DocumentTable, Line};
 use super::json::{self, ByName, Number, Settings, settings};
 use super::reply::{Ending, Report};
 use super::shown;
@@ -103,9 +103,7 @@ impl Report for DriveReport<'_> {
     const COMMAND: &'static str = "simulate";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        vec!["landed", "no-flight", "aloft"]
-    }
+    const STATUSES: &'static [&'static str] = &["landed", "no-flight", "aloft"];
 
     /// The status is `landed`, `no-flight` or `aloft`; the message is the reason why the ball does
     /// not land.
@@ -219,7 +217,7 @@ fn of_part(drive: &Drive<f64>, part: OutcomeGroup) -> ByName<Number> {
 }
 
 /// A group of outcomes of a drive: name, value, and the value in the other system.
-fn outcomes(title: &str, part: OutcomeGroup, drive: &Drive<f64>, system: System) -> Table {
+fn outcomes(title: &str, part: OutcomeGroup, drive: &Drive<f64>, system: System) -> DocumentTable {
     let texts: Vec<_> = Outcome::in_group(part)
         .map(|outcome| {
             let value = outcome.value(drive);
@@ -243,7 +241,7 @@ fn outcomes(title: &str, part: OutcomeGroup, drive: &Drive<f64>, system: System)
             other.unwrap_or_default(),
         ]
     });
-    Table::new([title, "", ""], rows).right([])
+    DocumentTable::new([title, "", ""], rows).right([])
 }
 
 /// The velocities of ball and head after impact.

@@ -1,5 +1,5 @@
-use super::document::{Detail, Document, Line, Table};
-use super::figures::At;
+use super::document::{Detail, Document, DocumentTable, Line};
+use super::figures::ShownDrive;
 use super::json::Number;
 use super::lines::by_reason;
 use super::reply::Report;
@@ -126,9 +126,9 @@ impl Report for EffectsReport<'_> {
     /// The effects of uncertainties on each outcome, then all derivatives.
     fn document(&self, system: System) -> Document {
         let at = if self.at_optimum.is_some() {
-            At::Optimum
+            ShownDrive::Optimum
         } else {
-            At::SetUp
+            ShownDrive::SetUp
         };
         let mut document = Document::default();
         for effects in self.found {
@@ -172,7 +172,7 @@ fn total(totals: Option<&Totals>, parameter: &Parameter) -> Option<f64> {
 }
 
 /// The effects of uncertainties on an outcome, with the size of the second-order terms.
-fn uncertainties(effects: &Effects, bars: &[SigmaEffect], system: System) -> Table {
+fn uncertainties(effects: &Effects, bars: &[SigmaEffect], system: System) -> DocumentTable {
     let of = effects.of;
     let head = [
         "uncertainty of",
@@ -183,7 +183,7 @@ fn uncertainties(effects: &Effects, bars: &[SigmaEffect], system: System) -> Tab
         "flown at +σ",
     ];
     let rows = bars.iter().map(|bar| bar_cells(bar, of, system));
-    let mut table = Table::new(head, rows)
+    let mut table = DocumentTable::new(head, rows)
         .right(1..=5)
         .with_first_rows(FIRST_ROWS);
     let is_flown = bars.iter().all(|bar| bar.flown.iter().all(Option::is_some));
@@ -214,7 +214,7 @@ fn uncertainties(effects: &Effects, bars: &[SigmaEffect], system: System) -> Tab
 }
 
 /// The derivatives of an outcome by all parameters.
-fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> Table {
+fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> DocumentTable {
     let of = effects.of;
     let rate = |slope: f64, parameter: &Parameter| {
         shown::slope(of, effects.value, parameter, slope, system, 5)
@@ -238,7 +238,7 @@ fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> Table {
     let mut head = vec!["by", "slope", "elasticity"];
     head.extend(totals.map(|_| "slope of the optimum"));
     let columns = head.len();
-    Table::new(head, effects.effects.iter().map(row))
+    DocumentTable::new(head, effects.effects.iter().map(row))
         .right(1..columns)
         .with_first_rows(FIRST_ROWS)
 }

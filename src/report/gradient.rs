@@ -1,4 +1,4 @@
-use super::document::{Document, Line, Table};
+use super::document::{Document, DocumentTable, Line};
 use super::json::{ByName, Matrix, Number};
 use super::reply::{Ending, Report};
 use super::shown;
@@ -60,9 +60,7 @@ impl Report for GradientReport<'_> {
     const COMMAND: &'static str = "gradient";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        Ending::statuses_of_each()
-    }
+    const STATUSES: &'static [&'static str] = Ending::STATUSES_OF_EACH;
 
     fn ending(&self) -> Ending {
         Ending::of_each(self.found.iter().map(|(_, taylor)| taylor.as_ref().err()))
@@ -142,7 +140,7 @@ fn outcome(
         ]
     });
     let derivative = format!("d {}", of.name());
-    document.add(Table::new(["by", &derivative, "SI"], rows).right([1, 2]));
+    document.add(DocumentTable::new(["by", &derivative, "SI"], rows).right([1, 2]));
 
     if taylor.hessian.is_empty() {
         return;
@@ -158,5 +156,5 @@ fn outcome(
             .collect()
     });
     let head = std::iter::once("Hessian, SI").chain(names);
-    document.add(Table::new(head, rows).right(1..=wrt.len()));
+    document.add(DocumentTable::new(head, rows).right(1..=wrt.len()));
 }

@@ -19,14 +19,6 @@ pub(super) fn components(vector: Vector<f64>) -> [Number; 3] {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ByName<V>(pub Vec<(Cow<'static, str>, V)>);
 
-impl<V> ByName<V> {
-    /// The value with this name.
-    pub fn get(&self, name: &str) -> Option<&V> {
-        let entry = self.0.iter().find(|(other, _)| *other == name);
-        entry.map(|(_, value)| value)
-    }
-}
-
 impl ByName<Number> {
     /// Values of varied parameters.
     pub(super) fn of_varied(vary: &[Vary], values: &[f64]) -> Self {
@@ -129,11 +121,11 @@ pub struct Settings(ByName<Setting>);
 #[cfg(test)]
 fn choices() -> serde_json::Value {
     use crate::parameters::{Golfer, Method, SpeedOf};
-    let of = |names: Vec<&str>| serde_json::json!({ "enum": names });
+    let of = |names: &[&str]| serde_json::json!({ "enum": names });
     serde_json::json!({
-        GOLFER: of(Golfer::ALL.map(Golfer::name).to_vec()),
-        SPEED_OF: of(SpeedOf::ALL.map(SpeedOf::name).to_vec()),
-        METHOD: of(Method::ALL.map(Method::name).to_vec()),
+        GOLFER: of(&Golfer::NAMES),
+        SPEED_OF: of(&SpeedOf::NAMES),
+        METHOD: of(&Method::NAMES),
         LAW: { "type": "string" },
         TABLE: { "type": "string" }
     })

@@ -68,12 +68,12 @@ pub use optimum::{
     Surroundings, iteration_line, optima_document, optimize_document, optimum_document,
     optimum_toml,
 };
-pub use origin::Origin;
+pub use origin::SetupOrigin;
 pub use parameters::{ParameterReport, ParametersReport};
 pub use pareto::{ParetoGoalReport, ParetoPointReport, ParetoReport, pareto_csv, pareto_toml};
 #[cfg(feature = "parquet")]
 pub use parquet::{ParquetGroup, PlacedGroup};
-pub use presets::{Change, PresetReport, PresetsReport, changes};
+pub use presets::{ChangedSetting, PresetReport, PresetsReport, changes};
 pub use reply::{Empty, Ending, Reply, Report};
 pub use robust::{ModelReport, RobustReport, robust_toml};
 pub use sensitivity::{

@@ -7,7 +7,7 @@ use crate::units::System;
 
 /// The setup that an answer is about: the first lines of its text, and `from` of its JSON.
 #[derive(Clone, Debug, Default)]
-pub struct Origin {
+pub struct SetupOrigin {
     /// Preset or file with the settings of the request: "tour-average, swing.speed=95mph".
     pub title: String,
     /// False if the request does not name the setup, as with a setup from standard input.
@@ -19,7 +19,7 @@ pub struct Origin {
     pub advice: String,
 }
 
-impl Origin {
+impl SetupOrigin {
     /// Sets the field `held` to the parameters `held`, with their values in the setup.
     #[must_use]
     pub fn with_held(self, held: &[&'static Parameter], setup: &Setup<f64>) -> Self {

@@ -1,4 +1,4 @@
-use super::document::{Detail, Document, Line, Table};
+use super::document::{Detail, Document, DocumentTable, Line};
 use super::json::Number;
 use super::reply::Report;
 use crate::atmosphere::in_effect;
@@ -191,7 +191,7 @@ impl Report for ParametersReport {
 
 impl ParametersReport {
     /// The parameters of the setup with their values, a row for each group.
-    fn values(&self, system: System) -> Table {
+    fn values(&self, system: System) -> DocumentTable {
         let mut groups: Vec<(&str, Vec<String>)> = vec![];
         let own = self.parameters.iter();
         for one in own.filter(|one| one.law.is_none_or(|law| law == self.law)) {
@@ -208,7 +208,7 @@ impl ParametersReport {
         let rows = groups
             .into_iter()
             .map(|(group, texts)| vec![group.to_owned(), texts.join(", ")]);
-        let mut table = Table::new(["group", "parameters and values"], rows).right([]);
+        let mut table = DocumentTable::new(["group", "parameters and values"], rows).right([]);
         table.remark(
             "the rest has the meaning, default and range of each parameter, and the other laws",
         );
@@ -274,14 +274,14 @@ fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
             choice: METHOD,
             value: Some(setup.method.name()),
             default: Some(usual.method.name()),
-            names: Method::ALL.map(Method::name).to_vec(),
+            names: Method::NAMES.to_vec(),
             doc: format!("the methods are {}", methods.collect::<Vec<_>>().join(", ")),
         },
         ChoiceReport {
             choice: GOLFER,
             value: Some(setup.golfer.name()),
             default: Some(usual.golfer.name()),
-            names: Golfer::ALL.map(Golfer::name).to_vec(),
+            names: Golfer::NAMES.to_vec(),
             doc: "right or left, by the hand: swing, strike and club of a left-hander are the \
                   mirror image of a right-hander's"
                 .into(),
@@ -290,7 +290,7 @@ fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
             choice: SPEED_OF,
             value: Some(setup.speed_of.name()),
             default: Some(usual.speed_of.name()),
-            names: SpeedOf::ALL.map(SpeedOf::name).to_vec(),
+            names: SpeedOf::NAMES.to_vec(),
             doc: "centre-of-mass or face-centre, the point of the head whose speed, attack angle \
                   and path the swing states (they differ where swing.closure turns the head)"
                 .into(),
@@ -319,7 +319,7 @@ fn turf_choice(setup: &Setup<f64>, usual: &Setup<f64>) -> ChoiceReport {
 }
 
 /// Parameters with value, default and range; symbol and meaning below each.
-fn listing(title: &str, all: &[&ParameterReport], system: System) -> Table {
+fn listing(title: &str, all: &[&ParameterReport], system: System) -> DocumentTable {
     let cells = |one: &&ParameterReport| {
         let (row, quantity) = (one.row, one.row.quantity);
         let unit = system.unit(row.unit);
@@ -340,7 +340,7 @@ fn listing(title: &str, all: &[&ParameterReport], system: System) -> Table {
         format!("{}: {meaning}", one.symbol)
     };
     let head = [title, "value", "default", "range"];
-    Table::new(head, all.iter().map(cells))
+    DocumentTable::new(head, all.iter().map(cells))
         .right([1, 2])
         .with_row_notes(all.iter().map(meaning).collect())
 }

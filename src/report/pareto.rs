@@ -1,7 +1,7 @@
 use super::csv_text::csv_text;
-use super::document::{Document, Line, Table};
+use super::document::{Document, DocumentTable, Line};
 use super::json::{ByName, Number};
-use super::plot::Measure;
+use super::plot::NamedQuantity;
 use super::reply::{Ending, Report};
 use super::setup_file::{about_constraint, remarks_on_varied, setup_toml};
 use super::shown;
@@ -141,9 +141,7 @@ impl Report for ParetoReport<'_> {
     const COMMAND: &'static str = "pareto";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        vec!["done", "partial", "interrupted"]
-    }
+    const STATUSES: &'static [&'static str] = &["done", "partial", "interrupted"];
 
     fn ending(&self) -> Ending {
         let found = self.found;
@@ -166,7 +164,7 @@ impl Report for ParetoReport<'_> {
 }
 
 /// The points of a front.
-fn front(found: &Pareto, system: System) -> Table {
+fn front(found: &Pareto, system: System) -> DocumentTable {
     let search = &found.search;
     let [first, second] = search.goals.each_ref().map(|(goal, _)| goal);
     let slope_of = |point: &ParetoPoint| {
@@ -205,7 +203,7 @@ fn front(found: &Pareto, system: System) -> Table {
         .chain(["slope", "remarks"])
         .collect();
     let remarks = head.len() - 1;
-    Table::new(head, rows).right(0..remarks)
+    DocumentTable::new(head, rows).right(0..remarks)
 }
 
 /// The notes of a front: swings, slope, knee, goals before the search, omissions.
@@ -269,14 +267,14 @@ pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
     let goals = search
         .goals
         .iter()
-        .map(|(goal, _)| Measure::new(&goal.expression, goal.quantity, goal.unit));
+        .map(|(goal, _)| NamedQuantity::new(&goal.expression, goal.quantity, goal.unit));
     let varied = search.vary.iter().map(|vary| {
         let row = vary.parameter;
-        Measure::new(row.name, row.quantity, row.unit)
+        NamedQuantity::new(row.name, row.quantity, row.unit)
     });
-    let columns: Vec<Measure> = goals
+    let columns: Vec<NamedQuantity> = goals
         .chain(varied)
-        .chain([Measure::plain("slope")])
+        .chain([NamedQuantity::plain("slope")])
         .collect();
     let heads = columns.iter().map(|column| column.head(units));
     let words = ["role", "active", "event"].map(str::to_owned);

@@ -14,7 +14,8 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, Type, TypePtr};
 use std::sync::Arc;
 
-const MAGIC: &[u8] = b"PAR1";
+/// The first bytes of a file.
+pub(super) const MAGIC: &[u8] = b"PAR1";
 /// Bytes after the metadata at the end of a file: the length of the metadata and the magic number.
 const TAIL: usize = 8;
 /// Maximum size of a column's dictionary, bytes; a column with more distinct values is stored
@@ -23,7 +24,7 @@ const MOST_DISTINCT: usize = 64 << 10;
 
 /// The type of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum ColumnType {
     /// A number in every row, dictionary-encoded if few values are distinct.
     Number,
     /// A number or null.
@@ -43,7 +44,7 @@ pub(super) enum Cells {
 }
 
 /// A table. Each row group is created as a separate file in memory. A file with many row groups
-/// consists of the [`head`](Self::head), the bytes of the groups, and a [`foot`](Self::foot) made
+/// consists of `MAGIC`, the bytes of the groups, and a [`foot`](Self::foot) made
 /// from their metadata. An interrupted file can therefore continue after any of its groups.
 pub(super) struct ParquetTable {
     schema: TypePtr,
@@ -77,7 +78,7 @@ impl ParquetTable {
     ///
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `columns`.
-    pub fn new(name: &str, columns: &[(String, Kind)], question: &str) -> Result<Self> {
+    pub fn new(name: &str, columns: &[(String, ColumnType)], question: &str) -> Result<Self> {
         // no page indexes: they would make the footer depend on the position in the file
         let mut properties = WriterProperties::builder()
             .set_created_by(concat!("longdrive ", env!("CARGO_PKG_VERSION")).into())
@@ -88,14 +89,14 @@ impl ParquetTable {
         let mut fields = vec![];
         for (name, kind) in columns {
             let repetition = match kind {
-                Kind::Number | Kind::Text => Repetition::REQUIRED,
-                Kind::SomeNumber | Kind::SomeText => Repetition::OPTIONAL,
+                ColumnType::Number | ColumnType::Text => Repetition::REQUIRED,
+                ColumnType::SomeNumber | ColumnType::SomeText => Repetition::OPTIONAL,
             };
             let field = match kind {
-                Kind::Number | Kind::SomeNumber => {
+                ColumnType::Number | ColumnType::SomeNumber => {
                     Type::primitive_type_builder(name, Physical::DOUBLE)
                 }
-                Kind::Text | Kind::SomeText => {
+                ColumnType::Text | ColumnType::SomeText => {
                     Type::primitive_type_builder(name, Physical::BYTE_ARRAY)
                         .with_logical_type(Some(LogicalType::String))
                 }
@@ -103,7 +104,7 @@ impl ParquetTable {
             fields.push(Arc::new(
                 field.with_repetition(repetition).build().map_err(failed)?,
             ));
-            if *kind == Kind::SomeNumber {
+            if *kind == ColumnType::SomeNumber {
                 let path = ColumnPath::from(name.as_str());
                 properties = properties.set_column_dictionary_enabled(path.clone(), false);
                 properties = properties.set_column_encoding(path, Encoding::PLAIN);
@@ -118,11 +119,6 @@ impl ParquetTable {
             properties: Arc::new(properties.build()),
             notes: vec![KeyValue::new("longdrive".into(), question.to_owned())],
         })
-    }
-
-    /// The first bytes of a file.
-    pub fn head(&self) -> Vec<u8> {
-        MAGIC.to_vec()
     }
 
     /// The row group of these columns; `cells` gives the values of a column by its index.

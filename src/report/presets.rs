@@ -1,4 +1,4 @@
-use super::document::{Document, Table};
+use super::document::{Document, DocumentTable};
 use super::json::{ByName, Settings, settings};
 use super::reply::Report;
 use super::shown;
@@ -165,7 +165,7 @@ pub(super) fn sources(
 }
 
 /// A number or choice that differs from the preset's, formatted for display.
-pub struct Change {
+pub struct ChangedSetting {
     /// The parameter; `None` for a choice.
     pub parameter: Option<&'static Parameter>,
     /// The name in words.
@@ -189,7 +189,7 @@ pub struct Change {
 ///
 /// # Errors
 /// No error occurs in practice: a test reads all presets.
-pub fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Vec<Change>> {
+pub fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Vec<ChangedSetting>> {
     let base = Setup::preset(preset.name)?;
     let used = setup
         .parameters()
@@ -205,7 +205,7 @@ fn changed_number(
     base: &Setup<f64>,
     row: &'static Parameter,
     system: System,
-) -> Option<Change> {
+) -> Option<ChangedSetting> {
     // compare a coefficient of another law with its own default
     let from = base
         .parameter(row.name)
@@ -214,15 +214,18 @@ fn changed_number(
     if from == to {
         return None;
     }
-    let short =
-        [from, to].map(|value| value.map_or(UNSET.into(), |value| shown::told(row, value, system)));
+    let short = [from, to].map(|value| {
+        value.map_or(UNSET.into(), |value| {
+            shown::given(row, value, system, shown::IN_SUMMARY)
+        })
+    });
     // show all digits if the first four are equal
     let [from, to] = if short[0] == short[1] {
         [from, to].map(|value| shown::set(row, value, system))
     } else {
         short
     };
-    Some(Change {
+    Some(ChangedSetting {
         parameter: Some(row),
         name: shown::words(row.name),
         from,
@@ -231,9 +234,9 @@ fn changed_number(
 }
 
 /// The changes of the parameters whose values are names.
-fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item = Change> {
+fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item = ChangedSetting> {
     let change = |name: &str, from: &str, to: &str| {
-        (from != to).then(|| Change {
+        (from != to).then(|| ChangedSetting {
             parameter: None,
             name: name.into(),
             from: from.into(),
@@ -333,7 +336,7 @@ impl Report for PresetsReport {
             .iter()
             .map(|preset| vec![preset.name.into(), preset.about.into()]);
         let mut document = Document::default();
-        document.add(Table::new(["preset", ""], rows).right([]));
+        document.add(DocumentTable::new(["preset", ""], rows).right([]));
         document
     }
 }

@@ -1,8 +1,7 @@
 //! Numbers of a published study. Computed numbers are in the requested units; printed numbers are
 //! also in the units of the paper.
 
-use super::plot::{Axis, Measure};
-use super::shown::ratio;
+use super::plot::{Axis, NamedQuantity};
 use crate::units::{DisplayUnit, Quantity, System, fixed, signed, typed};
 
 pub(super) const LENGTH: DisplayUnit = DisplayUnit {
@@ -20,14 +19,16 @@ pub(super) const ANGLE: DisplayUnit = DisplayUnit {
 
 /// The units in which a study is displayed.
 #[derive(Clone, Copy)]
-pub(super) struct Published {
+pub(super) struct PaperUnits {
     /// The units of the paper.
     pub paper: System,
+    /// The number of decimals of an angle in degrees.
+    pub angle_decimals: usize,
     /// The units requested.
     pub system: System,
 }
 
-impl Published {
+impl PaperUnits {
     /// The unit of a length.
     pub fn length_unit(self) -> &'static str {
         self.system.unit("m")
@@ -43,9 +44,14 @@ impl Published {
         self.computed(LENGTH, length)
     }
 
-    /// A computed speed: "62.64 m/s".
-    pub fn speed(self, speed: f64) -> String {
-        self.computed(SPEED, speed)
+    /// A computed carry, or "does not fly".
+    pub fn carry_if_flown(self, carry: Option<f64>) -> String {
+        carry.map_or("does not fly".into(), |carry| self.length(carry))
+    }
+
+    /// An angle in degrees: "11.71°".
+    pub fn degrees(self, radians: f64) -> String {
+        format!("{}°", fixed(radians.to_degrees(), self.angle_decimals))
     }
 
     /// A computed number.
@@ -58,11 +64,6 @@ impl Published {
         signed(difference, self.computed(of, difference))
     }
 
-    /// A derivative of a length by an angle: "1.052 m per deg".
-    pub fn per_degree(self, slope: f64) -> String {
-        ratio(LENGTH, ANGLE, slope, self.system, 4)
-    }
-
     /// A derivative of a length by an angle in radians, with its sign: "-65.4 m/rad".
     pub fn per_radian(self, slope: f64) -> String {
         signed(
@@ -73,11 +74,6 @@ impl Published {
                 self.length_unit()
             ),
         )
-    }
-
-    /// A length from the paper.
-    pub fn printed_length(self, length: f64) -> String {
-        self.printed(LENGTH, length)
     }
 
     /// A number from the paper in its units, followed by the requested units if they differ:
@@ -95,7 +91,7 @@ impl Published {
 
 /// An axis of angles, deg.
 pub(super) fn angles(label: &str) -> Axis {
-    Axis::linear(Measure::new(label, Quantity::ANGLE, "deg"))
+    Axis::linear(NamedQuantity::new(label, Quantity::ANGLE, "deg"))
 }
 
 /// A number with two decimals, as in the papers; zero has no sign.
@@ -106,23 +102,27 @@ fn two_decimals(of: DisplayUnit, value: f64, system: System) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{ANGLE, LENGTH, Published, System};
+    use super::{ANGLE, LENGTH, PaperUnits, SPEED, System};
 
     #[test]
     fn published_numbers_keep_their_units_beside_the_chosen_ones() {
-        let [alone, beside] = System::ALL.map(|system| Published {
+        let [alone, beside] = System::ALL.map(|system| PaperUnits {
             paper: System::Metric,
+            angle_decimals: 4,
             system,
         });
         // the longest distance of the report; a yard is 0.9144 m
-        assert_eq!(alone.printed_length(248.48), "248.48 m");
-        assert_eq!(beside.printed_length(248.48), "248.48 m (271.74 yd)");
+        assert_eq!(alone.printed(LENGTH, 248.48), "248.48 m");
+        assert_eq!(beside.printed(LENGTH, 248.48), "248.48 m (271.74 yd)");
         assert_eq!(
             (alone.length(248.48), beside.length(248.48)),
             ("248.48 m".into(), "271.74 yd".into())
         );
         assert_eq!(
-            (alone.speed(44.704), beside.speed(44.704)),
+            (
+                alone.computed(SPEED, 44.704),
+                beside.computed(SPEED, 44.704)
+            ),
             ("44.70 m/s".into(), "100.00 mph".into())
         );
         assert_eq!(beside.printed(ANGLE, 0.2), "11.46 deg");

@@ -1,5 +1,5 @@
 use super::Document;
-use super::origin::Origin;
+use super::origin::SetupOrigin;
 use crate::error::Error;
 use crate::units::{Message, System};
 use serde::Serialize;
@@ -43,24 +43,10 @@ pub trait Report: Serialize {
 
     /// The words that [`ending`](Self::ending) may give as the status.
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        vec!["done"]
-    }
+    const STATUSES: &'static [&'static str] = &["done"];
 
     /// The result in words, tables and figures, in the units of a system.
     fn document(&self, system: System) -> Document;
-}
-
-impl<T: Report> Report for &T {
-    const COMMAND: &'static str = T::COMMAND;
-
-    fn ending(&self) -> Ending {
-        T::ending(self)
-    }
-
-    fn document(&self, system: System) -> Document {
-        T::document(self, system)
-    }
 }
 
 /// The status of a command.
@@ -81,10 +67,14 @@ impl Ending {
 
     /// The status words of [`of_each`](Self::of_each).
     #[cfg(test)]
-    pub(super) fn statuses_of_each() -> Vec<&'static str> {
-        let errors = ["no-flight", "diverged", "undefined"];
-        SHARES.into_iter().chain(errors).collect()
-    }
+    pub(super) const STATUSES_OF_EACH: &'static [&'static str] = &[
+        "done",
+        "partial",
+        "no-answer",
+        "no-flight",
+        "diverged",
+        "undefined",
+    ];
 
     /// The status of several outcomes, each with a result or an error.
     pub(super) fn of_each<'a>(errors: impl Iterator<Item = Option<&'a Error>>) -> Self {
@@ -114,19 +104,11 @@ impl Ending {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Empty {}
 
-impl<T: Report> Reply<T> {
+impl<'a, T: Report> Reply<&'a T> {
     /// The reply with this report.
-    pub fn of(report: T, warnings: Vec<Message>) -> Self {
+    pub fn of(report: &'a T, warnings: Vec<Message>) -> Self {
         let Ending { status, message } = report.ending();
-        Self {
-            command: Some(T::COMMAND),
-            status,
-            message,
-            warnings,
-            from: None,
-            held: vec![],
-            body: report,
-        }
+        Self::done(T::COMMAND, warnings, report).ended(status, message)
     }
 }
 
@@ -146,7 +128,7 @@ impl<T> Reply<T> {
 
     /// Names the setup that the answer is about, and its held parameters.
     #[must_use]
-    pub fn about(self, origin: &Origin) -> Self {
+    pub fn about(self, origin: &SetupOrigin) -> Self {
         let held = origin.held.iter();
         Self {
             from: origin.name().map(ToOwned::to_owned),
@@ -172,13 +154,8 @@ impl Reply<Empty> {
     #[cfg(test)]
     pub(crate) fn statuses() -> Vec<&'static str> {
         let errors = ["error", "no-flight", "aloft", "diverged", "no-answer"];
-        let searches = crate::optimize::Status::ALL.map(crate::optimize::Status::name);
+        let searches = crate::optimize::Status::NAMES;
         errors.into_iter().chain(searches).collect()
-    }
-
-    /// The reply to a request without an answer, or to bad input.
-    pub fn none(command: Option<&'static str>, error: &Error) -> Self {
-        Self::refused(command, error.status(), error.to_string())
     }
 
     /// The reply that has only a message.
@@ -194,10 +171,6 @@ impl Reply<Empty> {
         }
     }
 }
-
-/// The status words of [`share`].
-#[cfg(test)]
-pub(super) const SHARES: [&str; 3] = ["done", "partial", "no-answer"];
 
 /// `done`, `partial` or `no-answer`, by the number of requests with an answer.
 pub(super) fn share(found: usize, asked: usize) -> &'static str {

@@ -1,4 +1,4 @@
-use super::document::{Document, Line, Table};
+use super::document::{Document, DocumentTable, Line};
 use super::json::{ByName, Number, Settings, settings};
 use super::limits::{self, Objective, ended_at};
 use super::optimum::{ConstraintReport, Multipliers};
@@ -133,9 +133,7 @@ impl Report for RobustReport<'_> {
     const COMMAND: &'static str = "robust";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        Status::ALL.map(Status::name).to_vec()
-    }
+    const STATUSES: &'static [&'static str] = &Status::NAMES;
 
     fn ending(&self) -> Ending {
         Ending {
@@ -236,7 +234,7 @@ fn heads_of_bests(found: &Robust) -> impl Iterator<Item = String> {
 }
 
 /// The best design of each model.
-fn designs(found: &Robust, system: System) -> Table {
+fn designs(found: &Robust, system: System) -> DocumentTable {
     let head = std::iter::once("vary".to_owned()).chain(heads_of_bests(found));
     let rows = found.search.vary.iter().enumerate().map(|(i, vary)| {
         let bests = found.models.iter();
@@ -245,11 +243,11 @@ fn designs(found: &Robust, system: System) -> Table {
             .chain(bests)
             .collect()
     });
-    Table::new(head, rows).right(1..=found.models.len())
+    DocumentTable::new(head, rows).right(1..=found.models.len())
 }
 
 /// The loss of each model with each design.
-fn losses(found: &Robust, system: System) -> Table {
+fn losses(found: &Robust, system: System) -> DocumentTable {
     let goal = &found.search.of;
     let show = |loss: f64| shown::goal_difference(goal, loss.max(0.0), system);
     let or_dash = |loss: Option<f64>| loss.map_or(shown::NONE.into(), show);
@@ -262,7 +260,7 @@ fn losses(found: &Robust, system: System) -> Table {
             .chain(found.matrix[k].iter().copied().map(or_dash))
             .collect()
     });
-    Table::new(head, rows)
+    DocumentTable::new(head, rows)
         .right(1..found.models.len() + 3)
         .with_caption(&format!(
             "losses of {} against each model's own best design, by design; {} if the design \
@@ -289,7 +287,7 @@ fn add_design(document: &mut Document, found: &Robust, system: System) {
         "range",
         CHANGE,
     ];
-    document.add(Table::new(head, rows).right([1]));
+    document.add(DocumentTable::new(head, rows).right([1]));
     add_constraints(document, found, system);
 }
 
@@ -354,7 +352,7 @@ fn add_constraints(document: &mut Document, found: &Robust, system: System) {
     let rows: Vec<_> = rows.collect();
     if !rows.is_empty() {
         let head = ["subject to", "model", "value", CHANGE];
-        document.add(Table::new(head, rows).right([1, 2]));
+        document.add(DocumentTable::new(head, rows).right([1, 2]));
     }
 }
 

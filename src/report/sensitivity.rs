@@ -1,4 +1,4 @@
-use super::document::{Detail, Document, Line, Table};
+use super::document::{Detail, Document, DocumentTable, Line};
 use super::json::{ByName, Number};
 use super::lines::by_reason;
 use super::optimum::{
@@ -10,7 +10,7 @@ use super::swings::OverSwings;
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::study::{
-    Changed, Direction, Ellipse, Flatness, Optima, Optimum, PredictedEvent, Sensitivity, Vary,
+    Changed, Direction, Ellipse, Flatness, Optima, Optimum, PredictedEvent, Sensitivity,
 };
 use crate::units::{DisplayUnit, Message, System, printed, significant, with_unit};
 use serde::Serialize;
@@ -270,13 +270,15 @@ fn add_sensitivities(
         .collect();
     if !rows.is_empty() {
         let value = format!("best {}", best.search.outcome().name());
-        let optimum = free(best).map(|vary| format!("best {}", vary.parameter.name));
+        let vary = best.search.vary.iter();
+        let free = vary.filter(|vary| vary.low < vary.high);
+        let optimum = free.map(|vary| format!("best {}", vary.parameter.name));
         let head: Vec<String> = ["per unit of".into(), value]
             .into_iter()
             .chain(optimum)
             .collect();
         let columns = head.len();
-        let table = Table::new(head, rows).right(1..columns);
+        let table = DocumentTable::new(head, rows).right(1..columns);
         document.add(table.with_first_rows(FIRST_SENSITIVITIES));
     }
     let why = |(parameter, found): &(&Parameter, Result<Sensitivity>)| {
@@ -284,11 +286,6 @@ fn add_sensitivities(
     };
     let left_out = by_reason(sensitivities.iter().filter_map(why));
     document.list(left_out.into_iter().map(Line::item));
-}
-
-/// The varied parameters whose range has a positive width.
-fn free(best: &Optimum) -> impl Iterator<Item = &Vary> {
-    best.search.vary.iter().filter(|vary| vary.low < vary.high)
 }
 
 /// The cells of a sensitivity, per unit of its parameter.
@@ -389,7 +386,7 @@ fn direction_line(best: &Optimum, direction: &Direction, loss: &str, system: Sys
 }
 
 /// The optimum before and after a stated change.
-fn change(best: &Optimum, changed: &Changed, system: System) -> Table {
+fn change(best: &Optimum, changed: &Changed, system: System) -> DocumentTable {
     let (of, parameter) = (best.search.outcome(), changed.change.parameter);
     let row = |words: &str, value: Option<f64>, x: &[f64]| {
         // one more decimal, so that two close values can be compared
@@ -434,7 +431,7 @@ fn change(best: &Optimum, changed: &Changed, system: System) -> Table {
         },
     ];
     let columns = head.len();
-    let mut table = Table::new(head, rows).right(1..columns);
+    let mut table = DocumentTable::new(head, rows).right(1..columns);
     if let Some(PredictedEvent { after, message }) = &changed.event {
         table.remark(format!(
             "predicted: {} after {} % of the change",

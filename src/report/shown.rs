@@ -5,8 +5,8 @@ use crate::drive::{Outcome, Sign};
 use crate::parameters::{Parameter, Setup, UNSET, Vary};
 use crate::study::{Active, Constraint, Goal, Search};
 use crate::units::{
-    Digits, DisplayUnit, Message, Quantity, System, leading_number, one, per, signed, significant,
-    with_unit,
+    Digits, DisplayUnit, Message, Quantity, System, is_zero, leading_number, one, per, signed,
+    significant, with_unit,
 };
 
 /// The text for a missing number.
@@ -76,11 +76,8 @@ pub fn goal(goal: &Goal, value: f64, system: System) -> String {
 /// A value whose positive side is right: "3.2 yd R", "3.2 yd L", and "0.0 yd" without a side.
 pub(super) fn side(quantity: Quantity, unit: &str, value: f64) -> String {
     let size = quantity.read_off(value.abs(), unit);
-    let is_straight = leading_number(&size)
-        .bytes()
-        .all(|digit| b"0.".contains(&digit));
     match value {
-        _ if is_straight => size,
+        _ if is_zero(leading_number(&size)) => size,
         0.0.. => format!("{size} R"),
         _ => format!("{size} L"),
     }
@@ -211,6 +208,10 @@ fn stated_apart(of: impl Into<DisplayUnit>, ends: [f64; 2], system: System) -> [
 /// Maximum number of significant digits of a stated number.
 const STATED: usize = 5;
 
+/// Maximum number of significant digits in the summary of a request: "110 mph" is "49.17 m/s" and
+/// not "49.174 m/s".
+pub(super) const IN_SUMMARY: usize = 4;
+
 /// A stated value of a parameter, without trailing zeros.
 pub fn stated(parameter: &Parameter, value: f64, system: System) -> String {
     given(parameter, value, system, STATED)
@@ -227,12 +228,6 @@ fn difference(parameter: &Parameter, value: f64, system: System, digits: usize) 
         &significant(value / size, digits),
         system.unit(parameter.unit),
     )
-}
-
-/// A stated value with four significant digits, for the summary of a request: "110 mph" is "49.17
-/// m/s" and not "49.174 m/s".
-pub(super) fn told(parameter: &Parameter, value: f64, system: System) -> String {
-    given(parameter, value, system, 4)
 }
 
 /// A standard uncertainty of a parameter with three significant digits: "0.0563".

@@ -1,7 +1,7 @@
 //! Results over swings in addition to the optimum: the goals of other designs, and the uncertainty
 //! of the answer.
 
-use super::document::{Line, Table};
+use super::document::{DocumentTable, Line};
 use super::json::{ByName, Number};
 use super::limits::ended_at;
 use super::shown;
@@ -155,7 +155,7 @@ fn unknown(price: Option<&Price>) -> Vec<String> {
 const BROKEN: &str = "(broken)";
 
 /// The goals over the swings as a table with a column for each design.
-pub(super) fn goals(best: &Optimum, price: Option<&Price>, system: System) -> Table {
+pub(super) fn goals(best: &Optimum, price: Option<&Price>, system: System) -> DocumentTable {
     let search = &best.search;
     let nominal = nominal(price);
     let expressions = std::iter::once(&search.of.expression)
@@ -193,7 +193,7 @@ pub(super) fn goals(best: &Optimum, price: Option<&Price>, system: System) -> Ta
         "with that swing alone",
         "as set up",
     ];
-    Table::new(head, rows).right(1..5)
+    DocumentTable::new(head, rows).right(1..5)
 }
 
 /// Notes on the designs and on the uncertainty of the answer.

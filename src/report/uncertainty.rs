@@ -1,4 +1,4 @@
-use super::document::{Detail, Document, Line, Table};
+use super::document::{Detail, Document, DocumentTable, Line};
 use super::json::ByName;
 use super::reply::{Ending, Report, share};
 use super::shown;
@@ -85,9 +85,7 @@ impl Report for UncertaintyReport<'_> {
     const COMMAND: &'static str = "uncertainty";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        super::reply::SHARES.to_vec()
-    }
+    const STATUSES: &'static [&'static str] = &["done", "partial", "no-answer"];
 
     fn ending(&self) -> Ending {
         let all = &self.found.outcomes;
@@ -120,7 +118,8 @@ impl Report for UncertaintyReport<'_> {
             document.add(ellipses(found, system));
         }
         let mut distributions = Document::default();
-        distributions.add(Table::new(["uncertain parameter", "distribution"], inputs).right([]));
+        distributions
+            .add(DocumentTable::new(["uncertain parameter", "distribution"], inputs).right([]));
         document.append_detail(distributions, Detail::Rest);
         document.list([Line::flush(format!(
             "{} ({}, seed {}): {}",
@@ -216,7 +215,7 @@ fn why_constant(outcome: &OutcomeUncertainty, found: &Uncertainty) -> &'static s
 }
 
 /// Mean and standard deviation of an outcome, by each method.
-fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) -> Table {
+fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) -> DocumentTable {
     let of = outcome.of;
     let value = |value: f64| shown::outcome(of, value, system);
     let spread = |value: f64| shown::spread(of, value, system);
@@ -248,7 +247,8 @@ fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) ->
     } else {
         "no drive of the sample has this outcome".into()
     };
-    let mut table = Table::new([of.name(), "mean", "standard deviation"], rows).right([1, 2]);
+    let mut table =
+        DocumentTable::new([of.name(), "mean", "standard deviation"], rows).right([1, 2]);
     table.remark(remark);
     if let Some(intervals) = intervals {
         table.remark(intervals);
@@ -302,7 +302,7 @@ fn tenths(share: f64) -> String {
 
 /// The contributions of the uncertain parameters to the variance of an outcome, the largest first.
 /// They omit the `left_out` points of the sample at which a drive does not have the outcome.
-fn shares(outcome: &OutcomeUncertainty, left_out: usize, found: &Uncertainty) -> Table {
+fn shares(outcome: &OutcomeUncertainty, left_out: usize, found: &Uncertainty) -> DocumentTable {
     let share = |share: Option<Interval>| {
         share.map_or(shown::NONE.into(), |i| {
             format!(
@@ -327,7 +327,7 @@ fn shares(outcome: &OutcomeUncertainty, left_out: usize, found: &Uncertainty) ->
         "total index",
         "upper bound of total",
     ];
-    let mut table = Table::new(head, rows).right([1, 2, 3]);
+    let mut table = DocumentTable::new(head, rows).right([1, 2, 3]);
     table.remark(if found.inputs.len() > 1 {
         "estimates from the sample with 95 % intervals; the upper bound is estimated from the \
          slopes"
@@ -368,7 +368,7 @@ fn depends(outcome: &OutcomeUncertainty, found: &Uncertainty) -> bool {
 }
 
 /// The ellipses of the landings.
-fn ellipses(found: &Uncertainty, system: System) -> Table {
+fn ellipses(found: &Uncertainty, system: System) -> DocumentTable {
     use crate::drive::Outcome::Carry;
     let head = ["landing ellipse", "half-axes", "long axis turned", "inside"];
     let rows = found.ellipses.iter().map(|sampled| {
@@ -391,7 +391,7 @@ fn ellipses(found: &Uncertainty, system: System) -> Table {
             format!("{:.1} %", 100.0 * sampled.holds),
         ]
     });
-    Table::new(head, rows)
+    DocumentTable::new(head, rows)
         .right([1, 2, 3])
         .with_first_rows(FIRST_ELLIPSES)
 }

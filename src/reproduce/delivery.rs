@@ -1,5 +1,5 @@
 use crate::drive::{Drive, Outcome};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::parameters::{Setup, Vary};
 use crate::study::{Optimum, Search};
 use serde::Serialize;
@@ -12,7 +12,8 @@ pub(super) const ATTACK_ANGLE: &str = "swing.attack_angle";
 /// A delivery with its carry.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Delivery {
+#[cfg_attr(test, schemars(rename = "Delivery"))]
+pub struct DeliveryCarry {
     /// The loft, rad.
     #[serde(rename = "club.loft")]
     pub loft: f64,
@@ -34,7 +35,7 @@ pub struct LoftCarry {
     pub carry: f64,
 }
 
-impl Delivery {
+impl DeliveryCarry {
     /// A delivery with its angles in degrees.
     pub(super) fn in_degrees(loft: f64, attack_angle: f64, carry: f64) -> Self {
         Self {
@@ -78,6 +79,14 @@ pub(super) fn delivered(setup: &Setup<f64>, loft: f64, attack_angle: f64) -> Set
 /// Carry of a drive, m.
 pub(super) fn carried(setup: &Setup<f64>) -> Result<f64> {
     Ok(Drive::new(setup)?.landed()?.carry)
+}
+
+/// Carry of a drive, m; `None` if the ball does not fly.
+pub(super) fn carried_if_flown(setup: &Setup<f64>) -> Result<Option<f64>> {
+    match carried(setup) {
+        Err(Error::NoFlight { .. }) => Ok(None),
+        carried => carried.map(Some),
+    }
 }
 
 /// Search ranges of the delivery, deg.

@@ -5,16 +5,18 @@
 
 mod delivery;
 mod mae494;
+mod recomputed;
 mod winfield_tan;
 
-pub use delivery::{Delivery, LoftCarry};
+pub use delivery::{DeliveryCarry, LoftCarry};
 pub use mae494::{
-    Average, ByLaunch, ChangedOptimum, Constant, ConstantChange, End, Energy, Landing, Landings,
-    Launched, LongerDifference, LoopLanding, LoopRow, Mae494, Method, Noise, Parametric, Peak,
-    Regression, Row, Sawtooth, Searches, ShorterStep, Slopes, Subsystems, loop_landing, mae494,
-    while_loop,
+    Average, ByLaunch, ChangedOptimum, Constant, ConstantChange, End, Energy, LandingDefinition,
+    Landings, Launched, LongerDifference, LoopLanding, LoopRow, Mae494, Noise, Parametric, Peak,
+    Regression, Sawtooth, SearchMethod, Searches, ShorterStep, Slopes, Subsystems, loop_landing,
+    mae494, while_loop,
 };
+pub use recomputed::RecomputedOptimum;
 pub use winfield_tan::{
-    Best, Decay, Fitted, FittedNumber, MISPRINTS, Mean, ShotComparison, SingleShot, WinfieldTan,
+    Decay, FittedNumber, MISPRINTS, Mean, RefittedLaw, ShotComparison, SingleShot, WinfieldTan,
     winfield_tan,
 };

@@ -1,7 +1,7 @@
 //! Digits of displayed numbers, as on a launch monitor.
 
 use super::spelling::{leading_number, with_unit};
-use super::{Quantity, significant};
+use super::{Digits, Quantity, significant};
 
 /// Significant digits for a unit without decimals in the table of quantities.
 const DIGITS: usize = 5;
@@ -22,10 +22,12 @@ impl Quantity {
     /// assert_eq!(Quantity::DENSITY.read_off(1.184, "kg/m^3"), "1.184 kg/m³");
     /// ```
     pub fn read_off(self, value: f64, unit: &str) -> String {
-        with_unit(
-            &self.written(self.number_in(value, unit), unit, fixed),
-            unit,
-        )
+        let number = self.number_in(value, unit);
+        let text = match self.decimals_of(number, unit) {
+            Some(decimals) => fixed(number, decimals),
+            None => significant(number, DIGITS),
+        };
+        with_unit(&text, unit)
     }
 
     /// Like [`read_off`](Self::read_off), with one more decimal, for computed settings such as an
@@ -36,7 +38,7 @@ impl Quantity {
     /// assert_eq!(Quantity::ANGLE.read_off_finely(0.2, "deg"), "11.46°");
     /// ```
     pub fn read_off_finely(self, value: f64, unit: &str) -> String {
-        with_unit(&self.finely(value, unit), unit)
+        with_unit(&self.number_text(value, unit, Digits::Fine), unit)
     }
 
     /// A difference or an uncertainty: one more decimal, and at least two significant digits.
@@ -48,36 +50,36 @@ impl Quantity {
     /// assert_eq!(Quantity::LENGTH.read_off_difference(1e-13, "m"), "0.00 m");
     /// ```
     pub fn read_off_difference(self, value: f64, unit: &str) -> String {
-        with_unit(&self.difference(value, unit), unit)
+        with_unit(&self.number_text(value, unit, Digits::Difference), unit)
     }
 
-    /// The number of [`read_off_finely`](Self::read_off_finely), without its unit.
-    pub(super) fn finely(self, value: f64, unit: &str) -> String {
-        self.written(self.number_in(value, unit), unit, |number, decimals| {
-            fixed(number, decimals + 1)
-        })
-    }
-
-    /// The number of [`read_off_difference`](Self::read_off_difference), without its unit.
-    pub(super) fn difference(self, value: f64, unit: &str) -> String {
-        let number = value / self.size_of(unit).unwrap_or(1.0);
-        self.written(number, unit, |number, decimals| {
-            let size = number.abs();
-            let needed = if size < NOISE {
-                0
-            } else {
-                (1.0 - size.log10().floor()).max(0.0) as usize
-            };
-            fixed(number, needed.max(decimals + 1))
-        })
-    }
-
-    /// A number in a unit, with the decimals of the unit.
-    fn written(self, number: f64, unit: &str, write: impl Fn(f64, usize) -> String) -> String {
-        match self.decimals.iter().find(|(known, _)| *known == unit) {
-            Some((_, decimals)) if number.abs() < LARGE => write(number, *decimals),
-            _ => significant(number, DIGITS),
+    /// The number of a value in a unit, without the unit.
+    pub(super) fn number_text(self, value: f64, unit: &str, digits: Digits) -> String {
+        let number = match digits {
+            Digits::Difference => value / self.size_of(unit).unwrap_or(1.0),
+            Digits::Significant(_) | Digits::Fine => self.number_in(value, unit),
+        };
+        match (digits, self.decimals_of(number, unit)) {
+            (Digits::Significant(digits), _) => significant(number, digits),
+            (_, None) => significant(number, DIGITS),
+            (Digits::Fine, Some(decimals)) => fixed(number, decimals + 1),
+            (Digits::Difference, Some(decimals)) => {
+                let size = number.abs();
+                let needed = if size < NOISE {
+                    0
+                } else {
+                    (1.0 - size.log10().floor()).max(0.0) as usize
+                };
+                fixed(number, needed.max(decimals + 1))
+            }
         }
+    }
+
+    /// The decimals of a number in a unit; `None` for a large number, and for a unit without
+    /// decimals in the table of quantities.
+    fn decimals_of(self, number: f64, unit: &str) -> Option<usize> {
+        let (_, decimals) = self.decimals.iter().find(|(known, _)| *known == unit)?;
+        (number.abs() < LARGE).then_some(*decimals)
     }
 }
 
@@ -128,7 +130,7 @@ pub(crate) fn signed(number: f64, text: String) -> String {
 }
 
 /// True if the text of a number is zero.
-fn is_zero(text: &str) -> bool {
+pub(crate) fn is_zero(text: &str) -> bool {
     text.bytes()
         .all(|digit| matches!(digit, b'-' | b'.' | b'0'))
 }

@@ -1,7 +1,7 @@
 //! Messages that contain quantities.
 
 use super::spelling::{typed, with_unit};
-use super::{Quantity, System, significant};
+use super::{Quantity, System};
 use serde::{Serialize, Serializer};
 use std::fmt;
 
@@ -17,11 +17,11 @@ use std::fmt;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Message {
-    parts: Vec<Part>,
+    parts: Vec<MessagePart>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum Part {
+enum MessagePart {
     Words(String),
     Quantity {
         quantity: Quantity,
@@ -47,8 +47,8 @@ impl Message {
     #[must_use]
     pub fn words(mut self, words: impl Into<String>) -> Self {
         match self.parts.last_mut() {
-            Some(Part::Words(last)) => last.push_str(&words.into()),
-            _ => self.parts.push(Part::Words(words.into())),
+            Some(MessagePart::Words(last)) => last.push_str(&words.into()),
+            _ => self.parts.push(MessagePart::Words(words.into())),
         }
         self
     }
@@ -63,7 +63,7 @@ impl Message {
         value: f64,
         digits: Digits,
     ) -> Self {
-        self.parts.push(Part::Quantity {
+        self.parts.push(MessagePart::Quantity {
             quantity,
             unit,
             value,
@@ -76,8 +76,8 @@ impl Message {
     #[must_use]
     pub fn message(self, other: Self) -> Self {
         other.parts.into_iter().fold(self, |all, part| match part {
-            Part::Words(words) => all.words(words),
-            Part::Quantity {
+            MessagePart::Words(words) => all.words(words),
+            MessagePart::Quantity {
                 quantity,
                 unit,
                 value,
@@ -90,7 +90,7 @@ impl Message {
     #[must_use]
     pub fn map_words(mut self, write: impl Fn(&str) -> String) -> Self {
         for part in &mut self.parts {
-            if let Part::Words(words) = part {
+            if let MessagePart::Words(words) = part {
                 *words = write(words);
             }
         }
@@ -114,23 +114,16 @@ impl Message {
         of: impl Fn(&'static str) -> &'static str,
         spelled: fn(&str, &str) -> String,
     ) -> String {
-        let text = |part: &Part| match part {
-            Part::Words(words) => words.clone(),
-            Part::Quantity {
+        let text = |part: &MessagePart| match part {
+            MessagePart::Words(words) => words.clone(),
+            MessagePart::Quantity {
                 quantity,
                 unit,
                 value,
                 digits,
             } => {
                 let unit = of(unit);
-                let number = match digits {
-                    Digits::Significant(digits) => {
-                        significant(quantity.number_in(*value, unit), *digits)
-                    }
-                    Digits::Fine => quantity.finely(*value, unit),
-                    Digits::Difference => quantity.difference(*value, unit),
-                };
-                spelled(&number, unit)
+                spelled(&quantity.number_text(*value, unit, *digits), unit)
             }
         };
         self.parts.iter().map(text).collect()

@@ -17,7 +17,7 @@ mod system;
 
 pub(crate) use amount::Amount;
 pub use decimals::{counted, counted_of};
-pub(crate) use decimals::{fixed, signed};
+pub(crate) use decimals::{fixed, is_zero, signed};
 pub use display_unit::DisplayUnit;
 pub use error::UnitError;
 pub(crate) use expression::Unit;

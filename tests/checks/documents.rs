@@ -3,7 +3,7 @@
 use crate::command_line::{commands, longdrive};
 use crate::reproduce::FOUND;
 use longdrive::parameters::PRESETS;
-use longdrive::reproduce::{Landing, Method};
+use longdrive::reproduce::{LandingDefinition, SearchMethod};
 use longdrive::units::typeset;
 use longdrive::{Drive, Outcome, Setup};
 
@@ -101,19 +101,19 @@ fn the_searches_in_validation_md_are_those_of_the_program() {
     );
     assert_eq!(rows.len(), FOUND.noise.searches.len());
     let best = FOUND.optimum.exact().carry;
-    let mut landing = Landing::Overshot;
+    let mut landing = LandingDefinition::Overshot;
     for row in &rows {
         landing = match row[0].as_str() {
-            "the report's loop" => Landing::Overshot,
-            "the loop, interpolated" => Landing::Interpolated,
-            "smooth" => Landing::Smooth,
+            "the report's loop" => LandingDefinition::Overshot,
+            "the loop, interpolated" => LandingDefinition::Interpolated,
+            "smooth" => LandingDefinition::Smooth,
             _ => landing,
         };
         let method = match row[1].as_str() {
-            "L-BFGS (argmin), differences" => Method::LimitedMemory,
-            "L-BFGS (argmin), exact gradients" => Method::LimitedMemoryExact,
-            "longdrive without Hessians, differences" => Method::QuasiNewton,
-            "longdrive, exact gradients and Hessians" => Method::Exact,
+            "L-BFGS (argmin), differences" => SearchMethod::LimitedMemory,
+            "L-BFGS (argmin), exact gradients" => SearchMethod::LimitedMemoryExact,
+            "longdrive without Hessians, differences" => SearchMethod::QuasiNewton,
+            "longdrive, exact gradients and Hessians" => SearchMethod::Exact,
             other => panic!("{other}"),
         };
         let searches = FOUND

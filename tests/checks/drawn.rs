@@ -14,7 +14,7 @@ use longdrive::study::{
     ChartObserver, Constraint, Face, Fineness, Landing, Launches, Map, NamedDrive, Optimum, Region,
     Search, Sigma, Vary, chart, flatness, map, optimum, with_defaults,
 };
-use longdrive::units::System;
+use longdrive::units::{System, TableUnits};
 use longdrive::{Drive, Error, Outcome, Setup};
 
 const YARD: f64 = 0.9144;
@@ -868,7 +868,7 @@ fn same_flights_in_a_launch_map_and_alone() {
         "{}",
         figure.note
     );
-    assert!(figure_csv(&figure).unwrap().lines().count() > 3700);
+    assert!(figure_csv(&figure, TableUnits::Si).unwrap().lines().count() > 3700);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use crate::command_line::longdrive;
 use longdrive::Error;
-use longdrive::report::plot::{Axis, Figure, Layer, Look, Measure, figure_svg};
+use longdrive::report::plot::{Axis, Figure, Layer, Look, NamedQuantity, figure_svg};
 
 const WIDTHS: [u32; 10] = [240, 280, 320, 340, 380, 420, 480, 640, 800, 1200];
 
@@ -339,7 +339,7 @@ fn labels_of_the_face_belong_to_their_marks() {
 
 #[test]
 fn a_width_too_narrow_for_a_picture_is_refused_with_the_least_width() {
-    let axis = |label: &str| Axis::linear(Measure::plain(label));
+    let axis = |label: &str| Axis::linear(NamedQuantity::plain(label));
     let figure = Figure::new("n", "t", axis("x"), axis("y")).with(Layer::line(
         "",
         0,

@@ -4,9 +4,11 @@
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
 use longdrive::report::figures::{
-    At, Causes, OnMap, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    Causes, OnMap, ShownDrive, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
-use longdrive::report::plot::{Axis, Figure, Hue, Layer, Look, Measure, figure_csv, figure_svg};
+use longdrive::report::plot::{
+    Axis, Figure, Hue, Layer, Look, NamedQuantity, figure_csv, figure_svg,
+};
 use longdrive::study::certificate::certify;
 use longdrive::study::{Fineness, NamedDrive, Vary, effects, map, with_defaults};
 use longdrive::units::{System, TableUnits};
@@ -98,7 +100,7 @@ fn figures() -> Vec<Figure> {
             },
             System::Us,
         ),
-        tornado_figure(&effects[0], Causes::All, At::SetUp, System::Us).unwrap(),
+        tornado_figure(&effects[0], Causes::All, ShownDrive::SetUp, System::Us).unwrap(),
         vcurve_figure(
             &certificate.rows,
             &longdrive::reproduce::while_loop(&setup, &certificate.rows),
@@ -116,7 +118,7 @@ fn same_points_in_the_data_of_a_trajectory_and_in_its_flight() {
         System::Us,
     )
     .unwrap();
-    let csv = figure_csv(&figure).unwrap();
+    let csv = figure_csv(&figure, TableUnits::Si).unwrap();
     assert!(
         csv.starts_with("kind,name,downrange [m],height [m]\n"),
         "{csv}"
@@ -150,7 +152,7 @@ fn a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
             .into_iter()
             .max_by_key(Vec::len)
             .unwrap();
-        let csv = figure_csv(&figure).unwrap();
+        let csv = figure_csv(&figure, TableUnits::Si).unwrap();
         let has = |letter: &str| words(&picture).iter().any(|text| text.ends_with(letter));
         assert!(
             has(" L") && has(" R"),
@@ -180,7 +182,7 @@ fn a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
 fn same_positions_in_the_picture_and_in_the_data() {
     // a line between opposite corners of exact axes ends in the corners of the frame, in metres and
     // in yards
-    let length = || Axis::linear(Measure::outcome(Outcome::Carry)).exactly(0.0, 91.44);
+    let length = || Axis::linear(NamedQuantity::outcome(Outcome::Carry)).exactly(0.0, 91.44);
     let figure = Figure::new("n", "t", length(), length()).with(Layer::line(
         "",
         0,
@@ -228,7 +230,7 @@ fn same_positions_in_the_picture_and_in_the_data() {
 #[test]
 fn a_label_at_the_end_of_an_axis_lies_within_the_picture() {
     for (low, high) in [(4e4, 2.4e5), (0.0, 12.0), (1e6, 3e6), (0.0, 0.0004)] {
-        let axis = || Axis::linear(Measure::plain("n"));
+        let axis = || Axis::linear(NamedQuantity::plain("n"));
         let figure = Figure::new("n", "t", axis(), axis()).with(Layer::line(
             "",
             0,
@@ -267,7 +269,7 @@ fn a_label_at_the_end_of_an_axis_lies_within_the_picture() {
 
 #[test]
 fn every_series_differs_from_every_other_one() {
-    let axis = || Axis::linear(Measure::plain("n")).exactly(0.0, 1.0);
+    let axis = || Axis::linear(NamedQuantity::plain("n")).exactly(0.0, 1.0);
     let line = |hue: usize, is_dashed: bool| Layer::Line {
         name: "one".into(),
         hue: Hue::Series(hue),
@@ -346,7 +348,7 @@ fn pictures_are_whole_in_both_systems_light_and_dark() {
                 seen.push(svg);
             }
         }
-        let table = figure_csv(&figure).unwrap();
+        let table = figure_csv(&figure, TableUnits::Si).unwrap();
         assert!(
             table.lines().count() > 2 && !table.contains("NaN"),
             "{table}"
@@ -359,8 +361,8 @@ fn impossible_plots_are_refused() {
     let empty = Figure::new(
         "none",
         "t",
-        Axis::linear(Measure::plain("x")),
-        Axis::log(Measure::plain("y")),
+        Axis::linear(NamedQuantity::plain("x")),
+        Axis::log(NamedQuantity::plain("y")),
     );
     let error = figure_svg(
         &empty.with(Layer::line("", 0, vec![[1.0, 0.0]])),
@@ -414,7 +416,7 @@ fn limits_on_a_map_are_where_the_outcome_reaches_them() {
 #[test]
 fn same_tornado_bars_and_drives() {
     let all = figures();
-    let csv = figure_csv(&all[3]).unwrap();
+    let csv = figure_csv(&all[3], TableUnits::Si).unwrap();
     let bar = csv
         .lines()
         .find(|line| line.starts_with("bar,club speed ± 0.5 mph,0.0,-"))
@@ -440,7 +442,7 @@ fn same_tornado_bars_and_drives() {
     );
 
     // the error decreases as the square of the step, then grows as its inverse
-    let curve = rows(&figure_csv(&all[4]).unwrap(), "line");
+    let curve = rows(&figure_csv(&all[4], TableUnits::Si).unwrap(), "line");
     let error = |step: f64| {
         curve
             .iter()

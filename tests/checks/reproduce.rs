@@ -2,7 +2,9 @@
 
 use crate::command_line::{Written, json, longdrive, number, written};
 use crate::common::close;
-use longdrive::reproduce::{Landing, Mae494, Method, Row, WinfieldTan, mae494, winfield_tan};
+use longdrive::reproduce::{
+    LandingDefinition, Mae494, RecomputedOptimum, SearchMethod, WinfieldTan, mae494, winfield_tan,
+};
 use longdrive::{Drive, Outcome, Setup, derivative};
 use serde_json::Value;
 use std::sync::LazyLock;
@@ -61,8 +63,8 @@ fn independent_optimum_of_the_reports_model_and_the_price_of_its_bound() {
 
 #[test]
 fn independent_bounds_are_active_at_eight_of_thirteen_lofts_and_all_attack_angles() {
-    let active = |rows: &[Row]| {
-        let is_at_a_bound = |row: &&Row| !row.best.active().is_empty();
+    let active = |rows: &[RecomputedOptimum]| {
+        let is_at_a_bound = |row: &&RecomputedOptimum| !row.best.active().is_empty();
         rows.iter().filter(is_at_a_bound).count()
     };
     assert_eq!((FOUND.table1.len(), active(&FOUND.table1)), (13, 8));
@@ -235,11 +237,13 @@ fn finite_differences_on_the_loop_miss_the_optimum_and_exact_derivatives_find_it
         assert_eq!(searches.ends.len(), 20);
         let found = searches.within(0.01, best);
         match (searches.landing, searches.method) {
-            (Landing::Overshot, _) => assert!(found <= 1, "{found} by {:?}", searches.method),
-            (Landing::Interpolated, _) | (_, Method::QuasiNewton) => {
+            (LandingDefinition::Overshot, _) => {
+                assert!(found <= 1, "{found} by {:?}", searches.method)
+            }
+            (LandingDefinition::Interpolated, _) | (_, SearchMethod::QuasiNewton) => {
                 assert_eq!(found, 20, "{:?}", searches.method)
             }
-            (Landing::Smooth, Method::Exact) => {
+            (LandingDefinition::Smooth, SearchMethod::Exact) => {
                 assert_eq!(found, 20);
                 assert!(
                     searches.flights() < 200
@@ -249,7 +253,9 @@ fn finite_differences_on_the_loop_miss_the_optimum_and_exact_derivatives_find_it
                             .all(|end| end.message.contains("converged"))
                 );
             }
-            (Landing::Smooth, _) => assert!(found >= 15, "{found} by {:?}", searches.method),
+            (LandingDefinition::Smooth, _) => {
+                assert!(found >= 15, "{found} by {:?}", searches.method)
+            }
         }
         let same = |end: usize| searches.ends[end].start == FOUND.noise.searches[0].ends[end].start;
         assert!((0..20).all(same), "the same starts for all");

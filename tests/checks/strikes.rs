@@ -8,7 +8,7 @@ use longdrive::parameters::Golfer;
 use longdrive::report::figures::{face_figure, strikes_figure};
 use longdrive::report::plot::{Field, Figure, Layer, figure_csv};
 use longdrive::study::Face;
-use longdrive::units::System;
+use longdrive::units::{System, TableUnits};
 use longdrive::{Outcome, Setup};
 
 /// Each node of the maps of strikes is a drive; designs side by side share their levels, and the
@@ -72,7 +72,7 @@ fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
         1e-4,
         "slope of the landing",
     );
-    let data = figure_csv(&figure).unwrap();
+    let data = figure_csv(&figure, TableUnits::Si).unwrap();
     let head = data.lines().next().unwrap();
     assert!(
         head.ends_with(",carry [m],lateral [m],ball speed [m/s],spin axis [rad]"),
@@ -195,7 +195,7 @@ fn exact_sweet_spot_normal_passes_through_the_centre_of_mass() {
         face_figure(&face, System::Us),
         strikes_figure(&[("", &face)], System::Us).unwrap(),
     ] {
-        let data = figure_csv(&figure).unwrap();
+        let data = figure_csv(&figure, TableUnits::Si).unwrap();
         let marks: Vec<&str> = data
             .lines()
             .filter(|line| line.contains("sweet spot"))

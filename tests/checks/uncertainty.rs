@@ -680,7 +680,7 @@ fn an_outcome_without_uncertain_parameters_says_so() {
         "{text}"
     );
     assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
-    let json = serde_json::to_value(Reply::of(report, vec![])).unwrap();
+    let json = serde_json::to_value(Reply::of(&report, vec![])).unwrap();
     assert_eq!(json["outcomes"][0]["varies"], false);
     assert_eq!(
         json["outcomes"][0]["measure_first"],

@@ -599,7 +599,7 @@ fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
             && words.contains("over the jets and 336.770083 over num-dual"),
         "{words}"
     );
-    let reply = serde_json::to_value(Reply::of(report, vec![])).unwrap();
+    let reply = serde_json::to_value(Reply::of(&report, vec![])).unwrap();
     assert_eq!(
         (
             reply["status"].as_str(),

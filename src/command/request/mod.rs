@@ -15,7 +15,7 @@ use crate::command::output::{system, tell};
 use crate::command::running::running;
 use crate::integration::StepChoice;
 use crate::parameters::{GOLFER, Law, Parameter, SPEED_OF, TABLE, Vary, follows_from};
-use crate::report::{Origin, parameter_text};
+use crate::report::{SetupOrigin, parameter_text};
 use crate::{Error, Result, Setup};
 use std::path::PathBuf;
 
@@ -238,18 +238,18 @@ impl Request {
     }
 
     /// The setup that the answer is about.
-    pub fn origin(&self) -> Origin {
-        Origin {
+    pub fn origin(&self) -> SetupOrigin {
+        SetupOrigin {
             title: self.title(),
             has_name: self.source.has_name(),
-            ..Origin::default()
+            ..SetupOrigin::default()
         }
     }
 
     /// The setup that the answer of a search is about. The best loft depends on shaft and strike,
     /// by some degrees. If shaft and strike are averages of many golfers, the answer of a search
     /// for the loft contains advice on this.
-    pub fn origin_of_search(&self, vary: &[Vary]) -> Origin {
+    pub fn origin_of_search(&self, vary: &[Vary]) -> SetupOrigin {
         let varies_loft = vary.iter().any(|vary| vary.parameter.name == "club.loft");
         let advice = if varies_loft && self.source.is_average() {
             format!(
@@ -260,7 +260,7 @@ impl Request {
         } else {
             String::new()
         };
-        Origin {
+        SetupOrigin {
             advice,
             ..self.origin()
         }

@@ -265,9 +265,7 @@ impl Report for CalibrationReport<'_> {
     const COMMAND: &'static str = "calibrate";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        FitStatus::ALL.map(FitStatus::name).to_vec()
-    }
+    const STATUSES: &'static [&'static str] = &FitStatus::NAMES;
 
     /// The status and message of the fit; if a fit of the cross-validation was interrupted, the
     /// status `interrupted` and a message about it.

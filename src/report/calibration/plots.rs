@@ -1,11 +1,11 @@
 use crate::drive::Outcome;
 use crate::report::figures::capital;
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::statistics::extent;
 use crate::study::calibrate::{Calibration, Remainder, ShotTable};
 
 /// A measured value with the computed value.
-struct Point {
+struct MeasuredPoint {
     computed: f64,
     measured: f64,
     /// The standard uncertainty of the measured value.
@@ -32,7 +32,7 @@ pub(super) fn figures(table: &ShotTable, found: &Calibration) -> Vec<Figure> {
     outcomes.into_iter().filter_map(two).flatten().collect()
 }
 
-fn points(table: &ShotTable, found: &Calibration, of: Outcome) -> Vec<Point> {
+fn points(table: &ShotTable, found: &Calibration, of: Outcome) -> Vec<MeasuredPoint> {
     let remainders = found
         .remainders
         .iter()
@@ -45,7 +45,7 @@ fn points(table: &ShotTable, found: &Calibration, of: Outcome) -> Vec<Point> {
             .iter()
             .find(|measurement| measurement.outcome == of)?
             .sigma;
-        Some(Point {
+        Some(MeasuredPoint {
             computed: measured + remainder.difference,
             measured,
             sigma,
@@ -55,20 +55,20 @@ fn points(table: &ShotTable, found: &Calibration, of: Outcome) -> Vec<Point> {
 }
 
 /// Plot of the measured against the computed values, with the line where both are equal.
-fn agreement(of: Outcome, points: &[Point]) -> Figure {
-    let measure = Measure::outcome(of);
+fn agreement(of: Outcome, points: &[MeasuredPoint]) -> Figure {
+    let measure = NamedQuantity::outcome(of);
     let labelled = |which: &str| {
-        Axis::linear(Measure {
+        Axis::linear(NamedQuantity {
             label: format!("{which} {}", measure.label),
             ..measure.clone()
         })
     };
-    let ends = |point: &Point| {
+    let ends = |point: &MeasuredPoint| {
         let (low, high) = (point.measured - point.sigma, point.measured + point.sigma);
         [point.computed, low, high]
     };
     let [low, high] = extent(points.iter().flat_map(ends));
-    let bar = |point: &Point| {
+    let bar = |point: &MeasuredPoint| {
         let end = |sign: f64| [point.computed, point.measured + sign * point.sigma];
         [end(-1.0), end(1.0), [f64::NAN; 2]]
     };
@@ -107,9 +107,9 @@ fn agreement(of: Outcome, points: &[Point]) -> Figure {
 }
 
 /// Plot of the residuals of an outcome against its measured values.
-fn residuals(of: Outcome, points: &[Point]) -> Figure {
-    let x = Measure::outcome(of);
-    let y = Measure {
+fn residuals(of: Outcome, points: &[MeasuredPoint]) -> Figure {
+    let x = NamedQuantity::outcome(of);
+    let y = NamedQuantity {
         label: format!("computed − measured {}", x.label),
         ..x.clone()
     };

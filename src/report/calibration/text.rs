@@ -1,5 +1,5 @@
 use crate::optimize::least_squares::FitStatus;
-use crate::report::document::{Document, Table};
+use crate::report::document::{Document, DocumentTable};
 use crate::report::shown;
 use crate::study::calibrate::{
     Calibration, Estimate, FitStatistics, HeldOut, Remainder, ShotTable, Starts, Uncertainties,
@@ -110,7 +110,7 @@ pub(super) fn estimates(
             "The fit was interrupted: these values are its last point, not a minimum."
         });
     }
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["parameter", "estimate", "standard error", "95 % interval"],
         found
             .estimates
@@ -133,7 +133,7 @@ pub(super) fn residuals(document: &mut Document, found: &Calibration, system: Sy
         .remainders
         .iter()
         .map(|remainder| row(remainder, system));
-    document.add(Table::new(head, rows));
+    document.add(DocumentTable::new(head, rows));
 }
 
 /// Adds the prediction errors on held-out data to a document, if there are any.
@@ -146,7 +146,7 @@ pub(super) fn held_out(document: &mut Document, held_out: &[(String, HeldOut)], 
     let rows = held_out
         .iter()
         .map(|(name, held)| held_row(name, held, system));
-    document.add(Table::new(head, rows));
+    document.add(DocumentTable::new(head, rows));
 }
 
 /// A value in a unit, rounded to the second significant digit of its standard error. Without an
@@ -308,7 +308,7 @@ pub(super) fn correlations(document: &mut Document, found: &Calibration) {
         let name = format!("{} {}", a + 1, found.estimates[a].parameter.name);
         (0..n).map(|b| cell(a, b)).chain([name]).collect()
     });
-    document.add(Table::new(head, rows));
+    document.add(DocumentTable::new(head, rows));
 }
 
 /// The cells of a residual.

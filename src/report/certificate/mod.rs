@@ -124,9 +124,7 @@ impl Report for CertificateReport<'_> {
     const COMMAND: &'static str = "verify";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        vec!["passed", "failed", "interrupted"]
-    }
+    const STATUSES: &'static [&'static str] = &["passed", "failed", "interrupted"];
 
     /// The status is `passed`, `failed` or `interrupted`.
     fn ending(&self) -> Ending {

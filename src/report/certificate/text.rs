@@ -1,6 +1,6 @@
 use crate::derivative::check::Verdict;
 use crate::drive::Outcome;
-use crate::report::document::Table;
+use crate::report::document::DocumentTable;
 use crate::report::lines::by_reason;
 use crate::report::shown;
 use crate::reproduce::LoopRow;
@@ -203,7 +203,7 @@ fn agreement(rows: &[DerivativeRow]) -> Option<String> {
 }
 
 /// Table of the derivatives with their verdicts.
-pub(super) fn rows_table(rows: &[DerivativeRow]) -> Table {
+pub(super) fn rows_table(rows: &[DerivativeRow]) -> DocumentTable {
     let head = [
         "outcome",
         "by",
@@ -246,7 +246,7 @@ pub(super) fn rows_table(rows: &[DerivativeRow]) -> Table {
             slopes.join(" "),
         ]
     });
-    Table::new(head, rows).right(3..=6)
+    DocumentTable::new(head, rows).right(3..=6)
 }
 
 /// The exact derivative of a row for display: 0 if it is a rounding error.

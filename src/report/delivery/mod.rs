@@ -84,9 +84,7 @@ impl Report for DeliveryReport<'_> {
     const COMMAND: &'static str = "delivery";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        [&super::reply::SHARES[..], &["interrupted"]].concat()
-    }
+    const STATUSES: &'static [&'static str] = &["done", "partial", "no-answer", "interrupted"];
 
     fn ending(&self) -> Ending {
         let (all, left_out) = (self.deliveries, self.left_out);

@@ -1,6 +1,6 @@
 use crate::optimize::least_squares::FitStatus;
 use crate::parameters::Parameter;
-use crate::report::document::{Document, Line, Table};
+use crate::report::document::{Document, DocumentTable, Line};
 use crate::report::shown;
 use crate::statistics::largest_magnitude;
 use crate::study::delivery::{
@@ -22,7 +22,7 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
         "± before",
         "determined",
     ];
-    document.add(Table::new(head, known).right([1, 2, 3, 4]));
+    document.add(DocumentTable::new(head, known).right([1, 2, 3, 4]));
     document.list(measured_club(delivered, system));
     let explained = delivered.explained.iter().map(|explained| {
         let of = explained.measured.outcome;
@@ -35,7 +35,7 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
         ]
     });
     let head = ["launch", "measured", "±", "computed", "difference in ±"];
-    document.add(Table::new(head, explained).right([1, 2, 3, 4]));
+    document.add(DocumentTable::new(head, explained).right([1, 2, 3, 4]));
     if !delivered.unidentified.is_empty() {
         let title = Line::flush(
             "The launch does not determine these changes: each changes the launch hardly at all, \
@@ -141,7 +141,7 @@ pub(super) fn of_table(
         ]
     });
     let head = ["over all shots", "mean", "standard deviation", "determined"];
-    document.add(Table::new(head, rows).right([1, 2, 3]));
+    document.add(DocumentTable::new(head, rows).right([1, 2, 3]));
     let first = all.iter().find_map(ShotDelivery::explained);
     document.list(first.and_then(|first| measured_club(first, system)));
     if let Some(population) = population {
@@ -151,7 +151,7 @@ pub(super) fn of_table(
 }
 
 /// The delivery of each shot of a table.
-fn shots(all: &[ShotDelivery], spread: &[Spread], system: System) -> Table {
+fn shots(all: &[ShotDelivery], spread: &[Spread], system: System) -> DocumentTable {
     let names = spread.iter().map(|spread| spread.parameter.name);
     let head: Vec<&str> = std::iter::once("row")
         .chain(names)
@@ -173,7 +173,7 @@ fn shots(all: &[ShotDelivery], spread: &[Spread], system: System) -> Table {
                 .collect(),
         )
     });
-    Table::new(head, rows).right(1..columns)
+    DocumentTable::new(head, rows).right(1..columns)
 }
 
 /// Lines with the rows that have no delivery, and the reasons.
@@ -190,7 +190,7 @@ fn failures(all: &[ShotDelivery], system: System) -> Vec<Line> {
 }
 
 /// The population of swings behind the shots, without the measurement errors of the launch monitor.
-fn swings(population: &Population, system: System) -> Table {
+fn swings(population: &Population, system: System) -> DocumentTable {
     let rows = population.spreads.iter().map(|spread| {
         let Recovered {
             parameter,
@@ -218,7 +218,7 @@ fn swings(population: &Population, system: System) -> Table {
         "",
         "determined",
     ];
-    Table::new(head, rows).right(1..=5)
+    DocumentTable::new(head, rows).right(1..=5)
 }
 
 /// The fraction of a parameter's prior variance that a shot removes, as the median over the shots.

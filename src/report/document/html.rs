@@ -1,4 +1,4 @@
-use super::{Block, Document, Table};
+use super::{Document, DocumentBlock, DocumentTable};
 use crate::error::Result;
 use crate::report::frame::{Pair, TextFile, chosen, page, picture_files, pictures, scrolled};
 use crate::units::System;
@@ -30,7 +30,9 @@ pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<T
     };
     let blocks: Vec<_> = metric.blocks().zip(us.blocks()).collect();
     // put consecutive figures side by side
-    let of_a_kind = |a: &(&Block, &Block), b: &(&Block, &Block)| a.0.is_figure() && b.0.is_figure();
+    let of_a_kind = |a: &(&DocumentBlock, &DocumentBlock), b: &(&DocumentBlock, &DocumentBlock)| {
+        a.0.is_figure() && b.0.is_figure()
+    };
     let all = blocks
         .chunk_by(of_a_kind)
         .map(|blocks| parts.part(blocks))
@@ -56,25 +58,31 @@ struct Parts<'a> {
 
 impl Parts<'_> {
     /// Converts a block, given in both systems of units, or consecutive figures.
-    fn part(&mut self, blocks: &[(&Block, &Block)]) -> Result<Markup> {
+    fn part(&mut self, blocks: &[(&DocumentBlock, &DocumentBlock)]) -> Result<Markup> {
         Ok(match blocks {
-            [(Block::Heading(metric), Block::Heading(us)), ..] => {
+            [
+                (DocumentBlock::Heading(metric), DocumentBlock::Heading(us)),
+                ..,
+            ] => {
                 self.about.clone_from(us);
                 html! { h2 { (chosen(metric, us)) } }
             }
-            [(Block::Paragraph(metric), Block::Paragraph(us)), ..] => {
+            [
+                (DocumentBlock::Paragraph(metric), DocumentBlock::Paragraph(us)),
+                ..,
+            ] => {
                 // a short line above a table is its label
                 if us.ends_with([':', '.']) && us.chars().count() < 80 {
                     self.about = us.trim_end_matches([':', '.']).into();
                 }
                 html! { p { (chosen(metric, us)) } }
             }
-            [(Block::List(metric), Block::List(us)), ..] => {
+            [(DocumentBlock::List(metric), DocumentBlock::List(us)), ..] => {
                 html! {
                     ul { @for (metric, us) in metric.iter().zip(us) { li { (chosen(&metric.text, &us.text)) } } }
                 }
             }
-            [(Block::Table(metric), Block::Table(us)), ..] => {
+            [(DocumentBlock::Table(metric), DocumentBlock::Table(us)), ..] => {
                 if !us.caption.is_empty() {
                     self.about = us.caption.trim_end_matches([':', '.']).into();
                 }
@@ -108,7 +116,7 @@ impl Parts<'_> {
     }
 }
 
-fn table(metric: &Table, us: &Table) -> Markup {
+fn table(metric: &DocumentTable, us: &DocumentTable) -> Markup {
     let class = |column: usize| {
         if us.is_right[column] {
             "number"

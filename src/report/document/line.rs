@@ -3,13 +3,13 @@ use crate::report::lines::{INDENT, wrapped};
 /// A line of a list.
 #[derive(Clone, Debug)]
 pub struct Line {
-    pub(super) level: Level,
+    pub(super) indent: Indent,
     pub(super) text: String,
 }
 
 /// The indent of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Level {
+pub enum Indent {
     /// No indent.
     Flush,
     /// An item of a list.
@@ -21,26 +21,30 @@ pub enum Level {
 impl Line {
     /// A line without indent.
     pub fn flush(text: impl Into<String>) -> Self {
-        Self::new(Level::Flush, text)
+        Self {
+            indent: Indent::Flush,
+            text: text.into(),
+        }
     }
 
     /// An item of a list.
     pub fn item(text: impl Into<String>) -> Self {
-        Self::new(Level::Item, text)
+        Self {
+            indent: Indent::Item,
+            text: text.into(),
+        }
     }
 
     /// Details of the item above.
     pub fn note(text: impl Into<String>) -> Self {
-        Self::new(Level::Note, text)
-    }
-
-    fn new(level: Level, text: impl Into<String>) -> Self {
-        let text = text.into();
-        Self { level, text }
+        Self {
+            indent: Indent::Note,
+            text: text.into(),
+        }
     }
 }
 
-impl Level {
+impl Indent {
     /// A text with this indent, in lines of at most `width` columns.
     pub fn lines(self, text: &str, width: usize) -> String {
         let indent = match self {

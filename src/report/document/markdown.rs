@@ -1,5 +1,5 @@
-use super::line::Level;
-use super::{Block, Document, Line, Table};
+use super::line::Indent;
+use super::{Document, DocumentBlock, DocumentTable, Line};
 use crate::report::frame::svg_name;
 use crate::units::System;
 
@@ -8,11 +8,11 @@ impl Document {
     /// `NAME-us.svg` or `NAME-metric.svg`.
     pub fn markdown(&self, system: System) -> String {
         let blocks = self.blocks().map(|block| match block {
-            Block::Heading(text) => format!("## {}\n", escaped(text)),
-            Block::Paragraph(text) => format!("{}\n", escaped(text)),
-            Block::List(lines) => lines.iter().map(line).collect(),
-            Block::Table(found) => table(found),
-            Block::Figure(figure) => {
+            DocumentBlock::Heading(text) => format!("## {}\n", escaped(text)),
+            DocumentBlock::Paragraph(text) => format!("{}\n", escaped(text)),
+            DocumentBlock::List(lines) => lines.iter().map(line).collect(),
+            DocumentBlock::Table(found) => table(found),
+            DocumentBlock::Figure(figure) => {
                 let picture = format!(
                     "![{}]({})\n",
                     escaped(&figure.title),
@@ -35,11 +35,15 @@ impl Document {
 }
 
 fn line(line: &Line) -> String {
-    let indent = if line.level == Level::Note { "  " } else { "" };
+    let indent = if line.indent == Indent::Note {
+        "  "
+    } else {
+        ""
+    };
     format!("{indent}- {}\n", escaped(&line.text))
 }
 
-fn table(found: &Table) -> String {
+fn table(found: &DocumentTable) -> String {
     let line = |cells: &[String]| {
         let cells: Vec<_> = cells.iter().map(|cell| escaped(cell)).collect();
         format!("| {} |\n", cells.join(" | "))

@@ -9,7 +9,7 @@ mod text;
 
 pub use html::document_files;
 pub use line::Line;
-pub(super) use table::Table;
+pub(super) use table::DocumentTable;
 pub use text::TextOptions;
 
 use super::plot::Figure;
@@ -19,13 +19,13 @@ use super::plot::Figure;
 pub struct Document {
     /// The title; may be empty.
     title: String,
-    parts: Vec<Part>,
+    parts: Vec<DetailedBlock>,
 }
 
 /// A block with its detail. Pages show all blocks.
 #[derive(Clone, Debug)]
-struct Part {
-    block: Block,
+struct DetailedBlock {
+    block: DocumentBlock,
     detail: Detail,
 }
 
@@ -41,15 +41,15 @@ pub(super) enum Detail {
 }
 
 #[derive(Clone, Debug)]
-enum Block {
+enum DocumentBlock {
     Heading(String),
     Paragraph(String),
     List(Vec<Line>),
-    Table(Table),
+    Table(DocumentTable),
     Figure(Box<Figure>),
 }
 
-impl Block {
+impl DocumentBlock {
     fn is_figure(&self) -> bool {
         matches!(self, Self::Figure(_))
     }
@@ -64,49 +64,49 @@ impl Document {
         }
     }
 
-    fn push(&mut self, block: Block) {
-        self.parts.push(Part {
+    fn push(&mut self, block: DocumentBlock) {
+        self.parts.push(DetailedBlock {
             block,
             detail: Detail::Answer,
         });
     }
 
-    fn blocks(&self) -> impl Iterator<Item = &Block> {
+    fn blocks(&self) -> impl Iterator<Item = &DocumentBlock> {
         self.parts.iter().map(|part| &part.block)
     }
 
     /// Begins a section.
     pub fn heading(&mut self, text: &str) {
-        self.push(Block::Heading(text.into()));
+        self.push(DocumentBlock::Heading(text.into()));
     }
 
     /// Adds a paragraph.
     pub fn paragraph(&mut self, text: impl Into<String>) {
-        self.push(Block::Paragraph(text.into()));
+        self.push(DocumentBlock::Paragraph(text.into()));
     }
 
     /// Adds consecutive lines. Without lines, the document is unchanged.
     pub fn list(&mut self, lines: impl IntoIterator<Item = Line>) {
         let lines: Vec<Line> = lines.into_iter().collect();
         if !lines.is_empty() {
-            self.push(Block::List(lines));
+            self.push(DocumentBlock::List(lines));
         }
     }
 
     /// Adds a table.
-    pub(super) fn add(&mut self, table: Table) {
-        self.push(Block::Table(table));
+    pub(super) fn add(&mut self, table: DocumentTable) {
+        self.push(DocumentBlock::Table(table));
     }
 
     /// Adds a figure. Plain text omits it.
     pub(super) fn figure(&mut self, figure: Figure) {
-        self.push(Block::Figure(Box::new(figure)));
+        self.push(DocumentBlock::Figure(Box::new(figure)));
     }
 
     /// Adds the blocks of another document; its title becomes a heading.
     pub fn append(&mut self, other: Self) {
         if !other.title.is_empty() {
-            self.push(Block::Heading(other.title));
+            self.push(DocumentBlock::Heading(other.title));
         }
         self.parts.extend(other.parts);
     }
@@ -122,16 +122,16 @@ impl Document {
 
     /// Puts lines before the first block. If the first block is a list, the lines begin this list.
     pub(super) fn put_first(&mut self, first: impl Iterator<Item = Line>) {
-        if let Some(Part {
-            block: Block::List(lines),
+        if let Some(DetailedBlock {
+            block: DocumentBlock::List(lines),
             detail: Detail::Answer,
         }) = self.parts.first_mut()
         {
             lines.splice(0..0, first);
             return;
         }
-        let part = Part {
-            block: Block::List(first.collect()),
+        let part = DetailedBlock {
+            block: DocumentBlock::List(first.collect()),
             detail: Detail::Answer,
         };
         self.parts.insert(0, part);
@@ -142,12 +142,14 @@ impl Document {
     pub fn map_texts(mut self, write: impl Fn(&str) -> String) -> Self {
         let change = |text: &mut String| *text = write(text);
         change(&mut self.title);
-        for Part { block, .. } in &mut self.parts {
+        for DetailedBlock { block, .. } in &mut self.parts {
             match block {
-                Block::Heading(text) | Block::Paragraph(text) => change(text),
-                Block::List(lines) => lines.iter_mut().for_each(|line| change(&mut line.text)),
-                Block::Table(table) => table.texts().for_each(change),
-                Block::Figure(_) => {}
+                DocumentBlock::Heading(text) | DocumentBlock::Paragraph(text) => change(text),
+                DocumentBlock::List(lines) => {
+                    lines.iter_mut().for_each(|line| change(&mut line.text))
+                }
+                DocumentBlock::Table(table) => table.texts().for_each(change),
+                DocumentBlock::Figure(_) => {}
             }
         }
         self
@@ -156,7 +158,7 @@ impl Document {
     /// The figures, in order.
     pub fn figures(&self) -> impl Iterator<Item = &Figure> {
         self.blocks().filter_map(|block| match block {
-            Block::Figure(figure) => Some(figure.as_ref()),
+            DocumentBlock::Figure(figure) => Some(figure.as_ref()),
             _ => None,
         })
     }

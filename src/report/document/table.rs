@@ -2,7 +2,7 @@ use super::line::Line;
 
 /// A table with remarks below it.
 #[derive(Clone, Debug)]
-pub struct Table {
+pub struct DocumentTable {
     pub(super) head: Vec<String>,
     pub(super) rows: Vec<Vec<String>>,
     /// Right-aligned columns.
@@ -17,7 +17,7 @@ pub struct Table {
     pub(super) first_rows: usize,
 }
 
-impl Table {
+impl DocumentTable {
     /// A table with these column heads. Columns of numbers are right-aligned.
     pub fn new<H: Into<String>>(
         head: impl IntoIterator<Item = H>,

@@ -1,7 +1,7 @@
 //! Tables as plain text.
 
-use super::Table;
-use super::line::Level;
+use super::DocumentTable;
+use super::line::Indent;
 use super::text::TextOptions;
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, presets};
 
@@ -11,7 +11,7 @@ const NARROWEST: usize = 20;
 /// Number of spaces before the first column, and after each column.
 const MARGIN: usize = 2;
 
-impl Table {
+impl DocumentTable {
     /// The table with its caption, notes and remarks.
     pub(super) fn text(&self, options: &TextOptions) -> String {
         let width = options.width;
@@ -31,7 +31,7 @@ impl Table {
         if !self.row_notes.is_empty() {
             // the first line has the column heads, each further line is a row
             let details = self.row_notes.iter();
-            let details = details.map(|details| Level::Note.lines(details, width));
+            let details = details.map(|details| Indent::Note.lines(details, width));
             let details = std::iter::once(String::new()).chain(details);
             text = text
                 .lines()
@@ -42,14 +42,14 @@ impl Table {
         let caption = if self.caption.is_empty() {
             String::new()
         } else {
-            Level::Flush.lines(&self.caption, width)
+            Indent::Flush.lines(&self.caption, width)
         };
         let left_out = match self.rows.len() - rows.len() {
             0 => String::new(),
-            rows => Level::Item.lines(&format!("{rows} more rows: `all`"), width),
+            rows => Indent::Item.lines(&format!("{rows} more rows: `all`"), width),
         };
         let remarks = self.remarks.iter();
-        let remarks = remarks.map(|line| line.level.lines(&line.text, width));
+        let remarks = remarks.map(|line| line.indent.lines(&line.text, width));
         caption + &text + &left_out + &remarks.collect::<String>()
     }
 
@@ -134,7 +134,7 @@ impl Table {
 
 #[cfg(test)]
 mod tests {
-    use super::Table;
+    use super::DocumentTable;
 
     const WIDTH: usize = 100;
 
@@ -150,7 +150,7 @@ mod tests {
         let words =
             "a long explanation of what this row is about and what to do with it ".repeat(3);
         let rows = [vec!["x".repeat(40), words.trim().to_owned()]];
-        let table = Table::new(["name", "meaning"], rows.clone()).right([]);
+        let table = DocumentTable::new(["name", "meaning"], rows.clone()).right([]);
         let text = table.columns(&rows, WIDTH);
         assert!(widest(&text) <= WIDTH && text.lines().count() > 3, "{text}");
         let kept: Vec<_> = text.split_whitespace().skip(3).collect();
@@ -164,7 +164,7 @@ mod tests {
         let columns = head.len();
         let row = std::iter::once("first".to_owned()).chain((0..12).map(|i| format!("{i}.25")));
         let rows = [row.collect::<Vec<_>>()];
-        let table = Table::new(head, rows.clone()).right(1..columns);
+        let table = DocumentTable::new(head, rows.clone()).right(1..columns);
         let text = table.columns(&rows, WIDTH);
         assert!(widest(&text) <= WIDTH, "{text}");
         assert_eq!(text.matches("first").count(), 2, "{text}");

@@ -1,5 +1,5 @@
-use super::line::Level;
-use super::{Block, Detail, Document};
+use super::line::Indent;
+use super::{Detail, Document, DocumentBlock};
 
 /// The width and the detail of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,21 +48,23 @@ impl Document {
         let width = options.width;
         let blocks = self.parts.iter().enumerate().filter_map(|(at, part)| {
             if Some(at) == last_left_out {
-                return Some(Level::Flush.lines(REST, width));
+                return Some(Indent::Flush.lines(REST, width));
             }
             if !options.has(part.detail) {
                 return None;
             }
             Some(match &part.block {
-                Block::Heading(_) if self.is_of_figures(at) => return None,
-                Block::Heading(text) => format!("\n{}", underlined(text, "-")),
-                Block::Paragraph(text) => Level::Flush.lines(text, width),
-                Block::List(lines) => {
-                    let lines = lines.iter().map(|line| line.level.lines(&line.text, width));
+                DocumentBlock::Heading(_) if self.is_of_figures(at) => return None,
+                DocumentBlock::Heading(text) => format!("\n{}", underlined(text, "-")),
+                DocumentBlock::Paragraph(text) => Indent::Flush.lines(text, width),
+                DocumentBlock::List(lines) => {
+                    let lines = lines
+                        .iter()
+                        .map(|line| line.indent.lines(&line.text, width));
                     lines.collect()
                 }
-                Block::Table(table) => table.text(options),
-                Block::Figure(_) => return None,
+                DocumentBlock::Table(table) => table.text(options),
+                DocumentBlock::Figure(_) => return None,
             })
         });
         title
@@ -77,9 +79,9 @@ impl Document {
         let mut section = self.parts[heading + 1..]
             .iter()
             .map(|part| &part.block)
-            .take_while(|block| !matches!(block, Block::Heading(_)))
+            .take_while(|block| !matches!(block, DocumentBlock::Heading(_)))
             .peekable();
-        section.peek().is_some() && section.all(Block::is_figure)
+        section.peek().is_some() && section.all(DocumentBlock::is_figure)
     }
 }
 

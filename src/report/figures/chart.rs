@@ -1,6 +1,6 @@
 use super::map::capital;
 use crate::drive::Outcome;
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shown;
 use crate::study::{Chart, ChartPoint, Optimum, Vary};
 use crate::units::System;
@@ -27,7 +27,7 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
         return found;
     };
     let search = &first.best.search;
-    let drawing = Drawing::new(chart, own, system);
+    let drawing = ChartDrawing::new(chart, own, system);
     for (i, vary) in search.vary.iter().enumerate() {
         match held(chart, i, vary) {
             Some(end) => found.held.push((*vary, held_sentence(vary, end, system))),
@@ -45,29 +45,29 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
 
 /// A chart with the data that all its plots show: the optimum for the setup, and the quantity on
 /// the horizontal axis.
-struct Drawing<'a> {
+struct ChartDrawing<'a> {
     chart: &'a Chart,
     /// The value of the chart's parameter in the setup, with the optimum at this value; `None`
     /// outside of the chart.
     own: Option<(f64, &'a Optimum)>,
     system: System,
-    along: Measure,
+    along: NamedQuantity,
 }
 
-impl<'a> Drawing<'a> {
+impl<'a> ChartDrawing<'a> {
     fn new(chart: &'a Chart, own: Option<&'a Optimum>, system: System) -> Self {
         let own = own.and_then(|best| Some((best.setup.value(chart.along.parameter)?, best)));
         Self {
             chart,
             own: own.filter(|(at, _)| (chart.along.low..=chart.along.high).contains(at)),
             system,
-            along: Measure::parameter(chart.along.parameter),
+            along: NamedQuantity::parameter(chart.along.parameter),
         }
     }
 
     /// The plot of the optimal value.
     fn value(&self, of: Outcome) -> Figure {
-        let measure = Measure::outcome(of);
+        let measure = NamedQuantity::outcome(of);
         let title = format!("Best {} against {}", measure.label, self.along.label);
         let figure = self.figure(of.name(), title, measure);
         let told = |value: f64| shown::outcome(of, value, self.system);
@@ -76,7 +76,7 @@ impl<'a> Drawing<'a> {
 
     /// The plot of the optimal value of the varied parameter `i`, with the bounds of its range.
     fn parameter(&self, i: usize, vary: &Vary) -> Figure {
-        let measure = Measure::parameter(vary.parameter);
+        let measure = NamedQuantity::parameter(vary.parameter);
         let title = format!(
             "{} of the best drive against {}",
             capital(&measure.label),
@@ -91,7 +91,7 @@ impl<'a> Drawing<'a> {
         self.with_optima(figure, |best| best.solution.x.get(i).copied(), told)
     }
 
-    fn figure(&self, of: &str, title: String, measure: Measure) -> Figure {
+    fn figure(&self, of: &str, title: String, measure: NamedQuantity) -> Figure {
         let tag = self.chart.along.parameter.name.replace('.', "-");
         let name = format!("chart-{of}-by-{tag}");
         Figure::new(
@@ -169,7 +169,7 @@ fn held_sentence(vary: &Vary, end: &str, system: System) -> String {
     } else {
         format!("its {end} bound")
     };
-    let label = capital(&Measure::parameter(vary.parameter).label);
+    let label = capital(&NamedQuantity::parameter(vary.parameter).label);
     format!("{label}: {at}, {why}, in every optimum.")
 }
 

@@ -1,4 +1,4 @@
-use crate::report::plot::{Axis, Bar, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Figure, HorizontalBar, Hue, Layer, NamedQuantity};
 use crate::report::shown::{self, words};
 use crate::study::{Difference, Share, Shares};
 use crate::units::{System, counted};
@@ -11,7 +11,7 @@ const MOST: usize = 12;
 /// other inputs of the flight. The note is in the units of `system`.
 pub fn difference_figure(difference: &Difference, system: System) -> Figure {
     let of = difference.of;
-    let measure = Measure::outcome(of);
+    let measure = NamedQuantity::outcome(of);
     let by_launch = difference.by_launch.as_ref();
     let splits = [("by parameter", 2, &difference.by_parameter)]
         .into_iter()
@@ -21,10 +21,12 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
         let mut shares = largest(difference, split);
         left_out += shares.len().saturating_sub(MOST);
         shares.truncate(MOST);
-        let bars = (names.len()..).zip(&shares).map(|(place, share)| Bar {
-            place,
-            to: share.amount,
-        });
+        let bars = (names.len()..)
+            .zip(&shares)
+            .map(|(place, share)| HorizontalBar {
+                place,
+                to: share.amount,
+            });
         layers.push(Layer::Bars {
             name: name.into(),
             hue: Hue::Series(hue),
@@ -32,7 +34,7 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
         });
         names.extend(shares.iter().map(|share| words(share.cause.name())));
     }
-    let x = Axis::linear(Measure {
+    let x = Axis::linear(NamedQuantity {
         label: format!("share of the difference of {}", measure.label),
         ..measure.clone()
     });
@@ -48,7 +50,7 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
         "{} of b minus its value of a: {}, from {} to {}. The bars of a colour add up to this \
          difference.",
         super::capital(&measure.label),
-        measure.show_difference(difference.amount(), system),
+        shown::spread(of, difference.amount(), system),
         measure.show(a, system),
         measure.show(b, system),
     );

@@ -2,7 +2,7 @@ use super::scale::{Grows, to_scale, with_margin};
 use super::style::field;
 use crate::drive::Outcome;
 use crate::parameters::Golfer;
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shown;
 use crate::statistics::largest_magnitude;
 use crate::study::Face;
@@ -29,7 +29,7 @@ pub(super) fn across(face: &Face) -> Axis {
         Golfer::Right => ["toe", "heel"],
         Golfer::Left => ["heel", "toe"],
     };
-    Axis::linear(Measure::new(
+    Axis::linear(NamedQuantity::new(
         format!("← {left} · from {} · {right} →", origin(face)),
         Quantity::LENGTH,
         "mm",
@@ -38,7 +38,7 @@ pub(super) fn across(face: &Face) -> Axis {
 
 /// The vertical axis of a face.
 pub(super) fn above(face: &Face) -> Axis {
-    Axis::linear(Measure::new(
+    Axis::linear(NamedQuantity::new(
         format!("above {}", origin(face)),
         Quantity::LENGTH,
         "mm",
@@ -150,7 +150,7 @@ pub(super) fn outline(face: &Face) -> Layer {
 /// drawn.
 fn rings(face: &Face, system: System) -> Vec<Layer> {
     let (_, most) = face.longest;
-    let carries = field(&face.plane, 0, Measure::outcome(Outcome::Carry));
+    let carries = field(&face.plane, 0, NamedQuantity::outcome(Outcome::Carry));
     let unit = system.unit("yd");
     let size = DisplayUnit::from(Outcome::Carry).size_in(system);
     let on_face = |at: [f64; 2]| match face.holds(at) {

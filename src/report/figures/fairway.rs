@@ -2,7 +2,7 @@ use super::capital;
 use super::scale::{Grows, to_scale, with_margin};
 use super::style::{clear_names, style};
 use crate::drive::Outcome;
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure, nice_step};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, nice_step};
 use crate::report::shown;
 use crate::statistics::extent;
 use crate::study::Landing;
@@ -107,7 +107,7 @@ fn extents(layers: &[Layer]) -> [[f64; 2]; 2] {
 
 /// A figure at true scale without layers, whose axes contain these ranges.
 fn view(name: &str, title: &str, ranges: [[f64; 2]; 2], shape: [f64; 2], y_grows: Grows) -> Figure {
-    let length = |label: &str| Axis::linear(Measure::new(label, Quantity::LENGTH, "yd"));
+    let length = |label: &str| Axis::linear(NamedQuantity::new(label, Quantity::LENGTH, "yd"));
     let figure = Figure::new(
         name,
         title,
@@ -270,10 +270,11 @@ fn spread(landings: &[Landing], system: System) -> Option<String> {
             .then(|| "No parameter of the golfer is uncertain, so there are no ellipses.".into());
     };
     let sigma = |sigma: &crate::study::Sigma| {
-        let measure = Measure::parameter(sigma.parameter);
-        let unit = system.unit(measure.unit);
-        let amount = significant(sigma.value / measure.unit_size(system), 3);
-        format!("{} ± {}", measure.label, with_unit(&amount, unit))
+        format!(
+            "{} ± {}",
+            shown::words(sigma.parameter.name),
+            shown::uncertainty(sigma.parameter, sigma.value, system)
+        )
     };
     let sigmas: Vec<String> = landing.sigmas.iter().map(sigma).collect();
     Some(format!(

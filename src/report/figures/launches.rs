@@ -1,7 +1,7 @@
 use super::capital;
 use super::style::{field, style};
 use crate::drive::Outcome;
-use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, NamedQuantity};
 use crate::report::shown;
 use crate::study::{Launches, NamedLaunch, Vary};
 use crate::units::System;
@@ -10,9 +10,9 @@ use crate::units::System;
 /// the launches of the drives and the best launch for each spin.
 pub fn launches_figure(map: &Launches, system: System) -> Figure {
     let axis = |vary: &Vary, label: &str| {
-        let measure = Measure {
+        let measure = NamedQuantity {
             label: label.into(),
-            ..Measure::parameter(vary.parameter)
+            ..NamedQuantity::parameter(vary.parameter)
         };
         Axis::linear(measure).exactly(vary.low, vary.high)
     };
@@ -21,7 +21,7 @@ pub fn launches_figure(map: &Launches, system: System) -> Figure {
         axis(&map.plane.up, "backspin"),
     );
     let mut figure = Figure::new("launches", "Carry over launch angle and backspin", x, y).with(
-        Layer::Contours(field(&map.plane, 0, Measure::outcome(Outcome::Carry))),
+        Layer::Contours(field(&map.plane, 0, NamedQuantity::outcome(Outcome::Carry))),
     );
     figure.aspect = 0.85;
     figure.line_names = LineNames::OnLines;

@@ -1,7 +1,7 @@
 use crate::aerodynamics::{AerodynamicLaw, Coefficients, Fitted, Stream};
 use crate::atmosphere::AirState;
 use crate::parameters::{AxisVariable, Law, LawTable, Setup};
-use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, NamedQuantity};
 use crate::units::significant;
 use std::f64::consts::PI;
 
@@ -41,7 +41,7 @@ const NEAR: f64 = 0.1;
 
 /// A measured point. Spin ratio or Reynolds number is missing if the source averages over this
 /// quantity.
-struct Measured {
+struct MeasuredCoefficients {
     spin_ratio: Option<f64>,
     reynolds: Option<f64>,
     /// C_D and C_L.
@@ -183,8 +183,8 @@ impl LawPlot {
         Figure::new(
             name,
             format!("{words} coefficient over the {label}, at {constant}"),
-            Axis::linear(Measure::plain(label)),
-            Axis::linear(Measure::plain(symbol)),
+            Axis::linear(NamedQuantity::plain(label)),
+            Axis::linear(NamedQuantity::plain(symbol)),
         )
     }
 
@@ -314,8 +314,13 @@ fn pieces(curve: &[([f64; 2], bool)], within: bool) -> Vec<[f64; 2]> {
 }
 
 /// The published points to which a law was fitted.
-fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec<Measured> {
-    let of_speed = |speed: f64, spin: f64, values: [f64; 2]| Measured {
+fn measured(
+    law: &Law<f64>,
+    fitted: &Fitted,
+    per_speed: f64,
+    radius: f64,
+) -> Vec<MeasuredCoefficients> {
+    let of_speed = |speed: f64, spin: f64, values: [f64; 2]| MeasuredCoefficients {
         spin_ratio: Some(spin * radius / speed),
         reynolds: Some(per_speed * speed),
         values: values.map(Some),
@@ -326,7 +331,7 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
             .map(|[speed, rpm, drag, lift]| of_speed(speed, rpm * PI / 30.0, [drag, lift]))
             .collect(),
         Law::NaruoMizota(_) => rows(include_str!("../../../tests/data/naruo_2004.csv"))
-            .map(|[s, drag, lift, _]| Measured {
+            .map(|[s, drag, lift, _]| MeasuredCoefficients {
                 spin_ratio: Some(s),
                 reynolds: None,
                 values: [Some(drag), Some(lift)],
@@ -335,14 +340,14 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
         // this source has lift over the spin ratio (mean of several balls), and drag over the
         // Reynolds number (one ball), which applies to any spin ratio
         Law::Lyu(_) => cells(include_str!("../../../tests/data/lyu_2018.csv"))
-            .map(|[reynolds, spin_ratio, drag, lift]| Measured {
+            .map(|[reynolds, spin_ratio, drag, lift]| MeasuredCoefficients {
                 spin_ratio,
                 reynolds,
                 values: [drag, lift],
             })
             .collect(),
         Law::UsgaItr(_) => rows(include_str!("../../../tests/data/usga_itr_test_ball.csv"))
-            .map(|[re, s, drag, lift]| Measured {
+            .map(|[re, s, drag, lift]| MeasuredCoefficients {
                 spin_ratio: Some(s),
                 reynolds: Some(re),
                 values: [Some(drag), Some(lift)],
@@ -361,7 +366,7 @@ fn measured(law: &Law<f64>, fitted: &Fitted, per_speed: f64, radius: f64) -> Vec
 }
 
 /// The nodes of a user's table.
-fn tabulated(table: &LawTable, per_speed: f64, radius: f64) -> Vec<Measured> {
+fn tabulated(table: &LawTable, per_speed: f64, radius: f64) -> Vec<MeasuredCoefficients> {
     let has = |variable: AxisVariable| table.axes().any(|axis| axis.variable == variable);
     let node = |[speed, spin, drag, lift]: &[f64; 4]| {
         let reynolds = if has(AxisVariable::Reynolds) {
@@ -379,7 +384,7 @@ fn tabulated(table: &LawTable, per_speed: f64, radius: f64) -> Vec<Measured> {
         } else {
             by_spin
         };
-        Measured {
+        MeasuredCoefficients {
             spin_ratio,
             reynolds,
             values: [Some(*drag), Some(*lift)],

@@ -1,6 +1,6 @@
 use super::style::{field, field_of};
 use crate::parameters::Setup;
-use crate::report::plot::{Axis, Field, Figure, Hue, Layer, LineNames, Measure};
+use crate::report::plot::{Axis, Field, Figure, Hue, Layer, LineNames, NamedQuantity};
 use crate::report::shown;
 use crate::study::{Constraint, Map, Optimum, Region, Slope, Vary};
 use crate::units::System;
@@ -25,11 +25,12 @@ pub struct OnMap<'a> {
 /// as set up, and the optimum with the region of little loss. Texts are in the units of `system`.
 pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     let (across, up) = (&map.plane.across, &map.plane.up);
-    let [x, y] = [across, up]
-        .map(|vary| Axis::linear(Measure::parameter(vary.parameter)).exactly(vary.low, vary.high));
+    let [x, y] = [across, up].map(|vary| {
+        Axis::linear(NamedQuantity::parameter(vary.parameter)).exactly(vary.low, vary.high)
+    });
     let title = format!(
         "{} over {} and {}",
-        capital(&Measure::outcome(map.of).label),
+        capital(&NamedQuantity::outcome(map.of).label),
         x.measure.label,
         y.measure.label
     );
@@ -100,7 +101,7 @@ fn note(map: &Map, on: &OnMap<'_>, [has_region, has_own]: [bool; 2], system: Sys
         notes.push("Hatched: forbidden by a constraint.".into());
     }
     if let Some(region) = on.region.filter(|_| has_region) {
-        let loss = Measure::outcome(map.of).show_difference(region.loss, system);
+        let loss = shown::spread(map.of, region.loss, system);
         notes.push(format!(
             "Drives in the tinted region lose at most {loss} and meet every bound and constraint; \
              each was flown."
@@ -140,7 +141,7 @@ fn held(setup: &Setup<f64>, best: Option<&Optimum>, axes: [&Vary; 2], system: Sy
         .map(|(vary, x)| {
             format!(
                 "{} {}",
-                Measure::parameter(vary.parameter).label,
+                NamedQuantity::parameter(vary.parameter).label,
                 shown::parameter(vary.parameter, *x, system)
             )
         })
@@ -158,7 +159,7 @@ fn held(setup: &Setup<f64>, best: Option<&Optimum>, axes: [&Vary; 2], system: Sy
     let speed = speed.and_then(|row| {
         Some(format!(
             "{} {}",
-            Measure::parameter(row).label,
+            NamedQuantity::parameter(row).label,
             shown::stated(row, setup.value(row)?, system)
         ))
     });
@@ -208,7 +209,7 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
 fn nearly_as_good(region: &Region, name: &str) -> Vec<Layer> {
     let of = |values: &[Option<f64>]| {
         field_of(
-            Measure::plain("missed"),
+            NamedQuantity::plain("missed"),
             region.across,
             region.up,
             region.columns,
@@ -250,7 +251,7 @@ fn nearly_as_good(region: &Region, name: &str) -> Vec<Layer> {
 
 /// A map as a field of a plot.
 fn field_of_map(map: &Map) -> Field {
-    field(&map.plane, 0, Measure::outcome(map.of))
+    field(&map.plane, 0, NamedQuantity::outcome(map.of))
 }
 
 /// Gradients as arrows. Each parameter is scaled by its range, so that the arrows show the steepest

@@ -25,7 +25,7 @@ pub(super) use map::capital;
 pub use map::{OnMap, map_figure};
 pub use pareto::pareto_figure;
 pub use strikes::strikes_figure;
-pub use style::At;
+pub use style::ShownDrive;
 pub use tornado::{Causes, tornado_figure};
 pub use trajectory::{View, trajectory_figure};
 pub use vcurve::vcurve_figure;

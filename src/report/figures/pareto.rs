@@ -1,6 +1,6 @@
 use super::map::capital;
 use crate::report::pareto::role;
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shown;
 use crate::statistics::extent;
 use crate::study::swings::{Pareto, ParetoPoint};
@@ -12,10 +12,9 @@ const REACH: f64 = 0.2;
 /// The Pareto front of two goals: the first goal against the second, with the ends, the knee, the
 /// slope at the knee, and the design before the search. Texts are in the units of `system`.
 pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
-    let [y, x] =
-        found.search.goals.each_ref().map(|(goal, _)| {
-            Measure::new(shown::words(&goal.expression), goal.quantity, goal.unit)
-        });
+    let [y, x] = found.search.goals.each_ref().map(|(goal, _)| {
+        NamedQuantity::new(shown::words(&goal.expression), goal.quantity, goal.unit)
+    });
     let title = format!("{} against {}", capital(&y.label), x.label);
     let mut figure = Figure::new("pareto", title, Axis::linear(x), Axis::linear(y));
     figure.layers.extend(tangent(found, system));

@@ -1,13 +1,13 @@
 //! Common style of the plots of drives, and conversion of grids to fields. A drive has one colour
 //! and one dash pattern in all plots, and the titles of all plots use the same words.
 
-use crate::report::plot::{Field, Hue, Layer, Measure};
+use crate::report::plot::{Field, Hue, Layer, NamedQuantity};
 use crate::study::{Plane, Vary};
 use std::fmt;
 
 /// The drive that a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum At {
+pub enum ShownDrive {
     /// The drive as set up.
     SetUp,
     /// The drive at the optimum.
@@ -15,7 +15,7 @@ pub enum At {
 }
 
 /// The text in titles: "as set up", "at the optimum".
-impl fmt::Display for At {
+impl fmt::Display for ShownDrive {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::SetUp => "as set up",
@@ -46,7 +46,7 @@ pub(super) fn clear_names(layers: &mut [Layer]) {
 }
 
 /// An outcome over a grid as a field of a plot.
-pub(super) fn field(plane: &Plane, of: usize, measure: Measure) -> Field {
+pub(super) fn field(plane: &Plane, of: usize, measure: NamedQuantity) -> Field {
     let values = plane.values.get(of).map_or(&[][..], Vec::as_slice);
     Field {
         gradients: plane.gradients.get(of).cloned().unwrap_or_default(),
@@ -56,7 +56,7 @@ pub(super) fn field(plane: &Plane, of: usize, measure: Measure) -> Field {
 
 /// Values at the nodes of a grid as a field of a plot, without gradients.
 pub(super) fn field_of(
-    measure: Measure,
+    measure: NamedQuantity,
     across: Vary,
     up: Vary,
     columns: usize,

@@ -1,6 +1,6 @@
-use super::At;
+use super::ShownDrive;
 use crate::parameters::Parameter;
-use crate::report::plot::{Axis, Bar, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Figure, HorizontalBar, Hue, Layer, NamedQuantity};
 use crate::report::shown::{self, is_rounding, spread};
 use crate::study::{self, Effect, Effects, Sigma};
 use crate::units::{System, counted};
@@ -74,7 +74,12 @@ fn size(effect: &study::SigmaEffect) -> f64 {
 /// parameter p comes from drives computed at p − σ and p + σ; the other parameters are unchanged.
 /// The uncertainties and the note are in the units of `system`. `None` if none of these causes has
 /// an effect.
-pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System) -> Option<Figure> {
+pub fn tornado_figure(
+    effects: &Effects,
+    causes: Causes,
+    at: ShownDrive,
+    system: System,
+) -> Option<Figure> {
     let is_cause = |effect: &&Effect| causes.has(effect.parameter);
     let mut ranked: Vec<study::SigmaEffect> = effects
         .effects
@@ -84,7 +89,7 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System)
         .collect();
     ranked.sort_by(|a, b| size(b).total_cmp(&size(a)));
     let longest = ranked.first().map(size).filter(|longest| *longest > 0.0)?;
-    let measure = Measure::outcome(effects.of);
+    let measure = NamedQuantity::outcome(effects.of);
     // bars that are long enough to be visible
     let seen = ranked
         .iter()
@@ -98,7 +103,7 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System)
         } = effect.sigma;
         format!(
             "{} ± {}",
-            Measure::parameter(parameter).label,
+            NamedQuantity::parameter(parameter).label,
             shown::uncertainty(parameter, value, system)
         )
     };
@@ -120,15 +125,18 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System)
         Causes::All => format!("Effects of uncertainties on {}, {at}", measure.label),
         _ => format!("Effects on {} of {}, {at}", measure.label, causes.words()),
     };
-    let x = Axis::linear(Measure {
+    let x = Axis::linear(NamedQuantity {
         label: format!("change of {}", measure.label),
         ..measure.clone()
     });
     let bars = |name: &str, hue: Hue, end: usize| {
-        let bars = ranked.iter().enumerate().map(|(place, effect)| Bar {
-            place,
-            to: ends(effect)[end],
-        });
+        let bars = ranked
+            .iter()
+            .enumerate()
+            .map(|(place, effect)| HorizontalBar {
+                place,
+                to: ends(effect)[end],
+            });
         Layer::Bars {
             name: name.into(),
             hue,
@@ -149,12 +157,12 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, at: At, system: System)
 fn note(
     effects: &Effects,
     causes: Causes,
-    at: At,
+    at: ShownDrive,
     ranked: &[study::SigmaEffect],
     folded: &[study::SigmaEffect],
     system: System,
 ) -> String {
-    let measure = Measure::outcome(effects.of);
+    let measure = NamedQuantity::outcome(effects.of);
     let sum = |causes: Causes| {
         let of_causes = effects
             .effects
@@ -164,7 +172,7 @@ fn note(
             .filter_map(|effect| effect.sigma_effect)
             .map(|bar| bar.first_order)
             .fold(0.0, f64::hypot);
-        measure.show_difference(sum, system)
+        spread(effects.of, sum, system)
     };
     let mut note = format!(
         "Change of {} when each parameter is moved by its standard uncertainty, one at a time, \
@@ -198,7 +206,7 @@ fn note(
     if !folded.is_empty() {
         let names: Vec<String> = folded
             .iter()
-            .map(|effect| Measure::parameter(effect.sigma.parameter).label)
+            .map(|effect| NamedQuantity::parameter(effect.sigma.parameter).label)
             .collect();
         note += &format!(" In the last row: {}.", names.join(", "));
     }

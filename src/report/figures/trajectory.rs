@@ -4,7 +4,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Vector;
 use crate::report::drive::RUN_WITHIN;
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shown;
 use crate::statistics::extent;
 use crate::study::NamedDrive;
@@ -67,7 +67,12 @@ pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Re
     let range = figure.x.reach.unwrap_or(x);
     match view {
         View::Side => add_ground(&mut figure, &paths, range),
-        View::Top => add_target_line(&mut figure, range),
+        View::Top => figure.layers.push(Layer::Line {
+            name: "target line".into(),
+            hue: Hue::Faint,
+            is_dashed: true,
+            points: range.map(|x| [x, 0.0]).to_vec(),
+        }),
     }
     let below = if view == View::Side { 0.0 } else { 0.08 };
     let stretched = stretched(&figure, &lines, with_margin(seen_up, below, 0.08), view);
@@ -141,7 +146,7 @@ fn run(one: &NamedDrive, view: View) -> Vec<[f64; 2]> {
 
 /// A figure at true scale without layers: its axes contain these ranges.
 fn empty(view: View, [x, y]: [[f64; 2]; 2]) -> Figure {
-    let length = |label: &str| Measure::new(label, Quantity::LENGTH, "yd");
+    let length = |label: &str| NamedQuantity::new(label, Quantity::LENGTH, "yd");
     let downrange = Axis::linear(length("downrange"));
     let (title, up) = match view {
         View::Side => ("Trajectory from the side", Axis::linear(length("height"))),
@@ -211,16 +216,6 @@ fn add_ground(figure: &mut Figure, paths: &[Vec<[f64; 2]>], [left, right]: [f64;
         hue: Hue::Faint,
         is_dashed: false,
         points: vec![[left, ground], [right, ground]],
-    });
-}
-
-/// Adds the target line to a view from above.
-fn add_target_line(figure: &mut Figure, [left, right]: [f64; 2]) {
-    figure.layers.push(Layer::Line {
-        name: "target line".into(),
-        hue: Hue::Faint,
-        is_dashed: true,
-        points: vec![[left, 0.0], [right, 0.0]],
     });
 }
 

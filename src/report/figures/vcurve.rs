@@ -1,6 +1,6 @@
 use crate::derivative::check::CurvePoint;
 use crate::drive::Outcome;
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::DerivativeRow;
 use crate::units::counted;
@@ -14,8 +14,8 @@ pub fn vcurve_figure<'a>(
     rows: impl IntoIterator<Item = &'a DerivativeRow>,
     loops: &[LoopRow],
 ) -> Figure {
-    let x = Axis::log(Measure::plain("step, relative"));
-    let y = Axis::log(Measure::plain("error of the difference, relative"));
+    let x = Axis::log(NamedQuantity::plain("step, relative"));
+    let y = Axis::log(NamedQuantity::plain("error of the difference, relative"));
     let mut figure = Figure::new(
         "vcurve",
         "Central differences against exact derivatives, as set up",

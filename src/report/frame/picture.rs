@@ -3,7 +3,7 @@
 use super::units::chosen;
 use crate::error::Result;
 use crate::report::plot::{Figure, Look, figure_csv, figure_svg};
-use crate::units::System;
+use crate::units::{System, TableUnits};
 use maud::{Markup, PreEscaped, html};
 
 /// A plot with its texts in the units of each of [`System::ALL`].
@@ -55,7 +55,7 @@ pub(in crate::report) fn picture_files<'a>(
             if system == data_of {
                 files.push(TextFile {
                     name: csv_name(figure),
-                    text: figure_csv(figure)?,
+                    text: figure_csv(figure, TableUnits::Si)?,
                 });
             }
         }
@@ -75,10 +75,15 @@ pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>)
     Ok(html! {
         @if !drawn.is_empty() {
             div.figures {
-                @for (pair, drawings) in drawn {
-                    figure class=[(pair[0].columns > 1).then_some("whole")] {
+                @for ([metric, us], drawings) in drawn {
+                    figure class=[(metric.columns > 1).then_some("whole")] {
                         @for (class, svg) in &drawings { div class=(class) { (PreEscaped(svg)) } }
-                        figcaption { (chosen(&pair[0].note, &pair[1].note)) " " (links(pair)) }
+                        figcaption {
+                            (chosen(&metric.note, &us.note)) " "
+                            a.us href=(svg_name(us, System::Us)) { "SVG" }
+                            a.metric href=(svg_name(metric, System::Metric)) { "SVG" }
+                            " " a href=(csv_name(us)) { "data" }
+                        }
                     }
                 }
             }
@@ -113,13 +118,4 @@ fn drawings(pair: &Pair) -> Result<Vec<(String, String)>> {
         }
     }
     Ok(drawings)
-}
-
-/// Links to the files of a plot.
-fn links([metric, us]: &Pair) -> Markup {
-    html! {
-        a.us href=(svg_name(us, System::Us)) { "SVG" }
-        a.metric href=(svg_name(metric, System::Metric)) { "SVG" }
-        " " a href=(csv_name(us)) { "data" }
-    }
 }

@@ -8,10 +8,11 @@ mod tables;
 use super::document::Document;
 use super::json::{ByName, Number};
 use super::optimum::Multipliers;
-use super::published::Published;
+use super::published::PaperUnits;
 use super::reply::Report;
 use crate::reproduce::{
-    Average, Delivery, Energy, Mae494, Noise, Parametric, Regression, Row, Subsystems,
+    Average, DeliveryCarry, Energy, Mae494, Noise, Parametric, RecomputedOptimum, Regression,
+    Subsystems,
 };
 use crate::units::System;
 use serde::Serialize;
@@ -29,7 +30,7 @@ pub struct Mae494Report<'a> {
     pub study: &'static str,
     /// The optimum of the report's regression, which evaluates its fitted polynomial with wrong
     /// powers.
-    pub slipped_optimum: Delivery,
+    pub slipped_optimum: DeliveryCarry,
     /// The optimum of the report's model.
     pub optimum: OptimumRow,
     /// The optimum at each attack angle of Table 1.
@@ -58,7 +59,7 @@ pub struct Mae494Report<'a> {
 pub struct OptimumRow {
     /// The optimum.
     #[serde(flatten)]
-    pub at: Delivery,
+    pub at: DeliveryCarry,
     /// The multipliers of the bounds, by parameter.
     pub multipliers: ByName<Multipliers>,
     /// The active bounds and constraints by name: `lower` or `upper` for a bound, `null` for a
@@ -84,13 +85,13 @@ pub struct TableRow {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PrintedReport {
     /// The printed optimum at the attack angle of the regression: the last row of Table 1.
-    pub slipped_optimum: Option<Delivery>,
+    pub slipped_optimum: Option<DeliveryCarry>,
     /// The optimum.
-    pub optimum: Delivery,
+    pub optimum: DeliveryCarry,
     /// Table 1.
-    pub table1: Vec<Delivery>,
+    pub table1: Vec<DeliveryCarry>,
     /// Table 2.
-    pub table2: Vec<Delivery>,
+    pub table2: Vec<DeliveryCarry>,
     /// The loft with the best average carry.
     pub average: ByName<f64>,
 }
@@ -98,8 +99,8 @@ pub struct PrintedReport {
 impl<'a> Mae494Report<'a> {
     /// The report of this reproduction.
     pub fn new(found: &'a Mae494) -> Self {
-        let rows = |rows: &[Row]| rows.iter().map(TableRow::new).collect();
-        let printed = |rows: &[Row]| rows.iter().map(|row| row.printed).collect();
+        let rows = |rows: &[RecomputedOptimum]| rows.iter().map(TableRow::new).collect();
+        let printed = |rows: &[RecomputedOptimum]| rows.iter().map(|row| row.printed).collect();
         let slipped = found.table1.last();
         Self {
             found,
@@ -132,7 +133,8 @@ impl Report for Mae494Report<'_> {
     /// with the units of `system` in parentheses.
     fn document(&self, system: System) -> Document {
         let found = self.found;
-        let shown = Published {
+        let shown = PaperUnits {
+            angle_decimals: 4,
             paper: Mae494::UNITS,
             system,
         };
@@ -158,7 +160,7 @@ impl Report for Mae494Report<'_> {
 }
 
 impl OptimumRow {
-    fn new(row: &Row) -> Self {
+    fn new(row: &RecomputedOptimum) -> Self {
         let solution = &row.best.solution;
         let vary = row.best.search.vary.iter().enumerate();
         let multipliers = vary.map(|(i, vary)| {
@@ -178,7 +180,7 @@ impl OptimumRow {
 }
 
 impl TableRow {
-    fn new(row: &Row) -> Self {
+    fn new(row: &RecomputedOptimum) -> Self {
         Self {
             optimum: OptimumRow::new(row),
             carry_at_printed: row.at_printed.into(),

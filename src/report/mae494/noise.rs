@@ -1,12 +1,12 @@
 //! The section about the noise of the while-loop.
 
-use crate::report::document::{Document, Table};
-use crate::report::plot::{Axis, Figure, Layer, Measure};
-use crate::report::published::{Published, angles};
+use crate::report::document::{Document, DocumentTable};
+use crate::report::plot::{Axis, Figure, Layer, NamedQuantity};
+use crate::report::published::{PaperUnits, angles};
 use crate::reproduce::{Landings, Noise, Slopes};
 use crate::units::{Quantity, significant};
 
-pub(super) fn noise(document: &mut Document, noise: &Noise, shown: Published) {
+pub(super) fn noise(document: &mut Document, noise: &Noise, shown: PaperUnits) {
     document.heading("The noise of its flight loop");
     document.paragraph(format!(
         "The report's flight loop stops at the first step of {} s that ends below the ground. \
@@ -39,7 +39,7 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: Published) {
         let slope = shown.per_radian(at.overshot);
         vec![format!("{} s", at.step), slope, String::new()]
     });
-    document.add(Table::new(["time step", "loop", ""], rows));
+    document.add(DocumentTable::new(["time step", "loop", ""], rows));
     document.paragraph(
         "Longer differences reach over several jumps, but have an error from the curvature \
          instead. The same loft and attack angle, with the original time step:",
@@ -48,7 +48,7 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: Published) {
 }
 
 /// Adds a table of the slopes of carry by loft.
-fn add_slopes(document: &mut Document, noise: &Noise, shown: Published) {
+fn add_slopes(document: &mut Document, noise: &Noise, shown: PaperUnits) {
     let per_radian = |slope: f64| shown.per_radian(slope);
     let rows = noise.slopes.iter().map(|slopes| {
         vec![
@@ -65,7 +65,7 @@ fn add_slopes(document: &mut Document, noise: &Noise, shown: Published) {
             .into(),
         ]
     });
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         [
             "loft",
             "exact",
@@ -79,7 +79,7 @@ fn add_slopes(document: &mut Document, noise: &Noise, shown: Published) {
 }
 
 /// Adds a table of finite differences with larger increments of the loft.
-fn add_longer_differences(document: &mut Document, noise: &Noise, shown: Published) {
+fn add_longer_differences(document: &mut Document, noise: &Noise, shown: PaperUnits) {
     let rows = noise.longer_differences.iter().map(|slopes| {
         vec![
             format!("{} rad", significant(slopes.difference, 3)),
@@ -89,7 +89,7 @@ fn add_longer_differences(document: &mut Document, noise: &Noise, shown: Publish
             String::new(),
         ]
     });
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         [
             "difference",
             "loop",
@@ -103,7 +103,7 @@ fn add_longer_differences(document: &mut Document, noise: &Noise, shown: Publish
 
 fn zoomed(zoom: &[Landings]) -> Figure {
     let points = |carry: fn(&Landings) -> f64| zoom.iter().map(|at| [at.loft, carry(at)]).collect();
-    let carry = Axis::linear(Measure::new("carry", Quantity::LENGTH, "m"));
+    let carry = Axis::linear(NamedQuantity::new("carry", Quantity::LENGTH, "m"));
     Figure::new(
         "teeth",
         "Carry at high zoom, attack angle 0°",
@@ -134,7 +134,7 @@ fn slopes(slopes: &[Slopes]) -> Figure {
             .map(|at| [at.loft, slope(at).to_radians()])
             .collect()
     };
-    let slope = Axis::linear(Measure::new(
+    let slope = Axis::linear(NamedQuantity::new(
         "carry per degree of loft",
         Quantity::LENGTH,
         "m",

@@ -1,13 +1,12 @@
 //! Checks of the report's claims with its own model.
 
-use super::tables::degrees;
-use crate::report::document::{Document, Table};
-use crate::report::published::{LENGTH, Published, SPEED};
+use crate::report::document::{Document, DocumentTable};
+use crate::report::published::{LENGTH, PaperUnits, SPEED};
 use crate::report::shown::{NONE, ratio, stated};
 use crate::reproduce::{ByLaunch, Launched, Mae494};
 use crate::units::{fixed, signed};
 
-pub(super) fn energy(document: &mut Document, found: &Mae494, shown: Published) {
+pub(super) fn energy(document: &mut Document, found: &Mae494, shown: PaperUnits) {
     let energy = &found.energy;
     let longest = found.optimum.printed.carry;
     document.heading("Its distances are not possible");
@@ -18,21 +17,21 @@ pub(super) fn energy(document: &mut Document, found: &Mae494, shown: Published) 
          horizontal with {} rad/s of spin, and more speed would \
          add {}. The report's longest distance, {}, needs at least {}, that is {:.1} J: {:.1} % of \
          the club's energy.",
-        shown.speed(energy.fastest),
+        shown.computed(SPEED, energy.fastest),
         energy.ball,
         energy.club,
         shown.length(energy.farthest.carry),
-        degrees(energy.farthest.angle),
+        shown.degrees(energy.farthest.angle),
         spin(&energy.farthest),
         ratio(LENGTH, SPEED, energy.price_of_speed, shown.system, 4),
-        shown.printed_length(longest),
-        shown.speed(energy.needed.speed),
+        shown.printed(LENGTH, longest),
+        shown.computed(SPEED, energy.needed.speed),
         energy.ball_needed,
         100.0 * energy.ball_needed / energy.club,
     ));
 }
 
-pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Published) {
+pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: PaperUnits) {
     let parts = &found.subsystems;
     document.heading("Its subsystems");
     document.paragraph(
@@ -43,14 +42,14 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Publish
     );
     let row = |what: &str, launched: &Launched| {
         vec![
-            shown.speed(launched.speed),
-            degrees(launched.angle),
+            shown.computed(SPEED, launched.speed),
+            shown.degrees(launched.angle),
             format!("{} rad/s", spin(launched)),
             shown.length(launched.carry),
             what.into(),
         ]
     };
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["ball speed", "launch angle", "backspin", "carry", ""],
         [
             row("the optimum of the whole", &parts.whole),
@@ -75,7 +74,7 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: Publish
 
 /// The optimum of the impact alone and the optimum of the flight alone, compared with the optimum
 /// of the whole drive.
-fn optima_of_subsystems(found: &Mae494, shown: Published) -> String {
+fn optima_of_subsystems(found: &Mae494, shown: PaperUnits) -> String {
     let parts = &found.subsystems;
     format!(
         "The optimum of the impact alone is the greatest ball speed, which a face without loft \
@@ -84,15 +83,15 @@ fn optima_of_subsystems(found: &Mae494, shown: Published) -> String {
          angle of {}, which no golfer reaches. Within \
          the ranges no impact gives that launch, and the optimum of the whole is that of neither \
          subsystem: {} shorter than the flight's own.",
-        degrees(parts.impact.attack_angle),
+        shown.degrees(parts.impact.attack_angle),
         shown.length(parts.impact.carry),
-        degrees(found.energy.farthest.angle),
+        shown.degrees(found.energy.farthest.angle),
         shown.length(parts.flight.carry - parts.whole.carry),
     )
 }
 
 /// Adds a table of the slopes of carry through each part of the launch.
-fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: Published) {
+fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: PaperUnits) {
     let parts = &found.subsystems;
     let through = |parts: ByLaunch| {
         let parts = parts.to_array();
@@ -110,7 +109,7 @@ fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: Published
         ("loft", parts.by_loft),
         ("attack angle", parts.by_attack_angle),
     ];
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         [
             "ball speed",
             "launch angle",
@@ -122,7 +121,7 @@ fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: Published
     ));
 }
 
-pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Published) {
+pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: PaperUnits) {
     let study = &found.parametric;
     document.heading("Its parametric study");
     document.paragraph(
@@ -145,7 +144,7 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Publish
             parameter.name.into(),
         ]
     });
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["best carry", "best loft", "value", "one per cent more of"],
         rows,
     ));
@@ -163,12 +162,12 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: Publish
         vec![
             carry(changed.predicted.value),
             carry(changed.resolved.value),
-            degrees(changed.predicted.loft()),
-            degrees(changed.resolved.loft()),
+            shown.degrees(changed.predicted.loft()),
+            shown.degrees(changed.resolved.loft()),
             format!("{} {:+.0} %", changed.parameter.name, 100.0 * part),
         ]
     });
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         [
             "carry predicted",
             "carry",

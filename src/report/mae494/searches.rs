@@ -1,15 +1,15 @@
 //! Searches with and without the noise of the while-loop.
 
-use crate::report::document::{Document, Table};
+use crate::report::document::{Document, DocumentTable};
 use crate::report::plot::{Figure, Hue, Layer};
-use crate::report::published::{Published, angles};
-use crate::reproduce::{Delivery, Landing, Mae494, Method, Searches};
+use crate::report::published::{PaperUnits, angles};
+use crate::reproduce::{DeliveryCarry, LandingDefinition, Mae494, SearchMethod, Searches};
 use crate::units::Quantity;
 
 /// Maximum distance of a successful search's carry from the best carry, m.
 const FOUND: f64 = 0.01;
 
-pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published) {
+pub(super) fn searches(document: &mut Document, found: &Mae494, shown: PaperUnits) {
     let best = found.optimum.exact();
     let count = found
         .noise
@@ -48,7 +48,7 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published
             method(searches.method).into(),
         ]
     });
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         [
             "found",
             "median miss",
@@ -62,24 +62,24 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: Published
     document.figure(ends(&found.noise.searches, &best));
 }
 
-fn landing(landing: Landing) -> &'static str {
+fn landing(landing: LandingDefinition) -> &'static str {
     match landing {
-        Landing::Overshot => "the report's loop",
-        Landing::Interpolated => "loop, interpolated",
-        Landing::Smooth => "smooth",
+        LandingDefinition::Overshot => "the report's loop",
+        LandingDefinition::Interpolated => "loop, interpolated",
+        LandingDefinition::Smooth => "smooth",
     }
 }
 
-fn method(method: Method) -> &'static str {
+fn method(method: SearchMethod) -> &'static str {
     match method {
-        Method::LimitedMemory => "L-BFGS, differences",
-        Method::LimitedMemoryExact => "L-BFGS, exact gradients",
-        Method::QuasiNewton => "longdrive without Hessians, differences",
-        Method::Exact => "longdrive, exact gradients and Hessians",
+        SearchMethod::LimitedMemory => "L-BFGS, differences",
+        SearchMethod::LimitedMemoryExact => "L-BFGS, exact gradients",
+        SearchMethod::QuasiNewton => "longdrive without Hessians, differences",
+        SearchMethod::Exact => "longdrive, exact gradients and Hessians",
     }
 }
 
-fn ends(searches: &[Searches], best: &Delivery) -> Figure {
+fn ends(searches: &[Searches], best: &DeliveryCarry) -> Figure {
     let mut figure = Figure::new(
         "ends",
         "Where searches from the same starts end",
@@ -100,8 +100,8 @@ fn ends(searches: &[Searches], best: &Delivery) -> Figure {
         });
     }
     let drawn = [
-        (Landing::Overshot, Method::LimitedMemory, 1),
-        (Landing::Overshot, Method::QuasiNewton, 2),
+        (LandingDefinition::Overshot, SearchMethod::LimitedMemory, 1),
+        (LandingDefinition::Overshot, SearchMethod::QuasiNewton, 2),
     ];
     for (landing, by, hue) in drawn {
         for searches in searches

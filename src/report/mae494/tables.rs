@@ -1,13 +1,13 @@
 //! Printed optima of the report, compared with the exact optima.
 
-use crate::report::document::{Document, Table};
+use crate::report::document::{Document, DocumentTable};
 use crate::report::plot::{Figure, Layer};
-use crate::report::published::{Published, angles};
-use crate::reproduce::{Mae494, Row};
-use crate::units::fixed;
+use crate::report::published::{ANGLE, LENGTH, PaperUnits, angles};
+use crate::report::shown::ratio;
+use crate::reproduce::{Mae494, RecomputedOptimum};
 
-pub(super) fn optimum(document: &mut Document, found: &Mae494, shown: Published) {
-    let Row { printed, best, .. } = &found.optimum;
+pub(super) fn optimum(document: &mut Document, found: &Mae494, shown: PaperUnits) {
+    let RecomputedOptimum { printed, best, .. } = &found.optimum;
     let exact = found.optimum.exact();
     document.heading("The optimum");
     document.paragraph(format!(
@@ -15,22 +15,22 @@ pub(super) fn optimum(document: &mut Document, found: &Mae494, shown: Published)
          loft {}, attack angle {}: {} ({}). The \
          report recommends {} and {} and prints {}; in its model that delivery carries {}, which \
          is {} less than the best.",
-        degrees(exact.loft),
-        degrees(exact.attack_angle),
+        shown.degrees(exact.loft),
+        shown.degrees(exact.attack_angle),
         shown.length(exact.carry),
         held(&found.optimum, shown),
-        degrees(printed.loft),
-        degrees(printed.attack_angle),
-        shown.printed_length(printed.carry),
-        carried(&found.optimum, shown),
+        shown.degrees(printed.loft),
+        shown.degrees(printed.attack_angle),
+        shown.printed(LENGTH, printed.carry),
+        shown.carry_if_flown(found.optimum.at_printed),
         shown.length(found.optimum.cost()),
     ));
     document.paragraph(format!("The search {}: {}.", best.status(), best.message()));
 }
 
-pub(super) fn tables(document: &mut Document, found: &Mae494, shown: Published) {
-    let active = |rows: &[Row]| {
-        let is_at_a_bound = |row: &&Row| !row.best.active().is_empty();
+pub(super) fn tables(document: &mut Document, found: &Mae494, shown: PaperUnits) {
+    let active = |rows: &[RecomputedOptimum]| {
+        let is_at_a_bound = |row: &&RecomputedOptimum| !row.best.active().is_empty();
         rows.iter().filter(is_at_a_bound).count()
     };
     document.heading("Its tables");
@@ -44,13 +44,13 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: Published) 
         active(&found.table2),
         found.table2.len(),
     ));
-    let row = |row: &Row, given: f64, printed: f64, exact: f64| {
+    let row = |row: &RecomputedOptimum, given: f64, printed: f64, exact: f64| {
         vec![
             format!("{:.0}°", given.to_degrees()),
-            degrees(printed),
-            shown.printed_length(row.printed.carry),
-            carried(row, shown),
-            degrees(exact),
+            shown.degrees(printed),
+            shown.printed(LENGTH, row.printed.carry),
+            shown.carry_if_flown(row.at_printed),
+            shown.degrees(exact),
             shown.length(row.exact().carry),
             shown.length(row.cost()),
             held(row, shown),
@@ -69,7 +69,7 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: Published) 
         ]
     };
     document.paragraph("Table 1: the best loft at each attack angle.");
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         head("attack angle", "loft printed", "exact best loft"),
         found
             .table1
@@ -78,7 +78,7 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: Published) 
     ));
     document.figure(best_lofts(&found.table1));
     document.paragraph("Table 2: the best attack angle at each loft.");
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         head("loft", "attack angle printed", "exact best attack angle"),
         found.table2.iter().map(|r| {
             row(
@@ -91,8 +91,8 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: Published) 
     ));
 }
 
-fn best_lofts(rows: &[Row]) -> Figure {
-    let points = |loft: fn(&Row) -> f64| {
+fn best_lofts(rows: &[RecomputedOptimum]) -> Figure {
+    let points = |loft: fn(&RecomputedOptimum) -> f64| {
         rows.iter()
             .map(|row| [row.printed.attack_angle, loft(row)])
             .collect()
@@ -115,14 +115,8 @@ fn best_lofts(rows: &[Row]) -> Figure {
     ))
 }
 
-/// The carry at the printed optimum.
-fn carried(row: &Row, shown: Published) -> String {
-    row.at_printed
-        .map_or("does not fly".into(), |carry| shown.length(carry))
-}
-
 /// The active bounds in words, such as "club.loft at its upper bound, 0.52 m per deg beyond it".
-fn held(row: &Row, shown: Published) -> String {
+fn held(row: &RecomputedOptimum, shown: PaperUnits) -> String {
     let solution = &row.best.solution;
     let bounds = row.best.active().into_iter().filter_map(|active| {
         let i = row
@@ -132,7 +126,10 @@ fn held(row: &Row, shown: Published) -> String {
             .iter()
             .position(|vary| vary.parameter.name == active.name)?;
         let price = solution.lower_multipliers[i] + solution.upper_multipliers[i];
-        Some(format!("{active}, {} beyond it", shown.per_degree(price)))
+        Some(format!(
+            "{active}, {} beyond it",
+            ratio(LENGTH, ANGLE, price, shown.system, 4)
+        ))
     });
     let bounds: Vec<_> = bounds.collect();
     if bounds.is_empty() {
@@ -142,7 +139,7 @@ fn held(row: &Row, shown: Published) -> String {
     }
 }
 
-pub(super) fn average(document: &mut Document, found: &Mae494, shown: Published) {
+pub(super) fn average(document: &mut Document, found: &Mae494, shown: PaperUnits) {
     let average = &found.average;
     document.heading("The average over attack angles");
     let longest = average
@@ -160,12 +157,12 @@ pub(super) fn average(document: &mut Document, found: &Mae494, shown: Published)
         "Carry averaged over the attack angles 0, 1 … 10° is longest at {:.0}° by the report. \
          {whole}The exact best is {}, with {}.",
         average.printed.to_degrees(),
-        degrees(average.best.loft),
+        shown.degrees(average.best.loft),
         shown.length(average.best.carry),
     ));
 }
 
-pub(super) fn regression(document: &mut Document, found: &Mae494, shown: Published) {
+pub(super) fn regression(document: &mut Document, found: &Mae494, shown: PaperUnits) {
     let fit = &found.regression;
     document.heading("The regression");
     document.paragraph(format!(
@@ -176,18 +173,13 @@ pub(super) fn regression(document: &mut Document, found: &Mae494, shown: Publish
          have their maximum at {} ({}); the ordinary polynomial 1 … λ⁴ through the same points has \
          it at {} ({}). In the report's model a ball struck with loft \
          {} at attack angle 10° carries {}.",
-        degrees(fit.slipped.loft),
+        shown.degrees(fit.slipped.loft),
         shown.length(fit.slipped.distance),
-        degrees(fit.as_fitted.loft),
+        shown.degrees(fit.as_fitted.loft),
         shown.length(fit.as_fitted.distance),
-        degrees(fit.ordinary.loft),
+        shown.degrees(fit.ordinary.loft),
         shown.length(fit.ordinary.distance),
-        degrees(found.slipped.loft),
+        shown.degrees(found.slipped.loft),
         shown.length(found.slipped.carry),
     ));
-}
-
-/// An angle in degrees, with four decimals as in the report.
-pub(super) fn degrees(radians: f64) -> String {
-    format!("{}°", fixed(radians.to_degrees(), 4))
 }

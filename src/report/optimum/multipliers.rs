@@ -7,16 +7,6 @@ use crate::parameters::Vary;
 use crate::study::Optimum;
 use crate::units::{System, signed};
 
-fn objective(optimum: &Optimum) -> Objective {
-    let goal = &optimum.search.of;
-    Objective {
-        of: goal.into(),
-        value: optimum.value().unwrap_or_default(),
-        sense: optimum.search.sense,
-        is_converged: optimum.solution.status == Status::Converged,
-    }
-}
-
 /// The state of a constraint in words, such as "active: +0.52 yd for each degree that the limit is
 /// relaxed".
 pub(in crate::report) fn constraint_in_words(
@@ -30,7 +20,13 @@ pub(in crate::report) fn constraint_in_words(
     };
     let slopes = optimum.solution.jacobian.get(j);
     let slopes = slopes.map_or(&[][..], Vec::as_slice);
-    objective(optimum).limit(constraint, at, slopes, gain(constraint, at), system)
+    let objective = Objective {
+        of: (&optimum.search.of).into(),
+        value: optimum.value().unwrap_or_default(),
+        sense: optimum.search.sense,
+        is_converged: optimum.solution.status == Status::Converged,
+    };
+    objective.limit(constraint, at, slopes, gain(constraint, at), system)
 }
 
 /// The state of a bound in words, such as "at its upper bound: +2.11 yd for each degree that it is

@@ -1,6 +1,6 @@
 //! An optimum, or the optima of several starts, for readers.
 
-use super::super::document::{Detail, Document, Line, Table};
+use super::super::document::{Detail, Document, DocumentTable, Line};
 use super::super::limits::ended_at;
 use super::super::shown;
 use super::super::swings::{OverSwings, goals, nominal, notes};
@@ -92,7 +92,11 @@ pub(in crate::report) fn add_place(
 }
 
 /// The varied parameters as a table. For swings, a column has the best design for the mean swing.
-pub(in crate::report) fn place(optimum: &Optimum, over: &OverSwings, system: System) -> Table {
+pub(in crate::report) fn place(
+    optimum: &Optimum,
+    over: &OverSwings,
+    system: System,
+) -> DocumentTable {
     let (search, solution) = (&optimum.search, &optimum.solution);
     let is_one_drive = search.scenarios.is_one_drive();
     let nominal = nominal(over.price.as_ref());
@@ -121,11 +125,11 @@ pub(in crate::report) fn place(optimum: &Optimum, over: &OverSwings, system: Sys
     });
     if is_one_drive {
         let found = ended_at(solution.status, "optimum");
-        Table::new(["vary", "as set up", found, "range", ""], rows).right([1, 2])
+        DocumentTable::new(["vary", "as set up", found, "range", ""], rows).right([1, 2])
     } else {
         let found = ended_at(solution.status, "best");
         let head = ["vary", found, "for the mean swing", "range", ""];
-        Table::new(head, rows).right([1, 2])
+        DocumentTable::new(head, rows).right([1, 2])
     }
 }
 
@@ -151,8 +155,8 @@ fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
         return;
     }
     document.add(match is_one_drive {
-        true => Table::new(["subject to", "value", ""], rows).right([1]),
-        false => Table::new(["subject to", ""], rows).right([]),
+        true => DocumentTable::new(["subject to", "value", ""], rows).right([1]),
+        false => DocumentTable::new(["subject to", ""], rows).right([]),
     });
 }
 
@@ -258,7 +262,7 @@ pub fn optima_document(optima: &Optima, system: System) -> Document {
     let right: Vec<usize> = (0..head.len() - 1).collect();
     let mut document = Document::default();
     if !rows.is_empty() {
-        document.add(Table::new(head, rows).right(right));
+        document.add(DocumentTable::new(head, rows).right(right));
     }
     if optima.stopped() > 0 {
         let stopped = counted_of(optima.stopped() as u64, all as u64, ["search", "searches"]);

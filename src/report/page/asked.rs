@@ -5,7 +5,7 @@ use super::numbers::from_to;
 use crate::error::Result;
 use crate::parameters::{Parameter, Vary};
 use crate::report::frame::{both, chosen};
-use crate::report::presets::{Change, changes};
+use crate::report::presets::{ChangedSetting, changes};
 use crate::report::shown;
 use crate::study::Search;
 use crate::units::{System, counted};
@@ -70,9 +70,9 @@ pub(super) fn subtitle(findings: &Findings) -> Result<String> {
 
 /// The differences from the preset, without the launch, which has its own line, and without the
 /// club if no impact is computed.
-fn changed(findings: &Findings, system: System) -> Result<Vec<Change>> {
+fn changed(findings: &Findings, system: System) -> Result<Vec<ChangedSetting>> {
     let is_launched = findings.stated.launch.is_given();
-    let is_told = |change: &Change| {
+    let is_told = |change: &ChangedSetting| {
         let is_of_club = |parameter: &Parameter| is_launched && parameter.is_of_strike();
         !change
             .parameter
@@ -99,9 +99,10 @@ pub(super) fn asked(findings: &Findings) -> Result<Markup> {
     let launch = launch(findings);
     let [metric, us] = System::ALL.map(|system| changed(findings, system));
     let (metric, us) = (metric?, us?);
-    let text = |changes: &[Change]| {
-        let one =
-            |change: &Change| format!("{} {}", change.name, from_to(&change.from, &change.to));
+    let text = |changes: &[ChangedSetting]| {
+        let one = |change: &ChangedSetting| {
+            format!("{} {}", change.name, from_to(&change.from, &change.to))
+        };
         changes.iter().map(one).collect::<Vec<_>>().join("; ")
     };
     let of_preset = chosen(&text(&metric), &text(&us));
@@ -136,8 +137,8 @@ pub(super) fn asked(findings: &Findings) -> Result<Markup> {
 fn wanted(search: &Search) -> Markup {
     let varied = |system: System| {
         let range = |vary: &Vary| {
-            let [low, high] =
-                [vary.low, vary.high].map(|value| shown::told(vary.parameter, value, system));
+            let [low, high] = [vary.low, vary.high]
+                .map(|value| shown::given(vary.parameter, value, system, shown::IN_SUMMARY));
             let name = shown::words(vary.parameter.name);
             format!("{name} {}", from_to(&low, &high).replace(" → ", " to "))
         };
@@ -166,7 +167,7 @@ fn stated(findings: &Findings, names: &[&str], system: System) -> String {
         Some(format!(
             "{} {}",
             shown::words(row.name),
-            shown::told(row, findings.stated.value(row)?, system)
+            shown::given(row, findings.stated.value(row)?, system, shown::IN_SUMMARY)
         ))
     };
     names.iter().filter_map(one).collect::<Vec<_>>().join(", ")

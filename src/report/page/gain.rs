@@ -12,7 +12,7 @@ use crate::study::Optimum;
 use maud::{Markup, html};
 
 /// A column of the table: a drive with its setup.
-struct Column<'a> {
+struct DriveColumn<'a> {
     name: &'static str,
     setup: &'a Setup<f64>,
     drive: Option<&'a Drive<f64>>,
@@ -61,18 +61,18 @@ fn outcomes(of: Outcome) -> Vec<Outcome> {
     }
 }
 
-fn columns<'a>(findings: &'a Findings, best: &'a Optimum) -> Vec<Column<'a>> {
-    let yours = Column {
+fn columns<'a>(findings: &'a Findings, best: &'a Optimum) -> Vec<DriveColumn<'a>> {
+    let yours = DriveColumn {
         name: "yours",
         setup: &findings.setup,
         drive: findings.flown.first().map(|flown| &flown.drive),
     };
-    let club = findings.club_alone.as_ref().map(|club| Column {
+    let club = findings.club_alone.as_ref().map(|club| DriveColumn {
         name: "best club alone",
         setup: &club.optimum.setup,
         drive: club.optimum.drive.as_ref(),
     });
-    let best = Column {
+    let best = DriveColumn {
         name: if club.is_some() {
             "best club and swing"
         } else {

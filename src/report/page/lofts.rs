@@ -1,6 +1,5 @@
 //! The table of carry and total by loft and attack angle.
 
-use crate::drive::Outcome;
 use crate::report::frame::{both, scrolled};
 use crate::report::shown;
 use crate::study::{LOFT_OUTCOMES, Plane};
@@ -11,6 +10,10 @@ use maud::{Markup, html};
 /// it.
 pub(super) fn lofts(plane: &Plane) -> Markup {
     let rows: Vec<usize> = (0..plane.rows).map(|row| row * plane.columns).collect();
+    let unit = |system: System| match system {
+        System::Metric => "metres".into(),
+        System::Us => "yards".into(),
+    };
     let first_row = 0..plane.columns;
     let longest: Vec<Option<usize>> = first_row
         .clone()
@@ -77,12 +80,5 @@ fn cell(plane: &Plane, node: usize, is_longest: bool) -> Markup {
             br;
             span.faint { (number(1)) }
         }
-    }
-}
-
-fn unit(system: System) -> String {
-    match system.unit(Outcome::Carry.unit()) {
-        "yd" => "yards".into(),
-        _ => "metres".into(),
     }
 }

@@ -12,8 +12,8 @@ mod sections;
 pub use findings::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE};
 
 use super::figures::{
-    At, Causes, OnMap, View, capital, chart_figures, face_figure, fairway_figure, launches_figure,
-    map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    Causes, OnMap, ShownDrive, View, capital, chart_figures, face_figure, fairway_figure,
+    launches_figure, map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use super::frame::{self, Pair, TextFile, both, chosen, picture_files, pictures};
 use super::optimum::optimum_toml;
@@ -136,7 +136,8 @@ fn mapped(findings: &Findings, map: &Map, system: System) -> Figure {
 
 /// The effects of some causes for the drive as set up, if there are any.
 fn tornados(effects: &Effects, causes: Causes) -> Option<Pair> {
-    let [metric, us] = System::ALL.map(|system| tornado_figure(effects, causes, At::SetUp, system));
+    let [metric, us] =
+        System::ALL.map(|system| tornado_figure(effects, causes, ShownDrive::SetUp, system));
     Some([metric?, us?])
 }
 

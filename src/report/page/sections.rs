@@ -42,7 +42,7 @@ pub(super) fn panel(findings: &Findings) -> Markup {
         dl.panel {
             @for row in inputs {
                 @if let Some(value) = findings.setup.value(row) {
-                    div { dt { (tile_name(row.name)) } dd { (both(|system| shown::told(row, value, system))) } }
+                    div { dt { (tile_name(row.name)) } dd { (both(|system| shown::given(row, value, system, shown::IN_SUMMARY))) } }
                 }
             }
             @for of in SHOWN {

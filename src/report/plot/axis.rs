@@ -5,7 +5,7 @@ use crate::units::{Quantity, System, TableUnits, printed};
 
 /// A quantity along an axis, or of a colour scale.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Measure {
+pub struct NamedQuantity {
     /// The name: "carry".
     pub label: String,
     /// The physical quantity; values are in SI.
@@ -14,7 +14,7 @@ pub struct Measure {
     pub unit: &'static str,
 }
 
-impl Measure {
+impl NamedQuantity {
     /// A measure of this name.
     pub fn new(label: impl Into<String>, quantity: Quantity, unit: &'static str) -> Self {
         Self {
@@ -50,12 +50,6 @@ impl Measure {
         self.quantity.read_off(value, system.unit(self.unit))
     }
 
-    /// A difference or an uncertainty, which has one decimal more: "4.12 yd".
-    pub fn show_difference(&self, value: f64, system: System) -> String {
-        self.quantity
-            .read_off_difference(value, system.unit(self.unit))
-    }
-
     /// The name with the unit of a system: `carry [yd]`, `club loft [°]`.
     pub fn titled(&self, system: System) -> String {
         match printed(system.unit(self.unit)).as_str() {
@@ -81,7 +75,7 @@ impl Measure {
 
 /// The scale of an axis.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Scale {
+pub enum AxisScale {
     /// Linear.
     Linear,
     /// Linear: distances to the right (+) and left (−) of a line, seen from above along the
@@ -98,35 +92,35 @@ pub enum Scale {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     /// The quantity.
-    pub measure: Measure,
+    pub measure: NamedQuantity,
     /// The scale.
-    pub scale: Scale,
+    pub scale: AxisScale,
     /// The range, SI; data outside are not drawn. `None` for the range of the data.
     pub reach: Option<[f64; 2]>,
 }
 
 impl Axis {
     /// A linear axis with the range of the data.
-    pub fn linear(measure: Measure) -> Self {
+    pub fn linear(measure: NamedQuantity) -> Self {
         Self {
             measure,
-            scale: Scale::Linear,
+            scale: AxisScale::Linear,
             reach: None,
         }
     }
 
     /// A logarithmic axis with the range of the data.
-    pub fn log(measure: Measure) -> Self {
+    pub fn log(measure: NamedQuantity) -> Self {
         Self {
-            scale: Scale::Log,
+            scale: AxisScale::Log,
             ..Self::linear(measure)
         }
     }
 
     /// Distances to the right of a line, with right at the bottom, and with the range of the data.
-    pub fn left_right(measure: Measure) -> Self {
+    pub fn left_right(measure: NamedQuantity) -> Self {
         Self {
-            scale: Scale::LeftRight,
+            scale: AxisScale::LeftRight,
             ..Self::linear(measure)
         }
     }
@@ -134,8 +128,8 @@ impl Axis {
     /// Names, one below the other.
     pub fn names(names: impl IntoIterator<Item = String>) -> Self {
         Self {
-            scale: Scale::Names(names.into_iter().collect()),
-            ..Self::linear(Measure::plain(""))
+            scale: AxisScale::Names(names.into_iter().collect()),
+            ..Self::linear(NamedQuantity::plain(""))
         }
     }
 

@@ -1,12 +1,12 @@
 //! Bars on an axis that shows names instead of numbers. Each row has the same height, with its name
 //! on the left, or above in a narrow picture, and with the values at the ends of the bars.
 
-use super::axis::{Axis, Scale};
+use super::axis::{Axis, AxisScale};
 use super::canvas::{Anchor, Canvas, Font, Stroke, TEXT};
-use super::figure::{Bar, Figure, Layer};
-use super::layers::Plane;
+use super::figure::{Figure, HorizontalBar, Layer};
+use super::layers::PlotArea;
 use super::text_width::{text_width, wrapped};
-use crate::units::{System, leading_number, signed, typeset};
+use crate::units::{System, is_zero, leading_number, signed, typeset};
 
 /// Text size of names, pixels.
 const NAME: f64 = TEXT - 0.5;
@@ -33,17 +33,18 @@ const APART: f64 = 7.5;
 const GAP: f64 = 4.0;
 
 /// The rows of an axis that shows names, and the position of the names.
-pub(super) struct Rows {
+pub(super) struct BarRows {
     names: Vec<Vec<String>>,
-    is_above: bool,
+    /// Height of the names above the bars, pixels; 0 if the names are on the left.
+    over: f64,
     /// Width of the names on the left, pixels.
     pub left: f64,
 }
 
-impl Rows {
+impl BarRows {
     /// The rows of a figure whose vertical axis shows names; `None` for other axes.
     pub fn of(figure: &Figure, width: f64) -> Option<Self> {
-        let Scale::Names(names) = &figure.y.scale else {
+        let AxisScale::Names(names) = &figure.y.scale else {
             return None;
         };
         let lines = |room: f64| -> Vec<Vec<String>> {
@@ -61,30 +62,22 @@ impl Rows {
         if beside.iter().all(|lines| lines.len() <= MOST_LINES) {
             return Some(Self {
                 names: beside,
-                is_above: false,
+                over: 0.0,
                 left: widest + 14.0,
             });
         }
+        let names = lines(width - 24.0);
+        let most = names.iter().map(Vec::len).max().unwrap_or(0);
         Some(Self {
-            names: lines(width - 24.0),
-            is_above: true,
+            names,
+            over: NAME_LINE * most as f64,
             left: 12.0,
         })
     }
 
     /// The height of each row.
     fn height(&self) -> f64 {
-        ROW + self.over()
-    }
-
-    /// The height of the names above the bars; 0 if the names are on the left.
-    fn over(&self) -> f64 {
-        let most = self.names.iter().map(Vec::len).max().unwrap_or(0);
-        if self.is_above {
-            NAME_LINE * most as f64
-        } else {
-            0.0
-        }
+        ROW + self.over
     }
 
     /// The height of all rows.
@@ -94,21 +87,21 @@ impl Rows {
 
     /// The middle of the bars of a row, pixels from the top of the frame.
     fn middle(&self, place: usize) -> f64 {
-        place as f64 * self.height() + self.over() + 0.5 * ROW
+        place as f64 * self.height() + self.over + 0.5 * ROW
     }
 
     /// Draws the line at 0 and the names.
-    pub fn draw(&self, canvas: &mut Canvas, plane: &Plane) {
+    pub fn draw(&self, canvas: &mut Canvas, area: &PlotArea) {
         let palette = canvas.palette;
-        let [left, top, _, bottom] = plane.frame;
-        if let Some(x) = plane.pixel_across(0.0) {
+        let [left, top, _, bottom] = area.frame;
+        if let Some([x, _]) = area.pixel([0.0, 0.0]) {
             canvas.line(&[[x, top], [x, bottom]], Stroke::new(palette.faint, 1.0));
         }
         let font = Font::new(NAME, palette.ink);
         for (place, lines) in self.names.iter().enumerate() {
             let middle = top + self.middle(place);
             for (i, line) in lines.iter().enumerate() {
-                if !self.is_above {
+                if self.over == 0.0 {
                     let below = NAME_LINE * (i as f64 - 0.5 * (lines.len() - 1) as f64);
                     canvas.text(line, [left - 8.0, middle + below], Anchor::Right, font);
                     continue;
@@ -121,7 +114,7 @@ impl Rows {
                     [left + 2.0, y - 0.5 * NAME_LINE],
                     [right, y + 0.5 * NAME_LINE],
                 ];
-                canvas.rectangle(low, high, palette.ground, 1.0);
+                canvas.rectangle(low, high, palette.background, 1.0);
                 canvas.text(line, [left + 4.0, y], Anchor::Left, font);
             }
         }
@@ -131,7 +124,7 @@ impl Rows {
     pub fn bars(
         &self,
         canvas: &mut Canvas,
-        plane: &Plane,
+        area: &PlotArea,
         system: System,
         figure: &Figure,
         layer: usize,
@@ -141,12 +134,13 @@ impl Rows {
         };
         let font = Font::new(VALUE, canvas.palette.ink);
         for bar in bars {
-            let [Some(from), Some(to)] = [0.0, bar.to].map(|x| plane.pixel_across(x)) else {
+            let ends = [0.0, bar.to].map(|x| area.pixel([x, bar.place as f64]));
+            let [Some([from, _]), Some([to, _])] = ends else {
                 continue;
             };
             let (lane, lanes) = lane(figure, layer, bar);
             let half = HALF[lanes - 1];
-            let middle = plane.frame[1]
+            let middle = area.frame[1]
                 + self.middle(bar.place)
                 + if lanes == 1 {
                     0.0
@@ -187,7 +181,7 @@ fn in_lines(name: &str, room: f64) -> Vec<String> {
 }
 
 /// The bars of other layers in a row, each with the index of its layer.
-fn others(figure: &Figure, layer: usize, place: usize) -> Vec<(usize, Bar)> {
+fn others(figure: &Figure, layer: usize, place: usize) -> Vec<(usize, HorizontalBar)> {
     let mut others = vec![];
     for (i, other) in figure
         .layers
@@ -208,10 +202,10 @@ fn others(figure: &Figure, layer: usize, place: usize) -> Vec<(usize, Bar)> {
 
 /// The horizontal strip of a bar within its row, from 0, and the number of strips: two if bars
 /// would overlap, otherwise one.
-fn lane(figure: &Figure, layer: usize, bar: &Bar) -> (usize, usize) {
-    let ends = |bar: &Bar| [bar.to.min(0.0), bar.to.max(0.0)];
+fn lane(figure: &Figure, layer: usize, bar: &HorizontalBar) -> (usize, usize) {
+    let ends = |bar: &HorizontalBar| [bar.to.min(0.0), bar.to.max(0.0)];
     let [low, high] = ends(bar);
-    let covers = |other: &Bar| {
+    let covers = |other: &HorizontalBar| {
         let [from, to] = ends(other);
         from < high && low < to
     };
@@ -226,23 +220,21 @@ fn lane(figure: &Figure, layer: usize, bar: &Bar) -> (usize, usize) {
 
 /// True if the value is to the left of its bar: the bar points left, or the bar has no length and
 /// the other bar of the row points right.
-fn is_left(figure: &Figure, layer: usize, bar: &Bar) -> bool {
+fn is_left(figure: &Figure, layer: usize, bar: &HorizontalBar) -> bool {
     let mut others = others(figure, layer, bar.place).into_iter();
     bar.to < 0.0 || (bar.to <= 0.0 && others.any(|(_, other)| other.to > 0.0))
 }
 
 /// The value at the end of a bar, in the unit of the axis: "+3.9". It has more digits if all values
 /// of the row would be displayed as 0.
-fn value(figure: &Figure, layer: usize, bar: &Bar, system: System) -> String {
+fn value(figure: &Figure, layer: usize, bar: &HorizontalBar, system: System) -> String {
     let measure = &figure.x.measure;
     let unit = system.unit(measure.unit);
     let amount = bar.to;
     let text = measure.quantity.read_off(amount, unit);
-    let is_lost = |bar: &Bar| {
+    let is_lost = |bar: &HorizontalBar| {
         let text = measure.quantity.read_off(bar.to.abs(), unit);
-        leading_number(&text)
-            .bytes()
-            .all(|digit| b"0.".contains(&digit))
+        is_zero(leading_number(&text))
     };
     let is_row_lost = is_lost(bar)
         && others(figure, layer, bar.place)

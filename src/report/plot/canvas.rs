@@ -182,8 +182,9 @@ impl Labels<'_> {
     /// Writes a text centred on a point.
     pub fn write(&mut self, text: &str, middle: [f64; 2], color: Color, is_bold: bool) {
         let extent = Self::extent(text, middle);
-        let ground = self.canvas.palette.ground;
-        self.canvas.rectangle(extent[0], extent[1], ground, 0.72);
+        let background = self.canvas.palette.background;
+        self.canvas
+            .rectangle(extent[0], extent[1], background, 0.72);
         self.taken.push(extent);
         let font = Font {
             size: TEXT - 0.5,

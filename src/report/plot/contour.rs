@@ -8,7 +8,7 @@ use crate::units::System;
 use contour::ContourBuilder;
 
 /// The region at and above a level.
-pub(super) struct Ground {
+pub(super) struct ContourRegion {
     /// The level, in the displayed unit.
     pub level: f64,
     /// The position among the levels, 0 to 1.
@@ -23,8 +23,8 @@ pub(super) struct Ground {
 impl Field {
     /// The contour line of a value, SI. NaN points separate its pieces.
     pub fn line_at(&self, level: f64) -> Vec<[f64; 2]> {
-        let ground = Refined::new(self).and_then(|fine| outlined(self, &fine, &[level]).pop());
-        let pieces = ground.map(|ground| ground.lines).unwrap_or_default();
+        let region = Refined::new(self).and_then(|fine| outlined(self, &fine, &[level]).pop());
+        let pieces = region.map(|region| region.lines).unwrap_or_default();
         pieces.join(&[f64::NAN; 2])
     }
 
@@ -42,13 +42,13 @@ impl Field {
     fn beyond(&self, level: f64, sign: f64) -> Vec<Vec<[f64; 2]>> {
         Refined::new(self)
             .and_then(|fine| outlined(self, &fine.over(sign), &[level]).pop())
-            .map(|ground| ground.outlines)
+            .map(|region| region.outlines)
             .unwrap_or_default()
     }
 }
 
 /// The regions of a field, the lowest level first. Each region contains the next region.
-pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
+pub(super) fn contour_regions(field: &Field, system: System) -> Vec<ContourRegion> {
     let unit = field.measure.unit_size(system);
     let (columns, rows) = (field.columns, field.rows());
     let Some(refined) = Refined::new(field).map(|fine| fine.over(unit)) else {
@@ -67,7 +67,7 @@ pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
     // the lowest region is the whole map
     let all = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
         .map(|[x, y]: [f64; 2]| field.place(x * (columns - 1) as f64, y * (rows - 1) as f64));
-    let base = Ground {
+    let base = ContourRegion {
         level: low,
         part: 0.0,
         outlines: vec![all.to_vec()],
@@ -79,7 +79,7 @@ pub(super) fn grounds(field: &Field, system: System) -> Vec<Ground> {
 }
 
 /// The region at and above each level. `refined` has the values of the field on a finer grid.
-fn outlined(field: &Field, refined: &Refined, levels: &[f64]) -> Vec<Ground> {
+fn outlined(field: &Field, refined: &Refined, levels: &[f64]) -> Vec<ContourRegion> {
     let (columns, rows) = (refined.columns, refined.rows);
     let builder = ContourBuilder::new(columns, rows, true);
     let found = builder
@@ -95,7 +95,7 @@ fn outlined(field: &Field, refined: &Refined, levels: &[f64]) -> Vec<Ground> {
             let node = |at: f64, count: usize| (at - 0.5).clamp(0.0, (count - 1) as f64);
             let node = |x: f64, y: f64| [node(x, columns), node(y, rows)];
             let part = (i + 1) as f64 / levels.len() as f64;
-            let mut ground = Ground {
+            let mut region = ContourRegion {
                 level: *level,
                 part,
                 outlines: vec![],
@@ -114,7 +114,7 @@ fn outlined(field: &Field, refined: &Refined, levels: &[f64]) -> Vec<Ground> {
                     .map(|hole| hole.0.iter().map(|at| node(at.x, at.y)).collect());
                 let holes: Vec<Vec<[f64; 2]>> = holes.collect();
                 for one in holes.iter().chain([&outer]) {
-                    ground.lines.extend(inner(one, columns, rows));
+                    region.lines.extend(inner(one, columns, rows));
                 }
                 let start = outer.first().copied();
                 let joined = outer.into_iter().chain(
@@ -122,19 +122,19 @@ fn outlined(field: &Field, refined: &Refined, levels: &[f64]) -> Vec<Ground> {
                         .into_iter()
                         .flat_map(|hole| hole.into_iter().chain(start)),
                 );
-                ground.outlines.push(joined.collect());
+                region.outlines.push(joined.collect());
             }
             let place = |at: &mut [f64; 2]| {
                 let [column, row] = at.map(|node| node / refined.times as f64);
                 *at = field.place(column, row);
             };
-            ground
+            region
                 .outlines
                 .iter_mut()
-                .chain(&mut ground.lines)
+                .chain(&mut region.lines)
                 .flatten()
                 .for_each(place);
-            ground
+            region
         });
     above.collect()
 }
@@ -161,9 +161,9 @@ fn levels(sorted: &[f64]) -> Vec<f64> {
             .chain(within)
             .chain([stretch[1]])
             .collect();
-        let intervals: Vec<Interval> = ends
+        let intervals: Vec<LevelInterval> = ends
             .windows(2)
-            .map(|ends| Interval {
+            .map(|ends| LevelInterval {
                 ends: [ends[0], ends[1]],
                 share: (below(ends[1]) - below(ends[0])) as f64 / sorted.len() as f64,
                 is_outermost: ends[0] == low || ends[1] == high,
@@ -192,7 +192,7 @@ fn levels(sorted: &[f64]) -> Vec<f64> {
 }
 
 /// The range between two adjacent levels.
-struct Interval {
+struct LevelInterval {
     ends: [f64; 2],
     /// The fraction of the map whose values are between the two levels.
     share: f64,
@@ -208,7 +208,7 @@ struct Interval {
 /// `None` in three cases: the largest share is below `dense`; `fits` rejects the first interval; or
 /// the first interval cannot grow and is not outermost.
 fn dense_stretch(
-    intervals: &[Interval],
+    intervals: &[LevelInterval],
     dense: f64,
     fits: impl Fn([f64; 2]) -> bool,
 ) -> Option<[f64; 2]> {
@@ -315,13 +315,13 @@ fn inner(ring: &[[f64; 2]], columns: usize, rows: usize) -> Vec<Vec<[f64; 2]>> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::axis::Measure;
-    use super::{Field, grounds, levels};
+    use super::super::axis::NamedQuantity;
+    use super::{Field, contour_regions, levels};
     use crate::units::System;
 
     fn field(f: impl Fn(f64, f64) -> Option<f64>) -> Field {
         let mut field = Field {
-            measure: Measure::plain("f"),
+            measure: NamedQuantity::plain("f"),
             x: [0.0, 3.0],
             y: [1.0, 2.0],
             columns: 13,
@@ -347,22 +347,22 @@ mod tests {
 
     #[test]
     fn exact_contour_lines_of_a_plane() {
-        let grounds = grounds(&field(|x, y| Some(2.0 * x - y)), System::Us);
-        assert!(grounds.len() > 5, "{}", grounds.len());
-        for ground in &grounds[1..] {
-            assert!(!ground.lines.is_empty());
-            for [x, y] in ground.lines.iter().flatten() {
+        let regions = contour_regions(&field(|x, y| Some(2.0 * x - y)), System::Us);
+        assert!(regions.len() > 5, "{}", regions.len());
+        for region in &regions[1..] {
+            assert!(!region.lines.is_empty());
+            for [x, y] in region.lines.iter().flatten() {
                 assert!(
-                    (2.0 * x - y - ground.level).abs() < 1e-12,
+                    (2.0 * x - y - region.level).abs() < 1e-12,
                     "({x}, {y}) is not on {}",
-                    ground.level
+                    region.level
                 );
             }
         }
         // each region contains the next one, and the lowest is the whole map
-        let areas: Vec<f64> = grounds
+        let areas: Vec<f64> = regions
             .iter()
-            .map(|ground| ground.outlines.iter().map(|o| area(o)).sum())
+            .map(|region| region.outlines.iter().map(|o| area(o)).sum())
             .collect();
         assert!(
             (areas[0] - 3.0).abs() < 1e-12 && areas.windows(2).all(|pair| pair[1] < pair[0]),
@@ -421,7 +421,7 @@ mod tests {
     #[test]
     fn contours_of_a_basin_have_a_hole_and_missing_nodes_bend_no_line() {
         let bowl = |x: f64, y: f64| (x - 1.5).powi(2) + 4.0 * (y - 1.5).powi(2);
-        let rim = grounds(&field(|x, y| Some(bowl(x, y))), System::Us);
+        let rim = contour_regions(&field(|x, y| Some(bowl(x, y))), System::Us);
         // the hole reduces the area of the region around it
         let lowest = &rim[1];
         assert!(
@@ -430,12 +430,15 @@ mod tests {
             area(&lowest.outlines[0])
         );
         let plane = |x: f64, y: f64| (x < 2.0 || y < 1.5).then_some(x);
-        for ground in &grounds(&field(plane), System::Us)[1..] {
-            for [x, _] in ground.lines.iter().flatten().filter(|[x, _]| *x < 1.9) {
-                assert!((x - ground.level).abs() < 1e-12);
+        for region in &contour_regions(&field(plane), System::Us)[1..] {
+            for [x, _] in region.lines.iter().flatten().filter(|[x, _]| *x < 1.9) {
+                assert!((x - region.level).abs() < 1e-12);
             }
         }
-        assert!(grounds(&field(|_, _| None), System::Us).is_empty());
-        assert_eq!(grounds(&field(|_, _| Some(1.0)), System::Us).len(), 1);
+        assert!(contour_regions(&field(|_, _| None), System::Us).is_empty());
+        assert_eq!(
+            contour_regions(&field(|_, _| Some(1.0)), System::Us).len(),
+            1
+        );
     }
 }

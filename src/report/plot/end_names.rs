@@ -2,7 +2,7 @@
 
 use super::canvas::{Anchor, Canvas, Font, LINE, Stroke, TEXT};
 use super::figure::{Figure, Hue, Layer, LineNames};
-use super::layers::Plane;
+use super::layers::PlotArea;
 use super::legend::whole_name;
 use super::text_width::{text_width, wrapped};
 use crate::units::typeset;
@@ -78,10 +78,10 @@ impl<'a> EndNames<'a> {
     }
 
     /// Writes each name beside the end of its line, as near as the other names allow.
-    pub fn draw(&self, canvas: &mut Canvas, plane: &Plane, figure: &Figure) {
-        let [_, top, right, bottom] = plane.frame;
+    pub fn draw(&self, canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
+        let [_, top, right, bottom] = area.frame;
         let placed = self.names.iter();
-        let placed = placed.filter_map(|name| Some((name, name.end(plane, figure)?)));
+        let placed = placed.filter_map(|name| Some((name, name.end(area, figure)?)));
         // a line that leaves the plot at the top ends before the right side
         let leaves = |at: [f64; 2]| at[1] < top + NEAR && at[0] < right - NEAR;
         let (mut leaving, mut placed): (Vec<_>, Vec<_>) = placed.partition(|(_, at)| leaves(*at));
@@ -136,10 +136,10 @@ impl Name<'_> {
     }
 
     /// The right end of the line inside the axes, pixels; `None` if no part of the line is there.
-    fn end(&self, plane: &Plane, figure: &Figure) -> Option<[f64; 2]> {
+    fn end(&self, area: &PlotArea, figure: &Figure) -> Option<[f64; 2]> {
         let points = figure.layers.iter().filter_map(|layer| match layer {
             Layer::Line { name, points, .. } if whole_name(figure, name) == self.whole => {
-                Some(plane.all(points))
+                Some(area.all(points))
             }
             _ => None,
         });

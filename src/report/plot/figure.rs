@@ -1,4 +1,4 @@
-use super::axis::{Axis, Measure};
+use super::axis::{Axis, NamedQuantity};
 
 /// A plot as data, in SI. Pictures and tables are made from it.
 #[derive(Clone, Debug, PartialEq)]
@@ -147,7 +147,7 @@ pub enum Layer {
         /// The colour.
         hue: Hue,
         /// The bars.
-        bars: Vec<Bar>,
+        bars: Vec<HorizontalBar>,
     },
     /// Contour lines with coloured regions between them.
     Contours(Field),
@@ -248,7 +248,7 @@ impl Layer {
 
 /// A horizontal bar that begins at 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bar {
+pub struct HorizontalBar {
     /// The index of the bar's name on the axis, from 0.
     pub place: usize,
     /// The value at which the bar ends, SI.
@@ -259,7 +259,7 @@ pub struct Bar {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
     /// The quantity.
-    pub measure: Measure,
+    pub measure: NamedQuantity,
     /// The coordinates of the first and last column.
     pub x: [f64; 2],
     /// The coordinates of the first and last row.

@@ -1,33 +1,33 @@
 //! Tooltips: SVG titles on invisible shapes.
 
-use super::axis::{Axis, Scale};
+use super::axis::{Axis, AxisScale};
 use super::canvas::Canvas;
-use super::contour::Ground;
+use super::contour::ContourRegion;
 use super::figure::{Figure, Layer};
-use super::layers::Plane;
+use super::layers::PlotArea;
 use super::simplify::simplified;
 use crate::units::{Quantity, System, significant, typed};
 
 /// Maximum number of points of a line with a tooltip at each point.
 const FEW: usize = 40;
 
-/// Writes the tooltips of all values; `grounds` are the contour regions of each layer.
+/// Writes the tooltips of all values; `regions` are the contour regions of each layer.
 pub(super) fn write_tooltips(
     canvas: &mut Canvas,
     figure: &Figure,
-    plane: &Plane,
+    area: &PlotArea,
     system: System,
-    grounds: &[Vec<Ground>],
+    regions: &[Vec<ContourRegion>],
 ) {
     for (name, place) in figure.layers.iter().flat_map(points) {
-        if let Some(at) = plane.pixel(place) {
+        if let Some(at) = area.pixel(place) {
             canvas.point_tooltip(&title(figure, name, place, system), at, 7.0);
         }
     }
-    let contours = figure.layers.iter().zip(grounds);
-    let contours = contours.flat_map(|(layer, grounds)| contours_of(layer, grounds, system));
+    let contours = figure.layers.iter().zip(regions);
+    let contours = contours.flat_map(|(layer, regions)| contours_of(layer, regions, system));
     for (title, points) in contours.chain(figure.layers.iter().flat_map(long_lines)) {
-        let places = simplified(&plane.all(points));
+        let places = simplified(&area.all(points));
         if !title.is_empty() && places.len() > 1 {
             canvas.line_tooltip(&title, &places, 8.0);
         }
@@ -76,26 +76,26 @@ fn long_lines(layer: &Layer) -> Vec<(String, &[[f64; 2]])> {
 /// The contour lines of a layer with their levels.
 fn contours_of<'a>(
     layer: &Layer,
-    grounds: &'a [Ground],
+    regions: &'a [ContourRegion],
     system: System,
 ) -> Vec<(String, &'a [[f64; 2]])> {
     let Layer::Contours(field) = layer else {
         return vec![];
     };
     let unit = system.unit(field.measure.unit);
-    let of = |ground: &'a Ground| {
-        let level = typed(&significant(ground.level, 6), unit);
+    let of = |region: &'a ContourRegion| {
+        let level = typed(&significant(region.level, 6), unit);
         let title = format!("{} {level}", field.measure.label);
-        let lines = ground.lines.iter();
+        let lines = region.lines.iter();
         lines.map(move |piece| (title.clone(), piece.as_slice()))
     };
-    grounds.iter().flat_map(of).collect()
+    regions.iter().flat_map(of).collect()
 }
 
 /// A value with the name of its axis: "carry 279.2 yd". On an axis that shows names: only the name.
 fn on_axis(axis: &Axis, value: f64, system: System) -> String {
     match &axis.scale {
-        Scale::Names(names) => names
+        AxisScale::Names(names) => names
             .get(value.round() as usize)
             .cloned()
             .unwrap_or_default(),

@@ -175,7 +175,7 @@ fn continued(field: &Field) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::axis::Measure;
+    use super::super::axis::NamedQuantity;
     use super::{Field, INTERVALS, Refined};
 
     /// A field over 0 to 1 in both directions, with the gradients of its function.
@@ -185,7 +185,7 @@ mod tests {
             .map(|i| f(part(i % nodes), part(i / nodes)))
             .collect();
         Field {
-            measure: Measure::plain("f"),
+            measure: NamedQuantity::plain("f"),
             x: [0.0, 1.0],
             y: [0.0, 1.0],
             columns: nodes,

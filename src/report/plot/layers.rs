@@ -1,7 +1,7 @@
 //! Draws each kind of layer, in pixels of the plot.
 
 use super::canvas::{Canvas, Labels, SIGN, Stroke};
-use super::contour::Ground;
+use super::contour::ContourRegion;
 use super::figure::{Field, Figure, Hue, Layer};
 use super::hatching::hatching;
 use super::palette::Color;
@@ -27,14 +27,14 @@ const DOT: f64 = 3.0;
 const HATCHES_APART: f64 = 11.0;
 
 /// The rectangle of the axes in the drawing area.
-pub(super) struct Plane {
+pub(super) struct PlotArea {
     pub x: Drawn,
     pub y: Drawn,
     /// Left, top, right and bottom, pixels.
     pub frame: [f64; 4],
 }
 
-impl Plane {
+impl PlotArea {
     /// The pixel of SI coordinates; `None` outside of the axes.
     pub fn pixel(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
         let [left, top, right, bottom] = self.frame;
@@ -50,15 +50,7 @@ impl Plane {
         ])
     }
 
-    /// The horizontal pixel of an SI value; `None` outside of the axis.
-    pub fn pixel_across(&self, x: f64) -> Option<f64> {
-        let [left, _, right, _] = self.frame;
-        let part = (self.x.place(x)? - self.x.low) / (self.x.high - self.x.low);
-        (-1e-6..=1.0 + 1e-6)
-            .contains(&part)
-            .then_some(left + part * (right - left))
-    }
-
+    /// The pixels of the points inside the axes.
     pub fn all(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
         points
             .iter()
@@ -84,51 +76,51 @@ pub(super) fn is_area(layer: &Layer) -> bool {
     )
 }
 
-/// Draws one layer. `grounds` are its contour regions. Contour lines and labels are drawn later.
-pub(super) fn draw(canvas: &mut Canvas, plane: &Plane, layer: &Layer, grounds: &[Ground]) {
+/// Draws one layer. `regions` are its contour regions. Contour lines and labels are drawn later.
+pub(super) fn draw(canvas: &mut Canvas, area: &PlotArea, layer: &Layer, regions: &[ContourRegion]) {
     let hue = layer.named().1.unwrap_or(Hue::Ink);
     let color = canvas.palette.of(hue);
     match layer {
         Layer::Line {
             is_dashed, points, ..
         } => {
-            for piece in plane.pieces(points) {
+            for piece in area.pieces(points) {
                 series(canvas, &piece, hue, *is_dashed);
             }
         }
         Layer::Dots { points, .. } => {
-            for at in plane.all(points) {
+            for at in area.all(points) {
                 point(canvas, at, hue);
             }
         }
         Layer::Band { points, .. } => {
             let low = points.iter().map(|[x, low, _]| [*x, *low]);
             let high = points.iter().rev().map(|[x, _, high]| [*x, *high]);
-            let outline = plane.all(&low.chain(high).collect::<Vec<_>>());
+            let outline = area.all(&low.chain(high).collect::<Vec<_>>());
             canvas.polygon(&outline, color, 0.22);
         }
-        Layer::Contours(field) => ground(canvas, plane, field, grounds),
+        Layer::Contours(field) => fill_contours(canvas, area, field, regions),
         // other functions draw bars with the names of their rows, marks with their labels, and
         // texts
         Layer::Bars { .. } | Layer::Mark { .. } | Layer::Text { .. } => {}
         // arrows are drawn after the labels, which have precedence
         Layer::Arrows { name, .. } if !name.is_empty() => {}
         Layer::Arrows { arrows, .. } => {
-            for [from, to] in pixels(plane, arrows) {
+            for [from, to] in pixels(area, arrows) {
                 arrow(canvas, from, to, color);
             }
         }
         Layer::Region {
             is_hatched, rings, ..
         } => {
-            let rings: Vec<_> = rings.iter().map(|ring| plane.all(ring)).collect();
+            let rings: Vec<_> = rings.iter().map(|ring| area.all(ring)).collect();
             region(canvas, &rings, hue, *is_hatched);
         }
     }
 }
 
 /// The arrows of a field, except those that a label or mark would partly cover.
-pub(super) fn field_arrows(labels: &mut Labels<'_>, plane: &Plane, figure: &Figure) {
+pub(super) fn field_arrows(labels: &mut Labels<'_>, area: &PlotArea, figure: &Figure) {
     for layer in &figure.layers {
         let Layer::Arrows { name, hue, arrows } = layer else {
             continue;
@@ -137,7 +129,7 @@ pub(super) fn field_arrows(labels: &mut Labels<'_>, plane: &Plane, figure: &Figu
             continue;
         }
         let color = labels.canvas.palette.of(*hue);
-        for [from, to] in pixels(plane, arrows) {
+        for [from, to] in pixels(area, arrows) {
             let end = |pick: fn(f64, f64) -> f64| [pick(from[0], to[0]), pick(from[1], to[1])];
             if labels.is_free([end(f64::min), end(f64::max)]) {
                 arrow(labels.canvas, from, to, color);
@@ -147,33 +139,33 @@ pub(super) fn field_arrows(labels: &mut Labels<'_>, plane: &Plane, figure: &Figu
 }
 
 /// The arrows with both ends inside the axes, in pixels.
-fn pixels(plane: &Plane, arrows: &[[[f64; 2]; 2]]) -> impl Iterator<Item = [[f64; 2]; 2]> {
+fn pixels(area: &PlotArea, arrows: &[[[f64; 2]; 2]]) -> impl Iterator<Item = [[f64; 2]; 2]> {
     arrows
         .iter()
-        .filter_map(|[from, to]| Some([plane.pixel(*from)?, plane.pixel(*to)?]))
+        .filter_map(|[from, to]| Some([area.pixel(*from)?, area.pixel(*to)?]))
 }
 
 /// Writes the levels of contours where there is space.
 pub(super) fn label(
     labels: &mut Labels<'_>,
-    plane: &Plane,
+    area: &PlotArea,
     system: System,
     figure: &Figure,
-    grounds: &[Vec<Ground>],
+    regions: &[Vec<ContourRegion>],
 ) {
     let ink = labels.canvas.palette.ink;
-    for (layer, grounds) in figure.layers.iter().zip(grounds) {
+    for (layer, regions) in figure.layers.iter().zip(regions) {
         let Layer::Contours(field) = layer else {
             continue;
         };
         let unit = system.unit(field.measure.unit);
-        for ground in grounds {
-            let text = with_unit(&significant(ground.level, 6), unit);
-            let mut lines: Vec<_> = ground.lines.iter().map(|line| plane.all(line)).collect();
+        for region in regions {
+            let text = with_unit(&significant(region.level, 6), unit);
+            let mut lines: Vec<_> = region.lines.iter().map(|line| area.all(line)).collect();
             lines.sort_by_key(|line| std::cmp::Reverse(line.len()));
             let at = lines
                 .iter()
-                .find_map(|line| place_on(labels, plane, line, &text, 0.0));
+                .find_map(|line| place_on(labels, area, line, &text, 0.0));
             if let Some(at) = at {
                 labels.write(&text, at, ink, false);
             }
@@ -185,7 +177,7 @@ pub(super) fn label(
 /// possible to the middle of the line, because the ends of several lines are often close together.
 pub(super) fn place_on(
     labels: &Labels<'_>,
-    plane: &Plane,
+    area: &PlotArea,
     places: &[[f64; 2]],
     text: &str,
     apart: f64,
@@ -200,7 +192,7 @@ pub(super) fn place_on(
     });
     outward
         .filter_map(|i| places.get(i))
-        .find(|at| has_room(labels, plane, text, **at, apart))
+        .find(|at| has_room(labels, area, text, **at, apart))
         .copied()
 }
 
@@ -208,12 +200,12 @@ pub(super) fn place_on(
 /// `apart` pixels on its left and right.
 pub(super) fn has_room(
     labels: &Labels<'_>,
-    plane: &Plane,
+    area: &PlotArea,
     text: &str,
     middle: [f64; 2],
     apart: f64,
 ) -> bool {
-    let [left, top, right, bottom] = plane.frame;
+    let [left, top, right, bottom] = area.frame;
     let [low, high] = Labels::extent(text, middle);
     let is_inside = low[0] >= left && high[0] <= right && low[1] >= top && high[1] <= bottom;
     is_inside && labels.is_free([[low[0] - apart, low[1]], [high[0] + apart, high[1]]])
@@ -236,23 +228,23 @@ pub(super) fn region(canvas: &mut Canvas, rings: &[Vec<[f64; 2]>], hue: Hue, is_
 }
 
 /// Draws the contour lines.
-pub(super) fn contour_lines(canvas: &mut Canvas, plane: &Plane, grounds: &[Ground]) {
+pub(super) fn contour_lines(canvas: &mut Canvas, area: &PlotArea, regions: &[ContourRegion]) {
     let stroke = Stroke::new(canvas.palette.faint, 0.7);
-    for line in grounds.iter().flat_map(|ground| &ground.lines) {
-        canvas.line(&simplified(&plane.all(line)), stroke);
+    for line in regions.iter().flat_map(|region| &region.lines) {
+        canvas.line(&simplified(&area.all(line)), stroke);
     }
 }
 
-fn ground(canvas: &mut Canvas, plane: &Plane, field: &Field, grounds: &[Ground]) {
+fn fill_contours(canvas: &mut Canvas, area: &PlotArea, field: &Field, regions: &[ContourRegion]) {
     let palette = canvas.palette;
     let shade = |i: usize| {
         // the shade of the position midway between this level and the next
-        let next = grounds.get(i + 1).map_or(1.0, |next| next.part);
-        palette.height(0.5 * (grounds[i].part + next))
+        let next = regions.get(i + 1).map_or(1.0, |next| next.part);
+        palette.height(0.5 * (regions[i].part + next))
     };
-    for (i, ground) in grounds.iter().enumerate() {
-        for outline in &ground.outlines {
-            canvas.polygon(&simplified(&plane.all(outline)), shade(i), 1.0);
+    for (i, region) in regions.iter().enumerate() {
+        for outline in &region.outlines {
+            canvas.polygon(&simplified(&area.all(outline)), shade(i), 1.0);
         }
     }
     let (columns, rows) = (field.columns, field.rows());
@@ -260,7 +252,7 @@ fn ground(canvas: &mut Canvas, plane: &Plane, field: &Field, grounds: &[Ground])
     // so that no seams are visible
     let corner = |column: f64, row: f64| {
         let end = |at: f64, count: usize| at.clamp(0.0, (count - 1) as f64);
-        plane.pixel(field.place(end(column, columns), end(row, rows)))
+        area.pixel(field.place(end(column, columns), end(row, rows)))
     };
     for (row, values) in field.values.chunks(columns).enumerate() {
         let mut column = 0;
@@ -324,8 +316,8 @@ fn bars(canvas: &mut Canvas, [x, y]: [f64; 2], [dx, dy]: [f64; 2], color: Color,
 }
 
 pub(super) fn star(canvas: &mut Canvas, at: [f64; 2], color: Color) {
-    let ground = canvas.palette.ground;
-    for (radius, color) in [(6.5, ground), (5.0, color), (2.0, ground)] {
+    let background = canvas.palette.background;
+    for (radius, color) in [(6.5, background), (5.0, color), (2.0, background)] {
         canvas.disc(at, radius, color);
     }
 }

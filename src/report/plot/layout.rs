@@ -2,12 +2,12 @@
 //! wrapped or moved.
 
 use super::axis::Axis;
-use super::bars::{Rows, with_room};
+use super::bars::{BarRows, with_room};
 use super::canvas::{LINE, TEXT};
 use super::end_names::EndNames;
 use super::figure::{Figure, Layer};
-use super::layers::Plane;
-use super::legend::{Entry, laid_out};
+use super::layers::PlotArea;
+use super::legend::{LegendEntry, laid_out};
 use super::text_width::{text_width, wrapped};
 use super::ticks::Drawn;
 use crate::error::{Error, Result};
@@ -33,14 +33,14 @@ const APART: f64 = 60.0;
 pub(super) struct Layout<'a> {
     pub titles: Vec<String>,
     pub subtitles: Vec<String>,
-    pub legend: Vec<Entry<'a>>,
+    pub legend: Vec<LegendEntry<'a>>,
     /// The axes in their frame.
-    pub plane: Plane,
+    pub area: PlotArea,
     /// The titles of the axes, wrapped into lines.
     pub x_title: Vec<String>,
     pub y_title: Vec<String>,
     /// The rows of an axis that shows names.
-    pub rows: Option<Rows>,
+    pub rows: Option<BarRows>,
     /// The names at the ends of lines.
     pub end_names: Option<EndNames<'a>>,
     pub height: f64,
@@ -61,27 +61,27 @@ impl<'a> Layout<'a> {
         let subtitles = wrapped(&typeset(&figure.subtitle), room, TEXT, false);
         let (legend, legend_height) = laid_out(figure, room);
         let titled = |drawn: &Drawn| wrapped(&typeset(&drawn.title()), room, TEXT, false);
-        let rows = Rows::of(figure, width);
+        let rows = BarRows::of(figure, width);
         let end_names = EndNames::of(figure, width);
-        let mut plane = axes(figure, system, width, rows.as_ref(), end_names.as_ref())
+        let mut area = axes(figure, system, width, rows.as_ref(), end_names.as_ref())
             .map_err(|axis| failed(format!("it has no number that its {axis} axis can show")))?;
-        let [left, _, right, tall] = plane.frame;
+        let [left, _, right, tall] = area.frame;
         if right - left < LEAST {
             let least = (width + LEAST - (right - left)).ceil();
             return Err(failed(format!(
                 "a width of {width} pixels leaves no room for its axes; take {least} or more"
             )));
         }
-        let (x_title, y_title) = (titled(&plane.x), titled(&plane.y));
+        let (x_title, y_title) = (titled(&area.x), titled(&area.y));
         let top =
             (titles.len() + subtitles.len() + y_title.len()) as f64 * LINE + legend_height + 23.0;
-        plane.frame = [left, top, right, top + tall];
-        let height = (plane.frame[3] + (1.0 + x_title.len() as f64) * LINE + 10.0).ceil();
+        area.frame = [left, top, right, top + tall];
+        let height = (area.frame[3] + (1.0 + x_title.len() as f64) * LINE + 10.0).ceil();
         Ok(Self {
             titles,
             subtitles,
             legend,
-            plane,
+            area,
             x_title,
             y_title,
             rows,
@@ -97,9 +97,9 @@ fn axes(
     figure: &Figure,
     system: System,
     width: f64,
-    rows: Option<&Rows>,
+    rows: Option<&BarRows>,
     end_names: Option<&EndNames<'_>>,
-) -> std::result::Result<Plane, &'static str> {
+) -> std::result::Result<PlotArea, &'static str> {
     let ys = || coordinates(figure).map(|point| point[1]);
     let beside = end_names.map_or(0.0, |names| names.room);
     let mut found = Err("vertical");
@@ -115,7 +115,7 @@ fn axes(
             }
         };
         let is_apart = rows.is_some() || y.is_apart(tall, |_, _| LINE - 2.0);
-        found = Ok(Plane {
+        found = Ok(PlotArea {
             x,
             y,
             frame: [left, 0.0, right, tall],

@@ -16,7 +16,7 @@ const GAPS: [f64; 2] = [6.0, 14.0];
 const FEW: usize = 4;
 
 /// A layer in a legend.
-pub(super) struct Entry<'a> {
+pub(super) struct LegendEntry<'a> {
     layer: &'a Layer,
     /// The name of the layer, wrapped into lines.
     lines: Vec<String>,
@@ -25,7 +25,7 @@ pub(super) struct Entry<'a> {
 }
 
 /// The legend, with its height in pixels. A single layer has no legend, because the title names it.
-pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<Entry<'_>>, f64) {
+pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<LegendEntry<'_>>, f64) {
     let layers: Vec<&Layer> = figure
         .layers
         .iter()
@@ -72,7 +72,7 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<Entry<'_>>, f64) {
             tallest = 1;
         }
         tallest = tallest.max(lines.len());
-        entries.push(Entry { layer, lines, at });
+        entries.push(LegendEntry { layer, lines, at });
         at[0] += column.unwrap_or(wide + GAPS[1]);
     }
     (entries, at[1] + LINE * (tallest as f64 - 0.5) + 3.0)
@@ -119,7 +119,7 @@ pub(super) fn whole_name<'a>(figure: &Figure, name: &'a str) -> &'a str {
     }
 }
 
-impl Entry<'_> {
+impl LegendEntry<'_> {
     /// Draws the symbol and the name of a layer; `left` and `top` are the corner of the legend.
     pub fn draw(&self, canvas: &mut Canvas, [left, top]: [f64; 2]) {
         let hue = self.layer.named().1.unwrap_or(Hue::Ink);

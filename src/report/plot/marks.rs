@@ -2,7 +2,7 @@
 
 use super::canvas::{LINE, Labels, Stroke};
 use super::figure::{Figure, Layer, LineNames};
-use super::layers::{Plane, has_room, place_on, star};
+use super::layers::{PlotArea, has_room, place_on, star};
 use super::legend;
 use super::palette::Color;
 
@@ -36,12 +36,12 @@ const FAR: f64 = 1.5 * LINE;
 
 /// Draws the marks, then their labels. Marks whose label is also in the legend are drawn only if
 /// all of them have space for their labels.
-pub(super) fn write_marks(labels: &mut Labels<'_>, plane: &Plane, figure: &Figure) {
+pub(super) fn write_marks(labels: &mut Labels<'_>, area: &PlotArea, figure: &Figure) {
     let marks = figure.layers.iter().filter_map(|layer| match layer {
         Layer::Mark { name, hue, at } => Some(Mark {
             name: name.clone(),
             color: labels.canvas.palette.of(*hue),
-            at: plane.pixel(*at)?,
+            at: area.pixel(*at)?,
         }),
         _ => None,
     });
@@ -52,29 +52,29 @@ pub(super) fn write_marks(labels: &mut Labels<'_>, plane: &Plane, figure: &Figur
         star(labels.canvas, mark.at, mark.color);
         labels.taken.push(around(&mark.at));
     }
-    let lines = lines(plane, figure);
+    let lines = lines(area, figure);
     for (i, mark) in needed.iter().enumerate() {
         if mark.name.is_empty() {
             continue;
         }
         let others = [&needed[..i], &needed[i + 1..]].concat();
-        match beside(labels, plane, mark, &others, &lines) {
+        match beside(labels, area, mark, &others, &lines) {
             Some(middle) => write_connected(labels, mark, middle),
-            None => write_near(labels, plane, &mark.name, mark.at, mark.color, FAR),
+            None => write_near(labels, area, &mark.name, mark.at, mark.color, FAR),
         }
     }
-    write_doubled(labels, plane, &doubled, &lines);
+    write_doubled(labels, area, &doubled, &lines);
 }
 
 /// Draws marks with their labels if there is space for all labels.
-fn write_doubled(labels: &mut Labels<'_>, plane: &Plane, doubled: &[Mark], lines: &[[f64; 2]]) {
+fn write_doubled(labels: &mut Labels<'_>, area: &PlotArea, doubled: &[Mark], lines: &[[f64; 2]]) {
     let before = labels.taken.len();
     labels
         .taken
         .extend(doubled.iter().map(|mark| around(&mark.at)));
     let mut middles = vec![];
     for mark in doubled {
-        let Some(middle) = beside(labels, plane, mark, &[], lines) else {
+        let Some(middle) = beside(labels, area, mark, &[], lines) else {
             labels.taken.truncate(before);
             return;
         };
@@ -142,18 +142,18 @@ fn merged(marks: Vec<Mark>) -> Vec<Mark> {
 
 /// Writes the labels that have no symbol, moved sideways into the frame. Omits a label that would
 /// cover another label.
-pub(super) fn write_texts(labels: &mut Labels<'_>, plane: &Plane, figure: &Figure) {
+pub(super) fn write_texts(labels: &mut Labels<'_>, area: &PlotArea, figure: &Figure) {
     for layer in &figure.layers {
         let Layer::Text { name, hue, at } = layer else {
             continue;
         };
-        let Some([x, y]) = plane.pixel(*at) else {
+        let Some([x, y]) = area.pixel(*at) else {
             continue;
         };
-        let [left, _, right, _] = plane.frame;
+        let [left, _, right, _] = area.frame;
         let half = Labels::extent(name, [0.0, 0.0])[1][0];
         let middle = [x.min(right - half).max(left + half), y];
-        if has_room(labels, plane, name, middle, 0.0) {
+        if has_room(labels, area, name, middle, 0.0) {
             labels.write(name, middle, labels.canvas.palette.of(*hue), false);
         }
     }
@@ -163,13 +163,13 @@ pub(super) fn write_texts(labels: &mut Labels<'_>, plane: &Plane, figure: &Figur
 /// two.
 fn write_near(
     labels: &mut Labels<'_>,
-    plane: &Plane,
+    area: &PlotArea,
     name: &str,
     at: [f64; 2],
     color: Color,
     far: f64,
 ) {
-    let middle = nearest(labels, plane, name, at);
+    let middle = nearest(labels, area, name, at);
     let [dx, dy] = [middle[0] - at[0], middle[1] - at[1]];
     let half = Labels::extent(name, [0.0, 0.0])[1][0];
     if (dx.abs() - half).max(0.0).hypot(dy) > far {
@@ -180,10 +180,10 @@ fn write_near(
 
 /// Equidistant points along the lines of a figure, in pixels. They are so dense that no label fits
 /// between them.
-fn lines(plane: &Plane, figure: &Figure) -> Vec<[f64; 2]> {
+fn lines(area: &PlotArea, figure: &Figure) -> Vec<[f64; 2]> {
     const STEP: f64 = 3.0;
     let lines = figure.layers.iter().filter_map(|layer| match layer {
-        Layer::Line { points, .. } => Some(plane.pieces(points)),
+        Layer::Line { points, .. } => Some(area.pieces(points)),
         _ => None,
     });
     let mut places = vec![];
@@ -212,12 +212,12 @@ fn lines(plane: &Plane, figure: &Figure) -> Vec<[f64; 2]> {
 /// if no position is free and clearly belongs to the mark.
 fn beside(
     labels: &Labels<'_>,
-    plane: &Plane,
+    area: &PlotArea,
     Mark { name, at, .. }: &Mark,
     others: &[Mark],
     lines: &[[f64; 2]],
 ) -> Option<[f64; 2]> {
-    let [left, _, right, _] = plane.frame;
+    let [left, _, right, _] = area.frame;
     let [wide, tall] = Labels::extent(name, [0.0, 0.0])[1];
     let beside = |gap: f64| {
         let sides = [wide + gap, -wide - gap].map(|dx| at[0] + dx);
@@ -249,7 +249,7 @@ fn beside(
         others.all(|other| distance(other.at, extent) > least)
     };
     // the first position of the lowest cost, among the positions with room and clear of other marks
-    all.filter(|(middle, _)| has_room(labels, plane, name, *middle, 0.0) && is_clear(middle))
+    all.filter(|(middle, _)| has_room(labels, area, name, *middle, 0.0) && is_clear(middle))
         .min_by_key(|(middle, cost)| 2 * hidden(middle) + cost)
         .map(|(middle, _)| middle)
 }
@@ -262,9 +262,9 @@ fn distance(at: [f64; 2], [low, high]: [[f64; 2]; 2]) -> f64 {
 
 /// The middle of a label in the free position of the frame that is nearest to a point. If no
 /// position is free, the label is at the point and may cover other labels.
-fn nearest(labels: &Labels<'_>, plane: &Plane, name: &str, at: [f64; 2]) -> [f64; 2] {
+fn nearest(labels: &Labels<'_>, area: &PlotArea, name: &str, at: [f64; 2]) -> [f64; 2] {
     const STEP: f64 = 8.0;
-    let [left, top, right, bottom] = plane.frame;
+    let [left, top, right, bottom] = area.frame;
     let [wide, tall] = Labels::extent(name, [0.0, 0.0])[1];
     let (across, up) = (
         ((right - left) / STEP) as usize,
@@ -273,7 +273,7 @@ fn nearest(labels: &Labels<'_>, plane: &Plane, name: &str, at: [f64; 2]) -> [f64
     let nodes = (0..across)
         .flat_map(|i| (0..up).map(move |j| [left + STEP * i as f64, top + STEP * j as f64]));
     let distance = |node: &[f64; 2]| (node[0] - at[0]).hypot(node[1] - at[1]);
-    let free = nodes.filter(|node| has_room(labels, plane, name, *node, 0.0));
+    let free = nodes.filter(|node| has_room(labels, area, name, *node, 0.0));
     free.min_by(|a, b| distance(a).total_cmp(&distance(b)))
         .unwrap_or([
             at[0].min(right - wide).max(left + wide),
@@ -287,7 +287,7 @@ const APART: f64 = 8.0;
 
 /// Writes the names of lines on the lines, if the figure asks for this place. A name without space
 /// on its line is written next to the line.
-pub(super) fn write_line_names(labels: &mut Labels<'_>, plane: &Plane, figure: &Figure) {
+pub(super) fn write_line_names(labels: &mut Labels<'_>, area: &PlotArea, figure: &Figure) {
     let is_on_lines = figure.line_names == LineNames::OnLines;
     for layer in figure.layers.iter().filter(|_| is_on_lines) {
         let Layer::Line {
@@ -296,16 +296,16 @@ pub(super) fn write_line_names(labels: &mut Labels<'_>, plane: &Plane, figure: &
         else {
             continue;
         };
-        let (places, color) = (plane.all(points), labels.canvas.palette.of(*hue));
+        let (places, color) = (area.all(points), labels.canvas.palette.of(*hue));
         if name.is_empty() {
             continue;
         }
-        match place_on(labels, plane, &places, name, APART) {
+        match place_on(labels, area, &places, name, APART) {
             Some(middle) => labels.write(name, middle, color, true),
             // write the name beside the line: without it, the line could not be identified
             None => {
                 if let Some(at) = places.get(places.len() / 2) {
-                    write_near(labels, plane, name, *at, color, LINE);
+                    write_near(labels, area, name, *at, color, LINE);
                 }
             }
         }

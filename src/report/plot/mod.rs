@@ -2,16 +2,16 @@
 //! system of units, light or dark.
 //!
 //! ```
-//! use longdrive::report::plot::{Axis, Figure, Layer, Look, Measure, figure_csv, figure_svg};
-//! use longdrive::units::Quantity;
+//! use longdrive::report::plot::{Axis, Figure, Layer, Look, NamedQuantity, figure_csv, figure_svg};
+//! use longdrive::units::{Quantity, TableUnits};
 //!
-//! let distance = Measure::new("downrange", Quantity::LENGTH, "yd");
-//! let height = Measure::new("height", Quantity::LENGTH, "yd");
+//! let distance = NamedQuantity::new("downrange", Quantity::LENGTH, "yd");
+//! let height = NamedQuantity::new("height", Quantity::LENGTH, "yd");
 //! let figure = Figure::new("stone", "A thrown stone", Axis::linear(distance), Axis::linear(height))
 //!     .with(Layer::line("path", 0, vec![[0.0, 0.0], [10.0, 5.0], [20.0, 0.0]]));
 //! let svg = figure_svg(&figure, &Look::default()).unwrap();
 //! assert!(svg.starts_with("<svg") && svg.contains("downrange [yd]"));
-//! assert!(figure_csv(&figure).unwrap().contains("downrange [m]"));
+//! assert!(figure_csv(&figure, TableUnits::Si).unwrap().contains("downrange [m]"));
 //! ```
 
 mod axis;
@@ -36,9 +36,9 @@ mod svg;
 mod text_width;
 mod ticks;
 
-pub use axis::{Axis, Measure, Scale};
-pub use csv::{figure_csv, figure_csv_in};
-pub use figure::{Bar, Field, Figure, Hue, Layer, LineNames};
+pub use axis::{Axis, AxisScale, NamedQuantity};
+pub use csv::figure_csv;
+pub use figure::{Field, Figure, HorizontalBar, Hue, Layer, LineNames};
 #[cfg(feature = "png")]
 pub use png::figure_png;
 pub use svg::{Look, dark_rules, figure_svg};

@@ -17,7 +17,7 @@ impl fmt::Display for Color {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Palette {
     /// The background.
-    pub ground: Color,
+    pub background: Color,
     /// Text and axes.
     pub ink: Color,
     /// Background elements.
@@ -33,7 +33,7 @@ pub struct Palette {
 
 /// The colours for a bright page and for print.
 pub const LIGHT: Palette = Palette {
-    ground: Color(255, 255, 255),
+    background: Color(255, 255, 255),
     ink: Color(28, 33, 40),
     faint: Color(94, 103, 115),
     mesh: Color(222, 226, 231),
@@ -55,7 +55,7 @@ pub const LIGHT: Palette = Palette {
 
 /// The colours for a dark page.
 pub const DARK: Palette = Palette {
-    ground: Color(20, 24, 29),
+    background: Color(20, 24, 29),
     ink: Color(232, 236, 240),
     faint: Color(152, 162, 174),
     mesh: Color(52, 59, 68),
@@ -95,19 +95,25 @@ impl Palette {
 
     /// The opaque fill of a tinted region, on a map and in the legend.
     pub(super) fn tint(&self, hue: Hue) -> Color {
-        mixed(self.ground, self.of(hue), TINTED)
+        mixed(self.background, self.of(hue), TINTED)
     }
 
     /// All colours, in the same order for each palette.
     pub(super) fn all(&self) -> Vec<Color> {
         let heights = (0..=STEPS).map(|step| self.height(step as f64 / STEPS as f64));
         let tints = (0..Hue::SERIES).map(|i| self.tint(Hue::Series(i)));
-        [self.ground, self.ink, self.faint, self.mesh, self.nothing]
-            .into_iter()
-            .chain(self.series)
-            .chain(heights)
-            .chain(tints)
-            .collect()
+        [
+            self.background,
+            self.ink,
+            self.faint,
+            self.mesh,
+            self.nothing,
+        ]
+        .into_iter()
+        .chain(self.series)
+        .chain(heights)
+        .chain(tints)
+        .collect()
     }
 }
 
@@ -145,13 +151,17 @@ mod tests {
                 (0.22 * f64::from(over) + 0.78 * f64::from(under)).round() as u8
             };
             let band = |c: Color| {
-                let ground = palette.ground;
-                Color(mix(c.0, ground.0), mix(c.1, ground.1), mix(c.2, ground.2))
+                let background = palette.background;
+                Color(
+                    mix(c.0, background.0),
+                    mix(c.1, background.1),
+                    mix(c.2, background.2),
+                )
             };
             let heights = (0..=STEPS).map(|step| palette.height(step as f64 / STEPS as f64));
             let fills = heights
                 .chain(palette.series.map(band))
-                .chain([palette.ground, palette.nothing]);
+                .chain([palette.background, palette.nothing]);
             for fill in fills {
                 for color in palette.series.into_iter().chain([palette.ink]) {
                     let found = contrast(color, fill);
@@ -159,8 +169,8 @@ mod tests {
                 }
             }
             assert!(
-                contrast(palette.ink, palette.ground) >= 7.0
-                    && contrast(palette.faint, palette.ground) >= 4.5
+                contrast(palette.ink, palette.background) >= 7.0
+                    && contrast(palette.faint, palette.background) >= 4.5
             );
             // contrast of labels and lines on a map
             assert!(

@@ -1,10 +1,10 @@
 //! The picture of a figure, with the views of its `panels` below.
 
 use super::canvas::{Anchor, Canvas, Font, LINE, Labels, Stroke, TEXT};
-use super::contour::grounds;
+use super::contour::contour_regions;
 use super::figure::{Figure, Layer};
 use super::hover::write_tooltips;
-use super::layers::{Plane, contour_lines, draw, field_arrows, is_area, label};
+use super::layers::{PlotArea, contour_lines, draw, field_arrows, is_area, label};
 use super::layout::{Layout, MARGIN, NUMBER, TITLE};
 use super::marks::{write_line_names, write_marks, write_texts};
 use super::palette::{DARK, LIGHT};
@@ -102,7 +102,7 @@ fn panel(figure: &Figure, look: &Look) -> Result<Canvas> {
         svg: String::new(),
     };
     let size = [f64::from(look.width), layout.height];
-    canvas.rectangle([0.0, 0.0], size, canvas.palette.ground, 1.0);
+    canvas.rectangle([0.0, 0.0], size, canvas.palette.background, 1.0);
     write_texts_around(&mut canvas, &layout);
     draw_inside(&mut canvas, figure, look.system, &layout);
     Ok(canvas)
@@ -110,49 +110,49 @@ fn panel(figure: &Figure, look: &Look) -> Result<Canvas> {
 
 /// Draws the axes, the layers and their labels.
 fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &Layout<'_>) {
-    let plane = &layout.plane;
-    draw_axes(canvas, plane, figure);
+    let area = &layout.area;
+    draw_axes(canvas, area, figure);
     // the contours are computed once for drawing, labels and tooltips
     let contours = |layer: &Layer| match layer {
-        Layer::Contours(field) => grounds(field, system),
+        Layer::Contours(field) => contour_regions(field, system),
         _ => vec![],
     };
-    let grounds: Vec<_> = figure.layers.iter().map(contours).collect();
-    let layers = || figure.layers.iter().zip(&grounds);
+    let regions: Vec<_> = figure.layers.iter().map(contours).collect();
+    let layers = || figure.layers.iter().zip(&regions);
     let (areas, others): (Vec<_>, Vec<_>) = layers().partition(|(layer, _)| is_area(layer));
-    for (layer, grounds) in areas {
-        draw(canvas, plane, layer, grounds);
+    for (layer, regions) in areas {
+        draw(canvas, area, layer, regions);
     }
-    for grounds in &grounds {
-        contour_lines(canvas, plane, grounds);
+    for regions in &regions {
+        contour_lines(canvas, area, regions);
     }
-    for (layer, grounds) in others {
-        draw(canvas, plane, layer, grounds);
+    for (layer, regions) in others {
+        draw(canvas, area, layer, regions);
     }
     if let Some(rows) = &layout.rows {
-        rows.draw(canvas, plane);
+        rows.draw(canvas, area);
         for layer in 0..figure.layers.len() {
-            rows.bars(canvas, plane, system, figure, layer);
+            rows.bars(canvas, area, system, figure, layer);
         }
     }
     let mut labels = Labels {
         canvas,
         taken: vec![],
     };
-    write_marks(&mut labels, plane, figure);
-    write_texts(&mut labels, plane, figure);
-    write_line_names(&mut labels, plane, figure);
+    write_marks(&mut labels, area, figure);
+    write_texts(&mut labels, area, figure);
+    write_line_names(&mut labels, area, figure);
     if let Some(names) = &layout.end_names {
-        names.draw(labels.canvas, plane, figure);
+        names.draw(labels.canvas, area, figure);
     }
-    label(&mut labels, plane, system, figure, &grounds);
-    field_arrows(&mut labels, plane, figure);
-    write_tooltips(canvas, figure, plane, system, &grounds);
+    label(&mut labels, area, system, figure, &regions);
+    field_arrows(&mut labels, area, figure);
+    write_tooltips(canvas, figure, area, system, &regions);
 }
 
 /// Writes the title, the line below it, the legend and the titles of the axes.
 fn write_texts_around(canvas: &mut Canvas, layout: &Layout<'_>) {
-    let [_, upper, right, bottom] = layout.plane.frame;
+    let [_, upper, right, bottom] = layout.area.frame;
     let bold = Font {
         size: TITLE,
         color: canvas.palette.ink,
@@ -180,8 +180,8 @@ fn write_texts_around(canvas: &mut Canvas, layout: &Layout<'_>) {
 }
 
 /// Draws the axes with their ticks, and the grid except under a map.
-fn draw_axes(canvas: &mut Canvas, plane: &Plane, figure: &Figure) {
-    let [left, top, right, bottom] = plane.frame;
+fn draw_axes(canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
+    let [left, top, right, bottom] = area.frame;
     let palette = canvas.palette;
     let mesh = Stroke::new(palette.mesh, 0.8);
     let axis = Stroke::new(palette.faint, 1.0);
@@ -189,28 +189,28 @@ fn draw_axes(canvas: &mut Canvas, plane: &Plane, figure: &Figure) {
     let is_map = |layer: &Layer| matches!(layer, Layer::Contours(_));
     let has_grid = !figure.layers.iter().any(is_map);
     let part = |drawn: &Drawn, tick: f64| (tick - drawn.low) / (drawn.high - drawn.low);
-    let x_of = |tick: &f64| left + part(&plane.x, *tick) * (right - left);
-    let y_of = |tick: &f64| bottom - part(&plane.y, *tick) * (bottom - top);
+    let x_of = |tick: &f64| left + part(&area.x, *tick) * (right - left);
+    let y_of = |tick: &f64| bottom - part(&area.y, *tick) * (bottom - top);
     if has_grid {
-        for x in plane.x.ticks.iter().map(x_of) {
+        for x in area.x.ticks.iter().map(x_of) {
             canvas.line(&[[x, top], [x, bottom]], mesh);
         }
-        for y in plane.y.ticks.iter().map(y_of) {
+        for y in area.y.ticks.iter().map(y_of) {
             canvas.line(&[[left, y], [right, y]], mesh);
         }
     }
     canvas.line(&[[left, top], [left, bottom], [right, bottom]], axis);
-    for tick in &plane.x.ticks {
+    for tick in &area.x.ticks {
         let x = x_of(tick);
         canvas.line(&[[x, bottom], [x, bottom + TICK]], axis);
         let at = [x, bottom + 2.0 * TICK + 0.4 * NUMBER];
-        canvas.text(&plane.x.text(*tick), at, Anchor::Middle, font);
+        canvas.text(&area.x.text(*tick), at, Anchor::Middle, font);
     }
-    for tick in &plane.y.ticks {
+    for tick in &area.y.ticks {
         let y = y_of(tick);
         canvas.line(&[[left - TICK, y], [left, y]], axis);
         let at = [left - 2.0 * TICK, y];
-        canvas.text(&plane.y.text(*tick), at, Anchor::Right, font);
+        canvas.text(&area.y.text(*tick), at, Anchor::Right, font);
     }
 }
 

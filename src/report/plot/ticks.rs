@@ -1,6 +1,6 @@
 //! Ends and ticks of an axis.
 
-use super::axis::{Axis, Scale};
+use super::axis::{Axis, AxisScale};
 use super::text_width::text_width;
 use crate::units::{System, significant};
 
@@ -44,7 +44,7 @@ impl Drawn {
             ticks: vec![],
             decimals: 0,
         };
-        if let Scale::Names(names) = &axis.scale {
+        if let AxisScale::Names(names) = &axis.scale {
             // the first name is on top; the code for bars draws the names
             (drawn.low, drawn.high) = (names.len() as f64 - 0.5, -0.5);
             return (!names.is_empty()).then_some(drawn);
@@ -69,10 +69,10 @@ impl Drawn {
         };
         (drawn.low, drawn.high) = (low, high);
         match axis.scale {
-            Scale::Log => drawn.decades(count),
+            AxisScale::Log => drawn.decades(count),
             _ => drawn.even(count),
         }
-        if axis.scale == Scale::LeftRight {
+        if axis.scale == AxisScale::LeftRight {
             // right of the line is at the bottom
             (drawn.low, drawn.high) = (drawn.high, drawn.low);
         }
@@ -111,9 +111,9 @@ impl Drawn {
     /// The position of an SI value; `None` if the axis cannot show it.
     pub fn place(&self, value: f64) -> Option<f64> {
         let place = match self.axis.scale {
-            Scale::Names(_) => value,
-            Scale::Linear | Scale::LeftRight => value / self.unit + self.zero,
-            Scale::Log => (value / self.unit).log10(),
+            AxisScale::Names(_) => value,
+            AxisScale::Linear | AxisScale::LeftRight => value / self.unit + self.zero,
+            AxisScale::Log => (value / self.unit).log10(),
         };
         place.is_finite().then_some(place)
     }
@@ -121,13 +121,15 @@ impl Drawn {
     /// The text of a tick.
     pub fn text(&self, tick: f64) -> String {
         match &self.axis.scale {
-            Scale::Names(names) => names
+            AxisScale::Names(names) => names
                 .get(tick.round() as usize)
                 .cloned()
                 .unwrap_or_default(),
             // a tick near zero is displayed as 0, not as "-0"
-            Scale::Linear => format!("{:.*}", self.decimals, tick + 0.0).replace('-', "\u{2212}"),
-            Scale::LeftRight => {
+            AxisScale::Linear => {
+                format!("{:.*}", self.decimals, tick + 0.0).replace('-', "\u{2212}")
+            }
+            AxisScale::LeftRight => {
                 let side = if tick.abs() < 1e-9 {
                     ""
                 } else if tick > 0.0 {
@@ -137,15 +139,15 @@ impl Drawn {
                 };
                 format!("{:.*}{side}", self.decimals, tick.abs())
             }
-            Scale::Log if (-2.5..=3.5).contains(&tick) => significant(10.0_f64.powf(tick), 3),
-            Scale::Log => format!("1e{tick:.0}").replace('-', "\u{2212}"),
+            AxisScale::Log if (-2.5..=3.5).contains(&tick) => significant(10.0_f64.powf(tick), 3),
+            AxisScale::Log => format!("1e{tick:.0}").replace('-', "\u{2212}"),
         }
     }
 
     /// The title of the axis.
     pub fn title(&self) -> String {
         let titled = self.axis.measure.titled(self.system);
-        if self.axis.scale == Scale::LeftRight {
+        if self.axis.scale == AxisScale::LeftRight {
             format!("L, R: left and {titled}")
         } else {
             titled
@@ -181,7 +183,7 @@ pub(in crate::report) fn nice_step(step: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::axis::Measure;
+    use super::super::axis::NamedQuantity;
     use super::{Axis, Drawn, System, nice_step};
     use crate::units::Quantity;
 
@@ -201,7 +203,7 @@ mod tests {
 
     #[test]
     fn an_axis_ends_on_ticks_in_the_unit_read() {
-        let axis = Axis::linear(Measure::new("carry", Quantity::LENGTH, "yd"));
+        let axis = Axis::linear(NamedQuantity::new("carry", Quantity::LENGTH, "yd"));
         let drawn = Drawn::new(&axis, [0.0, 255.3].into_iter(), System::Us, 6).unwrap();
         assert_eq!(
             (drawn.low, drawn.high, drawn.text(50.0), drawn.title()),
@@ -209,7 +211,7 @@ mod tests {
         );
         let drawn = Drawn::new(&axis, [0.0, 255.3].into_iter(), System::Metric, 6).unwrap();
         assert_eq!((drawn.high, drawn.title()), (300.0, "carry [m]".into()));
-        let log = Axis::log(Measure::plain("error"));
+        let log = Axis::log(NamedQuantity::plain("error"));
         let drawn = Drawn::new(&log, [3e-12, 0.0, 0.5].into_iter(), System::Us, 5).unwrap();
         assert_eq!((drawn.low, drawn.high), (-12.0, 0.0));
         assert_eq!(drawn.place(0.0), None);

@@ -29,11 +29,11 @@ use screen::Screen;
 /// Formats flown shots.
 #[derive(Clone, Debug)]
 pub struct ShotWriter {
-    table: Table,
+    table: ShotFormat,
 }
 
 #[derive(Clone, Debug)]
-enum Table {
+enum ShotFormat {
     Copied(Copied),
     Columns(Added),
     JsonLines(json_lines::Keys),
@@ -47,7 +47,7 @@ impl ShotWriter {
     pub fn csv(shots: &Shots, of: &[Outcome], system: System) -> Self {
         match shots.export() {
             Some(export) => Self {
-                table: Table::Copied(Copied::new(export, of, system)),
+                table: ShotFormat::Copied(Copied::new(export, of, system)),
             },
             None => Self::launch_monitor(of, system),
         }
@@ -57,7 +57,7 @@ impl ShotWriter {
     /// predictions, in the units of a system.
     pub fn launch_monitor(of: &[Outcome], system: System) -> Self {
         Self {
-            table: Table::Columns(Added {
+            table: ShotFormat::Columns(Added {
                 of: of.to_vec(),
                 system,
                 separator: b',',
@@ -69,21 +69,21 @@ impl ShotWriter {
     /// A JSON object per row, in SI.
     pub fn json_lines(shots: &Shots, of: &[Outcome]) -> Self {
         Self {
-            table: Table::JsonLines(json_lines::Keys::new(shots, of)),
+            table: ShotFormat::JsonLines(json_lines::Keys::new(shots, of)),
         }
     }
 
     /// A message of GSPro Open Connect per row.
     pub fn open_connect() -> Self {
         Self {
-            table: Table::OpenConnect,
+            table: ShotFormat::OpenConnect,
         }
     }
 
     /// Six columns of fixed width, for a terminal, in the units of a system.
     pub fn screen(of: &[Outcome], system: System) -> Self {
         Self {
-            table: Table::Screen(Screen {
+            table: ShotFormat::Screen(Screen {
                 of: of.first().copied(),
                 system,
             }),
@@ -93,10 +93,10 @@ impl ShotWriter {
     /// The first bytes of a file.
     pub fn head(&self) -> Vec<u8> {
         match &self.table {
-            Table::Copied(copied) => copied.head(),
-            Table::Columns(added) => columns::head(added),
-            Table::Screen(screen) => screen.head(),
-            Table::JsonLines(_) | Table::OpenConnect => vec![],
+            ShotFormat::Copied(copied) => copied.head(),
+            ShotFormat::Columns(added) => columns::head(added),
+            ShotFormat::Screen(screen) => screen.head(),
+            ShotFormat::JsonLines(_) | ShotFormat::OpenConnect => vec![],
         }
     }
 
@@ -105,27 +105,27 @@ impl ShotWriter {
         let mut bytes = Vec::with_capacity(flown.rows() * 400);
         let section = flown.section.as_ref();
         let copied = match (&self.table, section) {
-            (Table::Copied(copied), Some(section)) => Some(copied.of_section(&section.export)),
+            (ShotFormat::Copied(copied), Some(section)) => Some(copied.of_section(&section.export)),
             _ => None,
         };
         if let (Some(copied), true) = (&copied, section.is_some_and(|section| section.begins)) {
             bytes.extend(copied.head());
         }
         let keys = match &self.table {
-            Table::JsonLines(keys) => Some(keys.of_section(section)),
+            ShotFormat::JsonLines(keys) => Some(keys.of_section(section)),
             _ => None,
         };
         for row in 0..flown.rows() {
             match &self.table {
-                Table::Copied(first) => {
+                ShotFormat::Copied(first) => {
                     copied.as_ref().unwrap_or(first).row(flown, row, &mut bytes)
                 }
-                Table::Columns(added) => columns::row(added, flown, row, &mut bytes),
-                Table::JsonLines(first) => {
+                ShotFormat::Columns(added) => columns::row(added, flown, row, &mut bytes),
+                ShotFormat::JsonLines(first) => {
                     keys.as_ref().unwrap_or(first).row(flown, row, &mut bytes)
                 }
-                Table::OpenConnect => open_connect::row(flown, row, &mut bytes),
-                Table::Screen(screen) => screen.row(flown, row, &mut bytes),
+                ShotFormat::OpenConnect => open_connect::row(flown, row, &mut bytes),
+                ShotFormat::Screen(screen) => screen.row(flown, row, &mut bytes),
             }
             bytes.push(b'\n');
         }

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 /// A shot with the keys and units of the protocol.
 #[derive(Serialize)]
-struct Message<'a> {
+struct OpenConnectShot<'a> {
     #[serde(rename = "DeviceID")]
     device_id: &'static str,
     #[serde(rename = "Units")]
@@ -25,13 +25,13 @@ struct Message<'a> {
     #[serde(rename = "ShotDataOptions")]
     options: ByName<bool>,
     #[serde(rename = "Flight")]
-    flight: Flight<'a>,
+    flight: OpenConnectFlight<'a>,
 }
 
 /// The predictions of a row, SI, with the status of its flight.
 #[derive(Serialize)]
 #[serde(rename_all = "PascalCase")]
-struct Flight<'a> {
+struct OpenConnectFlight<'a> {
     status: &'a str,
     reason: Option<&'a str>,
     notes: &'a [String],
@@ -44,11 +44,11 @@ struct Flight<'a> {
 /// The answer to a message.
 #[derive(Serialize)]
 #[serde(rename_all = "PascalCase")]
-struct Answer<'a> {
+struct OpenConnectAnswer<'a> {
     code: u16,
     message: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    flight: Option<Flight<'a>>,
+    flight: Option<OpenConnectFlight<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     player: Option<ByName<&'static str>>,
 }
@@ -99,7 +99,7 @@ fn in_unit(
     Some((key, (number * 1e6).round() / 1e6))
 }
 
-impl<'a> Flight<'a> {
+impl<'a> OpenConnectFlight<'a> {
     fn new(flown: &'a Flown, row: usize) -> Self {
         let shot = &flown.shots[row];
         let stated = shot
@@ -137,7 +137,7 @@ pub(super) fn row(flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
         ("ContainsClubData", !club.0.is_empty()),
         ("IsHeartBeat", false),
     ];
-    let message = Message {
+    let message = OpenConnectShot {
         device_id: "longdrive",
         units: "Yards",
         shot_number: shot.line,
@@ -145,7 +145,7 @@ pub(super) fn row(flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
         ball: ball(shot),
         club,
         options: options.into_iter().collect(),
-        flight: Flight::new(flown, row),
+        flight: OpenConnectFlight::new(flown, row),
     };
     // writing to memory does not fail
     let _ = serde_json::to_writer(bytes, &message);
@@ -160,22 +160,22 @@ pub fn open_connect_answer(flown: &Flown) -> Vec<u8> {
         .first()
         .and_then(Shot::refusal)
         .is_some_and(|refusal| refusal.is_no_shot());
-    let shot = |message| Answer {
+    let shot = |message| OpenConnectAnswer {
         code: 200,
         message: Some(message),
-        flight: Some(Flight::new(flown, 0)),
+        flight: Some(OpenConnectFlight::new(flown, 0)),
         player: None,
     };
     let answer = match flown.status(0) {
         Some(Status::Landed) => shot("Shot received successfully"),
         Some(_) => shot("Shot received; the ball does not land"),
-        None if is_no_shot => Answer {
+        None if is_no_shot => OpenConnectAnswer {
             code: 201,
             message: Some("GSPro Player Information"),
             flight: None,
             player: Some([("Handed", "RH"), ("Club", "DR")].into_iter().collect()),
         },
-        None => Answer {
+        None => OpenConnectAnswer {
             code: 501,
             message: flown.reason(0),
             flight: None,

@@ -5,7 +5,7 @@ use super::columns::{LAUNCH, launch};
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::report::parquet::{Cells, Kind, ParquetTable, PlacedGroup};
+use crate::report::parquet::{Cells, ColumnType, MAGIC, ParquetTable, PlacedGroup};
 use crate::shots::{Club, Flown, Shots};
 use parquet::data_type::ByteArray;
 
@@ -58,13 +58,13 @@ impl ShotParquet {
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow the columns.
     pub fn new(shots: &Shots, of: &[Outcome]) -> Result<Self> {
-        let mut columns: Vec<(String, Kind, Of)> = vec![
-            ("line".into(), Kind::Number, Of::Line),
-            ("flight".into(), Kind::Text, Of::Flight),
-            ("reason".into(), Kind::SomeText, Of::Reason),
-            ("notes".into(), Kind::SomeText, Of::Notes),
+        let mut columns: Vec<(String, ColumnType, Of)> = vec![
+            ("line".into(), ColumnType::Number, Of::Line),
+            ("flight".into(), ColumnType::Text, Of::Flight),
+            ("reason".into(), ColumnType::SomeText, Of::Reason),
+            ("notes".into(), ColumnType::SomeText, Of::Notes),
         ];
-        let mut number = |name: String, of: Of| columns.push((name, Kind::SomeNumber, of));
+        let mut number = |name: String, of: Of| columns.push((name, ColumnType::SomeNumber, of));
         LAUNCH
             .iter()
             .enumerate()
@@ -87,16 +87,16 @@ impl ShotParquet {
         of.iter()
             .enumerate()
             .for_each(|(at, of)| number(format!("residual_{}", of.name()), Of::Residual(at)));
-        columns.push(("spin_origin".into(), Kind::SomeText, Of::SpinOrigin));
-        columns.push(("condition".into(), Kind::SomeText, Of::Condition));
-        columns.push(("row".into(), Kind::Text, Of::Row));
-        let kinds: Vec<(String, Kind)> = columns
+        columns.push(("spin_origin".into(), ColumnType::SomeText, Of::SpinOrigin));
+        columns.push(("condition".into(), ColumnType::SomeText, Of::Condition));
+        columns.push(("row".into(), ColumnType::Text, Of::Row));
+        let kinds: Vec<(String, ColumnType)> = columns
             .iter()
             .map(|(name, kind, _)| (name.clone(), *kind))
             .collect();
         let columns = columns.into_iter().map(|(.., of)| of).collect();
         let table = ParquetTable::new("shots", &kinds, "fly")?;
-        let at = table.head().len() as u64;
+        let at = MAGIC.len() as u64;
         Ok(Self {
             table,
             columns,
@@ -108,7 +108,7 @@ impl ShotParquet {
 
     /// The first bytes of a file.
     pub fn head(&self) -> Vec<u8> {
-        self.table.head()
+        MAGIC.to_vec()
     }
 
     /// Adds shots. Returns the bytes of a row group once it is full, otherwise no bytes.

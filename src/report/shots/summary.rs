@@ -1,7 +1,7 @@
 //! A summary of flown shots.
 
 use crate::drive::Outcome;
-use crate::report::document::{Document, Line, Table};
+use crate::report::document::{Document, DocumentTable, Line};
 use crate::report::reply::{Ending, Report};
 use crate::shots::{Band, ClubShots, FLOOR, Refused, ShotStatistics, Sums, size};
 use crate::units::{Message, System, counted, fixed, printed, signed};
@@ -198,9 +198,7 @@ impl Report for ShotsReport<'_> {
     const COMMAND: &'static str = "fly";
 
     #[cfg(test)]
-    fn statuses() -> Vec<&'static str> {
-        vec!["done", "no-answer", "interrupted"]
-    }
+    const STATUSES: &'static [&'static str] = &["done", "no-answer", "interrupted"];
 
     fn ending(&self) -> Ending {
         self.ending.clone()
@@ -235,7 +233,7 @@ impl Report for ShotsReport<'_> {
             "sd",
             "sd of instruments",
         ];
-        let mut table = Table::new(head, rows)
+        let mut table = DocumentTable::new(head, rows)
             .right(2..=6)
             .with_caption("predicted − measured:");
         table.line(Line::flush(
@@ -288,7 +286,7 @@ fn add_clubs(document: &mut Document, tally: &ShotStatistics, system: System) {
         ]
     };
     let head = ["club", "rows", "predicted", "bias", "MAE"];
-    let table = Table::new(head, several_clubs(tally).map(row))
+    let table = DocumentTable::new(head, several_clubs(tally).map(row))
         .right(1..=4)
         .with_caption(&format!("{} [{}] by club:", of.name(), printed(unit)));
     document.add(table);

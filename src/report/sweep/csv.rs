@@ -1,4 +1,4 @@
-use super::{Columns, STATUS, push_number};
+use super::{STATUS, column_counts, expect_columns, push_number};
 use crate::batch::{Batch, Block};
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
@@ -8,7 +8,8 @@ use crate::units::{Quantity, TableUnits, Unit, ratio};
 #[derive(Clone, Debug)]
 pub struct SweepCsv {
     names: Vec<String>,
-    columns: Columns,
+    /// Number of parameters, outcomes and derivatives.
+    columns: [usize; 3],
     /// The unit of each parameter, outcome and derivative; `None` for a number in SI.
     units: Vec<Option<ColumnUnit>>,
 }
@@ -66,7 +67,7 @@ impl SweepCsv {
             .map(|(_, size)| Some(ColumnUnit::Ratio(*size)).filter(|_| !is_si));
         Self {
             names,
-            columns: Columns::of(batch),
+            columns: column_counts(batch),
             units: values().map(of_value).chain(of_derivatives).collect(),
         }
     }
@@ -81,7 +82,7 @@ impl SweepCsv {
     /// # Panics
     /// If the block differs from the batch in the number of parameters, outcomes or derivatives.
     pub fn rows(&self, block: &Block) -> Vec<u8> {
-        self.columns.expect(block);
+        expect_columns(self.columns, block);
         let mut bytes = Vec::with_capacity(block.rows() * self.names.len() * 20);
         let write = |bytes: &mut Vec<u8>, value: f64, at: usize| {
             let number = self.units[at].map_or(value, |unit| unit.number(value));

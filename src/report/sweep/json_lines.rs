@@ -1,4 +1,4 @@
-use super::{Columns, STATUS, parameter_names, push_number};
+use super::{STATUS, column_counts, expect_columns, parameter_names, push_number};
 use crate::batch::{Batch, Block};
 
 /// A batch as JSON lines: an object for each drive. A missing value is `null`.
@@ -8,7 +8,8 @@ pub struct SweepJsonLines {
     parameters: Vec<String>,
     /// The text `,"name":` for each outcome and derivative.
     results: Vec<String>,
-    columns: Columns,
+    /// Number of parameters, outcomes and derivatives.
+    columns: [usize; 3],
 }
 
 /// A drive of a sweep: the swept parameters, the status, the outcomes, and the derivatives as
@@ -34,7 +35,7 @@ impl SweepJsonLines {
                 .iter()
                 .map(|name| format!(",{}", key(name)))
                 .collect(),
-            columns: Columns::of(batch),
+            columns: column_counts(batch),
         }
     }
 
@@ -43,7 +44,7 @@ impl SweepJsonLines {
     /// # Panics
     /// If the block differs from the batch in the number of parameters, outcomes or derivatives.
     pub fn rows(&self, block: &Block) -> Vec<u8> {
-        self.columns.expect(block);
+        expect_columns(self.columns, block);
         let width = self.parameters.len() + self.results.len();
         let mut bytes = Vec::with_capacity(block.rows() * (width * 40 + 20));
         for row in 0..block.rows() {

@@ -23,29 +23,23 @@ use crate::batch::{Batch, Block};
 const STATUS: &str = "status";
 
 /// Number of parameters, outcomes and derivatives in a batch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Columns([usize; 3]);
+fn column_counts(batch: &Batch) -> [usize; 3] {
+    let (outcomes, wrt) = (batch.outcomes().len(), batch.wrt().len());
+    [batch.parameters().len(), outcomes, outcomes * wrt]
+}
 
-impl Columns {
-    fn of(batch: &Batch) -> Self {
-        let (outcomes, wrt) = (batch.outcomes().len(), batch.wrt().len());
-        Self([batch.parameters().len(), outcomes, outcomes * wrt])
-    }
-
-    /// Checks that a block of rows has these columns.
-    ///
-    /// # Panics
-    /// If the block differs from these columns in the number of parameters, outcomes or
-    /// derivatives.
-    #[track_caller]
-    fn expect(&self, block: &Block) {
-        let (here, there) = (self.0, block.columns());
-        assert!(
-            here == there,
-            "the table is of {here:?} parameters, outcomes and derivatives, and the block of \
-             {there:?}: the block belongs to another batch"
-        );
-    }
+/// Checks that a block of rows has these numbers of columns.
+///
+/// # Panics
+/// If the block differs in the number of parameters, outcomes or derivatives.
+#[track_caller]
+fn expect_columns(here: [usize; 3], block: &Block) {
+    let there = block.columns();
+    assert!(
+        here == there,
+        "the table is of {here:?} parameters, outcomes and derivatives, and the block of \
+         {there:?}: the block belongs to another batch"
+    );
 }
 
 /// The names of the swept parameters.

@@ -1,7 +1,7 @@
-use super::{Columns, STATUS, parameter_names};
+use super::{STATUS, column_counts, expect_columns, parameter_names};
 use crate::batch::{Batch, Block, CHUNK};
 use crate::error::Result;
-use crate::report::parquet::{Cells, Kind, ParquetGroup, ParquetTable, PlacedGroup};
+use crate::report::parquet::{Cells, ColumnType, MAGIC, ParquetGroup, ParquetTable, PlacedGroup};
 use parquet::data_type::ByteArray;
 
 /// Maximum number of rows in a row group.
@@ -19,7 +19,8 @@ const MOST_BYTES: usize = 16 << 20;
 /// metadata. An interrupted file can therefore continue after any of its groups.
 pub struct SweepParquet {
     table: ParquetTable,
-    columns: Columns,
+    /// Number of parameters, outcomes and derivatives.
+    columns: [usize; 3],
 }
 
 impl SweepParquet {
@@ -31,28 +32,32 @@ impl SweepParquet {
         let (parameters, results) = (parameter_names(batch), batch.columns());
         let columns = parameters
             .iter()
-            .map(|name| ((*name).to_owned(), Kind::Number));
-        let columns = columns.chain([(STATUS.to_owned(), Kind::Text)]);
+            .map(|name| ((*name).to_owned(), ColumnType::Number));
+        let columns = columns.chain([(STATUS.to_owned(), ColumnType::Text)]);
         let columns: Vec<_> = columns
-            .chain(results.iter().map(|name| (name.clone(), Kind::SomeNumber)))
+            .chain(
+                results
+                    .iter()
+                    .map(|name| (name.clone(), ColumnType::SomeNumber)),
+            )
             .collect();
         let table = ParquetTable::new("drives", &columns, question)?;
         Ok(Self {
             table,
-            columns: Columns::of(batch),
+            columns: column_counts(batch),
         })
     }
 
     /// Number of blocks of [`CHUNK`] rows in a row group: fewer for wide tables. A group must fit
     /// in memory, and an interruption must not lose much work.
     pub fn blocks_of_group(&self) -> usize {
-        let width = 9 * self.columns.0.iter().sum::<usize>() + 1;
+        let width = 9 * self.columns.iter().sum::<usize>() + 1;
         (MOST_BYTES / width).clamp(LEAST_ROWS, MOST_ROWS) / CHUNK
     }
 
     /// The first bytes of a file.
     pub fn head(&self) -> Vec<u8> {
-        self.table.head()
+        MAGIC.to_vec()
     }
 
     /// The row group of some blocks.
@@ -63,9 +68,11 @@ impl SweepParquet {
     /// # Panics
     /// If a block differs from the batch in the number of parameters, outcomes or derivatives.
     pub fn group(&self, blocks: &[Block]) -> Result<ParquetGroup> {
-        blocks.iter().for_each(|block| self.columns.expect(block));
+        blocks
+            .iter()
+            .for_each(|block| expect_columns(self.columns, block));
         let all = |block: &Block| 0..block.rows();
-        let [parameters, ..] = self.columns.0;
+        let [parameters, ..] = self.columns;
         self.table.group(|number| match number {
             number if number < parameters => {
                 let value = |block: &Block, row| block.point(row)[number];

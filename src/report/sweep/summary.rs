@@ -1,6 +1,6 @@
 use crate::drive::Outcome;
 use crate::parameters::Setup;
-use crate::report::document::{Document, Line, Table};
+use crate::report::document::{Document, DocumentTable, Line};
 use crate::report::shown;
 use crate::statistics::{Histogram, Number, Ranking, Summary};
 use crate::units::{System, counted, significant};
@@ -37,7 +37,7 @@ pub fn summary_document(summary: &Summary, system: System) -> Document {
         "least",
         "greatest",
     ];
-    document.add(Table::new(head, moments).right(1..=5));
+    document.add(DocumentTable::new(head, moments).right(1..=5));
     for of in &summary.histograms {
         document.add(histogram(of, system));
     }
@@ -56,7 +56,7 @@ fn quantity(column: &str, value: f64, system: System) -> String {
 }
 
 /// The number of rows in each bin of a histogram.
-fn histogram(histogram: &Histogram, system: System) -> Table {
+fn histogram(histogram: &Histogram, system: System) -> DocumentTable {
     let Histogram {
         of,
         below,
@@ -72,11 +72,11 @@ fn histogram(histogram: &Histogram, system: System) -> Table {
     let bins =
         bins.map(|(i, count)| vec![format!("{} to {}", edge(i), edge(i + 1)), count.to_string()]);
     let rows = below.into_iter().chain(bins).chain(above);
-    Table::new([of.as_str(), "rows"], rows).right([1])
+    DocumentTable::new([of.as_str(), "rows"], rows).right([1])
 }
 
 /// The best rows by a column, with the swept parameters of each row.
-fn ranking(ranking: &Ranking, system: System) -> Table {
+fn ranking(ranking: &Ranking, system: System) -> DocumentTable {
     let setup = Setup::default();
     let coordinate = |name: &str, value: Number| {
         let Some(value) = value.0 else {
@@ -101,5 +101,5 @@ fn ranking(ranking: &Ranking, system: System) -> Table {
     });
     let which = if ranking.highest { "highest" } else { "lowest" };
     let title = format!("{which} {}", ranking.of);
-    Table::new([title.as_str(), "row", "point"], rows).right([0, 1])
+    DocumentTable::new([title.as_str(), "row", "point"], rows).right([0, 1])
 }

@@ -2,7 +2,7 @@
 
 use crate::drive::Outcome;
 use crate::parameters::Law;
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shots::instrument_deviation;
 use crate::statistics::extent;
 use crate::study::validation::{Case, Compared, Computation, LawScores, SetScores};
@@ -54,7 +54,8 @@ fn drawn(sets: &[&SetScores]) -> Vec<&'static str> {
 /// Plot of the predicted against the measured carry with the default law, a series for each set.
 fn carry(sets: &[&SetScores]) -> Figure {
     let default = Law::default().name();
-    let measure = |words: &str| Measure::new(format!("{words} carry"), Quantity::LENGTH, "yd");
+    let measure =
+        |words: &str| NamedQuantity::new(format!("{words} carry"), Quantity::LENGTH, "yd");
     let points = |set: &&SetScores| -> Vec<[f64; 2]> {
         let law = set.laws.iter().find(|law| law.law == default);
         of_law(law, Compared::Carry)
@@ -105,8 +106,8 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure
     };
     let all: Vec<Vec<[f64; 2]>> = laws.iter().map(series).collect();
     let ends = ends(all.iter().flatten().map(|at| at[0]));
-    let x = Measure::new(speed, Quantity::SPEED, "mph");
-    let y = Measure::new(format!("computed − published {words}"), quantity, unit);
+    let x = NamedQuantity::new(speed, Quantity::SPEED, "mph");
+    let y = NamedQuantity::new(format!("computed − published {words}"), quantity, unit);
     let name = match of {
         Compared::Carry => "validation-carry-residuals".into(),
         of => format!("validation-{}", of.name()),

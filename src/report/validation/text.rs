@@ -1,6 +1,6 @@
 use super::figures::{ALTERNATIVE, best, figures};
 use crate::parameters::Law;
-use crate::report::document::{Detail, Document, Table};
+use crate::report::document::{Detail, Document, DocumentTable};
 use crate::study::validation::{Case, Compared, LawScores, SWEPT, SetScores};
 use crate::units::{System, counted, fixed, signed};
 
@@ -71,7 +71,7 @@ fn summary(document: &mut Document, found: &[SetScores], system: System) {
         ]
     });
     let head = format!("MAE [{}] of carry", system.unit("yd"));
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["drives", default, ALTERNATIVE, "best", "which is", &head],
         rows,
     ));
@@ -152,7 +152,7 @@ fn one(document: &mut Document, set: &SetScores, system: System) {
         cells.push(format!("{}{part}", law.law));
         cells
     });
-    document.add(Table::new(head, rows));
+    document.add(DocumentTable::new(head, rows));
 }
 
 /// The first quantity of a set.

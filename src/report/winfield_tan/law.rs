@@ -1,9 +1,9 @@
 //! The law fitted to the paper's tables.
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
-use crate::report::document::{Document, Table};
-use crate::report::plot::{Axis, Figure, Layer, Measure};
-use crate::report::published::{Published, SPEED};
+use crate::report::document::{Document, DocumentTable};
+use crate::report::plot::{Axis, Figure, Layer, NamedQuantity};
+use crate::report::published::{PaperUnits, SPEED};
 use crate::report::shown::{NONE, stated};
 use crate::reproduce::{FittedNumber, WinfieldTan};
 use crate::units::{DisplayUnit, Quantity, System, significant, typed};
@@ -26,18 +26,18 @@ const WEIGHT: f64 = 0.04572;
 const MOST_SPIN: f64 = 450.0;
 
 /// Adds the law to a document: its formula and coefficients, its values, and plots.
-pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: Published) {
+pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
     document.heading("The law");
     fit(document, found, shown);
-    let speeds = Speeds::new(shown.system);
-    let [slowest, fastest] = FLOWN.map(|speed| significant(speed / speeds.size, 2));
+    let (unit, size) = (shown.system.unit(SPEED.unit), SPEED.size_in(shown.system));
+    let [slowest, fastest] = FLOWN.map(|speed| significant(speed / size, 2));
     document.paragraph(format!(
         "It is valid for the speeds and spins of the paper's flights, {slowest} < v < {fastest} \
          {}, 0.02 < s < 0.35 and spins up to {MOST_SPIN} rad/s, where it is shown; outside, it is \
          smooth, positive and rises with spin, but is not supported by data.",
-        speeds.unit
+        unit
     ));
-    values(document, found, &speeds);
+    values(document, found, shown.system);
     for (name, title, is_drag) in [
         ("drag", "Drag coefficient", true),
         ("lift", "Lift coefficient", false),
@@ -45,48 +45,33 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: Published
         let mut figure = Figure::new(
             format!("law-{name}"),
             format!("{title} of the recovered law"),
-            Axis::linear(Measure::plain("spin ratio")),
-            Axis::linear(Measure::plain(title)),
+            Axis::linear(NamedQuantity::plain("spin ratio")),
+            Axis::linear(NamedQuantity::plain(title)),
         );
-        for (i, number) in speeds.numbers.into_iter().enumerate() {
-            let speed = number * speeds.size;
+        for (i, number) in speeds(shown.system).into_iter().enumerate() {
+            let speed = number * size;
             let spin_ratios = (1..=35).map(|k| f64::from(k) * 0.01);
             let points = spin_ratios.filter(|s| is_flown(found, *s, speed)).map(|s| {
                 let (drag, lift) = coefficients(found, s, speed);
                 [s, if is_drag { drag } else { lift }]
             });
-            let name = format!("{number} {}", speeds.unit);
+            let name = format!("{number} {unit}");
             figure = figure.with(Layer::line(name, i, points.collect()));
         }
         document.figure(figure);
     }
 }
 
-/// The speeds of the displayed values.
-struct Speeds {
-    /// The speeds in the unit `unit`.
-    numbers: [f64; 4],
-    unit: &'static str,
-    /// The size of the unit, m/s.
-    size: f64,
-}
-
-impl Speeds {
-    fn new(system: System) -> Self {
-        let unit = system.unit("m/s");
-        Self {
-            numbers: match system {
-                System::Metric => METRES_PER_SECOND,
-                System::Us => MILES_PER_HOUR,
-            },
-            unit,
-            size: SPEED.size_in(system),
-        }
+/// The speeds of the displayed values, in the unit of the system.
+fn speeds(system: System) -> [f64; 4] {
+    match system {
+        System::Metric => METRES_PER_SECOND,
+        System::Us => MILES_PER_HOUR,
     }
 }
 
 /// Adds the formula to a document, with the coefficients of the preset and of a new fit.
-fn fit(document: &mut Document, found: &WinfieldTan, shown: Published) {
+fn fit(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
     let fit = &found.fitted.law;
     let scale = (fit.statistics.chi_square / fit.statistics.degrees_of_freedom as f64).sqrt();
     document.paragraph(format!(
@@ -128,15 +113,17 @@ fn fit(document: &mut Document, found: &WinfieldTan, shown: Published) {
         "standard error",
         "coefficient",
     ];
-    document.add(Table::new(head, rows));
+    document.add(DocumentTable::new(head, rows));
 }
 
 /// Adds drag and lift to a document, by spin ratio and speed.
-fn values(document: &mut Document, found: &WinfieldTan, speeds: &Speeds) {
+fn values(document: &mut Document, found: &WinfieldTan, system: System) {
+    let (speeds, size) = (speeds(system), SPEED.size_in(system));
+    let unit = system.unit(SPEED.unit);
     let heads = |of: &str| {
-        speeds.numbers.map(|number| {
-            if number == speeds.numbers[0] {
-                format!("{of} at {number} {}", speeds.unit)
+        speeds.map(|number| {
+            if number == speeds[0] {
+                format!("{of} at {number} {unit}")
             } else {
                 format!("{number}")
             }
@@ -149,8 +136,8 @@ fn values(document: &mut Document, found: &WinfieldTan, speeds: &Speeds) {
         .collect();
     let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
     let rows = SPIN_RATIOS.map(|s| {
-        let at = speeds.numbers.map(|number| {
-            let speed = number * speeds.size;
+        let at = speeds.map(|number| {
+            let speed = number * size;
             is_flown(found, s, speed).then(|| coefficients(found, s, speed))
         });
         let cell = |value: Option<f64>| value.map_or(NONE.into(), |value| format!("{value:.3}"));
@@ -161,7 +148,7 @@ fn values(document: &mut Document, found: &WinfieldTan, speeds: &Speeds) {
             .chain(lift)
             .collect()
     });
-    document.add(Table::new(heads, rows));
+    document.add(DocumentTable::new(heads, rows));
 }
 
 /// True if the spin is at most the largest spin of the paper's flights.
@@ -202,7 +189,7 @@ pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
         .iter()
         .map(|decay| decay.sum)
         .fold(f64::INFINITY, f64::min);
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["δ, 1/s", "sum of squares", "relative to the smallest"],
         found.fitted.profile.iter().map(|decay| {
             vec![
@@ -213,8 +200,8 @@ pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
         }),
     ));
     let axes = (
-        Axis::linear(Measure::new("spin decay", Quantity::RATE, "1/s")),
-        Axis::linear(Measure::plain("sum of squares")),
+        Axis::linear(NamedQuantity::new("spin decay", Quantity::RATE, "1/s")),
+        Axis::linear(NamedQuantity::plain("sum of squares")),
     );
     let points = found
         .fitted

@@ -4,9 +4,11 @@ mod law;
 mod tables;
 
 use super::document::Document;
-use super::published::Published;
+use super::published::PaperUnits;
 use super::reply::Report;
-use crate::reproduce::{Best, Delivery, FittedNumber, LoftCarry, SingleShot, WinfieldTan};
+use crate::reproduce::{
+    DeliveryCarry, FittedNumber, LoftCarry, RecomputedOptimum, SingleShot, WinfieldTan,
+};
 use crate::units::System;
 use serde::Serialize;
 
@@ -38,11 +40,11 @@ pub struct PaperNumbers {
     /// The single shot.
     pub shot: SingleShot,
     /// The optimum.
-    pub optimum: Delivery,
+    pub optimum: DeliveryCarry,
     /// Table 1.
-    pub table1: Vec<Delivery>,
+    pub table1: Vec<DeliveryCarry>,
     /// Table 2.
-    pub table2: Vec<Delivery>,
+    pub table2: Vec<DeliveryCarry>,
     /// The loft with the best average carry.
     pub average: LoftCarry,
 }
@@ -54,7 +56,7 @@ impl<'a> WinfieldTanReport<'a> {
             found,
             computed: PaperNumbers::new(
                 found,
-                |best| best.computed,
+                RecomputedOptimum::exact,
                 found.shot.computed,
                 found.average.best,
             ),
@@ -73,7 +75,7 @@ impl<'a> WinfieldTanReport<'a> {
 impl PaperNumbers {
     fn new(
         found: &WinfieldTan,
-        of: fn(&Best) -> Delivery,
+        of: fn(&RecomputedOptimum) -> DeliveryCarry,
         shot: SingleShot,
         average: LoftCarry,
     ) -> Self {
@@ -94,7 +96,8 @@ impl Report for WinfieldTanReport<'_> {
     /// with the units of `system` in parentheses.
     fn document(&self, system: System) -> Document {
         let found = self.found;
-        let shown = Published {
+        let shown = PaperUnits {
+            angle_decimals: 2,
             paper: WinfieldTan::UNITS,
             system,
         };

@@ -1,13 +1,13 @@
 //! The numbers of the paper, compared with the computed numbers.
 
-use crate::report::document::{Document, Table};
-use crate::report::plot::{Axis, Figure, Hue, Layer, Measure};
-use crate::report::published::{ANGLE, LENGTH, Published, SPEED, angles};
-use crate::reproduce::{Best, LoftCarry, MISPRINTS, WinfieldTan};
+use crate::report::document::{Document, DocumentTable};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
+use crate::report::published::{ANGLE, LENGTH, PaperUnits, SPEED, angles};
+use crate::reproduce::{LoftCarry, MISPRINTS, RecomputedOptimum, WinfieldTan};
 use crate::statistics::largest_magnitude;
 use crate::units::{DisplayUnit, Quantity, fixed};
 
-pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Published) {
+pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
     let (ours, theirs) = (&found.shot.computed, &found.shot.printed);
     let row = |what: &str, of: DisplayUnit, ours: f64, theirs: f64| {
         vec![
@@ -29,7 +29,7 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Publishe
         quantity: Quantity::TIME,
         unit: "s",
     };
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["printed", "computed", "difference", "what"],
         [
             row("ball upwards", SPEED, ours.up, theirs.up),
@@ -57,19 +57,16 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: Publishe
         "The printed launch angle is a misprint: the printed components of the ball's velocity \
          give {}. The robot Iron Byron, with the same \
          delivery, hit {} ± {}: the computed carry lies {:.2} standard deviations from its mean.",
-        degrees(theirs.up.atan2(theirs.downrange)),
-        shown.printed_length(found.shot.robot.0),
-        shown.printed_length(found.shot.robot.1),
+        shown.degrees(theirs.up.atan2(theirs.downrange)),
+        shown.printed(LENGTH, found.shot.robot.0),
+        shown.printed(LENGTH, found.shot.robot.1),
         (ours.carry - found.shot.robot.0).abs() / found.shot.robot.1,
     ));
 }
 
-pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Published) {
-    let Best {
-        computed,
-        printed,
-        at_printed,
-    } = &found.optimum;
+pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
+    let (computed, printed) = (found.optimum.exact(), &found.optimum.printed);
+    let at_printed = shown.carry_if_flown(found.optimum.at_printed);
     let less = |by: f64| {
         format!(
             "{} {}",
@@ -78,24 +75,24 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Publi
         )
     };
     document.heading("The optimum");
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["loft", "attack angle", "carry", ""],
         [
             vec![
-                degrees(printed.loft),
-                degrees(printed.attack_angle),
-                shown.printed_length(printed.carry),
+                shown.degrees(printed.loft),
+                shown.degrees(printed.attack_angle),
+                shown.printed(LENGTH, printed.carry),
                 "printed".into(),
             ],
             vec![
-                degrees(printed.loft),
-                degrees(printed.attack_angle),
-                shown.length(*at_printed),
+                shown.degrees(printed.loft),
+                shown.degrees(printed.attack_angle),
+                at_printed,
                 "printed delivery, computed".into(),
             ],
             vec![
-                degrees(computed.loft),
-                degrees(computed.attack_angle),
+                shown.degrees(computed.loft),
+                shown.degrees(computed.attack_angle),
                 shown.length(computed.carry),
                 "exact".into(),
             ],
@@ -106,15 +103,15 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Publi
          hardly changes. The printed delivery \
          carries only {} less than the exact best, so the place on the ridge where a search ends \
          has little meaning. Along the ridge:",
-        less(computed.carry - at_printed)
+        less(found.optimum.cost())
     ));
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["attack angle", "best loft", "carry", "loss"],
         found.ridge.iter().map(|point| {
             let loss = less((computed.carry - point.carry).max(0.0));
             vec![
-                degrees(point.attack_angle),
-                degrees(point.loft),
+                shown.degrees(point.attack_angle),
+                shown.degrees(point.loft),
                 shown.length(point.carry),
                 loss,
             ]
@@ -122,21 +119,21 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Publi
     ));
 }
 
-pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Published) {
+pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
     document.heading("Its tables");
     let all = || found.table1.iter().chain(&found.table2);
     let (carry_rms, carry_worst) =
-        spread(all().map(|row| shown.length_number(row.computed.carry - row.printed.carry)));
+        spread(all().map(|row| shown.length_number(row.exact().carry - row.printed.carry)));
     let angles = found
         .table1
         .iter()
-        .map(|row| row.computed.attack_angle - row.printed.attack_angle);
+        .map(|row| row.exact().attack_angle - row.printed.attack_angle);
     let angles = angles
         .chain(
             found
                 .table2
                 .iter()
-                .map(|row| row.computed.loft - row.printed.loft),
+                .map(|row| row.exact().loft - row.printed.loft),
         )
         .map(f64::to_degrees);
     let (angle_rms, angle_worst) = spread(angles);
@@ -148,7 +145,7 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Publis
         shown.length_unit(),
     ));
     document.paragraph("Table 1: the best attack angle at each loft.");
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         [
             "loft",
             "attack printed",
@@ -160,7 +157,7 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Publis
         found.table1.iter().map(|row| line(row, true, shown)),
     ));
     document.paragraph("Table 2: the best loft at each attack angle.");
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         [
             "attack angle",
             "loft printed",
@@ -182,32 +179,26 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: Publis
     document.figure(left_over(found));
 }
 
-fn line(row: &Best, is_by_loft: bool, shown: Published) -> Vec<String> {
-    let Best {
-        computed, printed, ..
-    } = row;
+fn line(row: &RecomputedOptimum, is_by_loft: bool, shown: PaperUnits) -> Vec<String> {
+    let (computed, printed) = (row.exact(), &row.printed);
     let (given, theirs, ours) = match is_by_loft {
         true => (printed.loft, printed.attack_angle, computed.attack_angle),
         false => (printed.attack_angle, printed.loft, computed.loft),
     };
     vec![
         format!("{:.0}°", given.to_degrees()),
-        degrees(theirs),
-        degrees(ours),
-        shown.printed_length(printed.carry),
+        shown.degrees(theirs),
+        shown.degrees(ours),
+        shown.printed(LENGTH, printed.carry),
         shown.length(computed.carry),
         shown.difference(LENGTH, computed.carry - printed.carry),
     ]
 }
 
 fn ridges(found: &WinfieldTan) -> Figure {
-    let points = |rows: &[Best], is_printed: bool| {
-        let of = |row: &Best| {
-            if is_printed {
-                row.printed
-            } else {
-                row.computed
-            }
+    let points = |rows: &[RecomputedOptimum], is_printed: bool| {
+        let of = |row: &RecomputedOptimum| {
+            if is_printed { row.printed } else { row.exact() }
         };
         rows.iter()
             .map(|row| [of(row).attack_angle, of(row).loft])
@@ -238,12 +229,12 @@ fn ridges(found: &WinfieldTan) -> Figure {
 }
 
 fn left_over(found: &WinfieldTan) -> Figure {
-    let points = |rows: &[Best]| {
+    let points = |rows: &[RecomputedOptimum]| {
         rows.iter()
-            .map(|row| [row.printed.carry, row.computed.carry - row.printed.carry])
+            .map(|row| [row.printed.carry, row.exact().carry - row.printed.carry])
             .collect::<Vec<_>>()
     };
-    let carry = |label: &str| Axis::linear(Measure::new(label, Quantity::LENGTH, "yd"));
+    let carry = |label: &str| Axis::linear(NamedQuantity::new(label, Quantity::LENGTH, "yd"));
     Figure::new(
         "tables-left-over",
         "Residuals of the tables",
@@ -254,11 +245,11 @@ fn left_over(found: &WinfieldTan) -> Figure {
     .with(Layer::dots("Table 2", 1, points(&found.table2)))
 }
 
-pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Published) {
+pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
     let mean = &found.average;
     document.heading("The average over attack angles");
     document.paragraph("Carry averaged over attack angles of 0, 1 … 10°, at each loft.");
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["loft", "average carry"],
         mean.rows.iter().map(|row| {
             vec![
@@ -267,14 +258,15 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
             ]
         }),
     ));
-    let row = |loft: f64, carry: String, what: &str| vec![degrees(loft), carry, what.to_owned()];
+    let row =
+        |loft: f64, carry: String, what: &str| vec![shown.degrees(loft), carry, what.to_owned()];
     let computed = |best: LoftCarry, what: &str| row(best.loft, shown.length(best.carry), what);
-    document.add(Table::new(
+    document.add(DocumentTable::new(
         ["best loft", "average carry", "how"],
         [
             row(
                 mean.printed.loft,
-                shown.printed_length(mean.printed.carry),
+                shown.printed(LENGTH, mean.printed.carry),
                 "printed: maximum of a polynomial of fifth order",
             ),
             computed(
@@ -284,11 +276,11 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
             computed(mean.best, "exact optimum of the average, no polynomial"),
         ],
     ));
-    let carry = Axis::linear(Measure::new("average carry", Quantity::LENGTH, "yd"));
+    let carry = Axis::linear(NamedQuantity::new("average carry", Quantity::LENGTH, "yd"));
     let points = |rows: &[LoftCarry]| rows.iter().map(|row| [row.loft, row.carry]).collect();
     let best = mean.by_polynomial;
     let best = Layer::Mark {
-        name: degrees(best.loft),
+        name: shown.degrees(best.loft),
         hue: Hue::Series(0),
         at: [best.loft, best.carry],
     };
@@ -312,11 +304,6 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Publi
         ))
         .with(best),
     );
-}
-
-/// An angle in degrees with two decimals, as in the paper.
-fn degrees(radians: f64) -> String {
-    format!("{}°", fixed(radians.to_degrees(), 2))
 }
 
 /// Root mean square and largest absolute value of some numbers.

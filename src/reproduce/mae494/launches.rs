@@ -1,4 +1,3 @@
-use super::Row;
 use crate::derivative::{self, Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -7,7 +6,8 @@ use crate::optimize::{
     Domain, Evaluation, Observers, Options, Problem, Status, minimize_from, starts,
 };
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
+use crate::reproduce::RecomputedOptimum;
+use crate::reproduce::delivery::{ATTACK_ANGLE, DeliveryCarry, LOFT};
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
 
@@ -80,7 +80,7 @@ pub struct Subsystems {
     pub flight: Launched,
     /// Delivery with the largest ball speed at the attack angle of the optimum,
     /// with its carry.
-    pub impact: Delivery,
+    pub impact: DeliveryCarry,
     /// Derivatives of carry by each launch condition at the optimum: m per m/s, per rad, per rad/s.
     #[serde(rename = "carry_by")]
     pub slopes: ByLaunch,
@@ -158,7 +158,7 @@ impl Energy {
 
 impl Subsystems {
     /// The best flight alone and the best impact alone, beside the optimum of the whole system.
-    pub(super) fn new(optimum: &Row) -> Result<Self> {
+    pub(super) fn new(optimum: &RecomputedOptimum) -> Result<Self> {
         let setup = &optimum.best.setup;
         let quantities = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin];
         let wrt = [setup.variable(LOFT)?, setup.variable(ATTACK_ANGLE)?];
@@ -182,7 +182,7 @@ impl Subsystems {
         Ok(Self {
             whole: Launched::new(&launch, flight.value),
             flight: own_choice,
-            impact: Delivery::flown(setup, 0.0, attack_angle)?,
+            impact: DeliveryCarry::flown(setup, 0.0, attack_angle)?,
             slopes: slopes.into(),
             by_loft: through(0).into(),
             by_attack_angle: through(1).into(),

@@ -1,4 +1,4 @@
-use super::objective::Objective;
+use super::objective::CarryObjective;
 use argmin::core::{CostFunction, Error, Executor, Gradient};
 use argmin::solver::linesearch::MoreThuenteLineSearch;
 use argmin::solver::quasinewton::LBFGS;
@@ -15,7 +15,7 @@ const ITERATIONS: u64 = 200;
 /// argmin's L-BFGS has no bounds. The substitution x = middle + half the width · sin u removes the
 /// bounds of the problem. L-BFGS also fails where the function is undefined. A drive whose ball
 /// does not fly therefore has carry 0.
-pub(super) fn search_by_lbfgs(objective: &Objective, start: &[f64]) -> (Vec<f64>, String) {
+pub(super) fn search_by_lbfgs(objective: &CarryObjective, start: &[f64]) -> (Vec<f64>, String) {
     let bounds = &objective.domain.variables;
     let half = |i: usize| 0.5 * (bounds.high[i] - bounds.low[i]);
     let begin = (0..start.len()).map(|i| {
@@ -52,7 +52,7 @@ fn flown<T>(found: Result<T, crate::Error>, without: T) -> Result<T, crate::Erro
 
 /// The problem in the unbounded variables u.
 struct Unbounded<'a, 'b> {
-    objective: &'a Objective<'b>,
+    objective: &'a CarryObjective<'b>,
     /// The smallest value so far and its point.
     best: &'a RefCell<(f64, Vec<f64>)>,
 }

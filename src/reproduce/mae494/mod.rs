@@ -15,37 +15,36 @@ mod parametric;
 mod printed;
 mod regression;
 mod searches;
-mod tables;
 mod while_loop;
 
 pub use average::Average;
 pub use launches::{ByLaunch, Energy, Launched, Subsystems};
 pub use noise::{Landings, LongerDifference, Noise, Sawtooth, ShorterStep, Slopes};
-pub use objective::{Landing, Method};
+pub use objective::{LandingDefinition, SearchMethod};
 pub use parametric::{ChangedOptimum, Constant, ConstantChange, Parametric};
 pub use regression::{Peak, Regression};
 pub use searches::{End, Searches};
-pub use tables::Row;
 pub use while_loop::{LoopLanding, LoopRow, loop_landing, while_loop};
 
 use crate::error::Result;
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
+use crate::reproduce::RecomputedOptimum;
+use crate::reproduce::delivery::{ATTACK_ANGLE, DeliveryCarry, LOFT};
 use crate::units::System;
 
 /// Reproduction of the report.
 #[derive(Clone, Debug)]
 pub struct Mae494 {
     /// The optimum over loft and attack angle, compared with the recommended optimum.
-    pub optimum: Row,
+    pub optimum: RecomputedOptimum,
     /// Table 1: best loft at each attack angle.
-    pub table1: Vec<Row>,
+    pub table1: Vec<RecomputedOptimum>,
     /// Table 2: best attack angle at each loft.
-    pub table2: Vec<Row>,
+    pub table2: Vec<RecomputedOptimum>,
     /// The report's regression.
     pub regression: Regression,
     /// Optimum of the regression with the wrong powers, and the carry of this optimum in the model.
-    pub slipped: Delivery,
+    pub slipped: DeliveryCarry,
     /// Energy argument against the printed distances.
     pub energy: Energy,
     /// Optima of the subsystems.
@@ -63,6 +62,10 @@ impl Mae494 {
     pub const UNITS: System = System::Metric;
 }
 
+/// Number of starts of the search for an optimum of a table: carry may have several maxima, and the
+/// ball does not fly at some printed optima.
+const STARTS: usize = 8;
+
 /// Reproduces the report; `progress` receives the name of each study as it begins.
 ///
 /// # Errors
@@ -72,12 +75,22 @@ pub fn mae494(mut progress: impl FnMut(&str)) -> Result<Mae494> {
     progress("the regression");
     let regression = Regression::new()?;
     let attack_angle = printed::REGRESSION_ATTACK.to_radians();
-    let slipped = Delivery::flown(&setup, regression.slipped.loft, attack_angle)?;
+    let slipped = DeliveryCarry::flown(&setup, regression.slipped.loft, attack_angle)?;
     progress("the tables");
-    let optimum = tables::row(&setup, printed::OPTIMUM, &[LOFT, ATTACK_ANGLE])?;
-    let by_attack = printed::TABLE_1.map(|[attack, loft, carry]| [loft, attack, carry]);
-    let table1 = tables::rows(&setup, &by_attack, &[LOFT])?;
-    let table2 = tables::rows(&setup, &printed::TABLE_2, &[ATTACK_ANGLE])?;
+    let recomputed = |loft: f64, attack: f64, carry: f64, names: &[&str]| {
+        let printed = DeliveryCarry::in_degrees(loft, attack, carry);
+        RecomputedOptimum::new(&setup, printed, names, printed::RANGES, STARTS)
+    };
+    let [loft, attack, carry] = printed::OPTIMUM;
+    let optimum = recomputed(loft, attack, carry, &[LOFT, ATTACK_ANGLE])?;
+    let table1 = printed::TABLE_1
+        .into_iter()
+        .map(|[attack, loft, carry]| recomputed(loft, attack, carry, &[LOFT]))
+        .collect::<Result<_>>()?;
+    let table2 = printed::TABLE_2
+        .into_iter()
+        .map(|[loft, attack, carry]| recomputed(loft, attack, carry, &[ATTACK_ANGLE]))
+        .collect::<Result<_>>()?;
     progress("launches");
     let energy = Energy::new(&setup, optimum.printed.carry)?;
     let subsystems = Subsystems::new(&optimum)?;

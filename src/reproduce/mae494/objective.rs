@@ -14,8 +14,9 @@ use std::cell::Cell;
 /// Definition of the landing point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "Landing"))]
 #[serde(rename_all = "lowercase")]
-pub enum Landing {
+pub enum LandingDefinition {
     /// The last step of the report's time loop, which is below the ground.
     #[serde(rename = "loop")]
     Overshot,
@@ -28,7 +29,8 @@ pub enum Landing {
 /// Optimization method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub enum Method {
+#[cfg_attr(test, schemars(rename = "Method"))]
+pub enum SearchMethod {
     /// argmin's L-BFGS with the Moré–Thuente line search; gradients by forward differences.
     #[serde(rename = "lbfgs-differences")]
     LimitedMemory,
@@ -51,19 +53,23 @@ pub(super) fn domain() -> Result<Domain> {
 }
 
 /// −carry as a function of loft and attack angle, with a count of the flights.
-pub(super) struct Objective<'a> {
+pub(super) struct CarryObjective<'a> {
     pub setup: &'a Setup<f64>,
-    landing: Landing,
-    pub method: Method,
+    landing: LandingDefinition,
+    pub method: SearchMethod,
     pub domain: Domain,
     exact: Evaluator,
     pub flights: Cell<u64>,
 }
 
-impl<'a> Objective<'a> {
-    pub fn new(setup: &'a Setup<f64>, landing: Landing, method: Method) -> Result<Self> {
+impl<'a> CarryObjective<'a> {
+    pub fn new(
+        setup: &'a Setup<f64>,
+        landing: LandingDefinition,
+        method: SearchMethod,
+    ) -> Result<Self> {
         let wrt = [setup.variable(LOFT)?, setup.variable(ATTACK_ANGLE)?];
-        let order = if method == Method::Exact {
+        let order = if method == SearchMethod::Exact {
             Order::Second
         } else {
             Order::First
@@ -84,15 +90,20 @@ impl<'a> Objective<'a> {
         self.flights.set(self.flights.get() + 1);
         let at = delivered(self.setup, x[0], x[1]);
         Ok(-match self.landing {
-            Landing::Overshot => fly_past_the_ground(&at, at.flight.step)?.overshot,
-            Landing::Interpolated => fly_past_the_ground(&at, at.flight.step)?.interpolated,
-            Landing::Smooth => carried(&at)?,
+            LandingDefinition::Overshot => fly_past_the_ground(&at, at.flight.step)?.overshot,
+            LandingDefinition::Interpolated => {
+                fly_past_the_ground(&at, at.flight.step)?.interpolated
+            }
+            LandingDefinition::Smooth => carried(&at)?,
         })
     }
 
     /// −carry with the derivatives that `method` uses.
     pub fn taylor(&self, x: &[f64]) -> Result<Taylor> {
-        if matches!(self.method, Method::Exact | Method::LimitedMemoryExact) {
+        if matches!(
+            self.method,
+            SearchMethod::Exact | SearchMethod::LimitedMemoryExact
+        ) {
             self.flights.set(self.flights.get() + 1);
             let mut carry = self.exact.at(x)?;
             return Ok(carry.swap_remove(0).negated());

@@ -1,7 +1,7 @@
-use super::Row;
 use crate::error::Result;
 use crate::json::{by_name, number};
 use crate::parameters::Parameter;
+use crate::reproduce::RecomputedOptimum;
 use crate::reproduce::delivery::{ATTACK_ANGLE, LOFT};
 use crate::study::{Change, change, sensitivity};
 use serde::Serialize;
@@ -121,7 +121,7 @@ const CHANGES: [(&str, f64); 4] = [
 
 impl Parametric {
     /// The parametric study at `optimum`.
-    pub(super) fn new(optimum: &Row) -> Result<Self> {
+    pub(super) fn new(optimum: &RecomputedOptimum) -> Result<Self> {
         let best = &optimum.best;
         let constant = |name: &&str| {
             let parameter = best.setup.variable(name)?;

@@ -40,15 +40,15 @@ impl Regression {
     /// a search for a maximum fails.
     pub fn new() -> Result<Self> {
         let (fitted, evaluated) = ([0, 2, 3, 4, 5], [0, 1, 2, 3, 4]);
-        let slipped = Polynomial {
+        let slipped = RegressionPolynomial {
             coefficients: through_the_data(fitted)?,
             powers: evaluated,
         };
-        let as_fitted = Polynomial {
+        let as_fitted = RegressionPolynomial {
             powers: fitted,
             ..slipped
         };
-        let ordinary = Polynomial {
+        let ordinary = RegressionPolynomial {
             coefficients: through_the_data(evaluated)?,
             powers: evaluated,
         };
@@ -62,7 +62,7 @@ impl Regression {
 
 /// Σ βᵢ λ^pᵢ.
 #[derive(Clone, Copy)]
-struct Polynomial {
+struct RegressionPolynomial {
     coefficients: SVector<f64, 5>,
     powers: [u32; 5],
 }
@@ -80,7 +80,7 @@ fn through_the_data(powers: [u32; 5]) -> Result<SVector<f64, 5>> {
         .ok_or_else(|| Error::Optimizer("the regression's matrix is singular".into()))
 }
 
-impl Polynomial {
+impl RegressionPolynomial {
     fn peak(self) -> Result<Peak> {
         let [low, high] = printed::RANGES.loft.map(f64::to_radians);
         let domain = Domain::new(vec![low], vec![high])?;
@@ -109,7 +109,7 @@ impl Polynomial {
     }
 }
 
-impl Functions for Polynomial {
+impl Functions for RegressionPolynomial {
     fn evaluate<T: Number>(&self, x: &[T]) -> std::result::Result<Evaluation<T>, String> {
         let terms = self
             .coefficients

@@ -1,10 +1,9 @@
 use super::lbfgs::search_by_lbfgs;
-use super::objective::{Landing, Method, Objective, domain};
-use super::tables::carried_if_flown;
+use super::objective::{CarryObjective, LandingDefinition, SearchMethod, domain};
 use crate::error::Result;
 use crate::optimize::{Evaluation, Options, minimize, starts};
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{Delivery, delivered};
+use crate::reproduce::delivery::{DeliveryCarry, carried_if_flown, delivered};
 use serde::Serialize;
 
 /// Searches with one definition of the landing and one method. All combinations use the same
@@ -13,9 +12,9 @@ use serde::Serialize;
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Searches {
     /// Definition of the landing.
-    pub landing: Landing,
+    pub landing: LandingDefinition,
     /// The method.
-    pub method: Method,
+    pub method: SearchMethod,
     /// Result from each start.
     pub ends: Vec<End>,
 }
@@ -25,10 +24,10 @@ pub struct Searches {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct End {
     /// Starting point.
-    pub start: Delivery,
+    pub start: DeliveryCarry,
     /// End point, with the carry of the smooth landing.
     #[serde(rename = "end")]
-    pub at: Delivery,
+    pub at: DeliveryCarry,
     /// Number of computed flights. A flight with exact derivatives counts as one.
     pub flights: u64,
     /// Termination message of the method.
@@ -39,14 +38,14 @@ pub struct End {
 const STARTS: usize = 20;
 
 /// Combinations of the definition of the landing and the method.
-const KINDS: [(Landing, Method); 7] = [
-    (Landing::Overshot, Method::LimitedMemory),
-    (Landing::Interpolated, Method::LimitedMemory),
-    (Landing::Smooth, Method::LimitedMemoryExact),
-    (Landing::Overshot, Method::QuasiNewton),
-    (Landing::Interpolated, Method::QuasiNewton),
-    (Landing::Smooth, Method::QuasiNewton),
-    (Landing::Smooth, Method::Exact),
+const KINDS: [(LandingDefinition, SearchMethod); 7] = [
+    (LandingDefinition::Overshot, SearchMethod::LimitedMemory),
+    (LandingDefinition::Interpolated, SearchMethod::LimitedMemory),
+    (LandingDefinition::Smooth, SearchMethod::LimitedMemoryExact),
+    (LandingDefinition::Overshot, SearchMethod::QuasiNewton),
+    (LandingDefinition::Interpolated, SearchMethod::QuasiNewton),
+    (LandingDefinition::Smooth, SearchMethod::QuasiNewton),
+    (LandingDefinition::Smooth, SearchMethod::Exact),
 ];
 
 /// All searches from common starts, at which the ball flies.
@@ -59,7 +58,7 @@ pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<Searches>> {
         8 * STARTS,
     )? {
         if let Some(carry) = carried_if_flown(&delivered(setup, x[0], x[1]))? {
-            begun.push(Delivery {
+            begun.push(DeliveryCarry {
                 loft: x[0],
                 attack_angle: x[1],
                 carry,
@@ -67,10 +66,10 @@ pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<Searches>> {
         }
     }
     begun.truncate(STARTS);
-    let one = |(landing, method): (Landing, Method)| {
+    let one = |(landing, method): (LandingDefinition, SearchMethod)| {
         let ends = begun
             .iter()
-            .map(|start| search(&Objective::new(setup, landing, method)?, *start));
+            .map(|start| search(&CarryObjective::new(setup, landing, method)?, *start));
         Ok(Searches {
             landing,
             method,
@@ -81,11 +80,13 @@ pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<Searches>> {
 }
 
 /// A search from one start.
-fn search(objective: &Objective<'_>, start: Delivery) -> Result<End> {
+fn search(objective: &CarryObjective<'_>, start: DeliveryCarry) -> Result<End> {
     let x = [start.loft, start.attack_angle];
     let (x, message) = match objective.method {
-        Method::LimitedMemory | Method::LimitedMemoryExact => search_by_lbfgs(objective, &x),
-        Method::QuasiNewton | Method::Exact => {
+        SearchMethod::LimitedMemory | SearchMethod::LimitedMemoryExact => {
+            search_by_lbfgs(objective, &x)
+        }
+        SearchMethod::QuasiNewton | SearchMethod::Exact => {
             let problem = |x: &[f64]| {
                 let objective = objective.taylor(x).map_err(|error| error.to_string())?;
                 Ok(Evaluation::unconstrained(objective))
@@ -97,7 +98,7 @@ fn search(objective: &Objective<'_>, start: Delivery) -> Result<End> {
     let carry = carried_if_flown(&delivered(objective.setup, x[0], x[1]))?;
     Ok(End {
         start,
-        at: Delivery {
+        at: DeliveryCarry {
             loft: x[0],
             attack_angle: x[1],
             carry: carry.unwrap_or_default(),

@@ -29,7 +29,7 @@ impl Mean {
             loft: loft.to_radians(),
             carry: carry * YARD,
         };
-        let through = Polynomial::through(&average.rows).ok_or_else(refused)?;
+        let through = InterpolatingPolynomial::through(&average.rows).ok_or_else(refused)?;
         let by_polynomial = through.top(average.best.loft)?;
         let [from, to] =
             [average.rows.first(), average.rows.last()].map(|row| row.map_or(0.0, |row| row.loft));
@@ -56,12 +56,12 @@ const CURVE: usize = 101;
 
 /// Interpolating polynomial in the difference of the loft from `middle`, the mean loft, in degrees.
 /// The difference keeps the powers well scaled.
-struct Polynomial {
+struct InterpolatingPolynomial {
     middle: f64,
     coefficients: DVector<f64>,
 }
 
-impl Polynomial {
+impl InterpolatingPolynomial {
     fn through(rows: &[LoftCarry]) -> Option<Self> {
         let n = rows.len();
         let middle = rows.iter().map(|row| row.loft).sum::<f64>() / n as f64;

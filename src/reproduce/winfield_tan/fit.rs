@@ -8,7 +8,7 @@ use serde::Serialize;
 
 /// Printed values as data for a calibration.
 const PRINTED: &str = include_str!("printed.csv");
-/// Spin decay rates of [`Fitted::profile`], 1/s.
+/// Spin decay rates of [`RefittedLaw::profile`], 1/s.
 const PROFILE: [f64; 6] = [0.0, 0.045, 0.1, 0.2, 0.3, 0.65];
 /// Method of the fits. It needs a sixth of the evaluations of the preset's own method, and the
 /// carries by both methods differ by at most 4e-9 m.
@@ -19,7 +19,7 @@ const DECAY: &str = "aero.spin_decay";
 
 /// The law of the preset `winfield-tan`, fitted anew.
 #[derive(Clone, Debug)]
-pub struct Fitted {
+pub struct RefittedLaw {
     /// Calibration with the spin decay rate of the preset.
     pub law: Calibration,
     /// Decay rate, 1/s. Its uncertainty is scaled by the residuals.
@@ -47,7 +47,7 @@ pub struct Decay {
     pub sum: f64,
 }
 
-impl Fitted {
+impl RefittedLaw {
     pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
         let mut setup = *setup;
         (setup.method, setup.flight.step) = (METHOD, STEP);

@@ -9,18 +9,19 @@ mod average;
 mod fit;
 mod printed;
 mod shot;
-mod tables;
 
 pub use average::Mean;
-pub use fit::{Decay, Fitted, FittedNumber};
+pub use fit::{Decay, FittedNumber, RefittedLaw};
 pub use printed::MISPRINTS;
 pub use shot::{ShotComparison, SingleShot};
-pub use tables::Best;
 
 use crate::error::Result;
+use crate::optimize::Observer;
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{ATTACK_ANGLE, Delivery, LOFT};
-use crate::units::System;
+use crate::reproduce::RecomputedOptimum;
+use crate::reproduce::delivery::{ATTACK_ANGLE, DeliveryCarry, LOFT, Ranges};
+use crate::study::optimum;
+use crate::units::{System, YARD};
 
 /// Reproduction of the paper.
 #[derive(Clone, Debug)]
@@ -30,18 +31,24 @@ pub struct WinfieldTan {
     /// The single shot at 103 mph: impact and flight.
     pub shot: ShotComparison,
     /// The optimum over loft and attack angle.
-    pub optimum: Best,
+    pub optimum: RecomputedOptimum,
     /// Best loft at attack angles around the optimum.
-    pub ridge: Vec<Delivery>,
+    pub ridge: Vec<DeliveryCarry>,
     /// Table 1: best attack angle at each loft.
-    pub table1: Vec<Best>,
+    pub table1: Vec<RecomputedOptimum>,
     /// Table 2: best loft at each attack angle.
-    pub table2: Vec<Best>,
+    pub table2: Vec<RecomputedOptimum>,
     /// Mean over attack angles of 0–10°.
     pub average: Mean,
     /// Calibration of the law.
-    pub fitted: Fitted,
+    pub fitted: RefittedLaw,
 }
+
+/// Search ranges far beyond the printed values.
+const RANGES: Ranges = Ranges {
+    loft: [-10.0, 40.0],
+    attack_angle: [-20.0, 50.0],
+};
 
 impl WinfieldTan {
     /// Unit system of the paper.
@@ -58,15 +65,25 @@ pub fn winfield_tan(mut progress: impl FnMut(&str)) -> Result<WinfieldTan> {
     progress("the single shot");
     let shot = ShotComparison::new(&setup)?;
     progress("the optimum and the tables");
-    let optimum = tables::best(&setup, printed::OPTIMUM, &[LOFT, ATTACK_ANGLE])?;
-    let table1 = tables::rows(&setup, &printed::TABLE_1, &[ATTACK_ANGLE])?;
-    let by_attack = printed::TABLE_2.map(|[attack, loft, carry]| [loft, attack, carry]);
-    let table2 = tables::rows(&setup, &by_attack, &[LOFT])?;
-    let ridge = tables::ridge(&setup, &optimum)?;
+    let recomputed = |loft: f64, attack: f64, carry: f64, names: &[&str]| {
+        let printed = DeliveryCarry::in_degrees(loft, attack, carry * YARD);
+        RecomputedOptimum::new(&setup, printed, names, RANGES, 1)
+    };
+    let [loft, attack, carry] = printed::OPTIMUM;
+    let optimum = recomputed(loft, attack, carry, &[LOFT, ATTACK_ANGLE])?;
+    let table1 = printed::TABLE_1
+        .into_iter()
+        .map(|[loft, attack, carry]| recomputed(loft, attack, carry, &[ATTACK_ANGLE]))
+        .collect::<Result<_>>()?;
+    let table2 = printed::TABLE_2
+        .into_iter()
+        .map(|[attack, loft, carry]| recomputed(loft, attack, carry, &[LOFT]))
+        .collect::<Result<_>>()?;
+    let ridge = ridge(&setup, optimum.exact())?;
     progress("the average over attack angles");
     let average = Mean::new(&setup)?;
     progress("the aerodynamic law, calibrated again to the data of the paper");
-    let fitted = Fitted::new(&setup)?;
+    let fitted = RefittedLaw::new(&setup)?;
     Ok(WinfieldTan {
         setup,
         shot,
@@ -77,4 +94,19 @@ pub fn winfield_tan(mut progress: impl FnMut(&str)) -> Result<WinfieldTan> {
         average,
         fitted,
     })
+}
+
+/// Best loft at attack angles within ±6° of the optimum.
+fn ridge(setup: &Setup<f64>, mut from: DeliveryCarry) -> Result<Vec<DeliveryCarry>> {
+    let top = from.attack_angle;
+    let search = RANGES.longest_carry(setup, &[LOFT])?;
+    (-6..=6)
+        .map(|step| {
+            from.attack_angle = top + f64::from(step).to_radians();
+            let found = optimum(&from.set(setup), search.clone(), Observer::default())?;
+            found.check_converged()?;
+            from = DeliveryCarry::of(&found);
+            Ok(from)
+        })
+        .collect()
 }

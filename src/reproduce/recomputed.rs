@@ -1,0 +1,48 @@
+use super::delivery::{DeliveryCarry, Ranges, carried_if_flown};
+use crate::error::Result;
+use crate::optimize::Observers;
+use crate::parameters::Setup;
+use crate::study::{Optimum, optima};
+
+/// A printed optimum compared with the exact optimum of the same model.
+#[derive(Clone, Debug)]
+pub struct RecomputedOptimum {
+    /// The printed optimum.
+    pub printed: DeliveryCarry,
+    /// The exact optimum of the varied parameters.
+    pub best: Optimum,
+    /// Carry that the same model gives for the printed optimum, m; `None` if the ball does not fly.
+    pub at_printed: Option<f64>,
+}
+
+impl RecomputedOptimum {
+    /// The exact optimum over the parameters `names` within these ranges, by this number of
+    /// searches. All other parameters have the printed values.
+    pub(super) fn new(
+        setup: &Setup<f64>,
+        printed: DeliveryCarry,
+        names: &[&str],
+        ranges: Ranges,
+        starts: usize,
+    ) -> Result<Self> {
+        let at = printed.set(setup);
+        let search = ranges.longest_carry(setup, names)?;
+        let best = optima(&at, &search, starts, &Observers::default())?.best;
+        best.check_converged()?;
+        Ok(Self {
+            printed,
+            best,
+            at_printed: carried_if_flown(&at)?,
+        })
+    }
+
+    /// Loss of carry at the printed optimum, m; the whole carry if the ball does not fly.
+    pub fn cost(&self) -> f64 {
+        self.best.value().unwrap_or_default() - self.at_printed.unwrap_or_default()
+    }
+
+    /// Delivery and carry of the exact optimum.
+    pub fn exact(&self) -> DeliveryCarry {
+        DeliveryCarry::of(&self.best)
+    }
+}
