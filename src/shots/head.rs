@@ -6,8 +6,8 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, air_of_rows, air_of_setup,
-    cells, club_column, columns_remark, given_air, missing_of_launch, near_known,
+    Column, Content, DecimalMark, OF_FLOWN, TableFormat, TableHead, TextTable, air_of_rows,
+    air_of_setup, cells, club_column, columns_remark, given_air, missing_of_launch, near_known,
     replace_air_remark, rest_of_head, split_unit, with_nearest, words,
 };
 use crate::units::Message;
@@ -69,10 +69,10 @@ impl Export {
     ///
     /// # Errors
     /// [`Error::Table`] if a launch column is missing, or if a unit has the wrong dimension.
-    pub(super) fn read(setup: &Setup<f64>, mut head: Head, table: &TextTable) -> Result<Self> {
+    pub(super) fn read(setup: &Setup<f64>, mut head: TableHead, table: &TextTable) -> Result<Self> {
         add_totals(setup, &mut head)?;
         let meant = Interpretation::of(Some(setup), &mut head, table);
-        let Head {
+        let TableHead {
             line,
             heads,
             columns,
@@ -185,7 +185,7 @@ impl Export {
             // parameters of the club do not affect the flight of a launch: read them as club data
             Content::Note | Content::Input(_) => {
                 let below = read_units(self.units.as_deref(), at);
-                let format = Format {
+                let format = TableFormat {
                     is_export: self.is_export,
                     has_decimal_comma: self.separator != b',',
                 };
@@ -339,8 +339,8 @@ impl Export {
     }
 }
 
-/// Interprets the columns of rest positions, which `Head` does not know.
-fn add_totals(setup: &Setup<f64>, head: &mut Head) -> Result<()> {
+/// Interprets the columns of rest positions, which `TableHead` does not know.
+fn add_totals(setup: &Setup<f64>, head: &mut TableHead) -> Result<()> {
     if head.format.is_export {
         for at in 0..head.columns.len() {
             let unit = read_units(head.units.as_deref(), at);
@@ -384,7 +384,7 @@ fn total(
     name: &str,
     head: &str,
     below: Option<&str>,
-    format: Format,
+    format: TableFormat,
 ) -> Result<Option<Column>> {
     let Some(of) = rest_of_head(&words(name)) else {
         return Ok(None);

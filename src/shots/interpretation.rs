@@ -4,7 +4,7 @@ use super::sign_conventions::SignConventions;
 use crate::drive::Outcome;
 use crate::parameters::Setup;
 use crate::table::{
-    Column, Content, Head, TextTable, assume_units, split_unit, states_weather, words,
+    Column, Content, TableHead, TextTable, assume_units, split_unit, states_weather, words,
 };
 
 /// Makers with column heads (in lower case) that occur together only in their exports. Sources:
@@ -49,7 +49,7 @@ pub(crate) struct Interpretation {
 impl Interpretation {
     /// Interprets the columns of an export, and changes them accordingly. A table that is not an
     /// export stays unchanged. With a `setup`, a column of weather is read as the air of each row.
-    pub fn of(setup: Option<&Setup<f64>>, head: &mut Head, table: &TextTable) -> Self {
+    pub fn of(setup: Option<&Setup<f64>>, head: &mut TableHead, table: &TextTable) -> Self {
         if !head.format.is_export {
             return Self::default();
         }

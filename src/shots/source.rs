@@ -11,7 +11,8 @@ use crate::error::Result;
 use crate::input_file::InputFile;
 use crate::parameters::{Golfer, Parameter, Setup};
 use crate::table::{
-    Column, Entry, Record, RowFilter, SourceName, TableOptions, Text, TextTable, remark_from_line,
+    Column, Record, RowFilter, SourceName, TableEntry, TableOptions, Text, TextTable,
+    remark_from_line,
 };
 use crate::units::Message;
 use std::io::{self, Read};
@@ -232,10 +233,10 @@ impl TableRows {
         while records.len() < most {
             match self.table.next_entry()? {
                 None => break,
-                Some(Entry::Row(record)) => records.push(record),
-                Some(Entry::Excluded) => {}
-                Some(Entry::Head(record)) if records.is_empty() => self.begin(&record)?,
-                Some(Entry::Head(record)) => {
+                Some(TableEntry::Row(record)) => records.push(record),
+                Some(TableEntry::Excluded) => {}
+                Some(TableEntry::Head(record)) if records.is_empty() => self.begin(&record)?,
+                Some(TableEntry::Head(record)) => {
                     self.table.give_back(record);
                     break;
                 }

@@ -2,7 +2,7 @@
 //! begin sections.
 
 use super::encoding::{Encoding, decoded};
-use super::head::{Head, TableOptions};
+use super::head::{TableHead, TableOptions};
 use super::launch_monitor::is_head;
 use super::records::{Lines, Record, cells};
 use super::refusal::{NonShot, Refusal};
@@ -85,7 +85,7 @@ impl Text {
 }
 
 /// A record of a table.
-pub(crate) enum Entry {
+pub(crate) enum TableEntry {
     /// A row.
     Row(Record),
     /// A row that the filter excludes.
@@ -119,7 +119,11 @@ impl TextTable {
     /// # Errors
     /// [`Error::Table`](crate::Error::Table) if the source cannot be read, if the table is empty,
     /// if a quote in the column heads is not closed, or if a column is unknown.
-    pub fn open(text: Text, setup: &Setup<f64>, wanted: &TableOptions) -> Result<(Self, Head)> {
+    pub fn open(
+        text: Text,
+        setup: &Setup<f64>,
+        wanted: &TableOptions,
+    ) -> Result<(Self, TableHead)> {
         let Text {
             name,
             beginning,
@@ -180,7 +184,7 @@ impl TextTable {
         record: &Record,
         setup: &Setup<f64>,
         wanted: &TableOptions,
-    ) -> Result<Option<Head>> {
+    ) -> Result<Option<TableHead>> {
         let head = self.head(record, setup, wanted)?;
         if head.heads == self.heads && head.units == self.units {
             return Ok(None);
@@ -190,7 +194,12 @@ impl TextTable {
     }
 
     /// Reads a line of column heads and the line of units below it.
-    fn head(&mut self, record: &Record, setup: &Setup<f64>, wanted: &TableOptions) -> Result<Head> {
+    fn head(
+        &mut self,
+        record: &Record,
+        setup: &Setup<f64>,
+        wanted: &TableOptions,
+    ) -> Result<TableHead> {
         if let Some(refusal) = record.unclosed() {
             return Err(self.name.refused(String::new(), refusal.reason));
         }
@@ -205,7 +214,7 @@ impl TextTable {
             .map_err(|reason| self.name.refused(place(), reason))?;
         let below = self.record()?;
         let first = below.as_ref().map(|below| self.cells(below));
-        let head = Head::read(setup, heads, first, self.separator, wanted);
+        let head = TableHead::read(setup, heads, first, self.separator, wanted);
         let mut head = head.map_err(|wrong| wrong.in_file(&self.name.0))?;
         head.line = record.line;
         if head.units.is_none()
@@ -237,7 +246,7 @@ impl TextTable {
     /// # Errors
     /// [`Error::Table`](crate::Error::Table) if the source cannot be read, if a line is not text or
     /// is too long, or, at the end, if the filter selected no row.
-    pub fn next_entry(&mut self) -> Result<Option<Entry>> {
+    pub fn next_entry(&mut self) -> Result<Option<TableEntry>> {
         let Some(record) = self.record()? else {
             self.filter
                 .finish()
@@ -245,15 +254,15 @@ impl TextTable {
             return Ok(None);
         };
         if self.has_sections && is_head(&record.text, self.separator) {
-            return Ok(Some(Entry::Head(record)));
+            return Ok(Some(TableEntry::Head(record)));
         }
         if !self.filter.is_empty() {
             let row = self.cells(&record);
             if !self.filter.takes(&row) {
-                return Ok(Some(Entry::Excluded));
+                return Ok(Some(TableEntry::Excluded));
             }
         }
-        Ok(Some(Entry::Row(record)))
+        Ok(Some(TableEntry::Row(record)))
     }
 
     /// Pushes a record back to the front of the input.

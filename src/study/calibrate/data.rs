@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::input_file::InputFile;
 use crate::parameters::Setup;
 use crate::shots::{Shots, is_json};
-use crate::table::{ClubColumns, Entry, RowFilter, SourceName, TableOptions, Text, TextTable};
+use crate::table::{ClubColumns, RowFilter, SourceName, TableEntry, TableOptions, Text, TextTable};
 use std::io::{Cursor, Read};
 use std::path::Path;
 
@@ -75,9 +75,9 @@ impl ShotTable {
         let mut rows = Rows::new(&file);
         while let Some(entry) = table.next_entry()? {
             match entry {
-                Entry::Row(record) => rows.take(&reading, &record, table.separator)?,
-                Entry::Excluded => rows.skip(),
-                Entry::Head(record) => {
+                TableEntry::Row(record) => rows.take(&reading, &record, table.separator)?,
+                TableEntry::Excluded => rows.skip(),
+                TableEntry::Head(record) => {
                     let Some(head) = table.section(&record, setup, &wanted)? else {
                         continue;
                     };

@@ -1,14 +1,14 @@
-use super::columns::Columns;
-use super::rows::Rows;
+use super::columns::PointColumns;
+use super::rows::PointRows;
 use crate::error::{Error, Result};
 use crate::input_file::InputFile;
 use crate::parameters::{Parameter, Setup};
 use crate::table::column::Column;
 use crate::table::decimal_mark::DecimalMarkCheck;
-use crate::table::head::{Head, TableOptions};
+use crate::table::head::{TableHead, TableOptions};
 use crate::table::records::cells;
 use crate::table::refusal::NonShotRows;
-use crate::table::text::{Entry, RowFault, SourceName, Text, TextTable};
+use crate::table::text::{RowFault, SourceName, TableEntry, Text, TextTable};
 use crate::units::Message;
 use std::path::{Path, PathBuf};
 
@@ -19,8 +19,8 @@ pub(super) struct CsvRows {
     path: PathBuf,
     setup: Setup<f64>,
     table: TextTable,
-    columns: Columns,
-    section: Section,
+    columns: PointColumns,
+    section: CsvSection,
     /// Number of the row in the file.
     row: u64,
     no_shots: NonShotRows,
@@ -28,7 +28,7 @@ pub(super) struct CsvRows {
 }
 
 /// Columns of a section.
-struct Section {
+struct CsvSection {
     /// Number of cells of a row.
     width: usize,
     /// Columns to read, with their positions.
@@ -46,8 +46,8 @@ impl CsvRows {
     /// fails if a cell is not a number, or if its decimal mark is ambiguous.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
         let (table, head) = opened(setup, path)?;
-        let columns = Columns::new(setup, &table.name, &head)?;
-        let section = Section::new(&table.name, &head, &columns.parameters, &columns.at)?;
+        let columns = PointColumns::new(setup, &table.name, &head)?;
+        let section = CsvSection::new(&table.name, &head, &columns.parameters, &columns.at)?;
         let (path, setup) = (path.to_owned(), *setup);
         Ok(Self {
             path,
@@ -66,13 +66,13 @@ impl CsvRows {
         loop {
             let record = match self.table.next_entry()? {
                 None => return Ok(None),
-                Some(Entry::Head(record)) => {
+                Some(TableEntry::Head(record)) => {
                     let wanted = &TableOptions::POINTS;
                     let Some(head) = self.table.section(&record, &self.setup, wanted)? else {
                         continue;
                     };
                     let file = &self.table.name;
-                    let again = Columns::new(&self.setup, file, &head)?;
+                    let again = PointColumns::new(&self.setup, file, &head)?;
                     let at = again
                         .places_of(&self.columns.parameters)
                         .map_err(|missing| {
@@ -83,15 +83,15 @@ impl CsvRows {
                             );
                             file.refused(String::new(), reason)
                         })?;
-                    self.section = Section::new(file, &head, &self.columns.parameters, &at)?;
+                    self.section = CsvSection::new(file, &head, &self.columns.parameters, &at)?;
                     continue;
                 }
-                Some(Entry::Row(record)) => record,
-                Some(Entry::Excluded) => continue,
+                Some(TableEntry::Row(record)) => record,
+                Some(TableEntry::Excluded) => continue,
             };
             self.row += 1;
             let row = cells(&record.text, self.table.separator);
-            let Section {
+            let CsvSection {
                 width, is_export, ..
             } = self.section;
             match RowFault::find(&record, &row, width, is_export) {
@@ -106,16 +106,16 @@ impl CsvRows {
     }
 }
 
-fn opened(setup: &Setup<f64>, path: &Path) -> Result<(TextTable, Head)> {
+fn opened(setup: &Setup<f64>, path: &Path) -> Result<(TextTable, TableHead)> {
     let name = path.display().to_string();
     let file = SourceName(name.clone()).io(InputFile::open(path))?;
     TextTable::open(Text::open(&name, file)?, setup, &TableOptions::POINTS)
 }
 
-impl Section {
+impl CsvSection {
     fn new(
         file: &SourceName,
-        head: &Head,
+        head: &TableHead,
         parameters: &[&'static Parameter],
         at: &[usize],
     ) -> Result<Self> {
@@ -135,15 +135,15 @@ impl Section {
     }
 }
 
-impl Rows for CsvRows {
-    fn columns(&self) -> &Columns {
+impl PointRows for CsvRows {
+    fn columns(&self) -> &PointColumns {
         &self.columns
     }
 
     fn rewind(&mut self) -> Result<()> {
         // reopen: a decoded text is not seekable
         let (table, head) = opened(&self.setup, &self.path)?;
-        self.section = Section::new(
+        self.section = CsvSection::new(
             &table.name,
             &head,
             &self.columns.parameters,
