@@ -1,7 +1,9 @@
 //! Reads the rows of an export as shots.
 
-use super::head::{Export, Read};
-use super::shot::{Club, Further, Origin, REFUSED, Shot, StatedOfClub as Stated, Value, within};
+use super::head::{Export, MeasuredColumn};
+use super::shot::{
+    Club, Further, Origin, REFUSED, Shot, StatedOfClub as Stated, StatedValue, within,
+};
 use crate::drive::Outcome;
 use crate::table::{
     CONDITIONS, DecimalMark, Record, Refusal, RowFault, Stated as Conditions, cells, conditions,
@@ -49,7 +51,7 @@ impl Export {
     }
 
     /// The number in the cell `text`, SI; `None` for an empty cell.
-    fn number(&self, read: &Read, text: &str) -> Result<Option<f64>, String> {
+    fn number(&self, read: &MeasuredColumn, text: &str) -> Result<Option<f64>, String> {
         if DecimalMark::is_ambiguous(self.decimal_mark, text) {
             return Err(format!(
                 "'{text}' may have decimals or thousands; write a number without a mark between \
@@ -76,7 +78,7 @@ impl Export {
                     let origin = read.origin.or(spin.filter(|_| OF_SPIN.contains(&of)));
                     match range {
                         Some(reason) => shot.notes.push(format!("not compared: {reason}")),
-                        None => shot.values.push(Value { of, value, origin }),
+                        None => shot.values.push(StatedValue { of, value, origin }),
                     }
                 }
                 Err(why) if is_condition => {

@@ -16,7 +16,7 @@ use std::ops::Range;
 
 /// A column with values to read.
 #[derive(Clone, Debug)]
-pub(super) struct Read {
+pub(super) struct MeasuredColumn {
     pub at: usize,
     pub of: Outcome,
     pub column: Column,
@@ -34,7 +34,7 @@ pub struct Export {
     /// Units in the line below the column heads; `None` if there is no such line.
     pub units: Option<Vec<String>>,
     pub(super) maker: Option<&'static str>,
-    pub(super) read: Vec<Read>,
+    pub(super) read: Vec<MeasuredColumn>,
     /// Columns of the club: speed, attack angle, path, face angle.
     pub(super) club: [Option<(usize, Column)>; 4],
     pub(super) further: Vec<Further>,
@@ -167,7 +167,7 @@ impl Export {
         match column.content {
             Content::Outcome(of) if self.read.iter().all(|read| read.of != of) => {
                 column.check_unit()?;
-                self.read.push(Read {
+                self.read.push(MeasuredColumn {
                     at,
                     of,
                     column: column.clone(),

@@ -1,6 +1,6 @@
 //! Interpretation of an export: its maker, missing units, and sign conventions.
 
-use super::sign_conventions::SignConventions;
+use super::sign_conventions::turn_spins;
 use crate::drive::Outcome;
 use crate::parameters::Setup;
 use crate::table::{
@@ -77,7 +77,7 @@ impl Interpretation {
         Self {
             maker,
             without_unit,
-            turned: SignConventions::detect(maker, &head.columns, &rows).apply(&mut head.columns),
+            turned: turn_spins(maker, &mut head.columns, &rows),
         }
     }
 }

@@ -42,7 +42,7 @@ impl Origin {
 
 /// A value of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Value {
+pub struct StatedValue {
     /// Outcome.
     pub of: Outcome,
     /// Value, SI.
@@ -136,7 +136,7 @@ pub struct Shot {
     /// Text of the row.
     pub text: String,
     /// Ball data, including the launch.
-    pub values: Vec<Value>,
+    pub values: Vec<StatedValue>,
     /// Club data.
     pub club: Club,
     /// Name of the club, if a column has it.
@@ -190,7 +190,7 @@ impl Shot {
     }
 
     /// Value of an outcome.
-    pub fn value(&self, of: Outcome) -> Option<Value> {
+    pub fn value(&self, of: Outcome) -> Option<StatedValue> {
         self.values.iter().find(|value| value.of == of).copied()
     }
 
@@ -216,7 +216,7 @@ impl Shot {
     }
 
     /// Measured outcomes of the flight.
-    pub fn measured(&self) -> impl Iterator<Item = &Value> {
+    pub fn measured(&self) -> impl Iterator<Item = &StatedValue> {
         self.values
             .iter()
             .filter(|value| !CONDITIONS.contains(&value.of))

@@ -26,7 +26,7 @@ const PIECE: usize = 1 << 16;
 pub struct Shots {
     /// The column heads of the table's first section; `None` for messages.
     export: Option<Arc<Export>>,
-    pub(super) rows: Rows,
+    pub(super) rows: UnreadRows,
     /// Parameters of every row other than the launch.
     pub(super) further: Vec<&'static Parameter>,
     /// True if the source is JSON lines written by `fly`.
@@ -34,7 +34,7 @@ pub struct Shots {
 }
 
 /// Unread rows.
-pub(super) enum Rows {
+pub(super) enum UnreadRows {
     Table(Box<TableRows>),
     Objects(Box<dyn Read + Send>, Objects, SourceName),
 }
@@ -113,7 +113,7 @@ impl Shots {
             }
             let further = written::further(setup, &text.beginning);
             let is_written = written::begins(&text.beginning);
-            let rows = Rows::Objects(text.source, Objects::default(), text.name);
+            let rows = UnreadRows::Objects(text.source, Objects::default(), text.name);
             return Ok(Self {
                 export: None,
                 rows,
@@ -139,7 +139,7 @@ impl Shots {
         Ok(Self {
             further: export.further(),
             export: Some(export),
-            rows: Rows::Table(Box::new(rows)),
+            rows: UnreadRows::Table(Box::new(rows)),
             is_written: false,
         })
     }
@@ -173,11 +173,11 @@ impl Shots {
     /// Remarks on later sections and on the selection of rows, complete after the last row.
     pub fn final_remarks(&self) -> Vec<Message> {
         match &self.rows {
-            Rows::Table(rows) => {
+            UnreadRows::Table(rows) => {
                 let of_filter = rows.table.filter.remark();
                 rows.remarks.iter().cloned().chain(of_filter).collect()
             }
-            Rows::Objects(..) => vec![],
+            UnreadRows::Objects(..) => vec![],
         }
     }
 
@@ -211,7 +211,7 @@ impl Shots {
 
     /// Uses the setup's air for every row, even if the export states other air.
     pub fn in_given_air(&mut self) {
-        let (Some(export), Rows::Table(rows)) = (&mut self.export, &mut self.rows) else {
+        let (Some(export), UnreadRows::Table(rows)) = (&mut self.export, &mut self.rows) else {
             return;
         };
         rows.is_air_given = true;
@@ -281,7 +281,7 @@ impl TableRows {
     }
 }
 
-impl Rows {
+impl UnreadRows {
     /// The next rows, at most `most`; `None` at the end.
     pub fn next_rows(&mut self, most: usize) -> Result<Option<Chunk>> {
         match self {
