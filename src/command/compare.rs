@@ -9,7 +9,7 @@ use crate::{Error, Outcome, Result};
 
 /// The two drives.
 #[derive(clap::Args)]
-pub struct Pair {
+pub struct PairArgs {
     #[command(flatten)]
     pub setup_args: SetupArgs,
 
@@ -39,7 +39,7 @@ pub struct Pair {
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]
-    pub pair: Pair,
+    pub pair: PairArgs,
 
     /// The outcomes whose difference is split, separated by commas; "all" for every one.
     #[arg(
@@ -99,7 +99,7 @@ fn of_b(error: Error) -> Error {
     error.of_drive("drive b")
 }
 
-impl Pair {
+impl PairArgs {
     /// The requests of the two drives.
     ///
     /// # Errors

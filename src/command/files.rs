@@ -20,12 +20,12 @@ use tempfile::NamedTempFile;
 
 /// Files that the outputs of a command must not replace, and the permission to replace other files.
 #[derive(Clone, Debug, Default)]
-pub struct Rule {
+pub struct OutputRule {
     inputs: Vec<PathBuf>,
     overwrite: bool,
 }
 
-impl Rule {
+impl OutputRule {
     /// The rule for a command that reads the files `inputs`, or that stores its progress in these
     /// files.
     pub fn new(inputs: impl IntoIterator<Item = PathBuf>, overwrite: bool) -> Self {
@@ -56,7 +56,7 @@ impl Rule {
             return Ok(Destination {
                 shown: path.into(),
                 path: path.into(),
-                kind: Kind::Memory,
+                kind: DestinationKind::Memory,
                 may_replace: true,
             });
         }
@@ -112,7 +112,7 @@ impl Rule {
             return Ok(Destination {
                 shown: path.into(),
                 path: path.into(),
-                kind: Kind::File,
+                kind: DestinationKind::File,
                 may_replace: self.overwrite,
             });
         };
@@ -135,8 +135,8 @@ impl Rule {
             shown: path.into(),
             path: at,
             kind: match found.is_file() {
-                true => Kind::File,
-                false => Kind::Device,
+                true => DestinationKind::File,
+                false => DestinationKind::Device,
             },
             may_replace: self.overwrite,
         })
@@ -224,23 +224,45 @@ pub struct Destination {
     shown: PathBuf,
     /// The path of the file itself, with links resolved.
     pub path: PathBuf,
-    kind: Kind,
+    kind: DestinationKind,
     /// True if the file may be replaced. False for a new file without `--overwrite`: another
     /// program may create the file before it is written.
     may_replace: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+enum DestinationKind {
     /// A file on disk, new or existing.
     File,
     /// A device or a pipe.
     Device,
     /// A file that the caller of the command keeps in memory.
     Memory,
+    StandardOutput,
+    /// What is written is discarded.
+    Nowhere,
 }
 
 impl Destination {
+    /// Standard output, for rows of a table.
+    pub fn standard_output() -> Self {
+        Self::without_file(DestinationKind::StandardOutput)
+    }
+
+    /// The destination of rows that are not wanted.
+    pub fn nowhere() -> Self {
+        Self::without_file(DestinationKind::Nowhere)
+    }
+
+    fn without_file(kind: DestinationKind) -> Self {
+        Self {
+            shown: "-".into(),
+            path: "-".into(),
+            kind,
+            may_replace: false,
+        }
+    }
+
     /// The warning that the file is not written, with the reason.
     pub fn not_written(&self, why: &str) -> Message {
         format!("{} is not written: {why}", self.path.display()).into()
@@ -248,12 +270,31 @@ impl Destination {
 
     /// Returns true for a file on disk; false for a device, a pipe, and a file in memory.
     pub fn is_file(&self) -> bool {
-        self.kind == Kind::File
+        self.kind == DestinationKind::File
     }
 
     /// Returns true for a file that the caller of the command keeps in memory.
     pub fn is_in_memory(&self) -> bool {
-        self.kind == Kind::Memory
+        self.kind == DestinationKind::Memory
+    }
+
+    pub fn is_standard_output(&self) -> bool {
+        self.kind == DestinationKind::StandardOutput
+    }
+
+    pub fn is_nowhere(&self) -> bool {
+        self.kind == DestinationKind::Nowhere
+    }
+
+    /// The file on disk.
+    pub fn file(&self) -> Option<&Path> {
+        self.is_file().then_some(&self.path)
+    }
+
+    /// The file on disk, or the device.
+    pub fn path_on_disk(&self) -> Option<&Path> {
+        let is_on_disk = matches!(self.kind, DestinationKind::File | DestinationKind::Device);
+        is_on_disk.then_some(&self.path)
     }
 
     /// Writes the complete file.
@@ -273,31 +314,33 @@ impl Destination {
     ///
     /// # Errors
     /// [`Error::Results`] if the file cannot be written.
-    pub fn begin(&self) -> Result<Pieces> {
+    pub fn begin(&self) -> Result<OutputStream> {
         let to = match self.kind {
-            Kind::File => create_beside(&self.path).map(To::Beside),
-            Kind::Device => fs::OpenOptions::new()
+            DestinationKind::File => create_beside(&self.path).map(To::Beside),
+            DestinationKind::Device => fs::OpenOptions::new()
                 .write(true)
                 .open(&self.path)
                 .map(To::Device),
-            Kind::Memory => Ok(To::Memory(vec![])),
+            DestinationKind::Memory => Ok(To::Memory(vec![])),
+            DestinationKind::StandardOutput => Ok(To::StandardOutput),
+            DestinationKind::Nowhere => Ok(To::Nowhere),
         };
-        Ok(Pieces {
+        Ok(OutputStream {
             to: to.map_err(|error| unwritable(&self.shown, &error))?,
             destination: self.clone(),
         })
     }
 
     /// Writes the complete file under a temporary name.
-    fn stage(&self, bytes: &[u8]) -> Result<Pieces> {
+    fn stage(&self, bytes: &[u8]) -> Result<OutputStream> {
         let mut file = self.begin()?;
         file.write(bytes)?;
         Ok(file)
     }
 }
 
-/// A file that is written piece by piece.
-pub struct Pieces {
+/// An output that is written piece by piece.
+pub struct OutputStream {
     to: To,
     destination: Destination,
 }
@@ -307,20 +350,35 @@ enum To {
     Beside(NamedTempFile),
     Device(fs::File),
     Memory(Vec<u8>),
+    StandardOutput,
+    Nowhere,
 }
 
-impl Pieces {
+impl OutputStream {
     /// Writes the next piece.
     ///
     /// # Errors
-    /// [`Error::Results`] if the piece cannot be written.
+    /// [`Error::Output`] for standard output, and [`Error::Results`] for a file, if the piece cannot
+    /// be written.
     pub fn write(&mut self, bytes: &[u8]) -> Result<()> {
-        let written = match &mut self.to {
+        self.try_write(bytes).map_err(|error| match self.to {
+            To::StandardOutput => Error::Output(error),
+            _ => unwritable(&self.destination.shown, &error),
+        })
+    }
+
+    /// Writes the next piece; the error is that of the system.
+    ///
+    /// # Errors
+    /// If the piece cannot be written.
+    pub fn try_write(&mut self, bytes: &[u8]) -> io::Result<()> {
+        match &mut self.to {
             To::Beside(file) => file.write_all(bytes),
             To::Device(file) => file.write_all(bytes),
             To::Memory(content) => content.write_all(bytes),
-        };
-        written.map_err(|error| unwritable(&self.destination.shown, &error))
+            To::StandardOutput => running().host.write(bytes),
+            To::Nowhere => Ok(()),
+        }
     }
 
     /// Moves the complete file to its path, which Ctrl-C does not interrupt.
@@ -347,7 +405,7 @@ impl Pieces {
             Ok(persist(file.into_temp_path(), &path, may_replace)?)
         };
         match self.to {
-            To::Device(_) => Ok(()),
+            To::Device(_) | To::StandardOutput | To::Nowhere => Ok(()),
             To::Memory(content) => {
                 running().host.keep(&shown, content);
                 Ok(())
@@ -368,7 +426,7 @@ impl Pieces {
 #[derive(Clone, Debug)]
 pub struct Folder {
     pub path: PathBuf,
-    rule: Rule,
+    rule: OutputRule,
 }
 
 impl Folder {
@@ -376,7 +434,7 @@ impl Folder {
     /// a folder that was created for them is deleted if it is empty.
     ///
     /// # Errors
-    /// The errors of [`Rule::file`] and [`Destination::write`].
+    /// The errors of [`OutputRule::file`] and [`Destination::write`].
     pub fn write<'a>(&self, files: impl IntoIterator<Item = (&'a str, &'a [u8])>) -> Result<usize> {
         if self.is_in_memory() {
             let host = &running().host;
@@ -410,7 +468,9 @@ impl Folder {
                 .iter()
                 .map(|(destination, bytes)| destination.stage(bytes))
                 .collect::<Result<Vec<_>>>()?;
-            staged.into_iter().try_for_each(Pieces::put_in_place)?;
+            staged
+                .into_iter()
+                .try_for_each(OutputStream::put_in_place)?;
             Ok(files.len())
         })
     }

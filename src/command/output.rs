@@ -1,4 +1,4 @@
-use super::host::Kind;
+use super::host::MessageKind;
 use super::host::{SharedProgress, Work};
 use super::mention::commands_with;
 use super::running::running;
@@ -44,7 +44,7 @@ fn say_warning(warning: &Message) {
     let text = warning.in_units(running.system());
     running
         .host
-        .say(Kind::Warning, &in_words_of_the_host(&text));
+        .say(MessageKind::Warning, &in_words_of_the_host(&text));
 }
 
 /// All warnings of the answer.
@@ -202,7 +202,7 @@ pub fn tell_error(error: &Error) {
 pub fn say_error(message: &str) {
     running()
         .host
-        .say(Kind::Error, &in_words_of_the_host(message));
+        .say(MessageKind::Error, &in_words_of_the_host(message));
 }
 
 /// Reports an error and returns the exit status: 1 for a valid request without an answer, 2 for bad
@@ -232,7 +232,7 @@ pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: b
             _ => 0,
         };
     }
-    running().host.say(Kind::Usage, &shown);
+    running().host.say(MessageKind::Usage, &shown);
     if is_json {
         let text = rendered.to_string();
         let text = text.split("\n\nUsage:").next().unwrap_or_default();

@@ -21,12 +21,13 @@ use crate::report::Reply;
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result};
 use request::SweepRequest;
-use rows::{Rows, Writer};
+use resumable::part_of;
+use rows::{FormattedRows, RowWriter};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
-use target::{Output, Target};
+use target::{SweepOutput, destination, format_of};
 
 pub fn run(args: &Args) -> Result<Answer> {
     let folder = args.part.and(Some(args.output.as_path()));
@@ -38,23 +39,25 @@ pub fn run(args: &Args) -> Result<Answer> {
     // interruptible from here on: reading a long table takes time before the first drive
     let stop = interrupt::stops("stopping after the drives under way");
     let request = args.setup_args.request()?;
-    let target = Target::new(args, &request)?;
+    let format = format_of(args)?;
+    let destination = destination(args, &request, format)?;
     let SweepRequest {
         setup,
         mut points,
         batch,
         notes,
     } = SweepRequest::of(args, &request)?;
-    let writer = Writer::new(&batch, target.format, points.identity())?;
-    disk_space::check(args, &batch, points.as_mut(), &writer, &target)?;
-    let mut output = target.open(&writer, args)?;
+    let writer = RowWriter::new(&batch, format, points.identity())?;
+    disk_space::check(args, &batch, points.as_mut(), &writer, destination.file())?;
+    let mut output = SweepOutput::open(&destination, &writer, args)?;
     warn(setup.warnings());
     let total = points.rows();
     let is_complete = write_rows(args, &batch, points.as_mut(), &writer, &mut output, &stop)?;
     let counts = output.status_counts();
     // an incomplete file has another name
-    let file = target
-        .part()
+    let part = destination.file().map(part_of);
+    let file = part
+        .clone()
         .filter(|_| !is_complete)
         .unwrap_or_else(|| args.output.clone());
     let summary = SweepSummary::new(total, counts, notes, &file);
@@ -64,7 +67,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         CheckScope::Launch,
     ));
     if !is_complete {
-        tell(&stopped(&summary, &target, &output));
+        tell(&stopped(&summary, part.as_deref(), &output));
     }
     let nothing = (is_complete && !counts.has_any(batch.outcomes()))
         .then(|| no_outcome(&summary, counts, batch.outcomes()));
@@ -73,14 +76,14 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let is_answered = is_complete && nothing.is_none();
     // rows on standard output leave no place there for the counts of drives that did not land
-    if is_answered && !all_landed(counts) && target.is_standard_output() {
+    if is_answered && !all_landed(counts) && destination.is_standard_output() {
         tell(&summary.text(None));
     }
     let answer = if request.is_json {
         let reply = Reply::done("sweep", warnings(), &summary);
         Answer::json(&ended(reply, is_complete, nothing))
-    } else if is_complete && !target.is_standard_output() {
-        Answer::text(summary.text(target.file.as_deref()) + "\n")
+    } else if is_complete && !destination.is_standard_output() {
+        Answer::text(summary.text(destination.file()) + "\n")
     } else {
         Answer::text(String::new())
     };
@@ -129,8 +132,8 @@ fn write_rows(
     args: &Args,
     batch: &Batch,
     points: &mut dyn Points,
-    writer: &Writer,
-    output: &mut Output<'_>,
+    writer: &RowWriter,
+    output: &mut SweepOutput<'_>,
     stop: &AtomicBool,
 ) -> Result<bool> {
     let total = points.rows();
@@ -148,7 +151,7 @@ fn write_rows(
         points,
         &run,
         |block| writer.rows(block),
-        |rows: Rows| {
+        |rows: FormattedRows| {
             bar.inc(rows.count());
             output.take(rows)
         },
@@ -162,9 +165,9 @@ fn write_rows(
 }
 
 /// The note about an interrupted sweep, with the command to continue it.
-fn stopped(summary: &SweepSummary, target: &Target, output: &Output<'_>) -> String {
+fn stopped(summary: &SweepSummary, part: Option<&Path>, output: &SweepOutput<'_>) -> String {
     let drives = summary.text(None);
-    match target.part() {
+    match part {
         Some(part) => format!(
             "stopped: {drives}; the rows so far are in {}; the same command with `resume` \
              continues after {}",

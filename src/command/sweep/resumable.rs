@@ -1,7 +1,7 @@
-use super::journal::{Entry, Journal, WrittenRows};
+use super::journal::{Journal, WrittenRows};
 #[cfg(feature = "parquet")]
-use super::rows::Table;
-use super::rows::{Rows, Writer};
+use super::rows::RowFormatter;
+use super::rows::{FormattedRows, RowWriter};
 use crate::atomic_file::persist;
 #[cfg(feature = "parquet")]
 use crate::batch::Block;
@@ -33,7 +33,7 @@ pub struct ResumableFile<'a> {
     /// The open file.
     file: File,
     journal: Journal,
-    writer: &'a Writer,
+    writer: &'a RowWriter,
     /// The rows in the file.
     written: WrittenRows,
     /// Number of rows in the journal. A resumed sweep continues after these rows.
@@ -104,7 +104,12 @@ fn nothing_left(path: &Path) -> Error {
 
 impl<'a> ResumableFile<'a> {
     /// Begins or continues the file. The destination must have been checked.
-    pub fn open(path: PathBuf, writer: &'a Writer, resume: bool, overwrite: bool) -> Result<Self> {
+    pub fn open(
+        path: PathBuf,
+        writer: &'a RowWriter,
+        resume: bool,
+        overwrite: bool,
+    ) -> Result<Self> {
         if resume && Journal::path(&path).exists() {
             return Self::go_on(path, writer);
         }
@@ -128,7 +133,12 @@ impl<'a> ResumableFile<'a> {
         Self::at_the_beginning(path, file, journal, writer).begun()
     }
 
-    fn at_the_beginning(path: PathBuf, file: File, journal: Journal, writer: &'a Writer) -> Self {
+    fn at_the_beginning(
+        path: PathBuf,
+        file: File,
+        journal: Journal,
+        writer: &'a RowWriter,
+    ) -> Self {
         Self {
             path,
             file,
@@ -150,7 +160,7 @@ impl<'a> ResumableFile<'a> {
         Ok(self)
     }
 
-    fn go_on(path: PathBuf, writer: &'a Writer) -> Result<Self> {
+    fn go_on(path: PathBuf, writer: &'a RowWriter) -> Result<Self> {
         let unusable =
             |error: io::Error| refused(&path, format!("its sweep cannot be resumed ({error})"));
         // the file is missing if the program was killed before it created the file, after the
@@ -163,7 +173,7 @@ impl<'a> ResumableFile<'a> {
             .map_err(unusable)?;
         let length = file.metadata().map_err(unusable)?.len();
         let Some((journal, identity, entries)) =
-            Journal::open(&path, |entry| entry.written.bytes <= length).map_err(unusable)?
+            Journal::open(&path, |entry| entry.bytes <= length).map_err(unusable)?
         else {
             return Err(nothing_left(&path));
         };
@@ -182,11 +192,11 @@ impl<'a> ResumableFile<'a> {
         }
         let mut kept = Self::at_the_beginning(path.clone(), file, journal, writer);
         if let Some(last) = entries.last() {
-            kept.written = last.written.clone();
+            kept.written = last.clone();
             kept.safe = kept.rows();
         }
         #[cfg(feature = "parquet")]
-        if let Table::Parquet(table) = &writer.table {
+        if let RowFormatter::Parquet(table) = &writer.formatter {
             kept.restore_groups(table, &entries)?;
         }
         kept.cut().map_err(unusable)?;
@@ -208,9 +218,9 @@ impl<'a> ResumableFile<'a> {
         self.written.status_counts.total()
     }
 
-    pub fn take(&mut self, rows: Rows) -> Result<()> {
+    pub fn take(&mut self, rows: FormattedRows) -> Result<()> {
         match rows {
-            Rows::Text {
+            FormattedRows::Text {
                 bytes,
                 status_counts,
             } => {
@@ -222,8 +232,8 @@ impl<'a> ResumableFile<'a> {
                 }
             }
             #[cfg(feature = "parquet")]
-            Rows::Block(block) => {
-                let Table::Parquet(table) = &self.writer.table else {
+            FormattedRows::Block(block) => {
+                let RowFormatter::Parquet(table) = &self.writer.formatter else {
                     return Ok(());
                 };
                 self.pending.push(block);
@@ -240,7 +250,7 @@ impl<'a> ResumableFile<'a> {
     /// A complete file is renamed to its final name, and its journal is deleted.
     pub fn close(&mut self, is_complete: bool) -> Result<()> {
         #[cfg(feature = "parquet")]
-        if let Table::Parquet(table) = &self.writer.table {
+        if let RowFormatter::Parquet(table) = &self.writer.formatter {
             // after a disk error there may be no space for these rows
             let rest = if self.pending.is_empty() {
                 Ok(())
@@ -310,9 +320,9 @@ impl<'a> ResumableFile<'a> {
 
     /// Records the written rows in the journal.
     fn keep(&mut self, group: Vec<u8>) -> Result<()> {
-        let entry = Entry {
-            written: self.written.clone(),
+        let entry = WrittenRows {
             group,
+            ..self.written.clone()
         };
         self.file
             .sync_data()
@@ -367,7 +377,7 @@ impl ResumableFile<'_> {
     }
 
     /// Restores the row groups that the journal records.
-    fn restore_groups(&mut self, table: &SweepParquet, entries: &[Entry]) -> Result<()> {
+    fn restore_groups(&mut self, table: &SweepParquet, entries: &[WrittenRows]) -> Result<()> {
         let mut before = WrittenRows {
             bytes: table.head().len() as u64,
             ..WrittenRows::default()
@@ -375,7 +385,7 @@ impl ResumableFile<'_> {
         for entry in entries {
             let group = table.place(&entry.group, before.bytes, self.groups.len())?;
             self.groups.push(WrittenGroup { group, before });
-            before = entry.written.clone();
+            before = entry.clone();
         }
         Ok(())
     }

@@ -1,4 +1,4 @@
-use super::args::Format;
+use super::args::SweepFormat;
 use crate::Result;
 use crate::batch::{Batch, Block, StatusCounts};
 use crate::command::output::stated_system;
@@ -39,7 +39,7 @@ impl Identity {
 }
 
 /// Rows ready to be written to a file.
-pub enum Rows {
+pub enum FormattedRows {
     Text {
         bytes: Vec<u8>,
         status_counts: StatusCounts,
@@ -49,7 +49,7 @@ pub enum Rows {
     Block(Block),
 }
 
-impl Rows {
+impl FormattedRows {
     /// Number of rows.
     pub fn count(&self) -> u64 {
         match self {
@@ -61,21 +61,21 @@ impl Rows {
 }
 
 /// Converts blocks to rows.
-pub struct Writer {
+pub struct RowWriter {
     pub identity: Identity,
-    pub table: Table,
+    pub formatter: RowFormatter,
 }
 
-/// The table in its format.
-pub enum Table {
+/// Formats blocks as rows.
+pub enum RowFormatter {
     Csv(SweepCsv),
     JsonLines(SweepJsonLines),
     #[cfg(feature = "parquet")]
     Parquet(Box<SweepParquet>),
 }
 
-impl Writer {
-    pub fn new(batch: &Batch, format: Format, points: String) -> Result<Self> {
+impl RowWriter {
+    pub fn new(batch: &Batch, format: SweepFormat, points: String) -> Result<Self> {
         let units = TableUnits::from(stated_system());
         let names = |names: Vec<&str>| names.join(",");
         let identity = Identity {
@@ -86,44 +86,47 @@ impl Writer {
             outcomes: names(batch.outcomes().iter().map(|of| of.name()).collect()),
             derivatives: names(batch.wrt().iter().map(|by| by.name).collect()),
             format: match (format, units) {
-                (Format::Csv, TableUnits::Of(system)) => format!("csv in {system} units"),
+                (SweepFormat::Csv, TableUnits::Of(system)) => format!("csv in {system} units"),
                 _ => format!("{format:?}").to_lowercase(),
             },
         };
-        let table = match format {
-            Format::Csv => Table::Csv(SweepCsv::new(batch, units)),
-            Format::Jsonl => Table::JsonLines(SweepJsonLines::new(batch)),
+        let formatter = match format {
+            SweepFormat::Csv => RowFormatter::Csv(SweepCsv::new(batch, units)),
+            SweepFormat::Jsonl => RowFormatter::JsonLines(SweepJsonLines::new(batch)),
             #[cfg(feature = "parquet")]
-            Format::Parquet => {
+            SweepFormat::Parquet => {
                 // strings always serialise
                 let note = serde_json::to_string(&identity).unwrap_or_default();
-                Table::Parquet(Box::new(SweepParquet::new(batch, &note)?))
+                RowFormatter::Parquet(Box::new(SweepParquet::new(batch, &note)?))
             }
         };
-        Ok(Self { identity, table })
+        Ok(Self {
+            identity,
+            formatter,
+        })
     }
 
     /// The first bytes of a file.
     pub fn head(&self) -> Vec<u8> {
-        match &self.table {
-            Table::Csv(table) => table.head(),
-            Table::JsonLines(_) => vec![],
+        match &self.formatter {
+            RowFormatter::Csv(table) => table.head(),
+            RowFormatter::JsonLines(_) => vec![],
             #[cfg(feature = "parquet")]
-            Table::Parquet(table) => table.head(),
+            RowFormatter::Parquet(table) => table.head(),
         }
     }
 
     /// The rows of a block; called on the thread that computed it.
-    pub fn rows(&self, block: Block) -> Rows {
-        let bytes = match &self.table {
-            Table::Csv(table) => table.rows(&block),
-            Table::JsonLines(table) => table.rows(&block),
+    pub fn rows(&self, block: Block) -> FormattedRows {
+        let bytes = match &self.formatter {
+            RowFormatter::Csv(table) => table.rows(&block),
+            RowFormatter::JsonLines(table) => table.rows(&block),
             #[cfg(feature = "parquet")]
-            Table::Parquet(_) => return Rows::Block(block),
+            RowFormatter::Parquet(_) => return FormattedRows::Block(block),
         };
         let mut status_counts = StatusCounts::default();
         status_counts.add(&block);
-        Rows::Text {
+        FormattedRows::Text {
             bytes,
             status_counts,
         }
