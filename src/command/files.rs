@@ -492,7 +492,6 @@ pub fn refuse_overwrite_of_standard_output(path: &Path, overwrite: bool) -> Resu
 }
 
 /// The error for Parquet without a file.
-#[cfg(feature = "parquet")]
 pub fn parquet_without_file(path: &Path) -> Error {
     let reason = "Parquet needs a file; name one with `output`, or take `format csv` or jsonl";
     refused(path, reason)

@@ -2,10 +2,9 @@
 
 use super::args::{Args, FlyFormat};
 use crate::Result;
-#[cfg(feature = "parquet")]
-use crate::command::files::parquet_without_file;
 use crate::command::files::{
-    Destination, OutputRule, ending, refuse_overwrite_of_standard_output, refused,
+    Destination, OutputRule, ending, parquet_without_file, refuse_overwrite_of_standard_output,
+    refused,
 };
 use crate::command::request::Request;
 use crate::command::running::running;
@@ -34,8 +33,15 @@ pub fn format_of(args: &Args, is_json: bool) -> Result<FlyFormat> {
             ));
         }
     };
-    #[cfg(feature = "parquet")]
-    if is_standard && format == FlyFormat::Parquet && !is_json {
+    let is_text = matches!(
+        format,
+        FlyFormat::Csv
+            | FlyFormat::LaunchMonitor
+            | FlyFormat::Jsonl
+            | FlyFormat::OpenConnect
+            | FlyFormat::Screen
+    );
+    if is_standard && !is_text && !is_json {
         return Err(parquet_without_file(path));
     }
     Ok(format)

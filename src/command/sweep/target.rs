@@ -4,10 +4,9 @@ use super::args::{Args, SweepFormat};
 use super::resumable::{ResumableFile, check};
 use super::rows::{FormattedRows, RowWriter};
 use crate::batch::StatusCounts;
-#[cfg(feature = "parquet")]
-use crate::command::files::parquet_without_file;
 use crate::command::files::{
-    Destination, OutputRule, OutputStream, ending, refuse_overwrite_of_standard_output, refused,
+    Destination, OutputRule, OutputStream, ending, parquet_without_file,
+    refuse_overwrite_of_standard_output, refused,
 };
 use crate::command::request::Request;
 use crate::external_errors::write_error_text;
@@ -61,8 +60,8 @@ pub fn destination(args: &Args, request: &Request, format: SweepFormat) -> Resul
     if is_stream && args.resume {
         return refuse("only a file can be resumed; name one with `output`");
     }
-    #[cfg(feature = "parquet")]
-    if is_stream && format == SweepFormat::Parquet {
+    let is_text = matches!(format, SweepFormat::Csv | SweepFormat::Jsonl);
+    if is_stream && !is_text {
         return Err(parquet_without_file(path));
     }
     if is_standard {
