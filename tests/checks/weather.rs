@@ -14,7 +14,8 @@ use longdrive::study::uncertainty::{Distribution, Uncertain};
 use longdrive::{Drive, Error, Outcome, Setup};
 use std::fs;
 
-fn with(settings: &[(&str, &str)]) -> Setup<f64> {
+/// The default setup with these settings.
+pub fn with(settings: &[(&str, &str)]) -> Setup<f64> {
     let mut setup = Setup::default();
     setup.set_all(settings.iter().copied()).unwrap();
     setup.validate().unwrap();
