@@ -91,13 +91,9 @@ pub fn warnings(comparison: &Comparison) -> Vec<Message> {
     [("a", 0), ("b", 1)].into_iter().flat_map(of).collect()
 }
 
-fn of_a(error: Error) -> Error {
-    error.of_drive("drive a")
-}
-
-fn of_b(error: Error) -> Error {
-    error.of_drive("drive b")
-}
+/// Names of the drives in errors.
+const A: &str = "drive a";
+const B: &str = "drive b";
 
 impl PairArgs {
     /// The requests of the two drives.
@@ -112,9 +108,10 @@ impl PairArgs {
                           for example `set_b club.loft=10.5deg`";
             return Err(Error::unreadable("compare", source));
         }
-        let source_a = Source::read(&self.setup_args.drive.setup).map_err(of_a)?;
+        let source_a =
+            Source::read(&self.setup_args.drive.setup).map_err(|error| error.of_drive(A))?;
         let source_b = match &self.other {
-            Some(other) => Source::read(other).map_err(of_b)?,
+            Some(other) => Source::read(other).map_err(|error| error.of_drive(B))?,
             None => source_a.clone(),
         };
         let settings_a = self.settings(
@@ -126,8 +123,10 @@ impl PairArgs {
             Setting::read_all_launch("launch_b", &self.launch_b)?,
         )?;
         Ok([
-            Request::new(source_a, settings_a, &self.setup_args).map_err(of_a)?,
-            Request::new(source_b, settings_b, &self.setup_args).map_err(of_b)?,
+            Request::new(source_a, settings_a, &self.setup_args)
+                .map_err(|error| error.of_drive(A))?,
+            Request::new(source_b, settings_b, &self.setup_args)
+                .map_err(|error| error.of_drive(B))?,
         ])
     }
 
@@ -150,7 +149,10 @@ impl PairArgs {
     /// The errors of [`Request::setup`], [`Request::within_tolerance`] and [`Comparison::new`].
     pub fn comparison(&self, [a, b]: &[Request; 2]) -> Result<Comparison> {
         let setup = |request: &Request| request.within_tolerance(request.setup()?);
-        let comparison = Comparison::new(&setup(a).map_err(of_a)?, &setup(b).map_err(of_b)?)?;
+        let comparison = Comparison::new(
+            &setup(a).map_err(|error| error.of_drive(A))?,
+            &setup(b).map_err(|error| error.of_drive(B))?,
+        )?;
         if comparison.is_refined {
             let setup = &comparison.setups[0];
             tell(&format!(

@@ -1,9 +1,7 @@
 //! Reads the rows of an export as shots.
 
 use super::head::{Export, MeasuredColumn};
-use super::shot::{
-    Club, Further, Origin, REFUSED, Shot, StatedOfClub as Stated, StatedValue, within,
-};
+use super::shot::{Club, Further, Origin, REFUSED, Shot, StatedValue, within};
 use crate::drive::Outcome;
 use crate::table::{
     CONDITIONS, DecimalMark, Record, Refusal, RowFault, Stated as Conditions, cells, conditions,
@@ -88,14 +86,13 @@ impl Export {
                 Err(why) => shot.notes.push(format!("not compared: {name}: {why}")),
             }
         }
-        let club = self.club.each_ref().map(|club| {
+        let club = self.club.each_ref();
+        let heads = club.map(|club| club.as_ref().map_or("", |(_, column)| &column.head));
+        let stated = club.map(|club| {
             let (at, column) = club.as_ref()?;
-            Some(Stated {
-                head: &column.head,
-                value: column.value(cell(*at)).ok().flatten()?,
-            })
+            column.value(cell(*at)).ok().flatten()
         });
-        shot.club = Club::measured(club, &mut shot.notes);
+        shot.club = Club::measured(stated, heads, &mut shot.notes);
         let text = |at: Option<usize>| {
             at.map(|at| cell(at).to_owned())
                 .filter(|text| !text.is_empty())

@@ -7,8 +7,8 @@ use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
     Column, Content, DecimalMark, OF_FLOWN, TableFormat, TableHead, TextTable, air_of_rows,
-    air_of_setup, cells, club_column, columns_remark, given_air, missing_of_launch, near_known,
-    replace_air_remark, rest_of_head, split_unit, with_nearest, words,
+    air_of_setup, cells, club_column, columns_remark, given_air, heads_of, missing_of_launch,
+    near_known, replace_air_remark, rest_of_head, split_unit, with_nearest, words,
 };
 use crate::units::Message;
 use std::borrow::Cow;
@@ -261,11 +261,9 @@ impl Export {
             }
         });
         let not_read: Vec<String> = not_read.collect();
-        let in_degrees: Vec<&str> = columns
-            .iter()
-            .filter(|column| self.is_export && column.is_in_assumed_degrees())
-            .map(|column| column.head.as_str())
-            .collect();
+        let in_degrees = heads_of(columns, |column| {
+            self.is_export && column.is_in_assumed_degrees()
+        });
         let stated_air = self.stated_air().map(|air| air_of_rows(&air.column.head));
         let of_air = stated_air.or_else(|| given_air(columns));
         let replaced = (!self.added.is_empty())

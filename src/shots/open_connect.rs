@@ -1,7 +1,7 @@
 //! Reads messages of GSPro Open Connect as shots.
 
 use super::export::{OF_SPIN, add_notes, launch};
-use super::shot::{Club, Origin, REFUSED, Shot, StatedOfClub, StatedValue};
+use super::shot::{Club, Origin, REFUSED, Shot, StatedValue};
 use super::sizes::size;
 use super::written;
 use crate::drive::Outcome;
@@ -270,18 +270,18 @@ fn club_data(club: &Map<String, Json>, speed_unit: &str, notes: &mut Vec<String>
     let angle = |key| value(key).map(f64::to_radians);
     let speed = value("Speed").map(|speed| speed * size(Quantity::SPEED, speed_unit));
     let stated = [
-        ("ClubData.Speed", speed),
-        ("ClubData.AngleOfAttack", angle("AngleOfAttack")),
-        ("ClubData.Path", angle("Path")),
-        ("ClubData.FaceToTarget", angle("FaceToTarget")),
+        speed,
+        angle("AngleOfAttack"),
+        angle("Path"),
+        angle("FaceToTarget"),
     ];
-    let stated = stated.map(|(head, value)| {
-        Some(StatedOfClub {
-            head,
-            value: value?,
-        })
-    });
-    Club::measured(stated, notes)
+    let heads = [
+        "ClubData.Speed",
+        "ClubData.AngleOfAttack",
+        "ClubData.Path",
+        "ClubData.FaceToTarget",
+    ];
+    Club::measured(stated, heads, notes)
 }
 
 /// Removes spin values of 0 that mean "not sent": another form of the spin is not 0.

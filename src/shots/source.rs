@@ -8,7 +8,6 @@ use super::written;
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::input_file::InputFile;
 use crate::parameters::{Golfer, Parameter, Setup};
 use crate::table::{
     Column, Record, RowFilter, SourceName, TableEntry, TableOptions, Text, TextTable,
@@ -76,15 +75,13 @@ impl Shots {
     /// cannot be opened, or if it is not a table and `filter` is not empty. If the filter selects
     /// no row, an error follows the last row.
     pub fn open(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
-        let text = if path == Path::new("-") {
+        let mut text = if path == Path::new("-") {
             Text::open("standard input", io::stdin())?
         } else {
-            let name = path.display().to_string();
-            // report a folder as unreadable: opening succeeds, reading fails
-            let file = SourceName(name.clone()).io(InputFile::open(path))?;
-            Text::open(&name, file)?
+            Text::of_file(path)?
         };
-        Self::of_text(setup, text.with_filter(filter))
+        text.filter = filter;
+        Self::of_text(setup, text)
     }
 
     /// Reads CSV with column heads, or JSON, in UTF-8, UTF-16 or Windows-1252.

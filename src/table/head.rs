@@ -148,15 +148,6 @@ impl TableHead {
     pub fn has_strike(&self) -> bool {
         self.columns.iter().any(Column::is_of_the_strike)
     }
-
-    /// Column heads of the columns that satisfy `is`.
-    pub fn named(&self, is: impl Fn(&Column) -> bool) -> Vec<&str> {
-        self.columns
-            .iter()
-            .filter(|column| is(column))
-            .map(|column| column.head.as_str())
-            .collect()
-    }
 }
 
 /// All columns, or the errors of the columns that cannot be read.

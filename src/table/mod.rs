@@ -21,7 +21,7 @@ mod refusal;
 mod row_filter;
 mod text;
 
-pub(crate) use air::{air_of_rows, air_of_setup, replace_air_remark, states_weather};
+pub(crate) use air::{air_of_rows, air_of_setup, density_in, replace_air_remark};
 pub(crate) use column::{Column, Content, OF_FLOWN, TableFormat};
 pub(crate) use conditions::{
     ConditionFault, Stated, conditions, contradiction, is_straight_by_assumption,
@@ -30,7 +30,7 @@ pub(crate) use decimal_mark::{DecimalMark, DecimalMarkCheck};
 #[cfg(feature = "commands")]
 pub(crate) use export_columns::ASSUMED_UNITS;
 pub(crate) use export_columns::{
-    ClubColumns, assume_units, given_air, has_outcome, has_whole_launch, in_degrees,
+    ClubColumns, assume_units, given_air, has_outcome, has_whole_launch, heads_of, in_degrees,
     missing_of_launch, near_known, with_nearest,
 };
 pub(crate) use head::{TableHead, TableOptions, columns_remark, remark_from_line};

@@ -10,9 +10,11 @@ use super::row_filter::RowFilter;
 use crate::csv_dialect::detect_separator;
 use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
+use crate::input_file::InputFile;
 use crate::parameters::Setup;
 use crate::units::counted;
 use std::io::{self, BufReader, Cursor, Read};
+use std::path::Path;
 
 /// Number of bytes inspected for format, column heads and decimal mark.
 const BEGINNING: u64 = 1 << 16;
@@ -78,9 +80,16 @@ impl Text {
         })
     }
 
-    /// Selects rows of the table.
-    pub fn with_filter(self, filter: RowFilter) -> Self {
-        Self { filter, ..self }
+    /// Opens a file.
+    ///
+    /// # Errors
+    /// The errors of [`open`](Self::open), and [`Error::Table`](crate::Error::Table) if there is no
+    /// such file.
+    pub fn of_file(path: &Path) -> Result<Self> {
+        let name = SourceName(path.display().to_string());
+        // a folder is an error of the reader: opening it succeeds
+        let file = name.io(InputFile::open(path))?;
+        Self::open(&name.0, file)
     }
 }
 

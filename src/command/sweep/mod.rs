@@ -76,7 +76,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let is_answered = is_complete && nothing.is_none();
     // rows on standard output leave no place there for the counts of drives that did not land
-    if is_answered && !all_landed(counts) && destination.is_standard_output() {
+    let all_landed = counts.count(Status::Landed) == counts.total();
+    if is_answered && !all_landed && destination.is_standard_output() {
         tell(&summary.text(None));
     }
     let answer = if request.is_json {
@@ -104,10 +105,6 @@ fn ended(
             reply.ended("interrupted", Some(stopped))
         }
     }
-}
-
-fn all_landed(status_counts: &StatusCounts) -> bool {
-    status_counts.count(Status::Landed) == status_counts.total()
 }
 
 /// Refuses options that apply only to a part of a sweep if the request writes no part.

@@ -4,7 +4,6 @@ use super::reading::Reading;
 use super::rows::Rows;
 use super::shot_table::ShotTable;
 use crate::error::Result;
-use crate::input_file::InputFile;
 use crate::parameters::Setup;
 use crate::shots::{Shots, is_json};
 use crate::table::{ClubColumns, RowFilter, SourceName, TableEntry, TableOptions, Text, TextTable};
@@ -36,9 +35,9 @@ impl ShotTable {
         filter: RowFilter,
         club: ClubColumns,
     ) -> Result<Self> {
-        let name = SourceName(path.display().to_string());
-        let text = Text::open(&name.0, name.io(InputFile::open(path))?)?;
-        Self::read_rows(setup, text.with_filter(filter), club)
+        let mut text = Text::of_file(path)?;
+        text.filter = filter;
+        Self::read_rows(setup, text, club)
     }
 
     /// Reads measured shots from CSV text. Also reads messages of GSPro Open Connect, and exports

@@ -9,7 +9,7 @@ use crate::shots::{Club as ClubOfShot, Interpretation, Shot as Stated};
 use crate::table::{
     CONDITIONS, ClubColumns, Column, ConditionFault, Content, Stated as Launch, TableHead,
     TextTable, club_column, columns_remark, conditions, contradiction, given_air, has_whole_launch,
-    implausible, implausible_club, implausible_launch, impossible, in_degrees,
+    heads_of, implausible, implausible_club, implausible_launch, impossible, in_degrees,
     is_straight_by_assumption, near_known, outside,
 };
 use crate::units::{Digits, Message, Quantity};
@@ -181,7 +181,7 @@ impl Reading {
         }
         check_columns(&head)
             .map_err(|(at, reason)| refused(format!(", column {}", at + 1), reason))?;
-        let written = head.named(|column| column.content == Content::Written);
+        let written = heads_of(&head.columns, |column| column.content == Content::Written);
         remarks.extend(columns_remark(
             "columns that a sweep computes are not read",
             &written,
@@ -688,7 +688,7 @@ fn inputs(columns: &[Column]) -> Vec<&'static str> {
 fn without_totals(head: &mut TableHead) -> Option<Message> {
     let is_total =
         |column: &Column| matches!(column.content, Content::Outcome(of) if of.needs_run());
-    let remark = columns_remark(NO_GROUND, &head.named(is_total));
+    let remark = columns_remark(NO_GROUND, &heads_of(&head.columns, is_total));
     for column in head.columns.iter_mut().filter(|column| is_total(column)) {
         column.content = Content::Note;
     }

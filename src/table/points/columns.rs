@@ -4,8 +4,8 @@ use crate::batch::refuse_repeated;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    CONDITIONS, Column, Content, SourceName, TableHead, columns_remark, given_air, in_degrees,
-    near_known,
+    CONDITIONS, Column, Content, SourceName, TableHead, columns_remark, given_air, heads_of,
+    in_degrees, near_known,
 };
 use crate::units::Message;
 
@@ -47,7 +47,7 @@ impl PointColumns {
                 _ => format!(
                     "none of its columns is a parameter or a launch condition ({}); add one, such \
                      as 'club.loft [deg]'",
-                    head.named(|_| true).join(", ")
+                    heads_of(&head.columns, |_| true).join(", ")
                 ),
             };
             file.refused(String::new(), reason)
@@ -102,7 +102,7 @@ fn not_read(head: &TableHead, read: &[usize]) -> Option<Message> {
         read.iter()
             .any(|at| std::ptr::eq(&head.columns[*at], column))
     };
-    let not_read = head.named(|column| {
+    let not_read = heads_of(&head.columns, |column| {
         !is_read(column) && (column.content != Content::Note || !head.format.is_export)
     });
     let of = if head.has_strike() && !head.format.is_export {

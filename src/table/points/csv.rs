@@ -1,7 +1,6 @@
 use super::columns::PointColumns;
 use super::rows::PointRows;
 use crate::error::{Error, Result};
-use crate::input_file::InputFile;
 use crate::parameters::{Parameter, Setup};
 use crate::table::column::Column;
 use crate::table::decimal_mark::DecimalMarkCheck;
@@ -107,9 +106,7 @@ impl CsvRows {
 }
 
 fn opened(setup: &Setup<f64>, path: &Path) -> Result<(TextTable, TableHead)> {
-    let name = path.display().to_string();
-    let file = SourceName(name.clone()).io(InputFile::open(path))?;
-    TextTable::open(Text::open(&name, file)?, setup, &TableOptions::POINTS)
+    TextTable::open(Text::of_file(path)?, setup, &TableOptions::POINTS)
 }
 
 impl CsvSection {
