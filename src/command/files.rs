@@ -62,7 +62,7 @@ impl OutputRule {
         }
         refuse_standard_output(path, "file, as in `output mine.toml`")?;
         let destination = self.place(path)?;
-        if destination.is_file() {
+        if destination.kind == DestinationKind::File {
             // before the work, report a path that cannot be written
             create_beside(&destination.path).map_err(|error| unwritable(path, &error))?;
         }
@@ -224,14 +224,15 @@ pub struct Destination {
     shown: PathBuf,
     /// The path of the file itself, with links resolved.
     pub path: PathBuf,
-    kind: DestinationKind,
+    pub kind: DestinationKind,
     /// True if the file may be replaced. False for a new file without `--overwrite`: another
     /// program may create the file before it is written.
     may_replace: bool,
 }
 
+/// The kind of a destination.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum DestinationKind {
+pub enum DestinationKind {
     /// A file on disk, new or existing.
     File,
     /// A device or a pipe.
@@ -244,17 +245,8 @@ enum DestinationKind {
 }
 
 impl Destination {
-    /// Standard output, for rows of a table.
-    pub fn standard_output() -> Self {
-        Self::without_file(DestinationKind::StandardOutput)
-    }
-
-    /// The destination of rows that are not wanted.
-    pub fn nowhere() -> Self {
-        Self::without_file(DestinationKind::Nowhere)
-    }
-
-    fn without_file(kind: DestinationKind) -> Self {
+    /// Standard output, or nowhere.
+    pub fn without_file(kind: DestinationKind) -> Self {
         Self {
             shown: "-".into(),
             path: "-".into(),
@@ -268,27 +260,9 @@ impl Destination {
         format!("{} is not written: {why}", self.path.display()).into()
     }
 
-    /// Returns true for a file on disk; false for a device, a pipe, and a file in memory.
-    pub fn is_file(&self) -> bool {
-        self.kind == DestinationKind::File
-    }
-
-    /// Returns true for a file that the caller of the command keeps in memory.
-    pub fn is_in_memory(&self) -> bool {
-        self.kind == DestinationKind::Memory
-    }
-
-    pub fn is_standard_output(&self) -> bool {
-        self.kind == DestinationKind::StandardOutput
-    }
-
-    pub fn is_nowhere(&self) -> bool {
-        self.kind == DestinationKind::Nowhere
-    }
-
     /// The file on disk.
     pub fn file(&self) -> Option<&Path> {
-        self.is_file().then_some(&self.path)
+        (self.kind == DestinationKind::File).then_some(&self.path)
     }
 
     /// The file on disk, or the device.
@@ -304,7 +278,7 @@ impl Destination {
     pub fn write(&self, bytes: &[u8]) -> Result<()> {
         let write = || self.stage(bytes)?.put_in_place();
         // writing to a pipe may block forever without a reader
-        if !self.is_file() {
+        if self.kind != DestinationKind::File {
             return write();
         }
         interrupt::undisturbed(&self.shown, write)
@@ -386,7 +360,7 @@ impl OutputStream {
     /// # Errors
     /// [`Error::Results`] if the file cannot be moved. An existing file is then unchanged.
     pub fn finish(self) -> Result<()> {
-        if !self.destination.is_file() {
+        if self.destination.kind != DestinationKind::File {
             return self.put_in_place();
         }
         let shown = self.destination.shown.clone();

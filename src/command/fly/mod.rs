@@ -9,7 +9,7 @@ pub use args::Args;
 
 use crate::batch::Run;
 use crate::command::args::refuse_threads;
-use crate::command::files::{Destination, OutputStream};
+use crate::command::files::{Destination, DestinationKind, OutputStream};
 use crate::command::interrupt;
 use crate::command::output::{Answer, system, tell, text_of, warn};
 use crate::command::request::Request;
@@ -303,7 +303,7 @@ fn answer(
     let answer = match destination.path_on_disk() {
         Some(file) if is_answered => Answer::text(format!("{text}wrote {}\n", file.display())),
         // standard output already has the rows
-        None if !destination.is_nowhere() => {
+        None if destination.kind != DestinationKind::Nowhere => {
             tell(&text);
             Answer::text(String::new())
         }

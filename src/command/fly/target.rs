@@ -3,8 +3,8 @@
 use super::args::{Args, FlyFormat};
 use crate::Result;
 use crate::command::files::{
-    Destination, OutputRule, ending, parquet_without_file, refuse_overwrite_of_standard_output,
-    refused,
+    Destination, DestinationKind, OutputRule, ending, parquet_without_file,
+    refuse_overwrite_of_standard_output, refused,
 };
 use crate::command::request::Request;
 use crate::command::running::running;
@@ -53,10 +53,10 @@ pub fn destination(args: &Args, shots: &Path, request: &Request) -> Result<Desti
     let path = args.output.as_path();
     refuse_overwrite_of_standard_output(path, args.overwrite)?;
     if path == Path::new("-") {
-        return Ok(match request.is_json {
-            true => Destination::nowhere(),
-            false => Destination::standard_output(),
-        });
+        return Ok(Destination::without_file(match request.is_json {
+            true => DestinationKind::Nowhere,
+            false => DestinationKind::StandardOutput,
+        }));
     }
     let inputs = request
         .inputs()

@@ -14,6 +14,7 @@ pub use args::Args;
 
 use crate::batch::{Batch, Points, Run, Status, StatusCounts};
 use crate::command::args::{refuse_threads, stated};
+use crate::command::files::DestinationKind;
 use crate::command::interrupt;
 use crate::command::output::{Answer, bar, say_error, tell, warn, warnings};
 use crate::drive::CheckScope;
@@ -75,15 +76,16 @@ pub fn run(args: &Args) -> Result<Answer> {
         say_error(nothing);
     }
     let is_answered = is_complete && nothing.is_none();
+    let is_standard_output = destination.kind == DestinationKind::StandardOutput;
     // rows on standard output leave no place there for the counts of drives that did not land
     let all_landed = counts.count(Status::Landed) == counts.total();
-    if is_answered && !all_landed && destination.is_standard_output() {
+    if is_answered && !all_landed && is_standard_output {
         tell(&summary.text(None));
     }
     let answer = if request.is_json {
         let reply = Reply::done("sweep", warnings(), &summary);
         Answer::json(&ended(reply, is_complete, nothing))
-    } else if is_complete && !destination.is_standard_output() {
+    } else if is_complete && !is_standard_output {
         Answer::text(summary.text(destination.file()) + "\n")
     } else {
         Answer::text(String::new())

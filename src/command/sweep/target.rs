@@ -5,7 +5,7 @@ use super::resumable::{ResumableFile, check};
 use super::rows::{FormattedRows, RowWriter};
 use crate::batch::StatusCounts;
 use crate::command::files::{
-    Destination, OutputRule, OutputStream, ending, parquet_without_file,
+    Destination, DestinationKind, OutputRule, OutputStream, ending, parquet_without_file,
     refuse_overwrite_of_standard_output, refused,
 };
 use crate::command::request::Request;
@@ -65,12 +65,12 @@ pub fn destination(args: &Args, request: &Request, format: SweepFormat) -> Resul
         return Err(parquet_without_file(path));
     }
     if is_standard {
-        return Ok(Destination::standard_output());
+        return Ok(Destination::without_file(DestinationKind::StandardOutput));
     }
     let inputs = request.inputs().chain(args.points.clone());
     // with `--resume` a file may exist; the code below checks that it belongs to a sweep
     let destination = OutputRule::new(inputs, args.overwrite || args.resume).file(path)?;
-    if destination.is_in_memory() {
+    if destination.kind == DestinationKind::Memory {
         return refuse(
             "there is no disk here; write the rows to standard output, with `format csv` or jsonl",
         );
