@@ -18,6 +18,7 @@ mod plausible;
 mod points;
 mod records;
 mod refusal;
+mod row_fault;
 mod row_filter;
 mod text;
 
@@ -42,11 +43,11 @@ pub(crate) use plausible::{
 pub use points::{open_table, sweep_points};
 pub use records::Record;
 pub(crate) use records::{cells, quoted};
-pub(crate) use refusal::NonShotRows;
 pub use refusal::Refusal;
+pub(crate) use row_fault::{NonShotRows, RowFault};
 pub use row_filter::RowFilter;
 pub(crate) use row_filter::{club_column, counted_values};
-pub(crate) use text::{RowFault, SourceName, TableEntry, Text, TextTable};
+pub(crate) use text::{SourceName, TableEntry, Text, TextTable};
 
 use crate::drive::Outcome;
 

@@ -5,14 +5,12 @@ use super::encoding::{Encoding, decoded};
 use super::head::{TableHead, TableOptions};
 use super::launch_monitor::is_head;
 use super::records::{Lines, Record, cells};
-use super::refusal::{NonShot, Refusal};
 use super::row_filter::RowFilter;
 use crate::csv_dialect::detect_separator;
 use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
 use crate::input_file::InputFile;
 use crate::parameters::Setup;
-use crate::units::counted;
 use std::io::{self, BufReader, Cursor, Read};
 use std::path::Path;
 
@@ -334,56 +332,4 @@ impl HeadPlace {
         }
         first
     }
-}
-
-/// Why a row of a table is not read.
-pub(crate) enum RowFault<'a> {
-    /// A row of an export without a shot.
-    NonShot(NonShot<'a>),
-    /// An unclosed quote, fewer cells than column heads, or a filled cell beyond them.
-    Unreadable(Refusal),
-}
-
-impl<'a> RowFault<'a> {
-    /// The fault of a record with the cells `row`, in a table with `width` columns; `None` for a
-    /// row that can be read.
-    pub fn find<S: AsRef<str>>(
-        record: &Record,
-        row: &'a [S],
-        width: usize,
-        is_export: bool,
-    ) -> Option<Self> {
-        if let Some(refusal) = record.unclosed() {
-            return Some(Self::Unreadable(refusal));
-        }
-        if let Some(no_shot) = NonShot::of(row).filter(|_| is_export) {
-            return Some(Self::NonShot(no_shot));
-        }
-        miscounted(row, width).map(Self::Unreadable)
-    }
-
-    /// Reason for rejecting the row.
-    pub fn refusal(self) -> Refusal {
-        match self {
-            Self::NonShot(no_shot) => no_shot.refusal(),
-            Self::Unreadable(refusal) => refusal,
-        }
-    }
-}
-
-/// Refusal of a row that has fewer cells than `heads`, the number of column heads, or a filled cell
-/// beyond them.
-fn miscounted<S: AsRef<str>>(row: &[S], heads: usize) -> Option<Refusal> {
-    let filled = row
-        .iter()
-        .rposition(|cell| !cell.as_ref().is_empty())
-        .map_or(0, |at| at + 1);
-    if row.len() >= heads && filled <= heads {
-        return None;
-    }
-    let [row, head] = [row.len(), heads].map(|count| counted(count as u64, "cell"));
-    let reason = format!(
-        "the row has {row}, but the head has {head}; give every row a cell for each column"
-    );
-    Some(Refusal::new(Refusal::CELLS, reason))
 }

@@ -6,8 +6,8 @@ use crate::table::column::Column;
 use crate::table::decimal_mark::DecimalMarkCheck;
 use crate::table::head::{TableHead, TableOptions};
 use crate::table::records::cells;
-use crate::table::refusal::NonShotRows;
-use crate::table::text::{RowFault, SourceName, TableEntry, Text, TextTable};
+use crate::table::row_fault::{NonShotRows, RowFault};
+use crate::table::text::{SourceName, TableEntry, Text, TextTable};
 use crate::units::Message;
 use std::path::{Path, PathBuf};
 
@@ -44,7 +44,7 @@ impl CsvRows {
     /// repeated, if no column is a parameter, or if a unit has the wrong dimension. Reading a row
     /// fails if a cell is not a number, or if its decimal mark is ambiguous.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        let (table, head) = opened(setup, path)?;
+        let (table, head) = TextTable::open(Text::of_file(path)?, setup, &TableOptions::POINTS)?;
         let columns = PointColumns::new(setup, &table.name, &head)?;
         let section = CsvSection::new(&table.name, &head, &columns.parameters, &columns.at)?;
         let (path, setup) = (path.to_owned(), *setup);
@@ -93,20 +93,15 @@ impl CsvRows {
             let CsvSection {
                 width, is_export, ..
             } = self.section;
-            match RowFault::find(&record, &row, width, is_export) {
-                None => return Ok(Some(row.into_iter().map(Into::into).collect())),
-                Some(RowFault::NonShot(no_shot)) => self.no_shots.add(self.row, no_shot),
-                Some(RowFault::Unreadable(refusal)) => {
-                    let place = format!(", row {}", self.row);
-                    return Err(self.table.name.refused(place, refusal.reason));
-                }
-            }
+            let Some(fault) = RowFault::find(&record, &row, width, is_export) else {
+                return Ok(Some(row.into_iter().map(Into::into).collect()));
+            };
+            self.no_shots.add(self.row, fault).map_err(|refusal| {
+                let place = format!(", row {}", self.row);
+                self.table.name.refused(place, refusal.reason)
+            })?;
         }
     }
-}
-
-fn opened(setup: &Setup<f64>, path: &Path) -> Result<(TextTable, TableHead)> {
-    TextTable::open(Text::of_file(path)?, setup, &TableOptions::POINTS)
 }
 
 impl CsvSection {
@@ -139,7 +134,8 @@ impl PointRows for CsvRows {
 
     fn rewind(&mut self) -> Result<()> {
         // reopen: a decoded text is not seekable
-        let (table, head) = opened(&self.setup, &self.path)?;
+        let text = Text::of_file(&self.path)?;
+        let (table, head) = TextTable::open(text, &self.setup, &TableOptions::POINTS)?;
         self.section = CsvSection::new(
             &table.name,
             &head,
