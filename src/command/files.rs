@@ -289,18 +289,18 @@ impl Destination {
     /// # Errors
     /// [`Error::Results`] if the file cannot be written.
     pub fn begin(&self) -> Result<OutputStream> {
-        let to = match self.kind {
-            DestinationKind::File => create_beside(&self.path).map(To::Beside),
+        let sink = match self.kind {
+            DestinationKind::File => create_beside(&self.path).map(Sink::Beside),
             DestinationKind::Device => fs::OpenOptions::new()
                 .write(true)
                 .open(&self.path)
-                .map(To::Device),
-            DestinationKind::Memory => Ok(To::Memory(vec![])),
-            DestinationKind::StandardOutput => Ok(To::StandardOutput),
-            DestinationKind::Nowhere => Ok(To::Nowhere),
+                .map(Sink::Device),
+            DestinationKind::Memory => Ok(Sink::Memory(vec![])),
+            DestinationKind::StandardOutput => Ok(Sink::StandardOutput),
+            DestinationKind::Nowhere => Ok(Sink::Nowhere),
         };
         Ok(OutputStream {
-            to: to.map_err(|error| unwritable(&self.shown, &error))?,
+            sink: sink.map_err(|error| unwritable(&self.shown, &error))?,
             destination: self.clone(),
         })
     }
@@ -315,11 +315,11 @@ impl Destination {
 
 /// An output that is written piece by piece.
 pub struct OutputStream {
-    to: To,
+    sink: Sink,
     destination: Destination,
 }
 
-enum To {
+enum Sink {
     /// A temporary file in the same folder. It is deleted unless it is renamed.
     Beside(NamedTempFile),
     Device(fs::File),
@@ -332,11 +332,11 @@ impl OutputStream {
     /// Writes the next piece.
     ///
     /// # Errors
-    /// [`Error::Output`] for standard output, and [`Error::Results`] for a file, if the piece cannot
-    /// be written.
+    /// If the piece cannot be written: [`Error::Output`] for standard output, [`Error::Results`] for
+    /// a file.
     pub fn write(&mut self, bytes: &[u8]) -> Result<()> {
-        self.try_write(bytes).map_err(|error| match self.to {
-            To::StandardOutput => Error::Output(error),
+        self.try_write(bytes).map_err(|error| match self.sink {
+            Sink::StandardOutput => Error::Output(error),
             _ => unwritable(&self.destination.shown, &error),
         })
     }
@@ -346,12 +346,12 @@ impl OutputStream {
     /// # Errors
     /// If the piece cannot be written.
     pub fn try_write(&mut self, bytes: &[u8]) -> io::Result<()> {
-        match &mut self.to {
-            To::Beside(file) => file.write_all(bytes),
-            To::Device(file) => file.write_all(bytes),
-            To::Memory(content) => content.write_all(bytes),
-            To::StandardOutput => running().host.write(bytes),
-            To::Nowhere => Ok(()),
+        match &mut self.sink {
+            Sink::Beside(file) => file.write_all(bytes),
+            Sink::Device(file) => file.write_all(bytes),
+            Sink::Memory(content) => content.write_all(bytes),
+            Sink::StandardOutput => running().host.write(bytes),
+            Sink::Nowhere => Ok(()),
         }
     }
 
@@ -378,13 +378,13 @@ impl OutputStream {
             file.as_file().sync_all()?;
             Ok(persist(file.into_temp_path(), &path, may_replace)?)
         };
-        match self.to {
-            To::Device(_) | To::StandardOutput | To::Nowhere => Ok(()),
-            To::Memory(content) => {
+        match self.sink {
+            Sink::Device(_) | Sink::StandardOutput | Sink::Nowhere => Ok(()),
+            Sink::Memory(content) => {
                 running().host.keep(&shown, content);
                 Ok(())
             }
-            To::Beside(file) => rename(file).map_err(|error| match error.kind() {
+            Sink::Beside(file) => rename(file).map_err(|error| match error.kind() {
                 ErrorKind::AlreadyExists => refused(
                     &shown,
                     "it was made by another program while this command ran; use `overwrite` to \

@@ -98,11 +98,6 @@ impl Running {
         }
     }
 
-    /// True if tables are to fit a screen.
-    pub fn is_for_a_screen(&self) -> bool {
-        self.host.is_screen() && !self.options.all
-    }
-
     /// A message in the syntax of the host.
     pub fn in_words_of_the_host(&self, message: &str) -> String {
         with_mentions_of(self.program, message, |mention| self.host.mention(mention))

@@ -14,12 +14,14 @@ use std::path::Path;
 pub fn format_of(args: &Args, is_json: bool) -> Result<FlyFormat> {
     let path = args.output.as_path();
     let is_standard = path == Path::new("-");
+    let running = running();
+    let fits_screen = running.host.is_screen() && !running.options.all;
     let format = match (args.format, ending(path).as_str()) {
         (Some(format), _) => format,
         (None, "csv") => FlyFormat::Csv,
         (None, "jsonl" | "ndjson") => FlyFormat::Jsonl,
         (None, "json") => FlyFormat::OpenConnect,
-        (None, _) if is_standard && running().is_for_a_screen() => FlyFormat::Screen,
+        (None, _) if is_standard && fits_screen => FlyFormat::Screen,
         (None, _) if is_standard => FlyFormat::Csv,
         #[cfg(feature = "parquet")]
         (None, "parquet") => FlyFormat::Parquet,

@@ -1,7 +1,7 @@
 //! Disk space: estimates the size and time of a sweep before its start.
 
 use super::args::Args;
-use super::rows::{FormattedRows, RowWriter};
+use super::rows::{FormattedRows, RowFormatter};
 use crate::batch::{Batch, Points};
 use crate::units::counted;
 use crate::{Error, Result};
@@ -18,7 +18,7 @@ pub fn check(
     args: &Args,
     batch: &Batch,
     points: &mut dyn Points,
-    writer: &RowWriter,
+    formatter: &RowFormatter,
     file: Option<&Path>,
 ) -> Result<()> {
     let (most, limit) = match (&args.max_size, file) {
@@ -40,7 +40,7 @@ pub fn check(
         return Ok(());
     }
     let begun = Instant::now();
-    let content = writer.rows(batch.evaluate(0, values));
+    let content = formatter.rows(batch.evaluate(0, values));
     let seconds = begun.elapsed().as_secs_f64();
     let row = match content {
         FormattedRows::Text { bytes, .. } => bytes.len() as f64 / tried as f64,

@@ -23,7 +23,7 @@ use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result};
 use request::SweepRequest;
 use resumable::part_of;
-use rows::{FormattedRows, RowWriter};
+use rows::{FormattedRows, Identity, RowFormatter};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -48,12 +48,26 @@ pub fn run(args: &Args) -> Result<Answer> {
         batch,
         notes,
     } = SweepRequest::of(args, &request)?;
-    let writer = RowWriter::new(&batch, format, points.identity())?;
-    disk_space::check(args, &batch, points.as_mut(), &writer, destination.file())?;
-    let mut output = SweepOutput::open(&destination, &writer, args)?;
+    let identity = Identity::new(&batch, format, points.identity());
+    let formatter = RowFormatter::new(&batch, format, &identity)?;
+    disk_space::check(
+        args,
+        &batch,
+        points.as_mut(),
+        &formatter,
+        destination.file(),
+    )?;
+    let mut output = SweepOutput::open(&destination, &identity, &formatter, args)?;
     warn(setup.warnings());
     let total = points.rows();
-    let is_complete = write_rows(args, &batch, points.as_mut(), &writer, &mut output, &stop)?;
+    let is_complete = write_rows(
+        args,
+        &batch,
+        points.as_mut(),
+        &formatter,
+        &mut output,
+        &stop,
+    )?;
     let counts = output.status_counts();
     // an incomplete file has another name
     let part = destination.file().map(part_of);
@@ -131,7 +145,7 @@ fn write_rows(
     args: &Args,
     batch: &Batch,
     points: &mut dyn Points,
-    writer: &RowWriter,
+    formatter: &RowFormatter,
     output: &mut SweepOutput<'_>,
     stop: &AtomicBool,
 ) -> Result<bool> {
@@ -149,7 +163,7 @@ fn write_rows(
     let done = batch.run(
         points,
         &run,
-        |block| writer.rows(block),
+        |block| formatter.rows(block),
         |rows: FormattedRows| {
             bar.inc(rows.count());
             output.take(rows)

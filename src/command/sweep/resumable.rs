@@ -1,7 +1,5 @@
 use super::journal::{Journal, WrittenRows};
-#[cfg(feature = "parquet")]
-use super::rows::RowFormatter;
-use super::rows::{FormattedRows, RowWriter};
+use super::rows::{FormattedRows, Identity, RowFormatter};
 use crate::atomic_file::persist;
 #[cfg(feature = "parquet")]
 use crate::batch::Block;
@@ -33,7 +31,7 @@ pub struct ResumableFile<'a> {
     /// The open file.
     file: File,
     journal: Journal,
-    writer: &'a RowWriter,
+    formatter: &'a RowFormatter,
     /// The rows in the file.
     written: WrittenRows,
     /// Number of rows in the journal. A resumed sweep continues after these rows.
@@ -103,47 +101,46 @@ fn nothing_left(path: &Path) -> Error {
 }
 
 impl<'a> ResumableFile<'a> {
-    /// Begins or continues the file. The destination must have been checked.
-    pub fn open(
-        path: PathBuf,
-        writer: &'a RowWriter,
-        resume: bool,
+    /// Begins the file. The destination must have been checked.
+    pub fn begin(
+        path: &Path,
+        identity: &Identity,
+        formatter: &'a RowFormatter,
         overwrite: bool,
     ) -> Result<Self> {
-        if resume && Journal::path(&path).exists() {
-            return Self::go_on(path, writer);
-        }
-        let unwritable = |error: io::Error| unwritable(&path, &error);
+        let unwritable = |error: io::Error| unwritable(path, &error);
         // create the journal first: rows without a journal could not be identified
-        let journal = Journal::begin(&path, &writer.identity, overwrite).map_err(unwritable)?;
+        let journal = Journal::begin(path, identity, overwrite).map_err(unwritable)?;
         // another sweep may have completed the file since the check
         if !overwrite && path.exists() {
             journal.remove().map_err(unwritable)?;
-            return Err(exists(&path));
+            return Err(exists(path));
         }
         let rows = OpenOptions::new()
             .write(true)
             .create(true)
             .truncate(true)
-            .open(part_of(&path));
+            .open(part_of(path));
         let file = rows.map_err(|error| {
             let _ = journal.remove();
             unwritable(error)
         })?;
-        Self::at_the_beginning(path, file, journal, writer).begun()
+        let mut begun = Self::at_the_beginning(path, file, journal, formatter);
+        begun.append(&formatter.head())?;
+        Ok(begun)
     }
 
     fn at_the_beginning(
-        path: PathBuf,
+        path: &Path,
         file: File,
         journal: Journal,
-        writer: &'a RowWriter,
+        formatter: &'a RowFormatter,
     ) -> Self {
         Self {
-            path,
+            path: path.into(),
             file,
             journal,
-            writer,
+            formatter,
             written: WrittenRows::default(),
             safe: 0,
             since: 0,
@@ -155,57 +152,52 @@ impl<'a> ResumableFile<'a> {
         }
     }
 
-    fn begun(mut self) -> Result<Self> {
-        self.append(&self.writer.head())?;
-        Ok(self)
-    }
-
-    fn go_on(path: PathBuf, writer: &'a RowWriter) -> Result<Self> {
+    /// Continues the file after its journal. The destination must have been checked.
+    pub fn resume(path: &Path, identity: &Identity, formatter: &'a RowFormatter) -> Result<Self> {
         let unusable =
-            |error: io::Error| refused(&path, format!("its sweep cannot be resumed ({error})"));
+            |error: io::Error| refused(path, format!("its sweep cannot be resumed ({error})"));
         // the file is missing if the program was killed before it created the file, after the
         // journal
         let file = OpenOptions::new()
             .write(true)
             .create(true)
             .truncate(false)
-            .open(part_of(&path))
+            .open(part_of(path))
             .map_err(unusable)?;
         let length = file.metadata().map_err(unusable)?.len();
-        let Some((journal, identity, entries)) =
-            Journal::open(&path, |entry| entry.bytes <= length).map_err(unusable)?
+        let Some((journal, earlier, entries)) =
+            Journal::open(path, |entry| entry.bytes <= length).map_err(unusable)?
         else {
-            return Err(nothing_left(&path));
+            return Err(nothing_left(path));
         };
-        if let Some(part) = writer.identity.difference(&identity) {
+        if let Some(part) = identity.difference(&earlier) {
             let reason = format!(
                 "it belongs to another command ({part} differ); repeat the command that began it, \
                  or give `overwrite` to replace the file"
             );
-            return Err(refused(&path, reason));
+            return Err(refused(path, reason));
         }
         if !journal.overwrite && path.exists() {
             let reason = "it exists, and the sweep into it was begun without `overwrite`; move it \
                           away, then repeat the \
                           same command with `resume`";
-            return Err(refused(&path, reason));
+            return Err(refused(path, reason));
         }
-        let mut kept = Self::at_the_beginning(path.clone(), file, journal, writer);
+        let mut kept = Self::at_the_beginning(path, file, journal, formatter);
         if let Some(last) = entries.last() {
             kept.written = last.clone();
             kept.safe = kept.rows();
         }
         #[cfg(feature = "parquet")]
-        if let RowFormatter::Parquet(table) = &writer.formatter {
+        if let RowFormatter::Parquet(table) = formatter {
             kept.restore_groups(table, &entries)?;
         }
         kept.cut().map_err(unusable)?;
         tell(&format!("resuming after {}", counted(kept.safe, "row")));
         if kept.safe == 0 {
-            kept.begun()
-        } else {
-            Ok(kept)
+            kept.append(&formatter.head())?;
         }
+        Ok(kept)
     }
 
     /// Status counts of the rows in the file.
@@ -233,7 +225,7 @@ impl<'a> ResumableFile<'a> {
             }
             #[cfg(feature = "parquet")]
             FormattedRows::Block(block) => {
-                let RowFormatter::Parquet(table) = &self.writer.formatter else {
+                let RowFormatter::Parquet(table) = self.formatter else {
                     return Ok(());
                 };
                 self.pending.push(block);
@@ -250,7 +242,7 @@ impl<'a> ResumableFile<'a> {
     /// A complete file is renamed to its final name, and its journal is deleted.
     pub fn close(&mut self, is_complete: bool) -> Result<()> {
         #[cfg(feature = "parquet")]
-        if let RowFormatter::Parquet(table) = &self.writer.formatter {
+        if let RowFormatter::Parquet(table) = self.formatter {
             // after a disk error there may be no space for these rows
             let rest = if self.pending.is_empty() {
                 Ok(())

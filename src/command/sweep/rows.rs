@@ -20,6 +20,22 @@ pub struct Identity {
 }
 
 impl Identity {
+    pub fn new(batch: &Batch, format: SweepFormat, points: String) -> Self {
+        let names = |names: Vec<&str>| names.join(",");
+        Self {
+            version: env!("CARGO_PKG_VERSION").into(),
+            // debug form: every number to the last digit
+            setup: format!("{:?}", batch.setup()),
+            points,
+            outcomes: names(batch.outcomes().iter().map(|of| of.name()).collect()),
+            derivatives: names(batch.wrt().iter().map(|by| by.name).collect()),
+            format: match (format, stated_system().into()) {
+                (SweepFormat::Csv, TableUnits::Of(system)) => format!("csv in {system} units"),
+                _ => format!("{format:?}").to_lowercase(),
+            },
+        }
+    }
+
     /// The first difference from another identity.
     pub fn difference(&self, other: &Self) -> Option<&'static str> {
         let parts = [
@@ -60,12 +76,6 @@ impl FormattedRows {
     }
 }
 
-/// Converts blocks to rows.
-pub struct RowWriter {
-    pub identity: Identity,
-    pub formatter: RowFormatter,
-}
-
 /// Formats blocks as rows.
 pub enum RowFormatter {
     Csv(SweepCsv),
@@ -74,55 +84,37 @@ pub enum RowFormatter {
     Parquet(Box<SweepParquet>),
 }
 
-impl RowWriter {
-    pub fn new(batch: &Batch, format: SweepFormat, points: String) -> Result<Self> {
-        let units = TableUnits::from(stated_system());
-        let names = |names: Vec<&str>| names.join(",");
-        let identity = Identity {
-            version: env!("CARGO_PKG_VERSION").into(),
-            // debug form: every number to the last digit
-            setup: format!("{:?}", batch.setup()),
-            points,
-            outcomes: names(batch.outcomes().iter().map(|of| of.name()).collect()),
-            derivatives: names(batch.wrt().iter().map(|by| by.name).collect()),
-            format: match (format, units) {
-                (SweepFormat::Csv, TableUnits::Of(system)) => format!("csv in {system} units"),
-                _ => format!("{format:?}").to_lowercase(),
-            },
-        };
-        let formatter = match format {
-            SweepFormat::Csv => RowFormatter::Csv(SweepCsv::new(batch, units)),
-            SweepFormat::Jsonl => RowFormatter::JsonLines(SweepJsonLines::new(batch)),
+impl RowFormatter {
+    pub fn new(batch: &Batch, format: SweepFormat, identity: &Identity) -> Result<Self> {
+        Ok(match format {
+            SweepFormat::Csv => Self::Csv(SweepCsv::new(batch, stated_system().into())),
+            SweepFormat::Jsonl => Self::JsonLines(SweepJsonLines::new(batch)),
             #[cfg(feature = "parquet")]
             SweepFormat::Parquet => {
                 // strings always serialise
-                let note = serde_json::to_string(&identity).unwrap_or_default();
-                RowFormatter::Parquet(Box::new(SweepParquet::new(batch, &note)?))
+                let note = serde_json::to_string(identity).unwrap_or_default();
+                Self::Parquet(Box::new(SweepParquet::new(batch, &note)?))
             }
-        };
-        Ok(Self {
-            identity,
-            formatter,
         })
     }
 
     /// The first bytes of a file.
     pub fn head(&self) -> Vec<u8> {
-        match &self.formatter {
-            RowFormatter::Csv(table) => table.head(),
-            RowFormatter::JsonLines(_) => vec![],
+        match self {
+            Self::Csv(table) => table.head(),
+            Self::JsonLines(_) => vec![],
             #[cfg(feature = "parquet")]
-            RowFormatter::Parquet(table) => table.head(),
+            Self::Parquet(table) => table.head(),
         }
     }
 
     /// The rows of a block; called on the thread that computed it.
     pub fn rows(&self, block: Block) -> FormattedRows {
-        let bytes = match &self.formatter {
-            RowFormatter::Csv(table) => table.rows(&block),
-            RowFormatter::JsonLines(table) => table.rows(&block),
+        let bytes = match self {
+            Self::Csv(table) => table.rows(&block),
+            Self::JsonLines(table) => table.rows(&block),
             #[cfg(feature = "parquet")]
-            RowFormatter::Parquet(_) => return FormattedRows::Block(block),
+            Self::Parquet(_) => return FormattedRows::Block(block),
         };
         let mut status_counts = StatusCounts::default();
         status_counts.add(&block);

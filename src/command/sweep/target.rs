@@ -1,8 +1,9 @@
 //! Destination and format of the rows of a sweep.
 
 use super::args::{Args, SweepFormat};
+use super::journal::Journal;
 use super::resumable::{ResumableFile, check};
-use super::rows::{FormattedRows, RowWriter};
+use super::rows::{FormattedRows, Identity, RowFormatter};
 use crate::batch::StatusCounts;
 use crate::command::files::{
     Destination, DestinationKind, OutputRule, OutputStream, ending, parquet_without_file,
@@ -93,14 +94,22 @@ pub enum SweepOutput<'a> {
 
 impl<'a> SweepOutput<'a> {
     /// Begins the output, or continues an interrupted output.
-    pub fn open(destination: &Destination, writer: &'a RowWriter, args: &Args) -> Result<Self> {
+    pub fn open(
+        destination: &Destination,
+        identity: &Identity,
+        formatter: &'a RowFormatter,
+        args: &Args,
+    ) -> Result<Self> {
         if let Some(file) = destination.file() {
-            let file = ResumableFile::open(file.into(), writer, args.resume, args.overwrite)?;
-            return Ok(Self::Resumable(Box::new(file)));
+            let file = match args.resume && Journal::path(file).exists() {
+                true => ResumableFile::resume(file, identity, formatter),
+                false => ResumableFile::begin(file, identity, formatter, args.overwrite),
+            };
+            return Ok(Self::Resumable(Box::new(file?)));
         }
         let mut stream = destination.begin()?;
         let status_counts = StatusCounts::default();
-        write(&mut stream, &writer.head(), &status_counts)?;
+        write(&mut stream, &formatter.head(), &status_counts)?;
         Ok(Self::Stream {
             stream,
             status_counts,
