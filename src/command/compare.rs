@@ -1,7 +1,7 @@
 use crate::command::args::SetupArgs;
 use crate::command::names::outcomes;
 use crate::command::output::{Answer, spinner, tell, tell_error, warn};
-use crate::command::request::{Request, Setting, Source, refuse_duplicates};
+use crate::command::request::{CommandSetting, Request, Source, refuse_duplicates};
 use crate::report::{ComparisonReport, Origin};
 use crate::study::Comparison;
 use crate::units::Message;
@@ -115,12 +115,12 @@ impl PairArgs {
             None => source_a.clone(),
         };
         let settings_a = self.settings(
-            Setting::read_all("set_a", &self.set_a)?,
-            Setting::read_all_launch("launch_a", &self.launch_a)?,
+            CommandSetting::read_all("set_a", &self.set_a)?,
+            CommandSetting::read_all_launch("launch_a", &self.launch_a)?,
         )?;
         let settings_b = self.settings(
-            Setting::read_all("set_b", &self.set_b)?,
-            Setting::read_all_launch("launch_b", &self.launch_b)?,
+            CommandSetting::read_all("set_b", &self.set_b)?,
+            CommandSetting::read_all_launch("launch_b", &self.launch_b)?,
         )?;
         Ok([
             Request::new(source_a, settings_a, &self.setup_args)
@@ -131,12 +131,16 @@ impl PairArgs {
     }
 
     /// The settings of a drive: its own settings, and the common settings that they do not replace.
-    fn settings(&self, own_set: Vec<Setting>, own_launch: Vec<Setting>) -> Result<Vec<Setting>> {
+    fn settings(
+        &self,
+        own_set: Vec<CommandSetting>,
+        own_launch: Vec<CommandSetting>,
+    ) -> Result<Vec<CommandSetting>> {
         let own = [own_set, own_launch].concat();
         let common = self.setup_args.drive.settings()?;
         refuse_duplicates(&common)?;
         let is_replaced =
-            |setting: &Setting| own.iter().any(|own| own.parameter == setting.parameter);
+            |setting: &CommandSetting| own.iter().any(|own| own.parameter == setting.parameter);
         let common = common.into_iter().filter(|setting| !is_replaced(setting));
         let settings: Vec<_> = common.chain(own.iter().cloned()).collect();
         refuse_duplicates(&settings)?;

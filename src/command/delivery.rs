@@ -4,7 +4,7 @@ use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, command_line, system, tell, warn};
 use crate::command::ranges::varied;
-use crate::command::request::{Request, Setting, Source};
+use crate::command::request::{CommandSetting, Request, Source};
 use crate::report::{
     DeliveryReport, Origin, bound_warnings, delivery_toml, parameter_difference_text,
     parameter_text, population_warnings, recovered_csv, recovered_toml,
@@ -446,7 +446,7 @@ impl Requests {
             .drive
             .settings()?
             .into_iter()
-            .partition(Setting::is_of_launch);
+            .partition(CommandSetting::is_of_launch);
         let options = [
             ("ball_speed", &args.ball_speed),
             ("launch_angle", &args.launch_angle),
@@ -458,7 +458,7 @@ impl Requests {
         ];
         for (name, text) in options {
             if let Some(text) = text {
-                of_launch.push(Setting::of_launch(name, name, text)?);
+                of_launch.push(CommandSetting::of_launch(name, name, text)?);
             }
         }
         Ok(Self {
@@ -483,7 +483,7 @@ impl Requests {
             .settings
             .iter()
             .filter(|setting| setting.replaces_launch())
-            .map(Setting::to_string)
+            .map(CommandSetting::to_string)
             .collect();
         if args.shots.is_some() && !options.is_empty() {
             return Err(Error::unreadable(
