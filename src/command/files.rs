@@ -319,6 +319,7 @@ pub struct OutputStream {
     destination: Destination,
 }
 
+/// The open end of an output.
 enum Sink {
     /// A temporary file in the same folder. It is deleted unless it is renamed.
     Beside(NamedTempFile),

@@ -10,6 +10,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use serde::Serialize;
 use serde_json::Value;
 use std::ffi::OsString;
+use std::fmt::Display;
 use std::io;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -177,6 +178,13 @@ pub fn command_line(arguments: &[OsString]) -> String {
 /// Reports a remark or progress, unless `--quiet` is given.
 pub fn tell(text: &str) {
     running().tell(text);
+}
+
+/// Reports notes about an input, which `input` names.
+pub fn tell_notes<'a>(input: impl Display, notes: impl IntoIterator<Item = &'a Message>) {
+    for note in notes {
+        tell(&format!("note: {input}: {}", note.in_units(system())));
+    }
 }
 
 /// Adds a text about omitted results to the JSON; with `--verbose`, also reports the text.

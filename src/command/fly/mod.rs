@@ -11,7 +11,7 @@ use crate::batch::Run;
 use crate::command::args::refuse_threads;
 use crate::command::files::{Destination, DestinationKind, OutputStream};
 use crate::command::interrupt;
-use crate::command::output::{Answer, system, tell, text_of, warn};
+use crate::command::output::{Answer, system, tell, tell_notes, text_of, warn};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
 use crate::input_file;
@@ -52,9 +52,9 @@ fn fly(args: &Args) -> Result<Answer> {
     let of = asked(args)?;
     let flying = flying(&request, &setup, &shots, &of)?;
     warn(setup.warnings());
-    let mut remarks = Remarks { file, all: vec![] };
-    remarks.add(shots.remarks().iter().cloned());
-    remarks.add(not_compared(&shots, &of, request.gives_ground()));
+    let mut remarks = shots.remarks().to_vec();
+    remarks.extend(not_compared(&shots, &of, request.gives_ground()));
+    tell_notes(file.display(), &remarks);
     let run = Run {
         threads: args.threads,
         stop: Some(&stop),
@@ -62,7 +62,9 @@ fn fly(args: &Args) -> Result<Answer> {
     };
     let maker = shots.maker();
     let (tally, output) = written(&destination, format, &flying, &mut shots, &run)?;
-    remarks.add(shots.final_remarks());
+    let final_remarks = shots.final_remarks();
+    tell_notes(file.display(), &final_remarks);
+    remarks.extend(final_remarks);
     let is_stopped = stop.load(std::sync::atomic::Ordering::Relaxed);
     if !is_stopped {
         refuse_no_rows(&tally, file)?;
@@ -75,11 +77,13 @@ fn fly(args: &Args) -> Result<Answer> {
     ));
     let suspicions = tally.unit_warnings(&shots);
     if suspicions.is_empty() {
-        remarks.add(of_lofted(&tally, &setup.law).map(Message::from));
+        let of_lofted = of_lofted(&tally, &setup.law).map(Message::from);
+        tell_notes(file.display(), &of_lofted);
+        remarks.extend(of_lofted);
     }
     warn(suspicions);
     let stopped = is_stopped.then(|| stopped(&tally, &destination));
-    let nothing = nothing(&tally, &remarks.all);
+    let nothing = nothing(&tally, &remarks);
     if request.is_json {
         warn(nothing.iter().cloned().map(Message::from));
     }
@@ -88,7 +92,7 @@ fn fly(args: &Args) -> Result<Answer> {
         &destination,
         &tally,
         maker,
-        &remarks.all,
+        &remarks,
         stopped,
         nothing,
     ))
@@ -143,22 +147,6 @@ fn refuse_no_rows(tally: &ShotStatistics, file: &Path) -> Result<()> {
         place: String::new(),
         reason: "it has no rows; give a row for each shot".into(),
     })
-}
-
-/// Remarks about a file of shots. `add` also reports each remark to the user.
-struct Remarks<'a> {
-    file: &'a Path,
-    all: Vec<Message>,
-}
-
-impl Remarks<'_> {
-    fn add(&mut self, remarks: impl IntoIterator<Item = Message>) {
-        for remark in remarks {
-            let text = remark.in_units(system());
-            tell(&format!("note: {}: {text}", self.file.display()));
-            self.all.push(remark);
-        }
-    }
 }
 
 /// Remarks on measured outcomes without a comparison, with advice on how to get a comparison.
