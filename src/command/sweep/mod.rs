@@ -49,7 +49,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         notes,
     } = SweepRequest::of(args, &request)?;
     let identity = Identity::new(&batch, format, points.identity());
-    let formatter = RowFormatter::new(&batch, format, &identity)?;
+    let formatter = identity.formatter(&batch, format)?;
     disk_space::check(
         args,
         &batch,

@@ -126,7 +126,7 @@ impl<'a> ResumableFile<'a> {
             unwritable(error)
         })?;
         let mut begun = Self::at_the_beginning(path, file, journal, formatter);
-        begun.append(&formatter.head())?;
+        begun.append(&begun.formatter.head())?;
         Ok(begun)
     }
 
@@ -195,7 +195,7 @@ impl<'a> ResumableFile<'a> {
         kept.cut().map_err(unusable)?;
         tell(&format!("resuming after {}", counted(kept.safe, "row")));
         if kept.safe == 0 {
-            kept.append(&formatter.head())?;
+            kept.append(&kept.formatter.head())?;
         }
         Ok(kept)
     }

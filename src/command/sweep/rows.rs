@@ -36,6 +36,20 @@ impl Identity {
         }
     }
 
+    /// The formatter of the rows. A Parquet file contains the identity.
+    pub fn formatter(&self, batch: &Batch, format: SweepFormat) -> Result<RowFormatter> {
+        Ok(match format {
+            SweepFormat::Csv => RowFormatter::Csv(SweepCsv::new(batch, stated_system().into())),
+            SweepFormat::Jsonl => RowFormatter::JsonLines(SweepJsonLines::new(batch)),
+            #[cfg(feature = "parquet")]
+            SweepFormat::Parquet => {
+                // strings always serialise
+                let note = serde_json::to_string(self).unwrap_or_default();
+                RowFormatter::Parquet(Box::new(SweepParquet::new(batch, &note)?))
+            }
+        })
+    }
+
     /// The first difference from another identity.
     pub fn difference(&self, other: &Self) -> Option<&'static str> {
         let parts = [
@@ -85,19 +99,6 @@ pub enum RowFormatter {
 }
 
 impl RowFormatter {
-    pub fn new(batch: &Batch, format: SweepFormat, identity: &Identity) -> Result<Self> {
-        Ok(match format {
-            SweepFormat::Csv => Self::Csv(SweepCsv::new(batch, stated_system().into())),
-            SweepFormat::Jsonl => Self::JsonLines(SweepJsonLines::new(batch)),
-            #[cfg(feature = "parquet")]
-            SweepFormat::Parquet => {
-                // strings always serialise
-                let note = serde_json::to_string(identity).unwrap_or_default();
-                Self::Parquet(Box::new(SweepParquet::new(batch, &note)?))
-            }
-        })
-    }
-
     /// The first bytes of a file.
     pub fn head(&self) -> Vec<u8> {
         match self {
